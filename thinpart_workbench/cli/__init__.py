@@ -1,0 +1,61 @@
+"""The command line: one module per command, exit status 0, 1, 2 or 130."""
+
+import argparse
+import importlib
+import os
+import sys
+
+from .. import __version__
+from ..core.errors import ThinPartError
+
+COMMANDS = {
+    "classify": ("classify", "classify parts and folders of parts"),
+    "demo": ("demo", "classify the bundled samples"),
+    "gui": ("gui", "start FreeCAD with the workbench from this folder"),
+    "install": ("install", "make the workbench appear in your FreeCAD"),
+    "uninstall": ("install", "take the workbench out of your FreeCAD again"),
+    "test": ("test", "run the test suite"),
+}
+"""Command: its module here, and what it does."""
+
+ALL_CLASSIFIED, SOME_FAILED, WRONG_USAGE, INTERRUPTED = 0, 1, 2, 130
+
+
+def main(arguments=None):
+    """Run a command and return its exit status."""
+    arguments = sys.argv[1:] if arguments is None else arguments
+    parser = _parser(arguments)
+    options, rest = parser.parse_known_args(arguments)
+    if rest and options.command != "test":
+        parser.error(f"unrecognized arguments: {' '.join(rest)}")
+    options.rest = rest
+    try:
+        return options.run(options)
+    except ThinPartError as error:
+        print(f"thinpart: {error}", file=sys.stderr)
+        return WRONG_USAGE if error.kind in ("usage", "profile") else SOME_FAILED
+    except KeyboardInterrupt:
+        print("thinpart: interrupted; what was done is kept.", file=sys.stderr)
+        return INTERRUPTED
+    except BrokenPipeError:
+        # The reader of a pipe (head, less) has seen enough.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return ALL_CLASSIFIED
+
+
+def _parser(arguments):
+    parser = argparse.ArgumentParser(
+        prog="thinpart", description="Tells before meshing whether a CAD part is thin, and where.",
+        epilog="'thinpart COMMAND --help' lists a command's options.",
+    )
+    parser.add_argument("--version", action="version", version=f"ThinPart {__version__}")
+    commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
+    wanted = next((each for each in arguments if not each.startswith("-")), None)
+    for name, (module, purpose) in COMMANDS.items():
+        subparser = commands.add_parser(name, help=purpose, description=purpose.capitalize() + ".")
+        if name == wanted:
+            # Only the command that runs is imported: the others' imports would slow its start.
+            chosen = importlib.import_module(f".{module}", __name__)
+            chosen.add_arguments(subparser)
+            subparser.set_defaults(run=chosen.run)
+    return parser

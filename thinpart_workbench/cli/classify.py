@@ -1,0 +1,131 @@
+"""``thinpart classify``: parts and folders to a table, JSON lines, CSV and info files."""
+
+import json
+import os
+import sys
+from dataclasses import fields
+
+from ..core.analysis_settings import BOXES, MEASURES, AnalysisSettings
+from ..core.criteria import load_profile
+from ..core.errors import ThinPartError
+from ..storage.info_file import info_path
+from ..workflow.analyse_file import FileTask
+from ..workflow.find_documents import find_documents
+from ..workflow.worker_pool import Limits, analyse_files
+from .part_rows import write_csv, print_table
+
+
+def add_arguments(parser):
+    """Declare the options."""
+    default = {each.name: each.default for each in fields(Limits)}
+    parser.add_argument("paths", nargs="+", metavar="PATH", help="a part, or a folder of parts")
+    parser.add_argument("--json", action="store_true",
+                        help="print one JSON record per part or failure, progress on stderr")
+    parser.add_argument("--csv", metavar="FILE", help="write the table to a CSV file as well")
+    parser.add_argument("--no-info", action="store_true", help="write no info files")
+    parser.add_argument("--info-dir", metavar="DIR",
+                        help="keep the info files in this folder instead of beside the parts")
+    parser.add_argument("--force", action="store_true",
+                        help="measure again even what has not changed")
+    parser.add_argument("--profile", default="paper", metavar="NAME-or-FILE",
+                        help="the thresholds to judge by (default: paper)")
+    parser.add_argument("--measure", choices=MEASURES, default=MEASURES[0],
+                        help="how thickness is measured: rays (default), or the paper's pair rule")
+    parser.add_argument("--box", choices=BOXES, default=BOXES[0],
+                        help="bounding box: minimal (default), or the paper's principal axes")
+    parser.add_argument("--jobs", type=_positive(int), metavar="N", default=os.cpu_count() or 1,
+                        help="files at once (default: one per processor)")
+    parser.add_argument("--timeout", type=_positive(float), metavar="S", default=default["seconds"],
+                        help="seconds that one file may take (default: %(default)g)")
+    parser.add_argument("--memory", type=_positive(int), metavar="MB", default=default["megabytes"],
+                        help="memory that one file may take (default: %(default)s)")
+
+
+def run(options):
+    """Classify and return the exit status."""
+    documents = find_documents(options.paths)
+    if not documents:
+        raise ThinPartError(
+            f"There are no parts in {', '.join(options.paths)}: name a CAD file or a folder "
+            "that holds some.", "empty",
+        )
+    tasks = [_task(document, options) for document in documents]
+    if options.csv:
+        _check_writable(options.csv)
+    limits = Limits(options.timeout, options.memory, options.jobs)
+    outcomes = []
+    try:
+        for outcome in analyse_files(tasks, limits):
+            outcomes.append(outcome)
+            _report(outcome, len(outcomes), len(tasks), options.json)
+    finally:
+        # Also after Ctrl-C: what was done is shown and kept.
+        outcomes.sort(key=lambda outcome: outcome["file"])
+        if not options.json and outcomes:
+            print_table(outcomes, sys.stdout)
+        if options.csv:
+            write_csv(outcomes, options.csv)
+    return 1 if any("error" in each or each["failures"] for each in outcomes) else 0
+
+
+def _task(document, options):
+    settings = AnalysisSettings(measure=options.measure, box=options.box)
+    info = None
+    if not options.no_info:
+        info = os.fspath(info_path(document.file, options.info_dir, document.root))
+    return FileTask(os.fspath(document.file), info, settings,
+                    load_profile(options.profile).content, options.force)
+
+
+def _report(outcome, done, total, as_json):
+    """One file has ended: its failures to stderr, its records to stdout."""
+    if "error" in outcome:
+        _print_failure(outcome["file"], outcome["error"])
+    for each in outcome.get("failures", ()):
+        _print_failure(outcome["file"], each)
+    if not as_json:
+        if total > 1 and sys.stderr.isatty():
+            print(f"{done} of {total}: {outcome['file']}", file=sys.stderr)
+        return
+    for line in json_lines(outcome):
+        print(json.dumps(line, ensure_ascii=False), flush=True)
+    print(json.dumps({"progress": {"done": done, "total": total, "file": outcome["file"]}}),
+          file=sys.stderr, flush=True)
+
+
+def json_lines(outcome):
+    """The records that ``--json`` prints for one file: parts, then failures."""
+    file = outcome["file"]
+    if "error" in outcome:
+        return [{"file": file, "error": outcome["error"]}]
+    lines = [{"file": file, **part} for part in outcome["parts"]]
+    for each in outcome["failures"]:
+        error = {"kind": each["kind"], "message": each["message"]}
+        lines.append({"file": file, "name": each["part"], "error": error})
+    return lines
+
+
+def _print_failure(file, error):
+    print(f"thinpart: {file}: {error['message']} [{error['kind']}]", file=sys.stderr, flush=True)
+
+
+def _check_writable(path):
+    try:
+        with open(path, "a", encoding="utf-8"):
+            pass
+    except OSError as error:
+        raise ThinPartError(
+            f"The table {path} cannot be written ({error.strerror}): give another file to --csv.",
+            "usage",
+        ) from None
+
+
+def _positive(number):
+    def parse(text):
+        value = number(text)
+        if not value > 0:
+            raise ValueError(text)
+        return value
+
+    parse.__name__ = f"positive {number.__name__}"
+    return parse

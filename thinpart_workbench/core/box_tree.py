@@ -1,0 +1,107 @@
+"""A tree of axis-aligned boxes over triangles, eight children to a node, held in flat arrays."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .space_filling_curve import hilbert_order
+
+WIDTH = 8
+"""Children per node."""
+
+_PADDING = 4e-7
+"""Boxes are float32 and grown by this share of the extent, so that rounding hides no triangle."""
+
+
+@dataclass(frozen=True)
+class BoxTree:
+    """Boxes over triangles sorted along a Hilbert curve.
+
+    Attributes
+    ----------
+    order : ndarray of shape (n,), int64
+        Triangle at each place of the curve.
+    levels : list of ndarray of shape (6 * 8, p), float32
+        From the roots down. Column q holds the lower then the upper corners of the boxes of the
+        children of node q: rows ``axis * 8 + child``, upper corners from row 24 on. Child c of
+        node q is node ``8 q + c`` of the next level; below the last level, place ``8 q + c`` of
+        the curve. The long axis is contiguous, on which numpy is several times faster.
+    leaf_normals : ndarray of shape (3 * 8, p), float32
+        Normals of the triangles of the last level, zero where there is none.
+    triangle_rows : ndarray of shape (12, n), float64
+        Per place of the curve: unit normal n, n.a, then twice the gradient g of a barycentric
+        coordinate and g.a, for corner a: a ray hits plane point p with u = g.p - g.a.
+    extent : float, mm
+        Diagonal of the axis-aligned box of all triangles.
+    """
+
+    order: np.ndarray
+    levels: list
+    leaf_normals: np.ndarray
+    triangle_rows: np.ndarray
+    extent: float
+
+
+def box_tree(corners, normals, areas):
+    """Build the tree bottom-up.
+
+    Parameters
+    ----------
+    corners : ndarray of shape (n, 3, 3), mm, middle near zero
+    normals : ndarray of shape (n, 3)
+    areas : ndarray of shape (n,), mm2
+
+    Returns
+    -------
+    BoxTree
+    """
+    low, high = corners.min(axis=1), corners.max(axis=1)
+    extent = float(np.linalg.norm(high.max(axis=0) - low.min(axis=0)))
+    order = hilbert_order(low + high)
+    grown = _PADDING * extent
+    low = np.take((low - grown).astype(np.float32).T, order, axis=1)
+    high = np.take((high + grown).astype(np.float32).T, order, axis=1)
+    levels = []
+    while True:
+        present = low.shape[1]
+        low, high = _fill_up(low, np.inf), _fill_up(high, np.inf)
+        nodes = low.shape[1] // WIDTH
+        levels.append(np.concatenate([_children_of(low), _children_of(high)]))
+        if nodes <= WIDTH:
+            break
+        high[:, present:] = -np.inf
+        low = low.reshape(3, nodes, WIDTH).min(axis=2)
+        high = high.reshape(3, nodes, WIDTH).max(axis=2)
+    leaf_normals = _children_of(_fill_up(np.take(normals.astype(np.float32).T, order, axis=1), 0.0))
+    rows = _triangle_rows(corners[order], normals[order], areas[order])
+    return BoxTree(order, levels[::-1], leaf_normals, rows, extent)
+
+
+def _fill_up(columns, filler):
+    """Pad to a multiple of eight columns; a box that lies at infinity is met by no ray."""
+    missing = -columns.shape[1] % WIDTH
+    if not missing:
+        return columns
+    return np.concatenate(
+        [columns, np.full((columns.shape[0], missing), filler, dtype=np.float32)], axis=1
+    )
+
+
+def _children_of(columns):
+    """(3, 8 p) in order of places to (3 * 8, p): row ``axis * 8 + child``."""
+    nodes = columns.shape[1] // WIDTH
+    grouped = columns.reshape(-1, nodes, WIDTH).transpose(0, 2, 1)
+    return np.ascontiguousarray(grouped).reshape(-1, nodes)
+
+
+def _triangle_rows(corners, normals, areas):
+    first = corners[:, 0]
+    edge_u, edge_v = corners[:, 1] - first, corners[:, 2] - first
+    inverse = 1.0 / (2.0 * areas[:, None])
+    gradient_u = np.cross(edge_v, normals) * inverse
+    gradient_v = np.cross(normals, edge_u) * inverse
+    rows = np.empty((12, len(corners)))
+    for start, vector in ((0, normals), (4, gradient_u), (8, gradient_v)):
+        rows[start:start + 3] = vector.T
+        rows[start + 3] = np.einsum("ij,ij->i", vector, first)
+    return rows

@@ -1,0 +1,76 @@
+"""From a surface mesh to everything that is measured on it."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from .bounds import minimal_box, principal_box
+from .descriptors import Descriptors
+from .distribution import distribution
+from .mass_properties import area, volume
+from .pair_rule import measure_pairs
+from .sampling import centroid_samples, surface_samples
+from .thickness import ThicknessField, measure_rays
+
+_BOXES = {"minimal": minimal_box, "principal": principal_box}
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """What was measured on one part.
+
+    Attributes
+    ----------
+    descriptors : Descriptors
+    field : ThicknessField
+        The thickness under every sample, for colours and per-face summaries.
+    """
+
+    descriptors: Descriptors
+    field: ThicknessField
+
+    @property
+    def thinnest(self):
+        """float or None, mm: the least distance between parallel walls."""
+        return self.wall_range[0]
+
+    @cached_property
+    def wall_range(self):
+        """Least, median by area, and greatest distance between parallel walls, mm, or None."""
+        walls = self.field.distance[self.field.parallel]
+        if not len(walls):
+            return None, None, None
+        order = np.argsort(walls, kind="stable")
+        cumulative = np.cumsum(self.field.area[self.field.parallel][order])
+        middle = order[np.searchsorted(cumulative, 0.5 * cumulative[-1])]
+        return float(walls[order[0]]), float(walls[middle]), float(walls[order[-1]])
+
+
+def measure(mesh, settings, report=None):
+    """Measure a part.
+
+    Parameters
+    ----------
+    mesh : SurfaceMesh
+    settings : AnalysisSettings
+    report : callable, optional
+        Called with the fraction done; may raise to stop.
+
+    Returns
+    -------
+    Measurement
+
+    Raises
+    ------
+    MeshError
+        kind ``zero_volume`` for a closed surface that encloses nothing.
+    """
+    enclosed = volume(mesh)
+    box = _BOXES[settings.box](mesh.vertices)
+    if settings.measure == "pairs":
+        field, shares = measure_pairs(mesh, centroid_samples(mesh), box.diagonal, report)
+    else:
+        field = measure_rays(mesh, surface_samples(mesh, settings.minimum_samples), report)
+        shares = distribution(field, box.diagonal)
+    return Measurement(Descriptors(enclosed, area(mesh), box, shares), field)

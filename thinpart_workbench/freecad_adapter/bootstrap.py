@@ -1,0 +1,51 @@
+"""Makes FreeCAD importable outside its own program, in the order that it needs."""
+
+import importlib
+import os
+import sys
+from pathlib import Path
+
+from ..core.errors import ThinPartError
+from ..requirements import FREECAD_LIBS, freecad_library
+
+_SHARE = ("/usr/share/freecad", "/usr/lib/freecad")
+
+
+def load_freecad():
+    """Import FreeCAD and return its module.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``unsupported`` where there is no FreeCAD for this Python.
+
+    Notes
+    -----
+    FreeCAD comes first: importing MeshPart before it is a segmentation fault. The folders of its
+    modules must be known before a document is opened, or bodies are silently dropped from it.
+    """
+    if "FreeCAD" in sys.modules:
+        return sys.modules["FreeCAD"]
+    for folder in (freecad_library(), *FREECAD_LIBS):
+        if folder:
+            _append(folder)
+    try:
+        freecad = importlib.import_module("FreeCAD")
+    except ImportError as error:
+        raise ThinPartError(
+            f"FreeCAD cannot be imported by {sys.executable} ({error}): "
+            "install it with 'apt-get install freecad' or set FREECAD_LIB to its lib folder.",
+            "unsupported",
+        ) from None
+    homes = [Path(freecad.getHomePath()), *map(Path, _SHARE)]
+    for home in homes:
+        _append(home / "Ext")
+        for module in sorted((home / "Mod").glob("*")):
+            _append(module)
+    return freecad
+
+
+def _append(folder):
+    folder = os.fspath(folder)
+    if folder not in sys.path and os.path.isdir(folder):
+        sys.path.append(folder)

@@ -1,0 +1,213 @@
+"""The distinct parts of an open FreeCAD document."""
+
+import re
+
+import numpy as np
+
+from .bootstrap import load_freecad
+from .part import MeshedPart, Occurrence, SolidPart
+
+# A mirror image or a copy stands beside its source; the source is consumed only where it is hidden.
+_STANDS_BESIDE_SOURCE = ("Part::Mirroring", "Part::FeaturePython")
+
+# References that place an object and do not use up its shape.
+_PLACING_PROPERTIES = ("Support", "AttachmentSupport")
+
+
+def document_parts(document):
+    """Distinct solids and meshes of a document, each with the places where it stands.
+
+    Parameters
+    ----------
+    document : FreeCAD.Document
+
+    Returns
+    -------
+    list of SolidPart or MeshedPart
+        In the order of the document. Placements of containers and links are applied.
+
+    Notes
+    -----
+    Copies of one shape by links or by placement are one part. What another shape was made from is
+    not a part, nor are the features of a body, nor is a hidden object of which links are shown. A
+    hidden shape that is no body is a leftover of modelling unless nothing else is there.
+    """
+    load_freecad()
+    roots = [root for root in document.Objects if _stands_alone(root)]
+    leftovers = [root for root in roots if _is_leftover(root)]
+    parts = _parts_under([root for root in roots if root not in leftovers])
+    return parts or _parts_under(leftovers)
+
+
+def _parts_under(roots):
+    parts = []
+    for root in roots:
+        for path in _leaf_paths(root):
+            _add_leaf(parts, root, path)
+    return parts
+
+
+def _is_leftover(root):
+    return (
+        not getattr(root, "Visibility", True)
+        and not root.isDerivedFrom("Part::BodyBase")
+        and not _holds_others(root)
+    )
+
+
+def part_at(parts, root, path):
+    """The part that stands at a place of the document, or None.
+
+    Parameters
+    ----------
+    parts : list
+        From `document_parts`.
+    root : str
+        Name of the top object.
+    path : str
+        Sub-object path, with or without the name of a face at its end.
+    """
+    for part in parts:
+        for place in part.occurrences:
+            if place.root == root and path.startswith(place.path):
+                return part
+    return None
+
+
+def _stands_alone(candidate):
+    """Whether an object is at the top of the document and not used up by another."""
+    if candidate.getParentGeoFeatureGroup() is not None or candidate.getParentGroup() is not None:
+        return False
+    if any(_is_container(user) and candidate in _children(user) for user in candidate.InList):
+        return False
+    if any(_uses_up(user, candidate) for user in candidate.InList):
+        return False
+    return getattr(candidate, "Visibility", True) or not _has_links(candidate)
+
+
+def _children(container):
+    return getattr(container, "Group", [])
+
+
+def _is_link(candidate):
+    return candidate.hasExtension("App::LinkBaseExtension")
+
+
+def _is_container(candidate):
+    """App::Part, groups and assemblies; a body is one part, not a container of its features."""
+    if candidate.isDerivedFrom("Part::BodyBase"):
+        return False
+    return candidate.hasExtension("App::GroupExtension")
+
+
+def _uses_up(user, source):
+    if not user.isDerivedFrom("Part::Feature") or user.isDerivedFrom("Part::Part2DObject"):
+        return False
+    if user.isDerivedFrom("Part::BodyBase") or _is_link(user) or _is_binder(user):
+        return False
+    if not any(_refers(user, name, source) for name in user.PropertiesList):
+        return False
+    if user.TypeId in _STANDS_BESIDE_SOURCE:
+        return not getattr(source, "Visibility", True)
+    return True
+
+
+def _is_binder(candidate):
+    return "Binder" in candidate.TypeId or "Datum" in candidate.TypeId
+
+
+def _refers(user, name, source):
+    if name in _PLACING_PROPERTIES or "PropertyLink" not in user.getTypeIdOfProperty(name):
+        return False
+    value = getattr(user, name, None)
+    targets = value if isinstance(value, (list, tuple)) else [value]
+    return any(
+        (target[0] if isinstance(target, (list, tuple)) and target else target) == source
+        for target in targets
+    )
+
+
+def _leaf_paths(root):
+    """Sub-object paths from `root` to everything that has a shape of its own."""
+    if not _holds_others(root):
+        return [""]
+    paths = []
+    for path in root.getSubObjects():
+        chain = root.getSubObjectList(path)
+        # The path is already relative to the container: a child of its own gives longer ones.
+        if len(chain) < 2:
+            continue
+        child = chain[-1]
+        if not getattr(child, "Visibility", True) and _has_links(child):
+            continue
+        if any(_uses_up(user, child) for user in child.InList):
+            continue
+        paths += [path + rest for rest in _leaf_paths(child)]
+    return paths
+
+
+def _has_links(candidate):
+    return any(
+        _is_link(user) and user.getLinkedObject(False) == candidate for user in candidate.InList
+    )
+
+
+def _holds_others(candidate):
+    if _is_link(candidate):
+        if getattr(candidate, "ElementCount", 0) > 0:
+            return True
+        target = candidate.getLinkedObject(True)
+        return target is not None and target != candidate and _holds_others(target)
+    return _is_container(candidate)
+
+
+def _add_leaf(parts, root, path):
+    leaf = root.getSubObjectList(path)[-1] if path else root
+    source = leaf.getLinkedObject(True) or leaf
+    if source.isDerivedFrom("Mesh::Feature"):
+        _add_mesh(parts, root, path, leaf, source)
+    elif hasattr(source, "Shape") or _is_link(leaf):
+        _add_solids(parts, root, path, leaf)
+
+
+def _add_solids(parts, root, path, leaf):
+    import Part
+
+    shape = Part.getShape(root, path, needSubElement=False, transform=True)
+    if shape.isNull() or leaf.isDerivedFrom("Part::Part2DObject"):
+        return
+    solids = shape.Solids
+    for index, solid in enumerate(solids):
+        known = next(
+            (part for part in parts if isinstance(part, SolidPart) and part.shape.isPartner(solid)),
+            None,
+        )
+        if known is None:
+            name, label = leaf.Name, leaf.Label
+            if len(solids) > 1:
+                name, label = f"{name}.Solid{index + 1}", f"{label} ({index + 1})"
+            known = SolidPart(_unique(parts, name), label, solid)
+            parts.append(known)
+        known.occurrences.append(Occurrence(root.Name, path, index))
+
+
+def _add_mesh(parts, root, path, leaf, source):
+    points, triangles = source.Mesh.Topology
+    if not triangles:
+        return
+    matrix = np.array(root.getSubObject(path, 3).A if path else np.eye(4).ravel()).reshape(4, 4)
+    points = np.array([(p.x, p.y, p.z) for p in points]) @ matrix[:3, :3].T + matrix[:3, 3]
+    part = MeshedPart(_unique(parts, leaf.Name), leaf.Label, points, np.array(triangles))
+    part.occurrences.append(Occurrence(root.Name, path, 0))
+    parts.append(part)
+
+
+def _unique(parts, name):
+    taken = {part.name for part in parts}
+    if name not in taken:
+        return name
+    stem = re.sub(r"#\d+$", "", name)
+    number = 2
+    while f"{stem}#{number}" in taken:
+        number += 1
+    return f"{stem}#{number}"

@@ -1,0 +1,120 @@
+"""One part as it was found in a file or document, before anything is measured."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ..core.chord_error import chord_error
+from ..core.surface_mesh import surface_mesh
+from .tessellation import tessellate
+
+
+@dataclass
+class Occurrence:
+    """One place at which a part stands in a document.
+
+    Attributes
+    ----------
+    root : str
+        Name of the top object.
+    path : str
+        Sub-object path below it, empty for the object itself.
+    solid : int
+        Index of the solid within the object's shape.
+    """
+
+    root: str
+    path: str
+    solid: int
+
+
+@dataclass
+class SolidPart:
+    """A B-Rep solid.
+
+    Attributes
+    ----------
+    name, label : str
+        Unique name within the document, and what people call it.
+    shape : Part.Shape
+        One solid, placed as in its first occurrence.
+    occurrences : list of Occurrence
+    warnings : tuple of str
+    """
+
+    name: str
+    label: str
+    shape: object
+    occurrences: list = field(default_factory=list)
+    warnings: tuple = ()
+
+    @property
+    def instances(self):
+        """How often the part occurs."""
+        return max(1, len(self.occurrences))
+
+    @property
+    def can_be_finer(self):
+        """Whether a finer surface mesh can be had."""
+        return True
+
+    def surface_mesh(self, settings, linear_deflection):
+        """Tessellate.
+
+        Parameters
+        ----------
+        settings : AnalysisSettings
+        linear_deflection : float
+            Share of the diagonal.
+
+        Returns
+        -------
+        mesh : SurfaceMesh
+        deflection : float, mm
+            Chord error reached.
+        """
+        surface = tessellate(self.shape, linear_deflection, settings.angular_deflection)
+        mesh = surface_mesh(surface.points, surface.triangles, surface.face_of_triangle)
+        return mesh, chord_error(mesh, surface.planar_faces, surface.linear_deflection)
+
+    def missing_faces(self, mesh):
+        """Names of faces that came out without triangles."""
+        there = np.unique(mesh.face_of_triangle)
+        missing = np.setdiff1d(np.arange(len(self.shape.Faces)), there)
+        return [f"Face{index + 1}" for index in missing]
+
+
+@dataclass
+class MeshedPart:
+    """A part that came as triangles.
+
+    Attributes
+    ----------
+    points : ndarray of shape (v, 3), mm
+    triangles : ndarray of shape (n, 3), int64
+    """
+
+    name: str
+    label: str
+    points: np.ndarray
+    triangles: np.ndarray
+    occurrences: list = field(default_factory=list)
+    warnings: tuple = ()
+
+    @property
+    def instances(self):
+        """How often the part occurs."""
+        return max(1, len(self.occurrences))
+
+    @property
+    def can_be_finer(self):
+        """A mesh is what it is."""
+        return False
+
+    def surface_mesh(self, settings, linear_deflection):
+        """The triangles as they are; see `SolidPart.surface_mesh`."""
+        return surface_mesh(self.points, self.triangles), 0.0
+
+    def missing_faces(self, mesh):
+        """None: there are no faces."""
+        return []

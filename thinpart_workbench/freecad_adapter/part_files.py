@@ -1,0 +1,182 @@
+"""Reads the parts of a CAD or mesh file. Foreign files may end the process: call it in a worker."""
+
+import os
+import zipfile
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+
+from ..core.errors import ThinPartError
+from .bootstrap import load_freecad
+from .document_parts import document_parts
+from .part import MeshedPart, Occurrence, SolidPart
+from .solids import solids_of
+
+
+def read_parts(path):
+    """Read the distinct parts of a file.
+
+    Parameters
+    ----------
+    path : str or Path
+
+    Returns
+    -------
+    list of SolidPart or MeshedPart
+        At least one.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``missing``, ``permission``, ``empty``, ``unsupported``, ``unreadable`` or
+        ``no_solid``.
+    """
+    path = Path(path)
+    check_readable(path)
+    reader = READERS.get(path.suffix.lower())
+    if reader is None:
+        raise ThinPartError(
+            f"{path.name} has no ending that ThinPart reads ({', '.join(sorted(READERS))}).",
+            "unsupported",
+        )
+    load_freecad()
+    parts = reader(path)
+    if not parts:
+        raise ThinPartError(
+            f"{path.name} holds no closed solid, only surfaces, wires or points: "
+            "close or thicken it first.", "no_solid",
+        )
+    return parts
+
+
+def check_readable(path):
+    """Raise a `ThinPartError` for a file that cannot be opened or holds nothing."""
+    try:
+        with open(path, "rb") as file:
+            if not file.read(1):
+                raise ThinPartError(f"{path.name} is empty (0 bytes).", "empty")
+    except FileNotFoundError:
+        raise ThinPartError(f"There is no file {os.fspath(path)}.", "missing") from None
+    except PermissionError:
+        raise ThinPartError(
+            f"{path.name} may not be read: check its permissions.", "permission"
+        ) from None
+    except IsADirectoryError:
+        raise ThinPartError(f"{path.name} is a folder, not a file.", "unreadable") from None
+    except OSError as error:
+        raise ThinPartError(f"{path.name} cannot be read ({error.strerror}).") from None
+
+
+def _read_document(path):
+    import FreeCAD
+
+    try:
+        with zipfile.ZipFile(path) as archive:
+            damaged = archive.testzip()
+            names = archive.namelist()
+            hidden = _hidden_objects(archive) if "GuiDocument.xml" in names else set()
+    except (zipfile.BadZipFile, OSError, EOFError, ValueError) as error:
+        raise ThinPartError(f"{path.name} is damaged or no FreeCAD document ({error}).",
+                            "unreadable") from None
+    if damaged is not None or "Document.xml" not in names:
+        raise ThinPartError(
+            f"{path.name} is damaged or no FreeCAD document ({damaged or 'no Document.xml'}).",
+            "unreadable",
+        )
+    try:
+        document = FreeCAD.openDocument(os.fspath(path), True)
+    except Exception as error:  # FreeCAD raises its own classes, which differ between versions
+        raise ThinPartError(f"FreeCAD cannot open {path.name} ({error}).", "unreadable") from None
+    if not document.Objects:
+        raise ThinPartError(f"{path.name} is an empty document.", "empty")
+    for name in hidden & {each.Name for each in document.Objects}:
+        # In memory only: without its window FreeCAD does not read what older files hid.
+        document.getObject(name).Visibility = False
+    # The document stays open while its shapes are in use; the worker drops it afterwards.
+    return document_parts(document)
+
+
+def _hidden_objects(archive):
+    """Names of the objects that the document's view hides."""
+    try:
+        view = ElementTree.fromstring(archive.read("GuiDocument.xml"))
+    except ElementTree.ParseError:
+        return set()  # it matters for nothing else, so a part is not lost to it
+    return {
+        provider.get("name")
+        for provider in view.iter("ViewProvider")
+        for flag in provider.findall("Properties/Property[@name='Visibility']/Bool")
+        if flag.get("value") == "false"
+    }
+
+
+def _read_shape(path):
+    import Part
+
+    try:
+        shape = Part.read(os.fspath(path))
+    except Exception as error:  # as above
+        raise ThinPartError(f"{path.name} is damaged or not what its ending says ({error}).",
+                            "unreadable") from None
+    if shape.isNull():
+        raise ThinPartError(f"{path.name} is damaged or holds no shape.", "unreadable")
+    solids, warnings = solids_of(shape)
+    parts = []
+    for index, solid in enumerate(solids):
+        known = next((part for part in parts if part.shape.isPartner(solid)), None)
+        if known is None:
+            number = len(parts) + 1
+            label = path.stem if len(solids) == 1 else f"{path.stem} ({number})"
+            known = SolidPart(f"Solid{number}", label, solid, warnings=warnings)
+            parts.append(known)
+        known.occurrences.append(Occurrence("", "", index))
+    return parts
+
+
+def _read_mesh(path):
+    import Mesh
+
+    if path.suffix.lower() == ".stl":
+        _check_stl_length(path)
+    try:
+        mesh = Mesh.Mesh(os.fspath(path))
+        points, triangles = mesh.Topology
+    except Exception as error:  # as above
+        kind = "unsupported" if path.suffix.lower() == ".3mf" else "unreadable"
+        raise ThinPartError(f"FreeCAD cannot read {path.name} ({error}).", kind) from None
+    if not triangles:
+        raise ThinPartError(f"{path.name} is damaged or holds no triangles.", "unreadable")
+    points = np.array([(p.x, p.y, p.z) for p in points], dtype=np.float64)
+    return [MeshedPart("Mesh", path.stem, points, np.array(triangles, dtype=np.int64))]
+
+
+def _check_stl_length(path):
+    """A binary STL says how many triangles follow; FreeCAD reads a truncated one as empty."""
+    size = path.stat().st_size
+    with open(path, "rb") as file:
+        head = file.read(84)
+        rest = head + file.read(4096)
+    if head[:5].lower() == b"solid" and b"\0" not in rest:
+        with open(path, "rb") as file:
+            file.seek(max(0, size - 4096))
+            if b"endsolid" not in file.read().lower():
+                raise ThinPartError(f"{path.name} is truncated: its end is missing.", "unreadable")
+        return
+    announced = int.from_bytes(head[80:84], "little")
+    if len(head) < 84 or size < 84 + 50 * announced:
+        raise ThinPartError(
+            f"{path.name} is truncated: it announces {announced} triangles and holds "
+            f"{max(0, size - 84) // 50}.", "unreadable",
+        )
+
+
+READERS = {
+    ".fcstd": _read_document,
+    ".step": _read_shape, ".stp": _read_shape,
+    ".iges": _read_shape, ".igs": _read_shape,
+    ".brep": _read_shape, ".brp": _read_shape,
+    ".stl": _read_mesh, ".obj": _read_mesh, ".ply": _read_mesh, ".off": _read_mesh,
+    ".3mf": _read_mesh,
+}
+"""Reader by file ending, lower case."""

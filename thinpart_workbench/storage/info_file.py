@@ -1,0 +1,219 @@
+"""The info file of a document: complete, versioned, atomic, stable."""
+
+import hashlib
+import json
+import os
+from datetime import datetime, timezone
+from pathlib import Path
+
+from .. import __version__
+from ..core.errors import ThinPartError
+from .atomic_file import write_atomically
+
+FORMAT, VERSION = "thinpart-info", 1
+SUFFIX = ".thinpart.json"
+LARGEST = 256 * 1024 * 1024
+"""Bytes beyond which a file is taken for something else than an info file."""
+
+
+def info_path(document, info_folder=None, root=None):
+    """Where the info file of a document lies.
+
+    Parameters
+    ----------
+    document : str or Path
+    info_folder : str or Path, optional
+        Folder that mirrors the tree of the documents; beside the document when left out.
+    root : str or Path, optional
+        Top of the tree that is mirrored; the document's own folder when left out.
+
+    Returns
+    -------
+    Path
+    """
+    document = Path(document)
+    name = document.name + SUFFIX
+    if info_folder is None:
+        return document.with_name(name)
+    if root is None:
+        return Path(info_folder) / name
+    return Path(info_folder) / os.path.relpath(document.parent, root) / name
+
+
+def new_source(document):
+    """The ``source`` entry: name, hash, size and time of a document as it is now.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``missing``, ``permission`` or ``unreadable``.
+    """
+    digest = hashlib.sha256()
+    try:
+        with open(document, "rb") as file:
+            status = os.fstat(file.fileno())
+            for block in iter(lambda: file.read(1 << 20), b""):
+                digest.update(block)
+    except FileNotFoundError:
+        raise ThinPartError(f"There is no file {os.fspath(document)}.", "missing") from None
+    except PermissionError:
+        raise ThinPartError(
+            f"{Path(document).name} may not be read: check its permissions.", "permission"
+        ) from None
+    except OSError as error:
+        raise ThinPartError(
+            f"{Path(document).name} cannot be read ({error.strerror}).", "unreadable"
+        ) from None
+    return {
+        "file": Path(document).name,
+        "sha256": digest.hexdigest(),
+        "bytes": status.st_size,
+        "modified": _time(status.st_mtime),
+    }
+
+
+def source_is_unchanged(source, document):
+    """Whether size and time of a document are still those of its ``source`` entry."""
+    try:
+        status = os.stat(document)
+    except OSError:
+        return False
+    return source["bytes"] == status.st_size and source["modified"] == _time(status.st_mtime)
+
+
+def info_content(source, settings, profile, parts, failures=()):
+    """Content of an info file.
+
+    Parameters
+    ----------
+    source : dict
+        From `new_source`.
+    settings, profile : dict
+    parts : list of dict
+        Part records.
+    failures : list of dict
+        Parts of the document that could not be analysed.
+
+    Returns
+    -------
+    dict
+    """
+    return {
+        "format": FORMAT,
+        "version": VERSION,
+        "source": source,
+        "software": {"name": "ThinPart", "version": __version__},
+        "settings": settings,
+        "profile": profile,
+        "parts": parts,
+        "failures": list(failures),
+    }
+
+
+def is_current(content, document, settings, profile):
+    """Whether an info file still says all about its document that a new analysis would.
+
+    Size and time decide; where the time alone differs (a copied file), the hash does.
+    """
+    if content["settings"] != settings or content["profile"] != profile:
+        return False
+    if content["software"].get("version") != __version__ or content.get("failures"):
+        return False
+    source = content["source"]
+    if source_is_unchanged(source, document):
+        return True
+    try:
+        if os.stat(document).st_size != source["bytes"]:
+            return False
+        return new_source(document)["sha256"] == source["sha256"]
+    except (OSError, ThinPartError):
+        return False
+
+
+def read_info(path):
+    """Read and check an info file.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``info_file``.
+    """
+    path = Path(path)
+    try:
+        if path.stat().st_size > LARGEST:
+            raise ThinPartError(f"{path.name} is too large for an info file.", "info_file")
+        content = json.loads(path.read_bytes())
+    except (OSError, ValueError, RecursionError) as error:
+        raise ThinPartError(f"The info file {path.name} cannot be read ({error}).",
+                            "info_file") from None
+    if not isinstance(content, dict) or content.get("format") != FORMAT:
+        raise ThinPartError(f"{path.name} is not a ThinPart info file.", "info_file")
+    if content.get("version") != VERSION:
+        raise ThinPartError(
+            f"{path.name} has version {content.get('version')!r}; this ThinPart reads version "
+            f"{VERSION}: use a newer one.", "info_file",
+        )
+    missing = [key for key in ("source", "settings", "profile", "parts", "software")
+               if key not in content]
+    if missing:
+        raise ThinPartError(f"The info file {path.name} lacks {', '.join(missing)}.", "info_file")
+    return content
+
+
+def write_info(path, content, keep=None):
+    """Write an info file atomically.
+
+    Parameters
+    ----------
+    path : str or Path
+    content : dict
+        From `info_content`.
+    keep : dict, optional
+        The info file's content so far: notes that people attached to its parts are carried over.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``info_write``. Nothing half-written is left, and a file that is no info file of a
+        version that is understood is not overwritten.
+    """
+    path = Path(path)
+    if keep is None and os.path.lexists(path):
+        _refuse_foreign(path)
+    _carry_notes(content, keep)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        write_atomically(path, dumps(content))
+    except OSError as error:
+        raise ThinPartError(
+            f"The info file {path} could not be written ({error.strerror}): "
+            "choose another place with --info-dir.", "info_write",
+        ) from None
+
+
+def dumps(content):
+    """The bytes of an info file: UTF-8, keys in their order, one line per part."""
+    return (json.dumps(content, ensure_ascii=False, indent=1, allow_nan=False) + "\n").encode(
+        "utf-8", "surrogateescape"
+    )
+
+
+def _refuse_foreign(path):
+    try:
+        read_info(path)
+    except ThinPartError as error:
+        raise ThinPartError(
+            f"{error} It was left as it is: move it away to have it written anew.", "info_write"
+        ) from None
+
+
+def _carry_notes(content, keep):
+    notes = {part["name"]: part["notes"] for part in (keep or {}).get("parts", ())
+             if part.get("notes")}
+    for part in content["parts"]:
+        if part["name"] in notes:
+            part["notes"] = notes[part["name"]]
+
+
+def _time(seconds):
+    return datetime.fromtimestamp(seconds, timezone.utc).isoformat(timespec="microseconds")

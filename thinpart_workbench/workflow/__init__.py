@@ -1,0 +1,1 @@
+"""What ThinPart does with documents: the flow, and its consumers."""

@@ -1,0 +1,127 @@
+"""One file: read it, analyse its parts, keep the result beside it. Runs in a worker process."""
+
+import os
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from ..core.analysis_settings import AnalysisSettings
+from ..core.criteria import load_profile, profile_from
+from ..core.errors import ThinPartError
+from ..storage.info_file import (
+    info_content, is_current, new_source, read_info, source_is_unchanged, write_info,
+)
+
+
+@dataclass(frozen=True)
+class FileTask:
+    """What a worker is asked to do with one file; only plain values, so that it can travel.
+
+    Attributes
+    ----------
+    file : str
+    info_file : str or None
+        Where the result is kept; None keeps nothing.
+    settings : AnalysisSettings
+    profile : dict
+        Content of the profile.
+    force : bool
+        Measure again even when the info file is current.
+    """
+
+    file: str
+    info_file: str = None
+    settings: AnalysisSettings = field(default_factory=AnalysisSettings)
+    profile: dict = field(default_factory=lambda: load_profile("paper").content)
+    force: bool = False
+
+
+def analyse_file(task, report=None):
+    """Analyse every part of a file, or take the results from a current info file.
+
+    Parameters
+    ----------
+    task : FileTask
+    report : callable, optional
+        See `analyse_part`.
+
+    Returns
+    -------
+    dict
+        ``file``, ``parts`` (part records), ``failures`` (``{"part", "kind", "message"}``),
+        ``reused`` (bool), ``seconds``.
+
+    Raises
+    ------
+    ThinPartError
+        When nothing of the file could be analysed.
+    """
+    started = time.perf_counter()
+    stored, failures = _stored(task)
+    if stored is not None and not task.force and is_current(
+        stored, task.file, task.settings.content(), task.profile
+    ):
+        return _outcome(task, stored["parts"], [], True, started)
+    # The adapter loads FreeCAD; what is unchanged never needs it.
+    from ..freecad_adapter.part_files import read_parts
+
+    source = new_source(task.file)
+    parts = read_parts(task.file)
+    read_seconds = time.perf_counter() - started
+    records, part_failures = _analyse_parts(parts, task, read_seconds, report)
+    if not records:
+        raise ThinPartError(part_failures[0]["message"], part_failures[0]["kind"])
+    if not source_is_unchanged(source, task.file):
+        raise ThinPartError(
+            f"{Path(task.file).name} changed while it was read: classify it again.", "unreadable"
+        )
+    failures += part_failures
+    content = info_content(source, task.settings.content(), task.profile, records, part_failures)
+    if task.info_file is not None:
+        try:
+            write_info(task.info_file, content, keep=stored)
+        except ThinPartError as error:
+            failures.append({"part": None, "kind": error.kind, "message": str(error)})
+    return _outcome(task, content["parts"], failures, False, started)
+
+
+def _stored(task):
+    """The info file's content or None, and the failure to report where it cannot be used."""
+    if task.info_file is None or not os.path.lexists(task.info_file):
+        return None, []
+    try:
+        return read_info(task.info_file), []
+    except ThinPartError:
+        # What is not an info file is never overwritten: writing it will say so.
+        return None, []
+
+
+def _analyse_parts(parts, task, read_seconds, report):
+    from .analyse_part import analyse_part
+
+    profile = profile_from(task.profile)
+    records, failures = [], []
+    for number, part in enumerate(parts):
+        def part_report(stage, fraction, number=number):
+            report(stage, (number + fraction) / len(parts))
+
+        try:
+            record = analyse_part(part, task.settings, profile, report and part_report)
+        except ThinPartError as error:
+            if error.kind == "cancelled":
+                raise
+            failures.append({
+                "part": part.name, "kind": error.kind, "message": f"{part.label}: {error}",
+            })
+            continue
+        record["seconds"] = {"read": read_seconds / len(parts), **record["seconds"]}
+        record["seconds"] = {key: round(value, 4) for key, value in record["seconds"].items()}
+        records.append(record)
+    return records, failures
+
+
+def _outcome(task, records, failures, reused, started):
+    return {
+        "file": task.file, "parts": records, "failures": failures, "reused": reused,
+        "seconds": round(time.perf_counter() - started, 4),
+    }

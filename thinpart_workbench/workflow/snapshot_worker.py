@@ -1,0 +1,73 @@
+"""The process that measures a snapshot: ``python -m thinpart_workbench.workflow.snapshot_worker``.
+
+It prints one JSON object per line: ``{"progress": {"part", "stage", "fraction"}}``,
+``{"record": ...}``, ``{"failure": {"part", "kind", "message"}}`` and at last ``{"done": true}``.
+Whoever started it stops it by killing it; it writes nothing but these lines.
+"""
+
+import json
+import os
+import resource
+import sys
+import time
+
+from ..core.analysis_settings import AnalysisSettings
+from ..core.criteria import profile_from
+from ..core.errors import ThinPartError
+
+
+def main(arguments):
+    """Measure the snapshot in a folder, within an address space of so many megabytes."""
+    folder, megabytes = arguments[0], int(arguments[1])
+    lines = _private_stdout()
+    limit = megabytes * 1024 * 1024
+    resource.setrlimit(resource.RLIMIT_AS, (limit, resource.getrlimit(resource.RLIMIT_AS)[1]))
+
+    def say(**line):
+        lines.write(json.dumps(line, ensure_ascii=False) + "\n")
+        lines.flush()
+
+    from ..freecad_adapter.bootstrap import load_freecad
+    from ..freecad_adapter.snapshot import read_snapshot
+
+    load_freecad()
+    job, read = read_snapshot(folder)
+    settings = AnalysisSettings(**job["settings"])
+    profile = profile_from(job["profile"])
+    for entry in job["parts"]:
+        try:
+            say(record=_record(entry, read, settings, profile, say))
+        except ThinPartError as error:
+            say(failure={"part": entry["name"], "kind": error.kind, "message": str(error)})
+        except MemoryError:
+            say(failure={"part": entry["name"], "kind": "memory",
+                         "message": f"{entry['label']} needs more than {megabytes} MB of memory: "
+                                    "raise the limit in the preferences."})
+    say(done=True)
+
+
+def _record(entry, read, settings, profile, say):
+    from .analyse_part import analyse_part
+
+    def report(stage, fraction):
+        say(progress={"part": entry["name"], "stage": stage, "fraction": round(fraction, 4)})
+
+    started = time.perf_counter()
+    part = read(entry)
+    seconds = time.perf_counter() - started
+    record = analyse_part(part, settings, profile, report)
+    record["seconds"] = {
+        key: round(value, 4) for key, value in {"read": seconds, **record["seconds"]}.items()
+    }
+    return record
+
+
+def _private_stdout():
+    """The pipe to the parent; what FreeCAD prints to stdout goes to stderr instead."""
+    private = os.dup(1)
+    os.dup2(2, 1)
+    return os.fdopen(private, "w", encoding="utf-8", errors="surrogateescape")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
