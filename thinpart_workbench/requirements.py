@@ -1,0 +1,127 @@
+"""What ThinPart needs besides its own files: one table, for the launcher, the tests and error messages.
+
+The launcher runs this file before every command, so it imports nothing but the standard library, looks
+for modules without importing them, and stays within a few milliseconds::
+
+    python3 requirements.py COMMAND [ARGUMENTS]    what is missing, one "package<TAB>why" per line
+    python3 requirements.py --all COMMAND          the same for everything the command needs
+
+The answer holds for the Python that runs it. The exit status is always 0.
+"""
+
+import importlib.util
+import os
+import sys
+from collections import namedtuple
+
+OLDEST_PYTHON = (3, 9)
+
+# Where Debian keeps FreeCAD's Python modules; the environment's FREECAD_LIB goes first.
+FREECAD_LIBS = ("/usr/lib/freecad/lib", "/usr/lib/freecad-python3/lib")
+
+
+def freecad_library():
+    """The folder with a FreeCAD.so that this Python can load, or None."""
+    for folder in (os.environ.get("FREECAD_LIB", ""),) + FREECAD_LIBS:
+        library = os.path.join(folder, "FreeCAD.so")
+        if folder and os.path.isfile(library) and _loads_here(library):
+            return folder
+    return None
+
+
+def _loads_here(library):
+    # A FreeCAD of the system needs the system's Python: the same version built elsewhere (pyenv, conda)
+    # would bring a second Python runtime into the process, which crashes.
+    if os.path.realpath(library).startswith("/usr/lib/") and sys.base_prefix != "/usr":
+        return False
+    with open(library, "rb") as file:
+        content = file.read()
+    # The library names the Python that it was linked with, or none at all.
+    return b"libpython3.%d." % sys.version_info[1] in content or b"libpython3." not in content
+
+
+def _freecad():
+    return "FreeCAD" in sys.modules or freecad_library() is not None
+
+
+def _module(name):
+    def found():
+        if name in sys.modules:
+            return True
+        spec = importlib.util.find_spec(name)
+        # A removed package may leave an empty folder, which passes for a namespace package without origin.
+        return spec is not None and spec.origin is not None
+
+    return found
+
+
+def _program(name):
+    def found():
+        folders = os.environ.get("PATH", os.defpath).split(os.pathsep)
+        return any(os.access(os.path.join(folder, name), os.X_OK) for folder in folders)
+
+    return found
+
+
+# The commands that open CAD files, and those that work from info files alone.
+CAD = ("classify", "report", "size", "gui", "demo", "test")
+STORED = ("reclassify", "find", "similar", "learn", "note", "install", "uninstall")
+
+Requirement = namedtuple("Requirement", "package why found commands")
+
+# "size --check" stands for the command with that option.
+TABLE = (
+    Requirement("freecad", "reads the CAD files and makes their surface meshes", _freecad, CAD),
+    Requirement("freecad", "is the window that the workbench runs in", _program("freecad"), ("gui", "test")),
+    Requirement("python3-numpy", "does the arithmetic on meshes", _module("numpy"), CAD + STORED),
+    Requirement("python3-scipy", "finds neighbours and fits thresholds", _module("scipy"), CAD + STORED),
+    Requirement("python3-rich", "prints the tables and the progress", _module("rich"), CAD + STORED),
+    Requirement("python3-pebble", "keeps a damaged file from ending the run", _module("pebble"), CAD),
+    Requirement("gmsh", "makes the volume meshes that --check compares", _program("gmsh"), ("size --check",)),
+    Requirement("python3-distributed", "spreads the work over a cluster", _module("distributed"), ("classify --dask",)),
+    Requirement("python3-pytest", "runs the tests", _module("pytest"), ("test",)),
+    Requirement("python3-hypothesis", "makes up cases for the tests", _module("hypothesis"), ("test",)),
+    Requirement("python3-jsonschema", "checks info files against their schema", _module("jsonschema"), ("test",)),
+    Requirement("xvfb", "is the screen that the window's tests run on", _program("xvfb-run"), ("test",)),
+    Requirement("xauth", "lets FreeCAD onto that screen", _program("xauth"), ("test",)),
+    Requirement("imagemagick", "takes the screenshots", _program("import"), ("test",)),
+)
+
+
+def required(command, arguments=()):
+    """The rows of the table that a command line needs."""
+    asked = {command}
+    for argument in arguments:
+        if argument == "--":
+            break
+        if argument in ("-h", "--help"):
+            return []
+        asked.add(command + " " + argument.partition("=")[0])
+    return [row for row in TABLE if asked.intersection(row.commands)]
+
+
+def missing(command, arguments=()):
+    """(package, why) of everything that a command line needs and this Python does not find."""
+    return _packages(row for row in required(command, arguments) if not row.found())
+
+
+def _packages(rows):
+    reasons = {}
+    for row in rows:
+        reasons.setdefault(row.package, row.why)
+    return list(reasons.items())
+
+
+def main(arguments):
+    if sys.version_info < OLDEST_PYTHON:
+        lines = [("python3", "ThinPart needs Python %d.%d or newer" % OLDEST_PYTHON)]
+    elif arguments[:1] == ["--all"]:
+        lines = _packages(required(*arguments[1:2] or [""]))
+    else:
+        lines = missing(arguments[0], arguments[1:]) if arguments else []
+    for package, why in lines:
+        print(package + "\t" + why)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
