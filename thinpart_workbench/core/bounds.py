@@ -14,6 +14,9 @@ HULL_FACET_CANDIDATES = 48
 EDGE_PRODUCT_CANDIDATES = 60
 SMALL_HULL_FACETS = 60
 REFINED_CANDIDATES = 4
+FLAT_SIDE_DEPTH = 1e-6
+"""Points this share of the extent under the outermost one lie on its flat side."""
+FLAT_SIDE_CORNERS = 64
 
 
 @dataclass(frozen=True)
@@ -61,12 +64,15 @@ def principal_box(points):
     return _box_along(points, np.linalg.eigh(np.cov(points.T))[1].T)
 
 
-def minimal_box(points):
+def minimal_box(points, flat_directions=()):
     """Oriented bounding box of minimum volume.
 
     Parameters
     ----------
     points : ndarray of shape (v, 3), mm
+    flat_directions : array_like of shape (k, 3), optional
+        Unit normals of the large flat sides. Where a part has many points and round edges, they
+        keep the box flush with those sides.
 
     Returns
     -------
@@ -82,7 +88,7 @@ def minimal_box(points):
     best are refined by Nelder and Mead over rotations, in the spirit of Chang, Gorissen and Melchior
     (2011, doi:10.1145/2019627.2019641). A box that is flush with a facet is exact to rounding.
     """
-    support = _support_points(points - points.mean(axis=0))
+    support = _support_points(points - points.mean(axis=0), flat_directions)
     try:
         hull = ConvexHull(support)
     except QhullError:
@@ -107,17 +113,43 @@ def _box_along(points, axes):
     return OrientedBox(extents[order], axes[order])
 
 
-def _support_points(points):
-    """The extreme points in evenly spread directions: the hull of these stands for all."""
+def _support_points(points, flat_directions):
+    """Points whose hull stands for that of all: extreme ones, and the corners of flat sides."""
     if len(points) <= 4 * SUPPORT_DIRECTIONS:
         return points
-    directions = _spread_directions(SUPPORT_DIRECTIONS)
-    winners = [
+    chosen = [_extreme(points, _spread_directions(SUPPORT_DIRECTIONS))]
+    reach = FLAT_SIDE_DEPTH * float(np.ptp(points, axis=0).max())
+    for direction in np.reshape(flat_directions, (-1, 3)):
+        height = points @ direction
+        for side in (height >= height.max() - reach, height <= height.min() + reach):
+            corners = np.flatnonzero(side)
+            if len(corners) > FLAT_SIDE_CORNERS:
+                around = _in_plane(direction, FLAT_SIDE_CORNERS)
+                corners = corners[_extreme(points[corners], around)]
+            chosen.append(corners)
+    return points[np.unique(np.concatenate(chosen))]
+
+
+def _extreme(points, directions):
+    """Indices of the points farthest along each direction, each once."""
+    winners = np.unique(np.concatenate([
         start + (points[start:start + 8192] @ directions.T).argmax(axis=0)
         for start in range(0, len(points), 8192)
-    ]
-    finalists = points[np.unique(np.concatenate(winners))]
-    return finalists[np.unique((finalists @ directions.T).argmax(axis=0))]
+    ]))
+    return winners[np.unique((points[winners] @ directions.T).argmax(axis=0))]
+
+
+def _in_plane(direction, count):
+    across, along = _perpendicular(direction)
+    turn = np.linspace(0.0, 2.0 * np.pi, count, endpoint=False)
+    return np.cos(turn)[:, None] * across + np.sin(turn)[:, None] * along
+
+
+def _perpendicular(direction):
+    """Two unit vectors that complete a direction to a right-handed frame."""
+    across = np.cross(direction, np.eye(3)[np.abs(direction).argmin()])
+    across /= np.linalg.norm(across)
+    return across, np.cross(direction, across)
 
 
 def _spread_directions(count):
@@ -167,10 +199,7 @@ def _edge_products(support, hull):
 
 def _complete_by_rectangle(points, direction):
     """The axes (rows) of the box with one side along `direction` whose base has least area."""
-    helper = np.eye(3)[np.abs(direction).argmin()]
-    across = np.cross(direction, helper)
-    across /= np.linalg.norm(across)
-    along = np.cross(direction, across)
+    across, along = _perpendicular(direction)
     flat = np.stack([points @ across, points @ along], axis=1)
     edge = _rectangle_direction(flat)
     if edge is None:

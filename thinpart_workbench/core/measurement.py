@@ -8,12 +8,14 @@ import numpy as np
 from .bounds import minimal_box, principal_box
 from .descriptors import Descriptors
 from .distribution import distribution
+from .dominant_directions import dominant_directions
 from .mass_properties import area, volume
 from .pair_rule import measure_pairs
 from .sampling import centroid_samples, surface_samples
 from .thickness import ThicknessField, measure_rays
 
-_BOXES = {"minimal": minimal_box, "principal": principal_box}
+FLAT_DIRECTIONS = 16
+"""Sides of a part that its box may lie flush with."""
 
 
 @dataclass(frozen=True)
@@ -67,10 +69,17 @@ def measure(mesh, settings, report=None):
         kind ``zero_volume`` for a closed surface that encloses nothing.
     """
     enclosed = volume(mesh)
-    box = _BOXES[settings.box](mesh.vertices)
+    box = _box(mesh, settings.box)
     if settings.measure == "pairs":
         field, shares = measure_pairs(mesh, centroid_samples(mesh), box.diagonal, report)
     else:
         field = measure_rays(mesh, surface_samples(mesh, settings.minimum_samples), report)
         shares = distribution(field, box.diagonal)
     return Measurement(Descriptors(enclosed, area(mesh), box, shares), field)
+
+
+def _box(mesh, kind):
+    if kind == "principal":
+        return principal_box(mesh.vertices)
+    flat = dominant_directions(mesh.normals, mesh.areas, FLAT_DIRECTIONS)
+    return minimal_box(mesh.vertices, flat)

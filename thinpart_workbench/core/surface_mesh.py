@@ -9,6 +9,7 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from .errors import MeshError
+from .smooth_normals import smooth_patches
 from .tolerances import TOLERANCES
 
 
@@ -23,7 +24,8 @@ class SurfaceMesh:
     triangles : ndarray of shape (n, 3), int64
         Counter-clockwise seen from outside.
     face_of_triangle : ndarray of shape (n,), int64
-        Index of the B-Rep face each triangle came from; 0 for a mesh without faces.
+        Index of the B-Rep face each triangle came from, or of its smooth patch where there are no
+        faces.
     origin : ndarray of shape (3,), float64, mm
     watertight : bool
         Whether the oriented edges cancel, so that the surface bounds a volume.
@@ -96,9 +98,10 @@ def surface_mesh(points, triangles, face_of_triangle=None):
     """
     points = np.asarray(points, dtype=np.float64).reshape(-1, 3)
     triangles = np.asarray(triangles, dtype=np.int64).reshape(-1, 3)
-    if face_of_triangle is None:
-        face_of_triangle = np.zeros(len(triangles), dtype=np.int64)
-    face_of_triangle = np.asarray(face_of_triangle, dtype=np.int64)
+    has_faces = face_of_triangle is not None
+    face_of_triangle = np.asarray(
+        face_of_triangle if has_faces else np.zeros(len(triangles)), dtype=np.int64
+    )
     if len(triangles) == 0:
         raise MeshError("It holds no triangles.", "empty")
     if triangles.min() < 0 or triangles.max() >= len(points):
@@ -132,6 +135,8 @@ def surface_mesh(points, triangles, face_of_triangle=None):
     inside_out = _signed_volume(vertices, triangles) < 0.0
     if inside_out:
         triangles = triangles[:, ::-1]
+    if not has_faces:
+        face_of_triangle = smooth_patches(vertices, triangles)
 
     degenerate = int(collapsed.sum() + flat.sum())
     warnings = []

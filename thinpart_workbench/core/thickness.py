@@ -6,7 +6,9 @@ from functools import cached_property
 import numpy as np
 
 from .box_tree import box_tree
+from .dominant_directions import dominant_axes
 from .ray_casting import PACKET, first_hits
+from .smooth_normals import normals_at
 from .space_filling_curve import hilbert_order
 
 PARALLEL_BELOW = np.radians(10.0)
@@ -25,8 +27,8 @@ class ThicknessField:
     distance : ndarray of shape (m,), mm
         To the opposite side; inf where nothing was met.
     wedge_angle : ndarray of shape (m,), radians
-        Angle between the normal here and the reversed normal there: 0 for parallel walls; pi
-        where nothing was met.
+        Angle between the normal here and the reversed normal there: 0 for parallel walls; pi where
+        nothing was met.
     opposite : ndarray of shape (m,), int64
         Triangle met, -1 for none.
     area : ndarray of shape (m,), mm2
@@ -99,52 +101,34 @@ def measure_rays(mesh, samples, report=None):
 
 
 def thickness_field(mesh, samples, distance, opposite):
-    """Complete distances and opposite triangles of samples to a `ThicknessField`."""
-    met = opposite >= 0
-    own = mesh.normals[samples.triangle]
-    cosine = np.where(met, -np.einsum("ij,ij->i", own, mesh.normals[opposite]), -1.0)
-    # Near 1 the arc cosine has no digits; the chord between the two directions has them all.
-    chord = own + mesh.normals[opposite]
-    half = np.clip(0.5 * np.sqrt(np.einsum("ij,ij->i", chord, chord)), 0.0, 1.0)
-    wedge_angle = np.where(cosine > 0.5, 2.0 * np.arcsin(half), np.arccos(np.clip(cosine, -1, 1)))
-    points = samples.points + mesh.origin
-    reach = np.where(met, distance, 0.0)
-    face = mesh.face_of_triangle[samples.triangle]
+    """Complete distances and opposite triangles of samples to a `ThicknessField`.
+
+    Notes
+    -----
+    The wedge angle is taken between the normals of the smooth surfaces, not of the facets: those
+    deviate by half the angular deflection on either side, and near the poles of a sphere by more,
+    so that a shell of constant wall would seem to have wedges in it.
+    """
+    met = np.flatnonzero(opposite >= 0)
+    facet = mesh.normals[samples.triangle]
+    reach = np.where(opposite >= 0, distance, 0.0)
+    hit_points = samples.points - facet * reach[:, None]
+    wedge_angle = np.full(samples.count, np.pi)
+    here = normals_at(mesh, samples.triangle[met], samples.points[met])
+    there = normals_at(mesh, opposite[met], hit_points[met])
+    wedge_angle[met] = _angle_between(here, -there)
     return ThicknessField(
-        distance, wedge_angle, opposite, samples.area, face,
-        np.where(met, mesh.face_of_triangle[opposite], -1),
-        points, points - own * reach[:, None],
+        distance, wedge_angle, opposite, samples.area, mesh.face_of_triangle[samples.triangle],
+        np.where(opposite >= 0, mesh.face_of_triangle[opposite], -1),
+        samples.points + mesh.origin, hit_points + mesh.origin,
     )
 
 
-def dominant_axes(normals, areas):
-    """Three perpendicular directions in which most of the surface faces.
-
-    Parameters
-    ----------
-    normals : ndarray of shape (n, 3)
-    areas : ndarray of shape (n,)
-
-    Returns
-    -------
-    ndarray of shape (3, 3)
-        Rows are unit vectors. They turn with the part.
-    """
-    side = np.where(normals @ np.array([1.0, 1e-3, 1e-6]) < 0.0, -1.0, 1.0)
-    facing = normals * side[:, None]
-    cell = np.round(facing * 200.0).astype(np.int64)
-    _, group = np.unique((cell[:, 0] * 1000 + cell[:, 1]) * 1000 + cell[:, 2], return_inverse=True)
-    group = group.ravel()
-    total = np.stack([np.bincount(group, facing[:, k] * areas) for k in range(3)], axis=1)
-    weight = np.linalg.norm(total, axis=1)
-    largest = np.argsort(-weight, kind="stable")[:50]
-    candidates = total[largest] / weight[largest, None]
-    first = candidates[0]
-    across = candidates[np.abs(candidates @ first) < 0.05]
-    second = across[0] if len(across) else np.eye(3)[np.abs(first).argmin()]
-    second = second - first * (second @ first)
-    second /= np.linalg.norm(second)
-    return np.stack([first, second, np.cross(first, second)])
+def _angle_between(first, second):
+    # The arc cosine has no digits near 1; the chord between the two directions has them all.
+    chord = first - second
+    half = 0.5 * np.sqrt(np.einsum("ij,ij->i", chord, chord))
+    return 2.0 * np.arcsin(np.clip(half, 0.0, 1.0))
 
 
 def _packets(mesh, samples):

@@ -1,0 +1,22 @@
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+
+
+@pytest.fixture
+def rng():
+    """Random numbers that are the same in every run."""
+    return np.random.default_rng(20120507)
+
+
+@pytest.fixture(scope="session")
+def real_samples():
+    """Folder of labelled third-party parts, which are not part of the repository."""
+    folder = Path(os.environ.get("THINPART_SAMPLES", ROOT.parent / "shared" / "samples"))
+    if not (folder / "manifest.csv").is_file():
+        pytest.skip("the labelled sample parts are not on this machine")
+    return folder

@@ -1,0 +1,103 @@
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+import brute_force
+import made_meshes
+from thinpart_workbench.core.sampling import surface_samples
+from thinpart_workbench.core.surface_mesh import surface_mesh
+from thinpart_workbench.core.thickness import measure_rays
+
+TURNED = Rotation.from_rotvec([0.5, 0.7, -0.3]).as_matrix()
+
+
+def random_soup(rng, count=400):
+    """Small triangles anywhere, needles among them: nothing is closed, nothing is in order."""
+    centre = rng.uniform(-50, 50, (count, 1, 3))
+    corners = centre + rng.normal(size=(count, 3, 3)) * rng.choice([0.5, 5, 25], (count, 1, 1))
+    corners[::7, 2] = corners[::7, 1] + (corners[::7, 0] - corners[::7, 1]) * 1e-3 + 1e-4
+    return corners.reshape(-1, 3), np.arange(3 * count).reshape(-1, 3)
+
+
+SHAPES = {
+    "box": made_meshes.box(100, 60, 40),
+    "fine box": made_meshes.box(100, 60, 40, cells=9),
+    "plate": made_meshes.box(100, 100, 2, cells=5),
+    "ribbed block": made_meshes.ribbed_block(),
+    "wedge": made_meshes.wedge(),
+    "tube": made_meshes.tube(steps=60),
+    "shell": made_meshes.spherical_shell(steps=40),
+    "two boxes that touch": made_meshes.joined(
+        made_meshes.box(10, 10, 10), made_meshes.moved(made_meshes.box(10, 10, 10), shift=(0, 0, 10))
+    ),
+    "open box": (made_meshes.box(10, 10, 10)[0], made_meshes.box(10, 10, 10)[1][2:]),
+    "soup": random_soup(np.random.default_rng(5)),
+}
+
+
+@pytest.mark.parametrize("name", SHAPES)
+@pytest.mark.parametrize("place", ["as made", "turned", "far away", "tiny", "huge"])
+def test_identical_to_brute_force(name, place):
+    placed = {
+        "as made": {}, "turned": {"rotation": TURNED},
+        "far away": {"rotation": TURNED, "shift": (1e6, 2e6, -1e6)},
+        "tiny": {"scale": 0.001}, "huge": {"scale": 1000.0, "rotation": TURNED},
+    }[place]
+    mesh = surface_mesh(*made_meshes.moved(SHAPES[name], **placed))
+    samples = surface_samples(mesh, minimum=300)
+    field = measure_rays(mesh, samples)
+    chosen = np.linspace(0, samples.count - 1, 700).astype(int)
+    distance, triangle = brute_force.first_hits(
+        mesh, samples.points[chosen], -mesh.normals[samples.triangle[chosen]]
+    )
+    found, opposite = field.distance[chosen], field.opposite[chosen]
+    assert (np.isinf(found) == np.isinf(distance)).all()
+    met = np.isfinite(distance)
+    assert np.abs(found[met] - distance[met]).max(initial=0) <= 1e-9 * mesh.extent
+    # A ray through an edge may name either neighbour; both are then equally far.
+    other = met & (opposite != triangle)
+    assert other.mean() < 0.2
+
+
+def test_samples_stand_for_the_whole_area():
+    mesh = surface_mesh(*made_meshes.ribbed_block())
+    samples = surface_samples(mesh)
+    per_triangle = np.bincount(samples.triangle, samples.area)
+    assert per_triangle == pytest.approx(mesh.areas, rel=1e-12)
+    assert samples.count >= 10_000
+    assert np.bincount(samples.triangle).min() >= 4
+
+
+def test_samples_have_no_random_seed_in_them():
+    mesh = surface_mesh(*made_meshes.tube())
+    assert (surface_samples(mesh).points == surface_samples(mesh).points).all()
+
+
+def test_touching_solids_do_not_measure_the_contact():
+    mesh = surface_mesh(*SHAPES["two boxes that touch"])
+    field = measure_rays(mesh, surface_samples(mesh))
+    assert field.distance.min() == pytest.approx(10, rel=1e-9)
+
+
+def test_progress_rises_to_one_and_can_stop_it():
+    mesh = surface_mesh(*made_meshes.spherical_shell(steps=60))
+    samples = surface_samples(mesh)
+    seen = []
+    measure_rays(mesh, samples, seen.append)
+    assert seen == sorted(seen) and seen[-1] == pytest.approx(1.0) and len(seen) > 3
+
+    class Stop(Exception):
+        pass
+
+    def stop(fraction):
+        raise Stop
+
+    with pytest.raises(Stop):
+        measure_rays(mesh, samples, stop)
+
+
+def test_wedge_angle_is_that_of_the_wedge():
+    mesh = surface_mesh(*made_meshes.moved(made_meshes.wedge(30), TURNED))
+    field = measure_rays(mesh, surface_samples(mesh))
+    slanted = field.wedge_angle[field.nonparallel]
+    assert np.degrees(slanted) == pytest.approx(30, abs=1e-6)

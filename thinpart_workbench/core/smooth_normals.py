@@ -1,0 +1,105 @@
+"""Normals of the surface that the facets stand for."""
+
+import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+
+CREASE = np.radians(20.0)
+"""Facets that meet at less than this belong to one smooth surface, unless B-Rep faces say more."""
+
+
+def smooth_patches(vertices, triangles):
+    """Patches of a mesh within which no edge is a crease.
+
+    Parameters
+    ----------
+    vertices : ndarray of shape (v, 3), mm
+    triangles : ndarray of shape (n, 3)
+        Welded and oriented.
+
+    Returns
+    -------
+    ndarray of shape (n,), int64
+        Patch of each triangle, by first appearance.
+    """
+    corners = vertices[triangles]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    edges = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+    owner = np.repeat(np.arange(len(triangles)), 3)
+    key = edges[:, 0] * (triangles.max() + 1) + edges[:, 1]
+    order = np.argsort(key, kind="stable")
+    twice = np.flatnonzero(key[order][1:] == key[order][:-1])
+    first, second = owner[order[twice]], owner[order[twice + 1]]
+    smooth = np.einsum("ij,ij->i", normals[first], normals[second]) > np.cos(CREASE)
+    links = coo_matrix(
+        (np.ones(smooth.sum()), (first[smooth], second[smooth])), shape=(len(triangles),) * 2
+    )
+    label = connected_components(links, directed=False)[1]
+    _, appears, which = np.unique(label, return_index=True, return_inverse=True)
+    rank = np.argsort(np.argsort(appears))
+    return rank[which.ravel()]
+
+
+def normals_at(mesh, triangle, points):
+    """Unit normals of the smooth surface at points of triangles.
+
+    Parameters
+    ----------
+    mesh : SurfaceMesh
+    triangle : ndarray of shape (m,), int64
+    points : ndarray of shape (m, 3), mm
+        In the mesh's own coordinates, on those triangles.
+
+    Returns
+    -------
+    ndarray of shape (m, 3)
+
+    Notes
+    -----
+    Corner normals are means over the facets of the same face, weighted by their angle there
+    (Thuermer and Wuethrich 1998, doi:10.1080/10867651.1998.10487487), interpolated as by Phong
+    (1975, doi:10.1145/360825.360839). On a plane they are the facet's own. Two walls of a
+    tessellated shell are parallel by these normals, although their facets are not.
+    """
+    corner_normals = _corner_normals(mesh)
+    corners = mesh.corners[triangle]
+    edge_u, edge_v = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    inside = points - corners[:, 0]
+    uu, uv, vv = (np.einsum("ij,ij->i", a, b) for a, b in (
+        (edge_u, edge_u), (edge_u, edge_v), (edge_v, edge_v)))
+    pu, pv = (np.einsum("ij,ij->i", inside, edge) for edge in (edge_u, edge_v))
+    determinant = np.maximum(uu * vv - uv * uv, np.finfo(float).tiny)
+    second = np.clip((vv * pu - uv * pv) / determinant, 0.0, 1.0)
+    third = np.clip((uu * pv - uv * pu) / determinant, 0.0, 1.0)
+    first = np.clip(1.0 - second - third, 0.0, 1.0)
+    weights = np.stack([first, second, third], axis=1)
+    normal = np.einsum("ik,ikj->ij", weights, corner_normals[triangle])
+    return normal / np.linalg.norm(normal, axis=1)[:, None]
+
+
+def _corner_normals(mesh):
+    """ndarray of shape (n, 3, 3): triangle, corner, coordinate."""
+    corners, normals = mesh.corners, mesh.normals
+    key = (mesh.triangles * (mesh.face_of_triangle.max() + 1) + mesh.face_of_triangle[:, None])
+    _, which = np.unique(key.ravel(), return_inverse=True)
+    which = which.ravel()
+    weight = _corner_angles(corners).ravel()
+    facet = np.repeat(normals, 3, axis=0)
+    mean = np.stack([np.bincount(which, facet[:, k] * weight) for k in range(3)], axis=1)
+    length = np.linalg.norm(mean, axis=1)
+    mean /= np.where(length > 0.0, length, 1.0)[:, None]
+    mean = mean[which]
+    # The tip of a cone and a kink within a face have no one normal: the facet's own stands there.
+    sharp = np.einsum("ij,ij->i", mean, facet) < np.cos(CREASE)
+    mean[sharp] = facet[sharp]
+    return mean.reshape(-1, 3, 3)
+
+
+def _corner_angles(corners):
+    """ndarray of shape (n, 3), radians."""
+    ahead = np.roll(corners, -1, axis=1) - corners
+    back = np.roll(corners, 1, axis=1) - corners
+    cosine = np.einsum("ikj,ikj->ik", ahead, back)
+    cosine /= np.linalg.norm(ahead, axis=2) * np.linalg.norm(back, axis=2)
+    return np.arccos(np.clip(cosine, -1.0, 1.0))
