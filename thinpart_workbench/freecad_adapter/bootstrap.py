@@ -40,6 +40,8 @@ def load_freecad():
     homes = [Path(freecad.getHomePath()), *map(Path, _SHARE)]
     for home in homes:
         _append(home / "Ext")
+        # The folder itself too: PartDesign is imported as a package out of it.
+        _append(home / "Mod")
         for module in sorted((home / "Mod").glob("*")):
             _append(module)
     return freecad
