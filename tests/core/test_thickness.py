@@ -101,3 +101,14 @@ def test_wedge_angle_is_that_of_the_wedge():
     field = measure_rays(mesh, surface_samples(mesh))
     slanted = field.wedge_angle[field.nonparallel]
     assert np.degrees(slanted) == pytest.approx(30, abs=1e-6)
+
+
+@pytest.mark.parametrize("turn", [np.eye(3), TURNED])
+def test_a_surface_that_passes_through_itself_is_noticed(turn):
+    through = made_meshes.joined(
+        made_meshes.box(10, 10, 10), made_meshes.moved(made_meshes.box(10, 10, 10), shift=(5, 5, 5))
+    )
+    for shape, noticed in [(through, True), *((each, False) for each in SHAPES.values())]:
+        mesh = surface_mesh(*made_meshes.moved(shape, turn))
+        field = measure_rays(mesh, surface_samples(mesh))
+        assert (len(field.entered) > 0) == noticed or not mesh.watertight

@@ -1,4 +1,4 @@
-"""First triangle met from inside by many rays together, in numpy.
+"""First triangle met by many rays together, in numpy.
 
 Rays come in packets: eight origins close together that share one direction, so that a packet is
 one thick ray for the boxes. All packets descend the tree together, level by level.
@@ -20,8 +20,12 @@ _GUESS_MARGIN = 1.05
 _GUESS_GROWTH = 4.0
 
 
-def first_hits(tree, origins, directions, report=None):
-    """Distance to, and index of, the first triangle that each ray meets from its inner side.
+INNER, OUTER = 1.0, -1.0
+"""Sides from which a triangle can be met: leaving the material, or entering it."""
+
+
+def first_hits(tree, origins, directions, report=None, side=INNER):
+    """Distance to, and index of, the first triangle that each ray meets from one side.
 
     Parameters
     ----------
@@ -32,6 +36,8 @@ def first_hits(tree, origins, directions, report=None):
         Unit direction of each packet.
     report : callable, optional
         Called with the fraction done; may raise to stop.
+    side : float
+        `INNER` or `OUTER`.
 
     Returns
     -------
@@ -65,7 +71,7 @@ def first_hits(tree, origins, directions, report=None):
             limit[wanted] = np.minimum(guess, limit[wanted])
         for start in range(0, len(wanted), PACKETS_AT_ONCE):
             chunk = wanted[start:start + PACKETS_AT_ONCE]
-            _solve(tree, origins, directions, chunk, limit[chunk], distance, triangle)
+            _solve(tree, origins, directions, side, chunk, limit[chunk], distance, triangle)
             done += len(chunk)
             if report is not None:
                 report(done / packets)
@@ -75,29 +81,31 @@ def first_hits(tree, origins, directions, report=None):
     return distance, triangle
 
 
-def _solve(tree, origins, directions, packets, limit, distance, triangle):
+def _solve(tree, origins, directions, side, packets, limit, distance, triangle):
     """Fill in the results of some packets, widening the limit where a ray met nothing."""
     whole = tree.extent * 1.01
     while len(packets):
         found_distance, found_triangle = _descend(
             tree, np.ascontiguousarray(origins[:, packets].transpose(2, 0, 1)),
-            np.ascontiguousarray(directions[packets].T), limit,
+            np.ascontiguousarray(directions[packets].T), side, limit,
         )
         distance[:, packets], triangle[:, packets] = found_distance, found_triangle
         unmet = np.isinf(found_distance).any(axis=0) & (limit < whole)
         packets, limit = packets[unmet], np.minimum(limit[unmet] * _GUESS_GROWTH, whole)
 
 
-def _descend(tree, origins, directions, limit):
+def _descend(tree, origins, directions, side, limit):
     """Hits within `limit`. origins (3, 8, p), directions (3, p), limit (p,)."""
-    rays, nodes = _candidates(tree, origins, directions, limit)
+    rays, nodes = _candidates(tree, origins, directions, side, limit)
     count = origins.shape[2]
     best_distance = np.full((PACKET, count), np.inf)
     best_triangle = np.full((PACKET, count), -1, dtype=np.int64)
     keys, hits, triangles = [], [], []
     for start in range(0, len(rays), _CANDIDATES_AT_ONCE):
         part = slice(start, start + _CANDIDATES_AT_ONCE)
-        key, hit, place = _intersect(tree, origins, directions, limit, rays[part], nodes[part])
+        key, hit, place = _intersect(
+            tree, origins, directions, side, limit, rays[part], nodes[part]
+        )
         keys.append(key)
         hits.append(hit)
         triangles.append(place)
@@ -110,7 +118,7 @@ def _descend(tree, origins, directions, limit):
     return best_distance, best_triangle
 
 
-def _candidates(tree, origins, directions, limit):
+def _candidates(tree, origins, directions, side, limit):
     """Pairs (packet, place of the curve) whose boxes the thick ray meets within the limit."""
     low, high = origins.min(axis=1), origins.max(axis=1)
     # A box grown by the packet's spread is met by the middle ray when any ray meets the box.
@@ -122,6 +130,7 @@ def _candidates(tree, origins, directions, limit):
         high.astype(np.float32) + reach, low.astype(np.float32) - reach, inverse,
         (limit[None] * (1.0 + 1e-6)).astype(np.float32),
     ])
+    facing = direction * np.float32(side)
     packets = origins.shape[2]
     roots = tree.levels[0].shape[1]
     ray = np.repeat(np.arange(packets), roots)
@@ -141,7 +150,7 @@ def _candidates(tree, origins, directions, limit):
         last = np.minimum(np.minimum(leave[0], leave[1]), leave[2])
         met = np.maximum(first, 0.0, out=first) <= np.minimum(last, own[9], out=last)
         if depth == len(tree.levels) - 1:
-            met &= _faces_along(tree, node, np.take(direction, ray, axis=1, mode="clip"))
+            met &= _faces_along(tree, node, np.take(facing, ray, axis=1, mode="clip"))
         met = np.flatnonzero(met)
         child = met // count
         parent = met - child * count
@@ -156,7 +165,7 @@ def _faces_along(tree, node, direction):
     return normals[0] + normals[1] + normals[2] > np.float32(-1e-6)
 
 
-def _intersect(tree, origins, directions, limit, ray, place):
+def _intersect(tree, origins, directions, side, limit, ray, place):
     """Exact hits of the eight rays of each candidate pair with its triangle."""
     count = len(ray)
     packets = origins.shape[2]
@@ -164,8 +173,9 @@ def _intersect(tree, origins, directions, limit, ray, place):
     origin = np.take(origins.reshape(3 * PACKET, packets), ray, axis=1).reshape(3, PACKET, count)
     direction = np.take(directions, ray, axis=1)
     facing = rows[0] * direction[0] + rows[1] * direction[1] + rows[2] * direction[2]
+    facing *= side
     hit = rows[3] - (rows[0] * origin[0] + rows[1] * origin[1] + rows[2] * origin[2])
-    hit /= np.maximum(facing, TOLERANCES.grazing)
+    hit /= np.maximum(facing, TOLERANCES.grazing) * side
     point = origin + direction[:, None] * hit
     u = rows[4] * point[0] + rows[5] * point[1] + rows[6] * point[2] - rows[7]
     v = rows[8] * point[0] + rows[9] * point[1] + rows[10] * point[2] - rows[11]

@@ -7,12 +7,16 @@ import numpy as np
 
 from .box_tree import box_tree
 from .dominant_directions import dominant_axes
-from .ray_casting import PACKET, first_hits
+from .ray_casting import INNER, OUTER, PACKET, first_hits
 from .smooth_normals import normals_at
 from .space_filling_curve import hilbert_order
+from .tolerances import TOLERANCES
 
 PARALLEL_BELOW = np.radians(10.0)
 """Wedge angle under which two walls are parallel (Giannini et al. 2012, 4.2.2)."""
+
+ENTRY_PACKETS = 250
+"""Packets of samples that are tried for a surface that passes through itself."""
 
 NONPARALLEL_BELOW = np.radians(60.0)
 """Wedge angle from which two faces do not enclose a thickness (same place)."""
@@ -39,6 +43,9 @@ class ThicknessField:
         B-Rep face met, -1 for none.
     points, opposite_points : ndarray of shape (m, 3), mm
         In the coordinates of the part's document.
+    entered : ndarray of shape (k,), int64
+        Samples, of a few that were tried, whose ray enters the material again before it has left
+        it: there the surface passes through itself or is inside-out.
     """
 
     distance: np.ndarray
@@ -49,6 +56,7 @@ class ThicknessField:
     opposite_face: np.ndarray
     points: np.ndarray
     opposite_points: np.ndarray
+    entered: np.ndarray
 
     @cached_property
     def parallel(self):
@@ -83,24 +91,48 @@ def measure_rays(mesh, samples, report=None):
     turned to its own dominant directions: boxes of slender triangles that lie askew are fat, which
     costs up to a factor of twenty, and the result is then the same for every placement.
     """
-    axes = dominant_axes(mesh.normals, mesh.areas)
-    normals = mesh.normals @ axes.T
-    corners = mesh.corners @ axes.T
-    corners -= 0.5 * (corners.min(axis=(0, 1)) + corners.max(axis=(0, 1)))
-    tree = box_tree(corners, normals, mesh.areas)
-    packets = _packets(mesh, samples)
-    barycentre = mesh.corners[0, 0] @ axes.T - corners[0, 0]
-    origins = samples.points[packets] @ axes.T - barycentre
-    directions = -normals[samples.triangle[packets[0]]]
-    packed_distance, packed_triangle = first_hits(tree, origins, directions, report)
-    # A packet that is not full repeats a ray; both results are the same.
-    distance = np.empty(samples.count)
-    opposite = np.empty(samples.count, dtype=np.int64)
-    distance[packets], opposite[packets] = packed_distance, packed_triangle
-    return thickness_field(mesh, samples, distance, opposite)
+    rays = _InwardRays(mesh, samples)
+    distance, opposite = rays.first_hits(rays.packets, INNER, report)
+    return thickness_field(mesh, samples, distance, opposite, rays.entered(distance))
 
 
-def thickness_field(mesh, samples, distance, opposite):
+class _InwardRays:
+    """Rays from samples along the inward normals, and the tree that they descend."""
+
+    def __init__(self, mesh, samples):
+        self.mesh, self.samples = mesh, samples
+        axes = dominant_axes(mesh.normals, mesh.areas)
+        normals = mesh.normals @ axes.T
+        corners = mesh.corners @ axes.T
+        middle = 0.5 * (corners.min(axis=(0, 1)) + corners.max(axis=(0, 1)))
+        self.tree = box_tree(corners - middle, normals, mesh.areas)
+        self.origins = samples.points @ axes.T - middle
+        self.directions = -normals[samples.triangle]
+        self.packets = _packets(mesh, samples)
+
+    def first_hits(self, packets, side, report=None):
+        """Distance and triangle per sample; samples in none of the packets met nothing."""
+        packed_distance, packed_triangle = first_hits(
+            self.tree, self.origins[packets], self.directions[packets[0]], report, side
+        )
+        # A packet that is not full repeats a ray; both results are the same.
+        distance = np.full(len(self.origins), np.inf)
+        triangle = np.full(len(self.origins), -1, dtype=np.int64)
+        distance[packets], triangle[packets] = packed_distance, packed_triangle
+        return distance, triangle
+
+    def entered(self, distance):
+        """Samples, of some, whose ray enters the material again before it has left it."""
+        step = max(1, self.packets.shape[1] // ENTRY_PACKETS)
+        entry, _ = self.first_hits(self.packets[:, ::step], OUTER)
+        # Two solids that touch are entered just where the first is left.
+        entered = np.flatnonzero(entry < distance - TOLERANCES.self_hit * self.tree.extent)
+        # Beside a sharp edge the ray has left again before it counts as having started.
+        inside = _distance_to_edges(self.mesh, self.samples, entered)
+        return entered[inside > TOLERANCES.beside_edge * self.tree.extent]
+
+
+def thickness_field(mesh, samples, distance, opposite, entered=()):
     """Complete distances and opposite triangles of samples to a `ThicknessField`.
 
     Notes
@@ -120,7 +152,7 @@ def thickness_field(mesh, samples, distance, opposite):
     return ThicknessField(
         distance, wedge_angle, opposite, samples.area, mesh.face_of_triangle[samples.triangle],
         np.where(opposite >= 0, mesh.face_of_triangle[opposite], -1),
-        samples.points + mesh.origin, hit_points + mesh.origin,
+        samples.points + mesh.origin, hit_points + mesh.origin, np.asarray(entered, dtype=np.int64),
     )
 
 
@@ -129,6 +161,13 @@ def _angle_between(first, second):
     chord = first - second
     half = 0.5 * np.sqrt(np.einsum("ij,ij->i", chord, chord))
     return 2.0 * np.arcsin(np.clip(half, 0.0, 1.0))
+
+
+def _distance_to_edges(mesh, samples, chosen):
+    corners = mesh.corners[samples.triangle[chosen]]
+    ahead = np.roll(corners, -1, axis=1) - corners
+    across = np.cross(ahead, samples.points[chosen, None] - corners)
+    return (np.linalg.norm(across, axis=2) / np.linalg.norm(ahead, axis=2)).min(axis=1)
 
 
 def _packets(mesh, samples):

@@ -16,6 +16,9 @@ class Tolerances:
     self_hit: float = 1e-6
     """A hit nearer than this is the ray's own surface, or a second solid that touches it there."""
 
+    beside_edge: float = 1e-4
+    """Samples nearer to an edge than this say nothing about a surface that passes through itself."""
+
     edge: float = 1e-9
     """Barycentric slack, so that no ray slips between two triangles that share an edge."""
 

@@ -10,6 +10,7 @@ import numpy as np
 from ..core.errors import ThinPartError
 from .bootstrap import load_freecad
 from .document_parts import document_parts
+from .mesh_file_check import check_mesh_file
 from .part import MeshedPart, Occurrence, SolidPart
 from .solids import solids_of
 
@@ -137,8 +138,7 @@ def _read_shape(path):
 def _read_mesh(path):
     import Mesh
 
-    if path.suffix.lower() == ".stl":
-        _check_stl_length(path)
+    check_mesh_file(path)
     try:
         mesh = Mesh.Mesh(os.fspath(path))
         points, triangles = mesh.Topology
@@ -149,26 +149,6 @@ def _read_mesh(path):
         raise ThinPartError(f"{path.name} is damaged or holds no triangles.", "unreadable")
     points = np.array([(p.x, p.y, p.z) for p in points], dtype=np.float64)
     return [MeshedPart("Mesh", path.stem, points, np.array(triangles, dtype=np.int64))]
-
-
-def _check_stl_length(path):
-    """A binary STL says how many triangles follow; FreeCAD reads a truncated one as empty."""
-    size = path.stat().st_size
-    with open(path, "rb") as file:
-        head = file.read(84)
-        rest = head + file.read(4096)
-    if head[:5].lower() == b"solid" and b"\0" not in rest:
-        with open(path, "rb") as file:
-            file.seek(max(0, size - 4096))
-            if b"endsolid" not in file.read().lower():
-                raise ThinPartError(f"{path.name} is truncated: its end is missing.", "unreadable")
-        return
-    announced = int.from_bytes(head[80:84], "little")
-    if len(head) < 84 or size < 84 + 50 * announced:
-        raise ThinPartError(
-            f"{path.name} is truncated: it announces {announced} triangles and holds "
-            f"{max(0, size - 84) // 50}.", "unreadable",
-        )
 
 
 READERS = {

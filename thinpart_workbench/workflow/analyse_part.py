@@ -47,7 +47,7 @@ def analyse_part(part, settings, profile, report=None):
     record = part_record(
         part, mesh, measurement, classification, paper, faces, error_bound, deflection
     )
-    record["warnings"] += warnings + _plausibility(part, mesh, diagonal)
+    record["warnings"] += warnings + _plausibility(part, mesh, measurement.field, diagonal)
     record["seconds"] = seconds
     return record
 
@@ -86,9 +86,15 @@ def _too_many(mesh, deflection, wanted):
     return mesh.count * deflection / (wanted * mesh.extent) > MOST_TRIANGLES
 
 
-def _plausibility(part, mesh, diagonal):
+def _plausibility(part, mesh, field, diagonal):
     """Warnings about what can be measured but is likely not meant."""
     warnings = []
+    if len(field.entered) and mesh.watertight:
+        place = ", ".join(f"{value:.3g}" for value in field.points[field.entered[0]])
+        warnings.append(
+            f"The surface passes through itself, as under ({place}): repair it, its thickness and "
+            "volume are not certain."
+        )
     missing = part.missing_faces(mesh)
     if missing:
         warnings.append(f"FreeCAD could not tessellate {', '.join(missing[:5])}"
