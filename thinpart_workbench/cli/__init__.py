@@ -24,6 +24,9 @@ ALL_CLASSIFIED, SOME_FAILED, WRONG_USAGE, INTERRUPTED = 0, 1, 2, 130
 def main(arguments=None):
     """Run a command and return its exit status."""
     arguments = sys.argv[1:] if arguments is None else arguments
+    for stream in (sys.stdout, sys.stderr):
+        # A file name may hold bytes that are no text; they are printed as escapes.
+        stream.reconfigure(errors="backslashreplace")
     parser = _parser(arguments)
     options, rest = parser.parse_known_args(arguments)
     if rest and options.command != "test":

@@ -1,11 +1,11 @@
 """Part records as rows of a table for people, and of a CSV file."""
 
 import csv
+import io
 import os
 from dataclasses import dataclass
 
 from ..storage.atomic_file import write_atomically
-import io
 
 _COLOURS = {"thin": "red", "thin_features": "yellow", "normal": "green", "unknown": "magenta"}
 
@@ -143,4 +143,4 @@ def write_csv(outcomes, path):
             writer.writerow(
                 [outcome["file"], error.get("part") or "", *blank, error["kind"], error["message"]]
             )
-    write_atomically(path, text.getvalue().encode("utf-8", "surrogateescape"))
+    write_atomically(path, text.getvalue().encode("utf-8", "backslashreplace"))

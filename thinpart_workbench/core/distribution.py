@@ -120,7 +120,7 @@ def table_key(x, wedge_angle=None):
     """One number per cell of both tables: the bin of x, after 1000 the angle bin times 1000."""
     if wedge_angle is None:
         return bin_of(x)
-    angle = (np.degrees(wedge_angle) / ANGLE_STEP + TOLERANCES.bin_edge).astype(np.int64)
+    angle = (np.degrees(wedge_angle + TOLERANCES.angle) / ANGLE_STEP).astype(np.int64)
     return BINS + angle * BINS + bin_of(x)
 
 

@@ -6,6 +6,7 @@ import numpy as np
 
 from .distribution import table_key, tabulate
 from .thickness import NONPARALLEL_BELOW, PARALLEL_BELOW, thickness_field
+from .tolerances import TOLERANCES
 
 _ROWS_AT_ONCE = 256
 _INSIDE_SLACK = 1e-9
@@ -105,8 +106,8 @@ def pairs_of(mesh, rows):
     offset = np.einsum("ij,ij->i", centroids, normals)
     behind = (normals[rows] @ centroids.T) < offset[rows, None]
     behind &= (centroids[rows] @ normals.T) < offset[None]
-    near_parallel = behind & (cosine > np.cos(PARALLEL_BELOW))
-    slanted = behind & ~near_parallel & (cosine > np.cos(NONPARALLEL_BELOW))
+    near_parallel = behind & (cosine > np.cos(PARALLEL_BELOW - TOLERANCES.angle))
+    slanted = behind & ~near_parallel & (cosine > np.cos(NONPARALLEL_BELOW - TOLERANCES.angle))
     return (
         _facing(mesh, centroids, *_indices(rows, near_parallel)),
         _nearest_vertices(mesh, *_indices(rows, slanted)),

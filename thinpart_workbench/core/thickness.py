@@ -61,12 +61,12 @@ class ThicknessField:
     @cached_property
     def parallel(self):
         """ndarray of shape (m,), bool: samples that enter the parallel distribution."""
-        return self.wedge_angle < PARALLEL_BELOW
+        return self.wedge_angle < PARALLEL_BELOW - TOLERANCES.angle
 
     @cached_property
     def nonparallel(self):
         """ndarray of shape (m,), bool: samples that enter the non-parallel table."""
-        return ~self.parallel & (self.wedge_angle < NONPARALLEL_BELOW)
+        return ~self.parallel & (self.wedge_angle < NONPARALLEL_BELOW - TOLERANCES.angle)
 
 
 def measure_rays(mesh, samples, report=None):

@@ -29,6 +29,9 @@ class Tolerances:
     """A distance this little under a bin edge lies on it: a wall that is exactly 5 % of the
     diagonal falls on the same side under every rotation."""
 
+    angle: float = 1e-5
+    """Radians under a limit angle that count as that angle, for the same reason."""
+
     box_tie: float = 1e-3
     """Boxes whose volumes agree to this share are ties; the shortest diagonal is taken."""
 

@@ -29,6 +29,11 @@ def load_freecad():
     for folder in (freecad_library(), *FREECAD_LIBS):
         if folder:
             _append(folder)
+    if not has_home():
+        raise ThinPartError(
+            f"The home folder {os.path.expanduser('~')} may not be used, which FreeCAD needs: set "
+            "FREECAD_USER_HOME to a folder that may.", "permission",
+        )
     try:
         freecad = importlib.import_module("FreeCAD")
     except ImportError as error:
@@ -45,6 +50,16 @@ def load_freecad():
         for module in sorted((home / "Mod").glob("*")):
             _append(module)
     return freecad
+
+
+def has_home():
+    """Whether FreeCAD has a home folder that it can use.
+
+    It ends the process where it may not look into that folder, as under a service's user.
+    """
+    return "FREECAD_USER_HOME" in os.environ or os.access(
+        os.path.expanduser("~"), os.X_OK | os.W_OK
+    )
 
 
 def _append(folder):

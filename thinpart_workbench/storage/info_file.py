@@ -194,7 +194,7 @@ def write_info(path, content, keep=None):
 def dumps(content):
     """The bytes of an info file: UTF-8, keys in their order, one line per part."""
     return (json.dumps(content, ensure_ascii=False, indent=1, allow_nan=False) + "\n").encode(
-        "utf-8", "surrogateescape"
+        "utf-8", "backslashreplace"  # bytes of a file name that are no text become JSON escapes
     )
 
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..core.errors import ThinPartError
+from ..freecad_adapter.bootstrap import has_home
 
 _OUT_OF_MEMORY = (b"bad_alloc", b"MemoryError", b"Unable to allocate", b"OutOfMemory",
                   b"out of memory", b"length_error")
@@ -62,7 +63,7 @@ def analyse_files(tasks, limits):
         pool = ProcessPool(
             max_workers=max(1, min(limits.jobs, len(tasks))),
             context=multiprocessing.get_context("spawn"),
-            initializer=_start_worker, initargs=(limits.megabytes,),
+            initializer=_start_worker, initargs=(limits.megabytes, logs),
         )
         try:
             futures = {}
@@ -83,8 +84,10 @@ def analyse_files(tasks, limits):
             pool.join()
 
 
-def _start_worker(megabytes):
-    """Once per worker: Ctrl-C is the parent's business, memory is limited, nothing is printed."""
+def _start_worker(megabytes, folder):
+    """Once per worker: Ctrl-C is the parent's business, memory is limited, there is a home."""
+    if not has_home():
+        os.environ["FREECAD_USER_HOME"] = folder
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     limit = megabytes * 1024 * 1024
     hard = resource.getrlimit(resource.RLIMIT_AS)[1]

@@ -1,0 +1,143 @@
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+from thinpart_workbench.core.errors import ThinPartError
+from thinpart_workbench.storage import info_file
+from thinpart_workbench.storage.atomic_file import write_atomically
+
+SETTINGS, PROFILE = {"measure": "rays"}, {"name": "paper"}
+
+
+@pytest.fixture
+def document(tmp_path):
+    path = tmp_path / "part.step"
+    path.write_bytes(b"some geometry")
+    return path
+
+
+def content_of(document, notes=""):
+    source = info_file.new_source(document)
+    return info_file.info_content(source, SETTINGS, PROFILE, [{"name": "Solid1", "notes": notes}])
+
+
+def test_round_trip_and_stable_bytes(document):
+    path = info_file.info_path(document)
+    info_file.write_info(path, content_of(document))
+    assert path.name == "part.step.thinpart.json"
+    assert info_file.read_info(path) == content_of(document)
+    first = path.read_bytes()
+    info_file.write_info(path, content_of(document), keep=info_file.read_info(path))
+    assert path.read_bytes() == first and first.decode("utf-8").endswith("\n")
+
+
+def test_current_as_long_as_document_settings_and_profile_are_the_same(document):
+    content = content_of(document)
+    current = info_file.is_current
+    assert current(content, document, SETTINGS, PROFILE)
+    assert not current(content, document, {"measure": "pairs"}, PROFILE)
+    assert not current(content, document, SETTINGS, {"name": "house"})
+    os.utime(document, (5, 5))
+    assert current(content, document, SETTINGS, PROFILE)  # the hash decides
+    document.write_bytes(b"same length!!")
+    assert not current(content, document, SETTINGS, PROFILE)
+    document.unlink()
+    assert not current(content, document, SETTINGS, PROFILE)
+
+
+def test_notes_survive(document):
+    path = info_file.info_path(document)
+    info_file.write_info(path, content_of(document, notes="meshed with 3 layers"))
+    info_file.write_info(path, content_of(document), keep=info_file.read_info(path))
+    assert info_file.read_info(path)["parts"][0]["notes"] == "meshed with 3 layers"
+
+
+@pytest.mark.parametrize("text, says", [
+    ("", "cannot be read"), ("{", "cannot be read"), ("[]", "not a ThinPart info file"),
+    ('{"format": "other"}', "not a ThinPart info file"),
+    ('{"format": "thinpart-info", "version": 2}', "newer"),
+    ('{"format": "thinpart-info", "version": 1}', "lacks source"),
+    ("[" * 100_000, "cannot be read"),
+])
+def test_a_file_that_is_no_info_file_is_refused_and_not_overwritten(document, text, says):
+    path = info_file.info_path(document)
+    path.write_text(text)
+    with pytest.raises(ThinPartError, match=says) as failure:
+        info_file.read_info(path)
+    assert failure.value.kind == "info_file"
+    with pytest.raises(ThinPartError) as failure:
+        info_file.write_info(path, content_of(document))
+    assert failure.value.kind == "info_write" and path.read_text() == text
+
+
+def test_not_a_number_is_never_written(document):
+    content = content_of(document)
+    content["parts"][0]["margin"] = float("nan")
+    with pytest.raises(ValueError):
+        info_file.write_info(info_file.info_path(document), content)
+    assert os.listdir(document.parent) == ["part.step"]
+
+
+def test_failed_write_keeps_the_old_file_and_leaves_nothing(tmp_path, monkeypatch):
+    path = tmp_path / "file"
+    write_atomically(path, b"old")
+
+    def full(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "fsync", full)
+    with pytest.raises(OSError):
+        write_atomically(path, b"new")
+    assert path.read_bytes() == b"old" and os.listdir(tmp_path) == ["file"]
+
+
+def test_permissions_of_the_replaced_file_stay(tmp_path):
+    path = tmp_path / "file"
+    path.write_bytes(b"old")
+    path.chmod(0o640)
+    write_atomically(path, b"new")
+    assert path.stat().st_mode & 0o777 == 0o640
+
+
+def test_a_reader_never_sees_half_a_file_while_the_writer_is_killed(tmp_path):
+    path = tmp_path / "file"
+    script = (
+        "import sys; from thinpart_workbench.storage.atomic_file import write_atomically\n"
+        "n = 0\n"
+        "while True:\n"
+        "    n += 1\n"
+        "    write_atomically(sys.argv[1], (b'%09d' % n) * 20000)\n"
+    )
+    root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+    for _ in range(5):
+        writer = subprocess.Popen([sys.executable, "-c", script, str(path)],
+                                  env=dict(os.environ, PYTHONPATH=root))
+        end = time.monotonic() + 0.6
+        while time.monotonic() < end:
+            if path.exists():
+                content = path.read_bytes()
+                assert len(content) == 180_000 and content == content[:9] * 20000
+        writer.send_signal(signal.SIGKILL)
+        writer.wait()
+    assert len(path.read_bytes()) == 180_000
+
+
+def test_source_says_what_is_wrong(tmp_path):
+    with pytest.raises(ThinPartError) as failure:
+        info_file.new_source(tmp_path / "no.step")
+    assert failure.value.kind == "missing"
+
+
+def test_names_with_bytes_that_are_no_text(tmp_path):
+    name = os.fsdecode(b"p\xffart.step")
+    document = tmp_path / name
+    document.write_bytes(b"x")
+    path = info_file.info_path(document)
+    info_file.write_info(path, content_of(document))
+    assert json.loads(path.read_bytes().decode("utf-8"))["source"]["file"] == name
+    assert info_file.read_info(path)["source"]["file"] == name
