@@ -74,7 +74,7 @@ def test_one_module_of_gui_imports_qt():
 
 
 MEASURING = ("surface_mesh", "mass_properties", "bounds", "sampling", "box_tree", "ray_casting",
-             "thickness", "pair_rule", "distribution", "measurement", "face_thickness",
+             "thickness", "inward_rays", "smooth_normals", "pair_rule", "distribution", "measurement", "face_thickness",
              "descriptors", "chord_error")
 JUDGING = ("criteria", "classification")
 

@@ -4,6 +4,9 @@ from scipy.spatial.transform import Rotation
 
 import brute_force
 import made_meshes
+from thinpart_workbench.core.analysis_settings import AnalysisSettings
+from thinpart_workbench.core.descriptors import REPORTED_SHARES
+from thinpart_workbench.core.distribution import distribution
 from thinpart_workbench.core.sampling import surface_samples
 from thinpart_workbench.core.surface_mesh import surface_mesh
 from thinpart_workbench.core.thickness import measure_rays
@@ -112,3 +115,25 @@ def test_a_surface_that_passes_through_itself_is_noticed(turn):
         mesh = surface_mesh(*made_meshes.moved(shape, turn))
         field = measure_rays(mesh, surface_samples(mesh))
         assert (len(field.entered) > 0) == noticed or not mesh.watertight
+
+
+@pytest.mark.parametrize("shape", [
+    made_meshes.ribbed_block(), made_meshes.wedge(40), made_meshes.tube(steps=45),
+    made_meshes.prism([(0, 0), (80, 0), (90, 30), (50, 12), (10, 45)], 25),
+])
+def test_shares_are_within_half_a_percent_of_a_very_dense_sampling(shape):
+    mesh = surface_mesh(*made_meshes.moved(shape, TURNED))
+    shares = []
+    for minimum in (AnalysisSettings.minimum_samples, 500_000):
+        field = measure_rays(mesh, surface_samples(mesh, minimum))
+        shares.append(distribution(field, mesh.extent))
+    for low, high in REPORTED_SHARES:
+        assert shares[0].share(low, high) == pytest.approx(shares[1].share(low, high), abs=0.005)
+
+
+def test_the_thinnest_place_of_a_tapered_wall_is_its_end():
+    # 10 mm at one end, 4 mm at the other, 400 mm long: two triangles to a side.
+    mesh = surface_mesh(*made_meshes.moved(
+        made_meshes.prism([(0, 0), (400, 0), (400, 4), (0, 10)], 300), TURNED))
+    field = measure_rays(mesh, surface_samples(mesh))
+    assert field.distance[field.parallel].min() == pytest.approx(4.0, abs=0.01)

@@ -12,7 +12,10 @@ import time
 from pathlib import Path
 
 import jsonschema
+import numpy as np
 import pytest
+
+import made_meshes
 
 ROOT = Path(__file__).resolve().parents[2]
 SAMPLES = ROOT / "resources" / "samples"
@@ -224,6 +227,7 @@ def test_own_profile_and_the_papers_verdict_beside_it(tmp_path):
 
 @pytest.mark.parametrize("arguments", [
     ["classify"], ["classify", "x", "--measure", "guess"], ["classify", "x", "--jobs", "0"],
+    ["classify", "x", "--memory", "50"],
     ["classify", "x", "--profile", "no-such"], ["no-such-command"], ["classify", "x", "--nonsense"],
     [],
 ])
@@ -398,10 +402,12 @@ def test_a_file_that_never_ends_is_one_row(tmp_path):
 
 
 def test_too_little_memory_is_one_row(tmp_path):
-    run = thinpart("classify", SAMPLES / "thin_walled_casting.step", "--json", "--no-info",
-                   "--memory", "700")
-    assert run.returncode == 1 and failures(run) == {"thin_walled_casting.step": "memory"}
-    assert "--memory" in run.stderr
+    points, triangles = made_meshes.sphere(20, 800)
+    facets = np.zeros(len(triangles), [("normal", "<f4", 3), ("corners", "<f4", (3, 3)),
+                                       ("flags", "<u2")])
+    facets["corners"] = points[triangles]
+    head = b"\0" * 80 + len(triangles).to_bytes(4, "little")
+    assert bad_row(tmp_path, "large.stl", head + facets.tobytes(), "--memory", "700") == "memory"
 
 
 def test_missing_file(tmp_path):

@@ -1,5 +1,6 @@
 """``thinpart classify``: parts and folders to a table, JSON lines, CSV and info files."""
 
+import argparse
 import json
 import os
 import sys
@@ -11,7 +12,7 @@ from ..core.errors import ThinPartError
 from ..storage.info_file import info_path
 from ..workflow.analyse_file import FileTask
 from ..workflow.find_documents import find_documents
-from ..workflow.worker_pool import Limits, analyse_files
+from ..workflow.worker_pool import LEAST_MEGABYTES, Limits, analyse_files
 from .part_rows import write_csv, print_table
 
 
@@ -37,7 +38,7 @@ def add_arguments(parser):
                         help="files at once (default: one per processor)")
     parser.add_argument("--timeout", type=_positive(float), metavar="S", default=default["seconds"],
                         help="seconds that one file may take (default: %(default)g)")
-    parser.add_argument("--memory", type=_positive(int), metavar="MB", default=default["megabytes"],
+    parser.add_argument("--memory", type=_megabytes, metavar="MB", default=default["megabytes"],
                         help="memory that one file may take (default: %(default)s)")
 
 
@@ -118,6 +119,12 @@ def _check_writable(path):
             f"The table {path} cannot be written ({error.strerror}): give another file to --csv.",
             "usage",
         ) from None
+
+
+def _megabytes(text):
+    if int(text) < LEAST_MEGABYTES:
+        raise argparse.ArgumentTypeError(f"FreeCAD itself needs {LEAST_MEGABYTES} MB")
+    return int(text)
 
 
 def _positive(number):

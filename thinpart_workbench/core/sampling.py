@@ -4,18 +4,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-_INSET = 1e-3
-COARSE_PATTERN = np.array([
-    [1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0],
-    [1.0 - 2.0 * _INSET, _INSET, _INSET],
-    [_INSET, 1.0 - 2.0 * _INSET, _INSET],
-    [_INSET, _INSET, 1.0 - 2.0 * _INSET],
-])
-"""Barycentric coordinates of the centroid and of one point just inside each corner: where a wall
-tapers, its thinnest place is a corner."""
+from .analysis_settings import AnalysisSettings
 
-MINIMUM_SAMPLES = 10_000
-"""A part with few triangles still gets this many samples, spread by area."""
+COARSE_SAMPLES = 4
+"""Least number of samples on a triangle: its centroid and one point inside each corner."""
+
+PATTERN_BELOW = 6
+"""From this many samples on, the sequence alone covers a triangle more evenly than the pattern."""
+
+_INSET = 1e-3
+_JUST_INSIDE_CORNERS = np.eye(3) * (1.0 - 3.0 * _INSET) + _INSET
 
 MAXIMUM_EXTRA_SAMPLES = 600_000
 """Beyond one sample per triangle no more than this many: cost stays near linear in triangles."""
@@ -45,7 +43,7 @@ class SurfaceSamples:
         return len(self.points)
 
 
-def surface_samples(mesh, minimum=MINIMUM_SAMPLES):
+def surface_samples(mesh, minimum=AnalysisSettings.minimum_samples):
     """Sample a surface deterministically.
 
     Parameters
@@ -60,15 +58,15 @@ def surface_samples(mesh, minimum=MINIMUM_SAMPLES):
 
     Notes
     -----
-    Four per triangle (centroid and one just inside each corner), more on large triangles by the
-    R2 low-discrepancy sequence (Roberts 2018, "The unreasonable effectiveness of quasirandom
+    Four per triangle (the centroid and one inside each corner), more on large triangles by the R2
+    low-discrepancy sequence (Roberts 2018, "The unreasonable effectiveness of quasirandom
     sequences"), fewer per triangle on very fine meshes. No random seed enters the result.
     """
     per_triangle = _samples_per_triangle(mesh.areas, minimum)
     triangle = np.repeat(np.arange(mesh.count), per_triangle)
     start = np.cumsum(per_triangle) - per_triangle
     rank = np.arange(len(triangle)) - np.repeat(start, per_triangle)
-    barycentric = _barycentric(rank)
+    barycentric = _barycentric(rank, triangle, per_triangle[triangle])
     corners = mesh.corners
     points = np.zeros((len(triangle), 3))
     for corner in range(3):
@@ -82,9 +80,26 @@ def centroid_samples(mesh):
     return SurfaceSamples(mesh.corners.mean(axis=1), np.arange(mesh.count), mesh.areas)
 
 
+def corner_samples(mesh, triangles):
+    """Samples just inside the corners of some triangles; they stand for no area.
+
+    Parameters
+    ----------
+    mesh : SurfaceMesh
+    triangles : ndarray of shape (k,), int64, ascending
+
+    Returns
+    -------
+    SurfaceSamples
+    """
+    points = np.einsum("sc,kcj->ksj", _JUST_INSIDE_CORNERS, mesh.corners[triangles])
+    return SurfaceSamples(
+        points.reshape(-1, 3), np.repeat(triangles, 3), np.zeros(3 * len(triangles))
+    )
+
+
 def _samples_per_triangle(areas, minimum):
-    coarse = len(COARSE_PATTERN)
-    wanted = np.maximum(coarse, np.ceil(minimum * areas / areas.sum()).astype(np.int64))
+    wanted = np.maximum(COARSE_SAMPLES, np.ceil(minimum * areas / areas.sum()).astype(np.int64))
     extra = np.cumsum(np.sort(wanted - 1)[::-1])
     if extra[-1] <= MAXIMUM_EXTRA_SAMPLES:
         return wanted
@@ -96,13 +111,35 @@ def _samples_per_triangle(areas, minimum):
     return per_triangle
 
 
-def _barycentric(rank):
-    """ndarray of shape (m, 3): the rank-th sample's place within its triangle."""
-    first = (0.5 + (rank + 1) / _GOLDEN) % 1.0
-    second = (0.5 + (rank + 1) / _GOLDEN ** 2) % 1.0
+def _barycentric(rank, triangle, count):
+    """ndarray of shape (m, 3): place of the rank-th sample within its triangle.
+
+    The middles of the sides make four equal triangles. The first sample is the centroid of the
+    middle one, the next three lie each in a corner one, all others anywhere. The sequence that says
+    where is shifted from triangle to triangle (Cranley and Patterson 1976, doi:10.1137/0713071):
+    otherwise a strip of equal slender triangles would be sampled along a few lines only.
+    """
+    first = (_shift(triangle, 1) + (rank + 1) / _GOLDEN) % 1.0
+    second = (_shift(triangle, 2) + (rank + 1) / _GOLDEN ** 2) % 1.0
     folded = first + second > 1.0
     first, second = np.where(folded, 1.0 - first, first), np.where(folded, 1.0 - second, second)
     barycentric = np.stack([1.0 - first - second, first, second], axis=1)
-    coarse = rank < len(COARSE_PATTERN)
-    barycentric[coarse] = COARSE_PATTERN[rank[coarse]]
+    few = count < PATTERN_BELOW
+    barycentric[few & (rank == 0)] = 1.0 / 3.0
+    for corner in range(3):
+        inside = few & (rank == corner + 1)
+        barycentric[inside] = 0.5 * barycentric[inside] + 0.5 * np.eye(3)[corner]
     return barycentric
+
+
+def _shift(triangle, stream):
+    """A number in [0, 1) that depends on the index of the triangle in no regular way.
+
+    The finaliser of SplitMix64 (Steele, Lea, Flood 2014, doi:10.1145/2660193.2660195).
+    """
+    with np.errstate(over="ignore"):
+        mixed = (triangle.astype(np.uint64) * np.uint64(2) + np.uint64(stream)) * np.uint64(
+            0x9E3779B97F4A7C15)
+        mixed = (mixed ^ (mixed >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
+        mixed = (mixed ^ (mixed >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
+    return (mixed >> np.uint64(11)).astype(np.float64) * 2.0 ** -53

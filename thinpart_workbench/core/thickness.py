@@ -1,22 +1,25 @@
 """Thickness of the material under every sample of the surface."""
 
 from dataclasses import dataclass
+from dataclasses import fields as dataclass_fields
 from functools import cached_property
 
 import numpy as np
 
-from .box_tree import box_tree
-from .dominant_directions import dominant_axes
-from .ray_casting import INNER, OUTER, PACKET, first_hits
+from .inward_rays import InwardRays
+from .ray_casting import INNER
+from .sampling import corner_samples
 from .smooth_normals import normals_at
-from .space_filling_curve import hilbert_order
 from .tolerances import TOLERANCES
 
 PARALLEL_BELOW = np.radians(10.0)
 """Wedge angle under which two walls are parallel (Giannini et al. 2012, 4.2.2)."""
 
-ENTRY_PACKETS = 250
-"""Packets of samples that are tried for a surface that passes through itself."""
+PROBED_TRIANGLES = 400
+"""Triangles, beside the likely thinnest of each face, whose corners are tried for the minimum."""
+
+SLOPE_ALLOWANCE = np.radians(1.0)
+"""Added to wedge angles, which are those of interpolated normals."""
 
 NONPARALLEL_BELOW = np.radians(60.0)
 """Wedge angle from which two faces do not enclose a thickness (same place)."""
@@ -36,7 +39,7 @@ class ThicknessField:
     opposite : ndarray of shape (m,), int64
         Triangle met, -1 for none.
     area : ndarray of shape (m,), mm2
-        Area that each sample stands for.
+        Area that each sample stands for; 0 for those that were added to find the minimum.
     face : ndarray of shape (m,), int64
         B-Rep face of each sample.
     opposite_face : ndarray of shape (m,), int64
@@ -91,45 +94,37 @@ def measure_rays(mesh, samples, report=None):
     turned to its own dominant directions: boxes of slender triangles that lie askew are fat, which
     costs up to a factor of twenty, and the result is then the same for every placement.
     """
-    rays = _InwardRays(mesh, samples)
-    distance, opposite = rays.first_hits(rays.packets, INNER, report)
-    return thickness_field(mesh, samples, distance, opposite, rays.entered(distance))
+    rays = InwardRays(mesh)
+    distance, opposite = rays.first_hits(samples, INNER, report)
+    field = thickness_field(mesh, samples, distance, opposite, rays.entered(samples, distance))
+    corners = corner_samples(mesh, _likely_thinnest(mesh, samples, field))
+    return _joined(field, thickness_field(mesh, corners, *rays.first_hits(corners, INNER)))
 
 
-class _InwardRays:
-    """Rays from samples along the inward normals, and the tree that they descend."""
+def _likely_thinnest(mesh, samples, field):
+    """Triangles whose corners may lie over a thinner wall than any sample does.
 
-    def __init__(self, mesh, samples):
-        self.mesh, self.samples = mesh, samples
-        axes = dominant_axes(mesh.normals, mesh.areas)
-        normals = mesh.normals @ axes.T
-        corners = mesh.corners @ axes.T
-        middle = 0.5 * (corners.min(axis=(0, 1)) + corners.max(axis=(0, 1)))
-        self.tree = box_tree(corners - middle, normals, mesh.areas)
-        self.origins = samples.points @ axes.T - middle
-        self.directions = -normals[samples.triangle]
-        self.packets = _packets(mesh, samples)
+    Samples stand in the middle of the area they represent; where a wall tapers, its thinnest place
+    is at the end. From a sample the wall can shrink by the tangent of its wedge angle.
+    """
+    parallel = np.flatnonzero(field.parallel)
+    triangle = samples.triangle[parallel]
+    sides = mesh.corners - np.roll(mesh.corners, 1, axis=1)
+    longest = np.sqrt((sides * sides).sum(axis=2).max(axis=1))
+    slope = np.tan(field.wedge_angle[parallel] + SLOPE_ALLOWANCE)
+    least = np.full(mesh.count, np.inf)
+    np.minimum.at(least, triangle, field.distance[parallel] - longest[triangle] * slope)
+    order = np.argsort(least, kind="stable")
+    order = order[np.isfinite(least[order])]
+    _, first_of_face = np.unique(mesh.face_of_triangle[order], return_index=True)
+    return np.union1d(order[:PROBED_TRIANGLES], order[first_of_face])
 
-    def first_hits(self, packets, side, report=None):
-        """Distance and triangle per sample; samples in none of the packets met nothing."""
-        packed_distance, packed_triangle = first_hits(
-            self.tree, self.origins[packets], self.directions[packets[0]], report, side
-        )
-        # A packet that is not full repeats a ray; both results are the same.
-        distance = np.full(len(self.origins), np.inf)
-        triangle = np.full(len(self.origins), -1, dtype=np.int64)
-        distance[packets], triangle[packets] = packed_distance, packed_triangle
-        return distance, triangle
 
-    def entered(self, distance):
-        """Samples, of some, whose ray enters the material again before it has left it."""
-        step = max(1, self.packets.shape[1] // ENTRY_PACKETS)
-        entry, _ = self.first_hits(self.packets[:, ::step], OUTER)
-        # Two solids that touch are entered just where the first is left.
-        entered = np.flatnonzero(entry < distance - TOLERANCES.self_hit * self.tree.extent)
-        # Beside a sharp edge the ray has left again before it counts as having started.
-        inside = _distance_to_edges(self.mesh, self.samples, entered)
-        return entered[inside > TOLERANCES.beside_edge * self.tree.extent]
+def _joined(*fields):
+    return ThicknessField(**{
+        each.name: np.concatenate([getattr(field, each.name) for field in fields])
+        for each in dataclass_fields(ThicknessField)
+    })
 
 
 def thickness_field(mesh, samples, distance, opposite, entered=()):
@@ -161,34 +156,3 @@ def _angle_between(first, second):
     chord = first - second
     half = 0.5 * np.sqrt(np.einsum("ij,ij->i", chord, chord))
     return 2.0 * np.arcsin(np.clip(half, 0.0, 1.0))
-
-
-def _distance_to_edges(mesh, samples, chosen):
-    corners = mesh.corners[samples.triangle[chosen]]
-    ahead = np.roll(corners, -1, axis=1) - corners
-    across = np.cross(ahead, samples.points[chosen, None] - corners)
-    return (np.linalg.norm(across, axis=2) / np.linalg.norm(ahead, axis=2)).min(axis=1)
-
-
-def _packets(mesh, samples):
-    """Samples in packets of eight that share a triangle, ndarray of shape (8, p).
-
-    Within a large triangle samples are put in spatial order first; packets follow the curve.
-    """
-    count = np.bincount(samples.triangle, minlength=mesh.count)
-    order = np.arange(samples.count)
-    crowded = np.flatnonzero(count[samples.triangle] > PACKET)
-    if len(crowded):
-        inner = hilbert_order(samples.points[crowded])
-        by_triangle = np.argsort(samples.triangle[crowded][inner], kind="stable")
-        order[crowded] = crowded[inner[by_triangle]]
-    packets_of = -(-count // PACKET)
-    start = np.cumsum(count) - count
-    first_packet = np.cumsum(packets_of) - packets_of
-    triangle = np.repeat(np.arange(mesh.count), packets_of)
-    within = (np.arange(len(triangle)) - first_packet[triangle]) * PACKET
-    last = start[triangle] + count[triangle] - 1
-    places = np.minimum(start[triangle] + within + np.arange(PACKET)[:, None], last)
-    packets = order[places]
-    middle = samples.points[packets[0]]
-    return packets[:, hilbert_order(middle)]

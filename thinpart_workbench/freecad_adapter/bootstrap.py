@@ -37,6 +37,8 @@ def load_freecad():
     try:
         freecad = importlib.import_module("FreeCAD")
     except ImportError as error:
+        if "failed to map segment" in str(error):
+            raise MemoryError(str(error)) from None
         raise ThinPartError(
             f"FreeCAD cannot be imported by {sys.executable} ({error}): "
             "install it with 'apt-get install freecad' or set FREECAD_LIB to its lib folder.",

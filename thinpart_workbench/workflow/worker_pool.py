@@ -15,7 +15,11 @@ from ..core.errors import ThinPartError
 from ..freecad_adapter.bootstrap import has_home
 
 _OUT_OF_MEMORY = (b"bad_alloc", b"MemoryError", b"Unable to allocate", b"OutOfMemory",
-                  b"out of memory", b"length_error")
+                  b"out of memory", b"length_error", b"failed to map segment", b"pthread_create failed")
+
+
+LEAST_MEGABYTES = 600
+"""What FreeCAD and numpy need before they have read anything."""
 
 
 @dataclass(frozen=True)
@@ -89,6 +93,8 @@ def _start_worker(megabytes, folder):
     if not has_home():
         os.environ["FREECAD_USER_HOME"] = folder
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    # Files are the unit of work; threads of the linear algebra would fight over the processors.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     limit = megabytes * 1024 * 1024
     hard = resource.getrlimit(resource.RLIMIT_AS)[1]
     resource.setrlimit(resource.RLIMIT_AS, (limit, hard))
