@@ -91,6 +91,7 @@ def test_what_nothing_is_known_about_may_be_thin():
 
 def test_thin_limit_is_the_bound_of_the_criteria_that_decided():
     assert classify(part(walls=[(0.1, 0.7)]), PAPER).thin_limit == 0.25
+    assert classify(part(walls=[(0.02, 0.5), (0.2, 0.3)]), PAPER).thin_limit == 0.05
     assert classify(part(walls=[(0.01, 0.1)]), PAPER).thin_limit == 0.05
     assert classify(part(walls=[(0.2, 0.1), (0.4, 0.3)]), PAPER).thin_limit == 0.29
     assert classify(part(fill=0.1), PAPER).thin_limit == 0.05

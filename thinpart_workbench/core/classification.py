@@ -6,7 +6,7 @@ from typing import Optional
 from .criteria import NORMAL, UNKNOWN
 
 DEFAULT_THIN_LIMIT = 0.05
-"""The paper's bound on thin features, criteria 5 and 7; used where no criterion names one."""
+"""The paper's bound on thin features, criteria 5 and 7."""
 
 THICK_FROM = 0.3
 """From this x on, the paper speaks of the thick body beside a thin feature (criterion 6)."""
@@ -31,6 +31,10 @@ class Classification:
         Whether the margin is under the profile's.
     reason : str
         Why the category is ``unknown``; empty otherwise.
+    thin_limit : float
+        The x under which a wall counts as thin, so that what is shown as thin is what the verdict
+        rests on: the least bound that the criteria which decided put on a distance, or
+        `DEFAULT_THIN_LIMIT` where that already covers most of the area under it.
     """
 
     category: str
@@ -39,20 +43,7 @@ class Classification:
     margin: Optional[float]
     borderline: bool
     reason: str
-
-    @property
-    def thin_limit(self):
-        """float: the x under which a wall counts as thin for this verdict.
-
-        The least upper bound that the criteria which decided put on a distance, so that what is
-        shown as thin is what the verdict rests on.
-        """
-        limits = [
-            limit for each in self.checked
-            if each.holds and each.criterion.category == self.category
-            for limit in map(_thin_bound, each.conditions) if limit is not None
-        ]
-        return min(limits, default=DEFAULT_THIN_LIMIT)
+    thin_limit: float
 
 
 def _thin_bound(checked):
@@ -95,11 +86,24 @@ def classify(descriptors, profile):
             break
         untold = [each for each in own if each.holds is None]
         if untold:
-            return Classification(UNKNOWN, holding, checked, None, False, _reason(untold))
+            return Classification(
+                UNKNOWN, holding, checked, None, False, _reason(untold), DEFAULT_THIN_LIMIT
+            )
         ruled_out += own
     margin = _margin(decided_by, ruled_out)
     borderline = margin is not None and margin < profile.borderline_margin
-    return Classification(category, holding, checked, margin, borderline, reason)
+    return Classification(
+        category, holding, checked, margin, borderline, reason, _thin_limit(decided_by, descriptors)
+    )
+
+
+def _thin_limit(decided_by, descriptors):
+    bounds = [_thin_bound(condition) for each in decided_by for condition in each.conditions]
+    limit = min((bound for bound in bounds if bound is not None), default=DEFAULT_THIN_LIMIT)
+    shares = descriptors.distribution
+    if shares.share(0.0, DEFAULT_THIN_LIMIT) >= 0.5 * shares.share(0.0, limit):
+        return min(limit, DEFAULT_THIN_LIMIT)
+    return limit
 
 
 def _margin(decided_by, ruled_out):

@@ -76,6 +76,8 @@ def part_at(parts, root, path):
 
 def _stands_alone(candidate):
     """Whether an object is at the top of the document and not used up by another."""
+    if candidate.isDerivedFrom("App::LinkElement"):
+        return False  # its array of links is what stands there
     if candidate.getParentGeoFeatureGroup() is not None or candidate.getParentGroup() is not None:
         return False
     if any(_is_container(user) and candidate in _children(user) for user in candidate.InList):

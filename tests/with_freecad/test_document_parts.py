@@ -1,0 +1,146 @@
+"""Which solids of a document are its parts, and where they stand."""
+
+import pytest
+
+from thinpart_workbench.freecad_adapter.document_parts import document_parts, part_at
+
+
+def names(document):
+    document.recompute()
+    return {(part.label, part.instances) for part in document_parts(document)}
+
+
+def box(document, name, size=10):
+    made = document.addObject("Part::Box", name)
+    made.Length = made.Width = made.Height = size
+    return made
+
+
+def test_what_another_shape_was_made_from_is_no_part(document):
+    cut = document.addObject("Part::Cut", "Cut")
+    cut.Base, cut.Tool = box(document, "Base", 20), box(document, "Tool", 5)
+    assert names(document) == {("Cut", 1)}
+
+
+def test_a_body_is_one_part_and_its_features_are_none(document):
+    body = document.addObject("PartDesign::Body", "Body")
+    body.newObject("PartDesign::AdditiveBox", "Block")
+    body.newObject("PartDesign::SubtractiveCylinder", "Hole")
+    assert names(document) == {("Body", 1)}
+
+
+def test_a_sketch_on_a_face_and_a_binder_use_nothing_up(document):
+    base = box(document, "Base")
+    document.recompute()
+    sketch = document.addObject("Sketcher::SketchObject", "Sketch")
+    attachment = "AttachmentSupport" if hasattr(sketch, "AttachmentSupport") else "Support"
+    setattr(sketch, attachment, (base, ["Face6"]))
+    body = document.addObject("PartDesign::Body", "Body")
+    body.newObject("PartDesign::AdditiveBox", "Block")
+    binder = body.newObject("PartDesign::SubShapeBinder", "Binder")
+    binder.Support = [(base, ("Face1",))]
+    assert names(document) == {("Base", 1), ("Body", 1)}
+
+
+def test_links_are_instances_of_one_part(document):
+    source = box(document, "Bolt")
+    for k in range(3):
+        link = document.addObject("App::Link", f"Link{k}")
+        link.LinkedObject = source
+        link.Placement.Base.x = 50 * (k + 1)
+    assert names(document) == {("Bolt", 4)}
+    source.Visibility = False
+    assert {instances for _, instances in names(document)} == {3}
+
+
+def test_link_array(document):
+    source = box(document, "Bolt")
+    source.Visibility = False
+    array = document.addObject("App::Link", "Array")
+    array.LinkedObject = source
+    array.ElementCount = 5
+    assert {instances for _, instances in names(document)} == {5}
+
+
+def test_placements_of_nested_containers_are_applied(document, freecad):
+    inner = document.addObject("App::Part", "Inner")
+    outer = document.addObject("App::Part", "Outer")
+    inner.addObject(box(document, "Box"))
+    outer.addObject(inner)
+    inner.Placement.Base = freecad.Vector(0, 100, 0)
+    outer.Placement.Base = freecad.Vector(1000, 0, 0)
+    document.recompute()
+    part, = document_parts(document)
+    assert tuple(part.shape.BoundBox.Center) == pytest.approx((1005, 105, 5))
+    place, = part.occurrences
+    assert (place.root, place.path) == ("Outer", "Inner.Box.")
+    assert part_at([part], "Outer", "Inner.Box.Face3") is part
+    assert part_at([part], "Outer", "Inner.Other.") is None
+
+
+def test_a_linked_container_gives_its_contents_again(document):
+    container = document.addObject("App::Part", "Unit")
+    container.addObject(box(document, "Box"))
+    link = document.addObject("App::Link", "Second")
+    link.LinkedObject = container
+    link.Placement.Base.x = 77
+    assert names(document) == {("Box", 2)}
+
+
+def test_groups_are_looked_into(document):
+    group = document.addObject("App::DocumentObjectGroup", "Group")
+    group.addObject(box(document, "Box"))
+    assert names(document) == {("Box", 1)}
+
+
+def test_several_solids_of_one_object(document):
+    import FreeCAD
+    import Part
+
+    feature = document.addObject("Part::Feature", "Pair")
+    feature.Shape = Part.Compound([
+        Part.makeBox(1, 2, 3), Part.makeBox(4, 5, 6, FreeCAD.Vector(20, 0, 0))])
+    assert names(document) == {("Pair (1)", 1), ("Pair (2)", 1)}
+    assert [part.name for part in document_parts(document)] == ["Pair.Solid1", "Pair.Solid2"]
+
+
+def test_a_hidden_leftover_is_left_out_unless_nothing_else_is_there(document):
+    hidden = box(document, "Old")
+    hidden.Visibility = False
+    assert names(document) == {("Old", 1)}
+    box(document, "New", 7)
+    assert names(document) == {("New", 1)}
+
+
+def test_a_hidden_body_is_a_part_all_the_same(document):
+    body = document.addObject("PartDesign::Body", "Body")
+    body.newObject("PartDesign::AdditiveBox", "Block")
+    body.Visibility = False
+    box(document, "Box", 33)
+    assert names(document) == {("Body", 1), ("Box", 1)}
+
+
+def test_a_mirror_image_stands_beside_its_source(document):
+    source = box(document, "Left")
+    mirror = document.addObject("Part::Mirroring", "Right")
+    mirror.Source = source
+    assert {label for label, _ in names(document)} == {"Left", "Right"}
+
+
+def test_a_mesh_in_a_document_is_a_part(document, freecad):
+    import Mesh
+
+    feature = document.addObject("Mesh::Feature", "Scan")
+    feature.Mesh = Mesh.createBox(10, 10, 10)
+    feature.Placement.Base = freecad.Vector(100, 0, 0)
+    document.recompute()
+    part, = document_parts(document)
+    assert part.points[:, 0].min() > 90
+
+
+def test_null_shapes_and_surfaces_are_no_parts(document):
+    import Part
+
+    document.addObject("Part::Feature", "Null")
+    document.addObject("Part::Feature", "Face").Shape = Part.makePlane(5, 5)
+    assert names(document) == set()
