@@ -160,6 +160,19 @@ def read_info(path):
     return content
 
 
+def stored_info(path):
+    """What an info file says so far; None where there is none, or nothing that can be used.
+
+    What is no info file is not lost by that: `write_info` refuses to overwrite it.
+    """
+    if not os.path.lexists(path):
+        return None
+    try:
+        return read_info(path)
+    except ThinPartError:
+        return None
+
+
 def write_info(path, content, keep=None):
     """Write an info file atomically.
 

@@ -1,6 +1,5 @@
 """One file: read it, analyse its parts, keep the result beside it. Runs in a worker process."""
 
-import os
 import time
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -9,7 +8,7 @@ from ..core.analysis_settings import AnalysisSettings
 from ..core.criteria import load_profile, profile_from
 from ..core.errors import ThinPartError
 from ..storage.info_file import (
-    info_content, is_current, new_source, read_info, source_is_unchanged, write_info,
+    info_content, is_current, new_source, source_is_unchanged, stored_info, write_info,
 )
 
 
@@ -57,7 +56,7 @@ def analyse_file(task, report=None):
         When nothing of the file could be analysed.
     """
     started = time.perf_counter()
-    stored, failures = _stored(task)
+    stored = stored_info(task.info_file) if task.info_file is not None else None
     if stored is not None and not task.force and is_current(
         stored, task.file, task.settings.content(), task.profile
     ):
@@ -68,32 +67,20 @@ def analyse_file(task, report=None):
     source = new_source(task.file)
     parts = read_parts(task.file)
     read_seconds = time.perf_counter() - started
-    records, part_failures = _analyse_parts(parts, task, read_seconds, report)
+    records, failures = _analyse_parts(parts, task, read_seconds, report)
     if not records:
-        raise ThinPartError(part_failures[0]["message"], part_failures[0]["kind"])
+        raise ThinPartError(failures[0]["message"], failures[0]["kind"])
     if not source_is_unchanged(source, task.file):
         raise ThinPartError(
             f"{Path(task.file).name} changed while it was read: classify it again.", "unreadable"
         )
-    failures += part_failures
-    content = info_content(source, task.settings.content(), task.profile, records, part_failures)
+    content = info_content(source, task.settings.content(), task.profile, records, failures)
     if task.info_file is not None:
         try:
             write_info(task.info_file, content, keep=stored)
         except ThinPartError as error:
-            failures.append({"part": None, "kind": error.kind, "message": str(error)})
+            failures = [*failures, {"part": None, "kind": error.kind, "message": str(error)}]
     return _outcome(task, content["parts"], failures, False, started)
-
-
-def _stored(task):
-    """The info file's content or None, and the failure to report where it cannot be used."""
-    if task.info_file is None or not os.path.lexists(task.info_file):
-        return None, []
-    try:
-        return read_info(task.info_file), []
-    except ThinPartError:
-        # What is not an info file is never overwritten: writing it will say so.
-        return None, []
 
 
 def _analyse_parts(parts, task, read_seconds, report):
