@@ -65,16 +65,18 @@ def _program(name):
 
 # The commands that open CAD files, and those that work from info files alone.
 CAD = ("classify", "report", "size", "gui", "demo", "test")
-STORED = ("reclassify", "find", "similar", "learn", "note", "install", "uninstall")
+STORED = ("reclassify", "find", "similar", "learn", "note")
+# FreeCAD itself says where its add-ons lie.
+LINKING = ("install", "uninstall")
 
 Requirement = namedtuple("Requirement", "package why found commands")
 
 # "size --check" stands for the command with that option.
 TABLE = (
-    Requirement("freecad", "reads the CAD files and makes their surface meshes", _freecad, CAD),
+    Requirement("freecad", "reads the CAD files and makes their surface meshes", _freecad, CAD + LINKING),
     Requirement("freecad", "is the window that the workbench runs in", _program("freecad"), ("gui", "test")),
-    Requirement("python3-numpy", "does the arithmetic on meshes", _module("numpy"), CAD + STORED),
-    Requirement("python3-scipy", "finds neighbours and fits thresholds", _module("scipy"), CAD + STORED),
+    Requirement("python3-numpy", "does the arithmetic on meshes", _module("numpy"), CAD + STORED + LINKING),
+    Requirement("python3-scipy", "finds neighbours and fits thresholds", _module("scipy"), CAD + STORED + LINKING),
     Requirement("python3-rich", "prints the tables and the progress", _module("rich"), CAD + STORED),
     Requirement("python3-pebble", "keeps a damaged file from ending the run", _module("pebble"), CAD),
     Requirement("gmsh", "makes the volume meshes that --check compares", _program("gmsh"), ("size --check",)),

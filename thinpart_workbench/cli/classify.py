@@ -106,8 +106,13 @@ def json_lines(outcome):
     return lines
 
 
+_OPTION_FOR = {"info_write": "--info-dir", "timeout": "--timeout", "memory": "--memory"}
+
+
 def _print_failure(file, error):
-    print(f"thinpart: {file}: {error['message']} [{error['kind']}]", file=sys.stderr, flush=True)
+    option = f" See {_OPTION_FOR[error['kind']]}." if error["kind"] in _OPTION_FOR else ""
+    print(f"thinpart: {file}: {error['message']}{option} [{error['kind']}]", file=sys.stderr,
+          flush=True)
 
 
 def _check_writable(path):

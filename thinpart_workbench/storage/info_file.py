@@ -200,7 +200,7 @@ def write_info(path, content, keep=None):
     except OSError as error:
         raise ThinPartError(
             f"The info file {path} could not be written ({error.strerror}): "
-            "choose another place with --info-dir.", "info_write",
+            "make room or choose another place for it.", "info_write",
         ) from None
 
 

@@ -148,7 +148,7 @@ def _outcome(future, task, log, limits):
         return future.result()
     except TimeoutError:
         return failure(task.file, "timeout",
-                       f"{name} took longer than {limits.seconds:g} s: raise --timeout.")
+                       f"{name} took longer than {limits.seconds:g} s, the limit for one file.")
     except ProcessExpired:
         if any(sign in _tail(log) for sign in _OUT_OF_MEMORY):
             return failure(task.file, "memory", _memory_message(task, limits))
@@ -158,7 +158,7 @@ def _outcome(future, task, log, limits):
 
 def _memory_message(task, limits=None):
     allowed = f" than {limits.megabytes} MB" if limits else " than it may have"
-    return f"{Path(task.file).name} needs more memory{allowed}: raise --memory."
+    return f"{Path(task.file).name} needs more memory{allowed}."
 
 
 def _tail(log):

@@ -1,0 +1,30 @@
+"""Read by FreeCAD's window when it starts: the workbench and the document observer."""
+
+import FreeCADGui as Gui
+
+from thinpart_workbench.gui.document_observer import observe
+
+
+class ThinPartWorkbench(Gui.Workbench):
+    """The workbench as FreeCAD's list of workbenches shows it."""
+
+    # FreeCAD runs this file inside a function: what is named outside a method cannot be seen in it.
+    from thinpart_workbench.gui.workbench import ICONS, MENU_TEXT, TOOL_TIP
+
+    MenuText = MENU_TEXT
+    ToolTip = TOOL_TIP
+    Icon = f"{ICONS}/thinpart-workbench.svg"
+
+    def Initialize(self):
+        """Called when the workbench is first opened."""
+        from thinpart_workbench.gui.workbench import initialize
+
+        initialize(self)
+
+    def GetClassName(self):
+        """A workbench written in Python."""
+        return "Gui::PythonWorkbench"
+
+
+Gui.addWorkbench(ThinPartWorkbench())
+observe()

@@ -1,0 +1,37 @@
+import sys
+
+import pytest
+
+IN_FREECAD = hasattr(sys.modules.get("FreeCADGui"), "getMainWindow")
+
+# A plain pytest has no window: run_in_freecad.py starts FreeCAD and pytest within it.
+collect_ignore_glob = [] if IN_FREECAD else ["test_*.py"]
+
+if IN_FREECAD:
+    import FreeCAD as App
+    import FreeCADGui as Gui
+
+    import window_actions as window
+    from thinpart_workbench.gui.classify import end_session
+
+    @pytest.fixture(autouse=True)
+    def clean_window():
+        """No document, no panel and no worker, before and after."""
+        Gui.activateWorkbench("ThinPartWorkbench")
+        _clean()
+        yield
+        _clean()
+        assert window.workers() == []
+
+    def _clean():
+        end_session()
+        Gui.Control.closeDialog()
+        for name in list(App.listDocuments()):
+            App.closeDocument(name)
+        Gui.Selection.clearSelection()
+        window.settle()
+
+    @pytest.fixture
+    def document():
+        """An empty document."""
+        return App.newDocument("Test")

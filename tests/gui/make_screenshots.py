@@ -1,0 +1,77 @@
+"""FreeCAD's start-up script for the pictures of the documentation; see run_in_freecad.py."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import traceback
+from pathlib import Path
+
+HOME = Path(os.environ["HOME"])
+
+
+def _classify(sample, picture):
+    """A sample as it looks after one press of the button."""
+    import FreeCAD as App
+    import FreeCADGui as Gui
+    import window_actions as window
+
+    Gui.activateWorkbench("ThinPartWorkbench")
+    # In a folder of its own, so that no info file is left beside the sample.
+    file = HOME / "parts" / f"{sample}.FCStd"
+    file.parent.mkdir(exist_ok=True)
+    shutil.copyfile(window.SAMPLES / file.name, file)
+    document = App.openDocument(os.fspath(file))
+    view = Gui.getDocument(document.Name).activeView()
+    view.viewAxonometric()
+    view.fitAll()
+    window.classify()
+    window.settle(500)
+    view.fitAll()
+    Gui.getMainWindow().statusBar().clearMessage()
+    window.settle(1000)
+    _take(picture)
+    App.closeDocument(document.Name)
+    window.settle(100)
+
+
+def _take(picture):
+    """The whole screen: only the X server has the 3D view together with the rest."""
+    subprocess.run(["import", "-window", "root", os.fspath(picture)], check=True, timeout=60)
+
+
+def _arrange(main):
+    """As much room for the part and the panel as a user would give them."""
+    from thinpart_workbench.gui.qt import QtCore, QtWidgets
+
+    main.showMaximized()
+    for dock in main.findChildren(QtWidgets.QDockWidget):
+        if dock.objectName() in ("Report view", "Python console", "Selection view"):
+            dock.hide()
+        if dock.objectName() in ("Combo View", "Tasks", "Model"):
+            main.resizeDocks([dock], [380], QtCore.Qt.Horizontal)
+
+
+def _go():
+    status = 1
+    output = open(HOME / "output.txt", "w", encoding="utf-8")
+    try:
+        arguments = json.loads(os.environ["THINPART_GUI_ARGUMENTS"])
+        sys.path.insert(0, arguments[0])
+        import FreeCADGui as Gui
+
+        _arrange(Gui.getMainWindow())
+        _classify("ribbed_block", Path(arguments[1], "classify.png"))
+        _classify("thin_walled_casting", Path(arguments[1], "classify_casting.png"))
+        status = 0
+    except BaseException:  # whatever it was: FreeCAD must end, and tell
+        traceback.print_exc(file=output)
+    finally:
+        output.flush()
+        os._exit(status)
+
+
+from PySide import QtCore  # noqa: E402
+
+QtCore.QTimer.singleShot(500, _go)

@@ -1,0 +1,133 @@
+"""Runs the tests of the window inside the real FreeCAD, on a screen of their own.
+
+    python3 tests/gui/run_in_freecad.py [PYTEST ARGUMENTS]
+    python3 tests/gui/run_in_freecad.py --screenshots docs/screenshots
+
+The status is pytest's; a FreeCAD that crashes, hangs or ends without a complete report is a
+failure. After all tests of the window, FreeCAD is also closed while it measures.
+"""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+SECONDS = 900
+SCREEN = "-screen 0 1400x900x24 -dpi 96"
+
+
+def run(script, arguments, home, seconds=SECONDS):
+    """Run a script inside FreeCAD, with settings and folders that nobody else uses.
+
+    Parameters
+    ----------
+    script : Path
+    arguments : list of str
+        The script finds them, as JSON, in the environment's THINPART_GUI_ARGUMENTS.
+    home : Path
+        An empty folder.
+
+    Returns
+    -------
+    int
+        Exit status; 124 where it took too long.
+    """
+    runtime = home / "runtime"
+    runtime.mkdir(mode=0o700)
+    temporary = home / "temporary"
+    temporary.mkdir()
+    settings = home / "user.cfg"
+    shutil.copyfile(HERE / "user.cfg", settings)
+    environment = dict(
+        os.environ, HOME=os.fspath(home), XDG_RUNTIME_DIR=os.fspath(runtime),
+        XDG_CONFIG_HOME=os.fspath(home), XDG_DATA_HOME=os.fspath(home), TMPDIR=os.fspath(temporary),
+        LC_ALL="C.UTF-8", THINPART_GUI_ARGUMENTS=json.dumps(arguments), PYTHONDONTWRITEBYTECODE="1",
+    )
+    for name in ("WAYLAND_DISPLAY", "QT_QPA_PLATFORM"):
+        environment.pop(name, None)
+    # FreeCAD's own options come after the script; before it, they would be taken for Python's.
+    command = ["timeout", "--kill-after=10", str(seconds), "xvfb-run", "-a", "-s", SCREEN,
+               "freecad", os.fspath(script), "-u", os.fspath(settings), "-M", os.fspath(ROOT)]
+    with open(home / "freecad.log", "w", encoding="utf-8") as log:
+        return subprocess.run(command, env=environment, stdin=subprocess.DEVNULL, stdout=log,
+                              stderr=subprocess.STDOUT, cwd=ROOT).returncode
+
+
+def main(arguments):
+    """Run the tests, or make the screenshots, and return the status."""
+    with tempfile.TemporaryDirectory(prefix="thinpart-gui-", ignore_cleanup_errors=True) as home:
+        status = _main(arguments, Path(home))
+    if status == 0 and not arguments:
+        with tempfile.TemporaryDirectory(prefix="thinpart-gui-") as home:
+            status = _closes_cleanly(Path(home))
+    return status
+
+
+def _main(arguments, home):
+    if arguments[:1] == ["--screenshots"]:
+        folder = Path(arguments[1]).resolve()
+        folder.mkdir(parents=True, exist_ok=True)
+        arguments = [os.fspath(HERE), os.fspath(folder)]
+        return _shown(run(HERE / "make_screenshots.py", arguments, home, 180), home)
+    report = home / "report.xml"
+    status = _shown(run(HERE / "start_pytest.py",
+                        ["--junitxml", os.fspath(report), *_with_path(arguments)], home), home)
+    if status == 0 and not _is_complete(report):
+        print("The tests ended without a complete report.")
+        return 1
+    return status
+
+
+def _closes_cleanly(home):
+    """0 where a FreeCAD that is closed while it measures ends and leaves nothing behind, or 1."""
+    status = _shown(run(HERE / "close_while_measuring.py", [os.fspath(HERE)], home, 60), home)
+    left = [each.name for each in (home / "temporary").glob("thinpart-*")]
+    # The screen's own server names this folder too, and takes a moment to end.
+    commands = map(_text, Path("/proc").glob("[0-9]*/cmdline"))
+    left += [each.replace("\0", " ") for each in commands
+             if os.fspath(home) in each and "snapshot_worker" in each]
+    print("Closed while measuring: " + ("left behind " + ", ".join(left) if left else
+                                        f"status {status}, nothing left behind."))
+    return 1 if status or left else 0
+
+
+def _text(file):
+    try:
+        return file.read_text(errors="replace")
+    except OSError:
+        return ""  # a process that has ended meanwhile
+
+
+def _with_path(arguments):
+    """All tests of the window, unless some are named."""
+    named = [each for each in arguments if (ROOT / each.partition("::")[0]).exists()]
+    return arguments if named else [*arguments, os.fspath(HERE)]
+
+
+def _shown(status, home):
+    """Print what came out of FreeCAD and pass the status on."""
+    output = home / "output.txt"
+    if output.is_file():
+        print(output.read_text(encoding="utf-8", errors="replace"))
+    if status:
+        print(f"FreeCAD ended with status {status}. Its last words:")
+        print((home / "freecad.log").read_text(encoding="utf-8", errors="replace")[-4000:])
+    return status
+
+
+def _is_complete(report):
+    try:
+        suites = list(ElementTree.parse(report).getroot().iter("testsuite"))
+    except (OSError, ElementTree.ParseError):
+        return False
+    return sum(int(suite.get("tests", 0)) for suite in suites) > 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

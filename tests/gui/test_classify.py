@@ -1,0 +1,229 @@
+"""One press of the button: panel, colours, other parts, cancelling, crashes."""
+
+import os
+import signal
+import tempfile
+import time
+from pathlib import Path
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import Part
+import pytest
+import window_actions as window
+
+from thinpart_workbench.gui.qt import QtCore, QtWidgets
+
+RED = (0.84, 0.15, 0.12)
+
+
+def test_ribbed_block(document):
+    feature = window.add_ribbed_block(document)
+    before = window.rgb(feature)[0]
+    window.classify()
+    assert window.text("ThinPart_Headline") == "Part with thin features"
+    assert "criterion 5" in window.text("ThinPart_Why")
+    assert "margin" in window.text("ThinPart_HowSure")
+    assert "100 \u00d7 60 \u00d7 60" in window.text("ThinPart_Box")
+    assert "thinnest 6\u00a0mm" in window.text("ThinPart_Walls")
+    sides = [number for number, face in enumerate(feature.Shape.Faces)
+             if abs(face.Area - 2000) < 1 and abs(face.normalAt(0, 0).y) > 0.99]
+    assert len(sides) == 2
+    for number, colour in enumerate(window.rgb(feature)):
+        assert colour == (RED if number in sides else before), number
+
+
+def test_plate(document):
+    window.add(document, "Plate", Part.makeBox(100, 100, 2))
+    window.classify()
+    assert window.text("ThinPart_Headline") == "Thin part"
+    assert window.text("ThinPart_PartLabel") == "Plate"
+
+
+def test_a_normal_part_keeps_its_colours(document):
+    feature = window.add(document, "Cube", Part.makeBox(10, 10, 10))
+    before = feature.ViewObject.DiffuseColor
+    window.classify()
+    assert window.text("ThinPart_Headline") == "Normal part"
+    assert feature.ViewObject.DiffuseColor == before
+    assert not window.is_shown("ThinPart_Legend")
+    assert document.UndoCount == 0 or "Colour thin faces" not in document.UndoNames
+
+
+def test_the_table_has_a_row_per_condition_and_the_chart_its_bars(document):
+    window.add_ribbed_block(document)
+    window.classify()
+    table = window.widget("ThinPart_CriteriaTable")
+    groups = [table.topLevelItem(index) for index in range(table.topLevelItemCount())]
+    assert [group.childCount() for group in groups] == [2, 3, 1, 1, 2, 3, 1]
+    fifth = [groups[4].child(row) for row in range(2)]
+    assert [fifth[1].text(column) for column in (0, 2)] == ["F[0;0.05]", "> 0.0001"]
+    assert fifth[1].text(3) == "\u2713 yes" and "%" in fifth[1].text(4)
+    assert groups[0].child(1).text(3) == "\u2717 no"
+    chart = window.widget("ThinPart_DistributionChart")
+    assert sum(bar.area for bar in chart.bars) == pytest.approx(1.0, abs=0.01)
+    thin = [bar for bar in chart.bars if bar.area > 0][0]
+    assert "of the area" in chart.bar_text(thin)
+    assert chart.grab().toImage().width() >= 180
+
+
+@pytest.mark.parametrize("width", [320, 420])
+def test_nothing_is_cut_off_in_a_narrow_task_view(document, width):
+    window.add_ribbed_block(document)
+    window.classify()
+    form = window.widget("ThinPart_Panel")
+    # The task view needs 36 for itself, its scroll bar included.
+    width -= 40
+    assert form.minimumSizeHint().width() <= width
+    form.setParent(None)
+    form.resize(width, 900)
+    form.show()
+    window.settle(100)
+    assert form.width() == width
+    assert window.widget("ThinPart_CriteriaTable").horizontalScrollBar().maximum() == 0
+    for label in form.findChildren(QtWidgets.QLabel):
+        if label.isVisible():
+            assert label.height() >= label.heightForWidth(label.width()) - 1, label.objectName()
+    form.hide()
+
+
+def test_a_borderline_part_is_said_to_be_close_to_what_else_it_might_be(document):
+    # 20000 / 30400 of its area lies over 26 mm, hardly more than the 0.6 of criterion 4.
+    window.add(document, "Slab", Part.makeBox(100, 100, 26))
+    window.classify()
+    assert window.text("ThinPart_Headline") == "Thin part"
+    assert window.text("ThinPart_HowSure") == (
+        "Borderline, close to 'Part with thin features': margin 9.6\u00a0%")
+
+
+def test_the_window_never_waits(document):
+    block = window.add_ribbed_block(document)
+    window.classify()  # what is loaded at the first time is not what is measured here
+    document.removeObject(block.Name)
+    window.add(document, "Sieve", window.slow_shape())
+    gaps, last = [0.0], [time.monotonic()]
+
+    def tick():
+        now = time.monotonic()
+        gaps.append(now - last[0])
+        last[0] = now
+
+    timer = QtCore.QTimer()
+    timer.timeout.connect(tick)
+    timer.start(5)
+    last[0] = time.monotonic()
+    window.classify()
+    timer.stop()
+    assert len(gaps) > 100
+    assert max(gaps) < 0.3
+
+
+def test_cancel_half_way(document):
+    feature = window.add(document, "Sieve", window.slow_shape())
+    before = feature.ViewObject.DiffuseColor
+    folders = _temporary_folders()
+    window.press("ThinPart_Classify")
+    window.wait_until(lambda: window.widget("ThinPart_ProgressBar").value() > 0)
+    assert window.workers() and _temporary_folders() > folders
+    window.click("ThinPart_CancelButton")
+    assert window.text("ThinPart_Message").startswith("Cancelled")
+    assert window.workers() == [] and _temporary_folders() == folders
+    assert feature.ViewObject.DiffuseColor == before
+    assert not window.is_shown("ThinPart_Progress")
+
+
+def test_after_cancelling_it_can_be_asked_for_again(document):
+    window.add_ribbed_block(document)
+    window.press("ThinPart_Classify")
+    window.wait_until(lambda: window.is_shown("ThinPart_CancelButton"))
+    window.click("ThinPart_CancelButton")
+    window.click("ThinPart_AgainButton")
+    window.wait_until_measured()
+    assert window.text("ThinPart_Headline") == "Part with thin features"
+
+
+def test_a_worker_that_dies_is_one_sentence(document):
+    window.add(document, "Sieve", window.slow_shape())
+    folders = _temporary_folders()
+    window.press("ThinPart_Classify")
+    window.wait_until(window.workers)
+    os.kill(window.workers()[0], signal.SIGKILL)
+    window.wait_until_measured()
+    assert "ended unexpectedly" in window.text("ThinPart_Message")
+    assert _temporary_folders() == folders
+
+
+def test_a_worker_that_cannot_begin_is_one_sentence(document):
+    from thinpart_workbench.freecad_adapter.settings import set_preference
+
+    window.add_ribbed_block(document)
+    set_preference("MemoryMegabytes", 150)
+    try:
+        window.classify()
+    finally:
+        set_preference("MemoryMegabytes", None)
+    assert window.text("ThinPart_Message")
+    assert not window.is_shown("ThinPart_Headline")
+
+
+def test_closing_the_document_stops_the_worker_and_takes_the_panel_away(document):
+    window.add(document, "Sieve", window.slow_shape())
+    window.press("ThinPart_Classify")
+    window.wait_until(window.workers)
+    App.closeDocument(document.Name)
+    window.wait_until(lambda: not Gui.Control.activeDialog(), 5)
+    assert window.workers() == []
+
+
+def test_closing_the_panel_stops_the_worker(document):
+    window.add(document, "Sieve", window.slow_shape())
+    window.press("ThinPart_Classify")
+    window.wait_until(window.workers)
+    window.mouse_click(window.close_button())
+    window.wait_until(lambda: not Gui.Control.activeDialog(), 5)
+    assert window.workers() == []
+
+
+def test_two_documents(document):
+    window.add_ribbed_block(document)
+    other = App.newDocument("Other")
+    plate = window.add(other, "Plate", Part.makeBox(100, 100, 2))
+    window.classify()
+    assert window.text("ThinPart_Headline") == "Thin part"
+    App.setActiveDocument(document.Name)
+    window.classify()
+    assert window.text("ThinPart_Headline") == "Part with thin features"
+    App.closeDocument(document.Name)
+    window.settle(100)
+    assert not Gui.Control.activeDialog()
+    assert RED in window.rgb(plate)
+    App.setActiveDocument(other.Name)
+    assert Gui.isCommandActive("ThinPart_ClearColours")
+
+
+def test_damaged_profile_is_one_sentence(document, tmp_path):
+    from thinpart_workbench.freecad_adapter.settings import set_preference
+
+    window.add_ribbed_block(document)
+    set_preference("Profile", str(tmp_path / "missing.json"))
+    try:
+        window.classify()
+    finally:
+        set_preference("Profile", None)
+    assert "There is no profile" in window.text("ThinPart_Message")
+
+
+def test_a_mesh_is_classified_and_left_as_it_is(document):
+    import Mesh
+
+    feature = document.addObject("Mesh::Feature", "Soup")
+    feature.Mesh = Mesh.createBox(100, 100, 2)
+    window.classify()
+    assert window.text("ThinPart_Headline") == "Thin part"
+    assert not window.is_shown("ThinPart_Legend")
+
+
+def _temporary_folders():
+    return {each.name for each in Path(tempfile.gettempdir()).glob("thinpart-*")
+            if not each.name.startswith("thinpart-gui-")}
+

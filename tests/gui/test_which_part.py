@@ -1,0 +1,112 @@
+"""Which part is meant: selected, active, only, or asked for."""
+
+import FreeCADGui as Gui
+import Part
+import pytest
+import window_actions as window
+from window_actions import V
+
+from thinpart_workbench.gui.qt import QtWidgets
+
+
+@pytest.fixture
+def two(document):
+    """A document with a ribbed block and a plate."""
+    window.add_ribbed_block(document)
+    window.add(document, "Plate", Part.makeBox(100, 100, 2))
+    return document
+
+
+@pytest.mark.parametrize("path", ["", "Face2", "Edge1"])
+def test_selected_object_face_or_edge(two, path):
+    Gui.Selection.addSelection(two.Name, "Plate", path)
+    window.classify()
+    assert window.text("ThinPart_PartLabel") == "Plate"
+
+
+def test_source_of_a_cut_means_the_cut(document):
+    box = window.add(document, "Stock", Part.makeBox(100, 60, 40))
+    hole = window.add(document, "Hole", Part.makeCylinder(5, 40, V(50, 30, 0)))
+    cut = document.addObject("Part::Cut", "Drilled")
+    cut.Base, cut.Tool = box, hole
+    document.recompute()
+    window.add(document, "Plate", Part.makeBox(100, 100, 2))
+    Gui.Selection.addSelection(document.Name, "Hole")
+    window.classify()
+    assert window.text("ThinPart_PartLabel") == "Drilled"
+
+
+def test_what_has_no_solid_is_said(two):
+    sketch = two.addObject("Sketcher::SketchObject", "Sketch")
+    two.recompute()
+    Gui.Selection.addSelection(two.Name, sketch.Name)
+    window.classify()
+    assert window.text("ThinPart_Message").startswith("There is no closed solid in 'Sketch'")
+
+
+def test_a_document_without_solids_is_said(document):
+    window.add(document, "Line", Part.makeLine(V(0, 0, 0), V(1, 0, 0)))
+    window.classify()
+    assert "no closed solid in the document" in window.text("ThinPart_Message")
+
+
+def test_the_active_body(two):
+    body = two.addObject("PartDesign::Body", "Body")
+    box = two.addObject("PartDesign::AdditiveBox", "Block")
+    body.addObject(box)
+    two.recompute()
+    Gui.getDocument(two.Name).ActiveView.setActiveObject("pdbody", body)
+    window.classify()
+    assert window.text("ThinPart_PartLabel") == "Body"
+
+
+def test_it_asks_where_it_cannot_know(two):
+    def choose(dialog):
+        entries = dialog.findChild(QtWidgets.QListWidget, "ThinPart_PartList")
+        assert [entries.item(row).text() for row in range(2)] == ["Ribbed", "Plate"]
+        entries.setCurrentRow(1)
+        buttons = dialog.findChild(QtWidgets.QDialogButtonBox)
+        window.mouse_click(buttons.button(QtWidgets.QDialogButtonBox.Ok))
+
+    window.answer("ThinPart_PartDialog", choose)
+    window.classify()
+    assert window.text("ThinPart_PartLabel") == "Plate"
+
+
+def test_declining_to_choose_does_nothing(two):
+    window.answer("ThinPart_PartDialog", lambda dialog: dialog.reject())
+    window.press("ThinPart_Classify")
+    window.settle(100)
+    assert not Gui.Control.activeDialog() and window.workers() == []
+
+
+def test_a_container_of_several_asks_among_them(two):
+    container = two.addObject("App::Part", "Assembly")
+    container.addObject(two.getObject("Plate"))
+    container.addObject(window.add(two, "Cube", Part.makeBox(10, 10, 10)))
+    two.recompute()
+    Gui.Selection.addSelection(two.Name, "Assembly")
+    seen = []
+
+    def choose(dialog):
+        entries = dialog.findChild(QtWidgets.QListWidget)
+        seen.extend(entries.item(row).text() for row in range(entries.count()))
+        entries.itemDoubleClicked.emit(entries.item(0))
+
+    window.answer("ThinPart_PartDialog", choose)
+    window.classify()
+    assert sorted(seen) == ["Cube", "Plate"]
+    assert window.text("ThinPart_PartLabel") == seen[0]
+
+
+def test_a_link_array_counts_its_copies(document):
+    feature = window.add_ribbed_block(document)
+    link = document.addObject("App::Link", "Row")
+    link.LinkedObject = feature
+    link.ElementCount = 3
+    feature.ViewObject.Visibility = False
+    document.recompute()
+    window.classify()
+    assert window.text("ThinPart_Headline") == "Part with thin features"
+
+

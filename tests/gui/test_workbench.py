@@ -1,0 +1,63 @@
+"""The workbench is there, and its commands are active when they make sense."""
+
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import window_actions as window
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def test_the_workbench_has_its_tool_bar_and_menu():
+    assert "ThinPartWorkbench" in Gui.listWorkbenches()
+    assert "ThinPart" in Gui.activeWorkbench().listToolbars()
+    for command in ("ThinPart_Classify", "ThinPart_ClearColours"):
+        button = window.tool_button(command)
+        assert button.toolTip() and not button.icon().isNull()
+
+
+def test_package_xml_names_the_workbench_and_files_that_exist():
+    manifest = ElementTree.parse(ROOT / "package.xml").getroot()
+    names = {each.tag.rpartition("}")[2]: each.text for each in manifest.iter()}
+    assert names["classname"] in Gui.listWorkbenches()
+    assert names["subdirectory"] == "./"
+    assert (ROOT / names["icon"]).is_file()
+
+
+def test_without_a_document_nothing_can_be_pressed():
+    assert not Gui.isCommandActive("ThinPart_Classify")
+    assert not Gui.isCommandActive("ThinPart_ClearColours")
+
+
+def test_called_without_a_document_it_says_so():
+    from thinpart_workbench.gui.classify import classify_active_document
+
+    classify_active_document()
+    window.settle(200)
+    assert window.text("ThinPart_Message") == "There is no document: open or create one first."
+
+
+def test_an_empty_document_is_said_to_be_empty(document):
+    window.classify()
+    assert "is empty" in window.text("ThinPart_Message")
+    assert not window.is_shown("ThinPart_Headline")
+
+
+def test_clearing_is_possible_only_after_colouring(document):
+    window.add_ribbed_block(document)
+    assert not Gui.isCommandActive("ThinPart_ClearColours")
+    window.classify()
+    assert Gui.isCommandActive("ThinPart_ClearColours")
+    window.press("ThinPart_ClearColours")
+    assert not Gui.isCommandActive("ThinPart_ClearColours")
+
+
+def test_another_open_task_is_left_alone(document):
+    class Task:
+        form = window.QtWidgets.QWidget()
+
+    Gui.Control.showDialog(Task())
+    assert not Gui.isCommandActive("ThinPart_Classify")
+    assert App.ActiveDocument is document

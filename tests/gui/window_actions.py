@@ -1,0 +1,182 @@
+"""What a person does with the window, and parts to do it with."""
+
+import os
+import time
+from pathlib import Path
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import Part
+
+from thinpart_workbench.gui.qt import QtCore, QtGui, QtWidgets
+
+SAMPLES = Path(__file__).resolve().parents[2] / "resources" / "samples"
+V = App.Vector
+
+
+def settle(milliseconds=30):
+    """Let the window do what is waiting, for some time."""
+    end = time.monotonic() + milliseconds / 1000.0
+    while True:
+        QtWidgets.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 10)
+        QtWidgets.QApplication.sendPostedEvents(None, QtCore.QEvent.DeferredDelete)
+        if time.monotonic() >= end:
+            return
+        time.sleep(0.002)
+
+
+def wait_until(condition, seconds=60.0):
+    """Wait until something is so; fail where it never is."""
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end, "it took too long"
+        settle(10)
+
+
+def widget(name, kind=QtWidgets.QWidget):
+    """The widget of a name, or None."""
+    found = [each for each in QtWidgets.QApplication.allWidgets()
+             if _is_named(each, name) and isinstance(each, kind)]
+    shown = [each for each in found if each.isVisible()]
+    return (shown or found or [None])[-1]
+
+
+def _is_named(candidate, name):
+    try:
+        return candidate.objectName() == name
+    except RuntimeError:
+        return False  # Qt has deleted it, and Python still knows it
+
+
+def is_shown(name):
+    """Whether a widget is there to be seen."""
+    found = widget(name)
+    return found is not None and found.isVisible()
+
+
+def text(name):
+    """What a label says; empty where it is not shown."""
+    return widget(name).text() if is_shown(name) else ""
+
+
+def click(name):
+    """Press a button of the panel or of a dialog."""
+    button = widget(name)
+    assert button is not None and button.isVisible() and button.isEnabled(), name
+    mouse_click(button)
+
+
+def mouse_click(target):
+    """Press and release the left mouse button in the middle of a widget."""
+    # QTest would do the same, but Debian keeps it in a package that nothing else needs.
+    place = QtCore.QPointF(target.rect().center())
+    for kind, pressed in ((QtCore.QEvent.MouseButtonPress, QtCore.Qt.LeftButton),
+                          (QtCore.QEvent.MouseButtonRelease, QtCore.Qt.NoButton)):
+        QtWidgets.QApplication.sendEvent(target, QtGui.QMouseEvent(
+            kind, place, QtCore.QPointF(target.mapToGlobal(place.toPoint())),
+            QtCore.Qt.LeftButton, pressed, QtCore.Qt.NoModifier))
+
+
+def tool_button(command):
+    """The tool bar's button of a command."""
+    settle(5)
+    Gui.isCommandActive(command)
+    for button in Gui.getMainWindow().findChildren(QtWidgets.QToolButton):
+        action = button.defaultAction()
+        if action is not None and action.objectName() == command and button.isVisible():
+            return button
+    raise AssertionError(f"there is no button {command}")
+
+
+def press(command):
+    """Press a command's button in the tool bar."""
+    button = tool_button(command)
+    wait_until(button.isEnabled, 5)  # FreeCAD looks every 300 ms which commands are active
+    mouse_click(button)
+
+
+def classify():
+    """Press the button and wait for the result and the info file."""
+    press("ThinPart_Classify")
+    wait_until_measured()
+
+
+def wait_until_measured():
+    """Wait until nothing is being measured and the panel says what came out."""
+    wait_until(lambda: not is_shown("ThinPart_Progress")
+               and (is_shown("ThinPart_Headline") or is_shown("ThinPart_Message")))
+
+
+def close_button():
+    """The task view's own Close button."""
+    found = []
+
+    def look():
+        found[:] = [each for box in Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
+                    for each in box.buttons()
+                    if each.isVisible() and box.standardButton(each) == box.Close]
+        return found
+
+    wait_until(look, 10)
+    return found[0]
+
+
+def answer(dialog_name, act, seconds=20.0):
+    """Have a modal dialog answered once it is there."""
+    end = time.monotonic() + seconds
+
+    def look():
+        dialog = QtWidgets.QApplication.activeModalWidget()
+        if dialog is not None and (not dialog_name or dialog.objectName() == dialog_name):
+            act(dialog)
+        elif time.monotonic() < end:
+            QtCore.QTimer.singleShot(20, look)
+
+    QtCore.QTimer.singleShot(20, look)
+
+
+def workers():
+    """Process ids of measuring processes that this FreeCAD started and that still run."""
+    found = []
+    for stat in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            fields = stat.read_text().rpartition(")")[2].split()
+            command = (stat.parent / "cmdline").read_text()
+        except OSError:
+            continue  # it ended while being looked at
+        if int(fields[1]) == os.getpid() and fields[0] != "Z" and "snapshot_worker" in command:
+            found.append(int(stat.parent.name))
+    return found
+
+
+def ribbed_shape():
+    """A block with a rib 6 mm thick."""
+    block = Part.makeBox(100, 60, 40)
+    return block.fuse(Part.makeBox(100, 6, 20, V(0, 27, 40))).removeSplitter()
+
+
+def add(document, name, shape, placement=None):
+    """A Part::Feature of a shape."""
+    feature = document.addObject("Part::Feature", name)
+    feature.Shape = shape
+    if placement is not None:
+        feature.Placement = placement
+    document.recompute()
+    return feature
+
+
+def add_ribbed_block(document, name="Ribbed"):
+    """The block with the rib."""
+    return add(document, name, ribbed_shape())
+
+
+def slow_shape():
+    """A perforated plate that takes seconds to measure."""
+    holes = [Part.makeCylinder(3, 10, V(10 * i, 10 * j, 0)) for i in range(1, 8)
+             for j in range(1, 8)]
+    return Part.makeBox(80, 80, 10).cut(Part.makeCompound(holes))
+
+
+def rgb(feature):
+    """Red, green and blue of every face."""
+    return [tuple(round(part, 2) for part in each[:3]) for each in feature.ViewObject.DiffuseColor]

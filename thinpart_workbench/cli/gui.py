@@ -1,0 +1,39 @@
+"""``thinpart gui``: FreeCAD with the workbench from this checkout."""
+
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+from ..core.errors import ThinPartError
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAMS = ("freecad", "FreeCAD")
+
+# The launcher sets these for its own Python; FreeCAD's must not see them.
+_OWN = ("PYTHONPATH", "PYTHONSAFEPATH", "PYTHONHOME")
+
+
+def add_arguments(parser):
+    """Declare the options."""
+    parser.add_argument("files", nargs="*", metavar="FILE", help="a document to open")
+
+
+def run(options):
+    """Start FreeCAD, wait until it is closed, and return its exit status."""
+    program = next(filter(None, map(shutil.which, PROGRAMS)), None)
+    if program is None:
+        raise ThinPartError(
+            "There is no freecad on the PATH: install it with 'apt-get install freecad'.",
+            "unsupported")
+    for file in options.files:
+        if not os.path.isfile(file):
+            raise ThinPartError(f"There is no file {file}.", "missing")
+    if not os.environ.get("DISPLAY") and not os.environ.get("WAYLAND_DISPLAY"):
+        raise ThinPartError("There is no screen here (DISPLAY is not set): FreeCAD cannot open "
+                            "its window.", "unsupported")
+    environment = {name: value for name, value in os.environ.items() if name not in _OWN}
+    # FreeCAD's options come after the files: what comes first is read as Python's.
+    files = [os.path.abspath(file) for file in options.files]
+    command = [program, *files, "-M", os.fspath(ROOT)]
+    return subprocess.run(command, env=environment, check=False).returncode

@@ -1,0 +1,114 @@
+"""The table of criteria: one group per criterion, one row per condition."""
+
+from ..core.descriptors import quantity_named
+from .qt import QtCore, QtGui, QtWidgets, translate
+from .verdict_text import holds_text, number, percent
+
+_GREEN, _GREY = QtGui.QColor(30, 110, 50), QtGui.QColor(110, 110, 110)
+QUANTITY, VALUE, THRESHOLD, HOLDS, MARGIN = range(5)
+
+
+class CriteriaTable(QtWidgets.QTreeWidget):
+    """What every criterion compared. As high as its rows, so that the panel alone scrolls."""
+
+    def __init__(self, parent=None):
+        super().__init__(parent)
+        self.setObjectName("ThinPart_CriteriaTable")
+        self.setColumnCount(5)
+        self.setHeaderLabels([
+            translate("ThinPart", "Quantity"), translate("ThinPart", "Value"),
+            translate("ThinPart", "Threshold"), translate("ThinPart", "Holds"),
+            translate("ThinPart", "Margin"),
+        ])
+        self.setIndentation(6)
+        font = self.font()
+        font.setPointSizeF(font.pointSizeF() * 0.88)
+        self.setFont(font)
+        self.header().setFont(font)
+        self.setSelectionMode(QtWidgets.QAbstractItemView.NoSelection)
+        self.setFocusPolicy(QtCore.Qt.NoFocus)
+        self.setVerticalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
+        self.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAsNeeded)
+        self.header().setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
+        self.header().setStretchLastSection(False)
+        self.header().setMinimumSectionSize(20)
+        self.itemExpanded.connect(self._fit)
+        self.itemCollapsed.connect(self._fit)
+
+    def show_evidence(self, evidence):
+        """Fill the table.
+
+        Parameters
+        ----------
+        evidence : list of dict
+            As in a part record.
+        """
+        self.clear()
+        for row in evidence:
+            group = _group(row)
+            self.addTopLevelItem(group)
+            group.setFirstColumnSpanned(True)
+            group.addChildren([_condition(each) for each in row["conditions"]])
+            group.setExpanded(row["holds"] is not False)
+        self._fit()
+
+    def _fit(self, *_):
+        rows = sum(
+            1 + (self.topLevelItem(index).childCount() if self.topLevelItem(index).isExpanded()
+                 else 0)
+            for index in range(self.topLevelItemCount())
+        )
+        row = self.sizeHintForRow(0) if self.topLevelItemCount() else 0
+        bar = self.horizontalScrollBar().sizeHint().height()
+        height = self.header().sizeHint().height() + rows * row + 2 * self.frameWidth()
+        wide = self.header().length() > self.viewport().width() and self.isVisible()
+        self.setFixedHeight(height + (bar if wide else 0) + 2)
+
+    def resizeEvent(self, event):
+        """Make room for a scroll bar where the panel is too narrow."""
+        super().resizeEvent(event)
+        QtCore.QTimer.singleShot(0, self._fit)
+
+
+def _group(row):
+    symbol, word = holds_text(row["holds"]).split(" ", 1)
+    group = QtWidgets.QTreeWidgetItem([f"{symbol} {row['criterion']}  {row['title']}"])
+    group.setData(0, QtCore.Qt.UserRole, row["criterion"])
+    group.setToolTip(0, translate(
+        "ThinPart", "Criterion {}: {}. All its conditions hold: {}."
+    ).format(row["criterion"], row["title"], word))
+    font = group.font(0)
+    font.setBold(bool(row["holds"]))
+    group.setFont(0, font)
+    group.setForeground(0, QtGui.QBrush(_GREEN) if row["holds"] else QtGui.QBrush())
+    return group
+
+
+def _condition(condition):
+    quantity = quantity_named(condition["quantity"])
+    value = number(condition["value"])
+    if condition["value"] is None and quantity.absent_means is not None:
+        value = translate("ThinPart", "none")
+    item = QtWidgets.QTreeWidgetItem([
+        short_symbol(quantity), value,
+        f"{condition['comparison']} {number(condition['threshold'])}",
+        holds_text(condition["holds"]), percent(condition["margin"]),
+    ])
+    meaning = quantity.meaning
+    if quantity.bounds:
+        meaning += f" (a = {quantity.bounds[0]:g}, b = {quantity.bounds[1]:g})"
+    for column in range(5):
+        item.setToolTip(column, meaning)
+        if column in (VALUE, THRESHOLD, MARGIN):
+            item.setTextAlignment(column, QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
+        if condition["holds"] is False:
+            item.setForeground(column, QtGui.QBrush(_GREY))
+    return item
+
+
+def short_symbol(quantity):
+    """A quantity's symbol, in words where the symbol is too long for a narrow table."""
+    if quantity.name == "min_nonparallel":
+        low, high = quantity.bounds
+        return translate("ThinPart", "wedge {:g}\u2013{:g}\u00b0").format(low, high)
+    return quantity.symbol

@@ -1,0 +1,198 @@
+"""The thickness distribution of a part as a bar chart."""
+
+import math
+from dataclasses import dataclass
+
+from ..core.distribution import BINS
+from .qt import QtCore, QtGui, QtWidgets, translate
+from .verdict_text import number, percent
+
+MOST_BARS = 40
+_THIN, _THICK, _LIMIT = (QtGui.QColor(214, 38, 31), QtGui.QColor(95, 130, 170),
+                         QtGui.QColor(150, 20, 20))
+
+
+@dataclass(frozen=True)
+class Bar:
+    """A range of thickness and the share of the area over it.
+
+    Attributes
+    ----------
+    low, high : int
+        Bins of x, the last one excluded.
+    area : float
+    """
+
+    low: int
+    high: int
+    area: float
+
+
+def bars(bins, area, limit):
+    """Group the bins of a distribution into bars of one width.
+
+    Parameters
+    ----------
+    bins : list of int
+    area : list of float
+    limit : float
+        x of the thin limit; a bar ends there if that is possible.
+
+    Returns
+    -------
+    list of Bar
+        From 0 on, without gaps.
+    """
+    limit_bin = round(limit * BINS)
+    end = max([*bins, limit_bin], default=0) + 1
+    least = math.ceil(end / MOST_BARS)
+    width = next((each for each in range(least, 3 * least + 1) if limit_bin % each == 0), least)
+    shares = [0.0] * math.ceil(end / width)
+    for index, share in zip(bins, area):
+        shares[index // width] += share
+    return [Bar(place * width, (place + 1) * width, share) for place, share in enumerate(shares)]
+
+
+class DistributionChart(QtWidgets.QWidget):
+    """Share of the area over thickness, with the thin limit."""
+
+    def __init__(self, parent=None):
+        super().__init__(parent)
+        self.setObjectName("ThinPart_DistributionChart")
+        self.setMinimumSize(180, 180)
+        self.setSizePolicy(QtWidgets.QSizePolicy.Expanding, QtWidgets.QSizePolicy.Fixed)
+        self.setMouseTracking(True)
+        self.bars, self._limit, self._diagonal = [], 0.0, 1.0
+
+    def show_distribution(self, bins, area, limit, diagonal):
+        """Draw a distribution.
+
+        Parameters
+        ----------
+        bins, area : list
+            As in a part record.
+        limit : float
+            x under which a wall is thin.
+        diagonal : float, mm
+            Length that x = 1 stands for.
+        """
+        self._limit, self._diagonal = limit, diagonal
+        self.bars = bars(bins, area, limit)
+        self.update()
+
+    def sizeHint(self):
+        """Wide rather than high."""
+        return QtCore.QSize(300, 180)
+
+    def bar_text(self, bar):
+        """What a bar says about itself."""
+        low, high = bar.low / BINS, bar.high / BINS
+        return translate("ThinPart", "{} to {} mm thick ({} to {} of the diagonal): {} of the area"
+                         ).format(number(low * self._diagonal), number(high * self._diagonal),
+                                  number(low), number(high), percent(bar.area))
+
+    def bar_at(self, x):
+        """The bar at a place of the widget, or None."""
+        plot = self._plot()
+        if not self.bars or not plot.left() <= x <= plot.right():
+            return None
+        place = int((x - plot.left()) / plot.width() * len(self.bars))
+        return self.bars[min(place, len(self.bars) - 1)]
+
+    def event(self, event):
+        """Show each bar's own tool tip."""
+        if event.type() == QtCore.QEvent.ToolTip:
+            bar = self.bar_at(event.pos().x())
+            QtWidgets.QToolTip.showText(event.globalPos(), self.bar_text(bar) if bar else "", self)
+            return True
+        return super().event(event)
+
+    def paintEvent(self, _event):
+        """Draw bars, axes and the limit."""
+        if not self.bars:
+            return
+        painter = QtGui.QPainter(self)
+        plot = self._plot()
+        painter.fillRect(plot, self.palette().base())
+        top = _round_up(max(bar.area for bar in self.bars) or 1.0)
+        self._draw_heights(painter, plot, top)
+        self._draw_bars(painter, plot, top)
+        self._draw_widths(painter, plot)
+        self._draw_limit(painter, plot)
+        painter.end()
+
+    def _plot(self):
+        line = self.fontMetrics().height()
+        left = self.fontMetrics().boundingRect("100 %").width() + 10
+        top = 1.5 * line + 4
+        return QtCore.QRectF(left, top, max(1, self.width() - left - 12),
+                             max(1, self.height() - top - 3 * line - 8))
+
+    @property
+    def _span(self):
+        return self.bars[-1].high / BINS
+
+    def _draw_bars(self, painter, plot, top):
+        width = plot.width() / len(self.bars)
+        for place, bar in enumerate(self.bars):
+            if bar.area <= 0.0:
+                continue
+            # What is there must be seen, small as it is.
+            height = max(2.0, plot.height() * bar.area / top)
+            thin = bar.high <= round(self._limit * BINS)
+            painter.fillRect(
+                QtCore.QRectF(plot.left() + place * width, plot.bottom() - height,
+                              max(1.0, width - 1.0), height), _THIN if thin else _THICK)
+
+    def _draw_heights(self, painter, plot, top):
+        text = self.palette().text().color()
+        faint = QtGui.QColor(text)
+        faint.setAlpha(50)
+        height = self.fontMetrics().height()
+        for share in (0.0, top / 2.0, top):
+            y = plot.bottom() - plot.height() * share / top
+            painter.setPen(faint)
+            painter.drawLine(QtCore.QPointF(plot.left(), y), QtCore.QPointF(plot.right(), y))
+            painter.setPen(text)
+            painter.drawText(QtCore.QRectF(0, y - height / 2, plot.left() - 5, height),
+                             QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter, f"{100 * share:.3g} %")
+
+    def _draw_widths(self, painter, plot):
+        """Two scales under the bars: thickness in mm, and as a share of the diagonal."""
+        text = self.palette().text().color()
+        painter.setPen(text)
+        painter.drawLine(plot.bottomLeft(), plot.bottomRight())
+        line = self.fontMetrics().height()
+        step = _round_up(self._span * self._diagonal / 4.0)
+        for count in range(int(self._span * self._diagonal / step) + 1):
+            thickness = count * step
+            x = plot.left() + plot.width() * thickness / (self._span * self._diagonal)
+            painter.drawLine(QtCore.QPointF(x, plot.bottom()), QtCore.QPointF(x, plot.bottom() + 4))
+            self._centred(painter, plot, x, plot.bottom() + 5, number(thickness))
+            self._centred(painter, plot, x, plot.bottom() + 5 + line,
+                          f"{thickness / self._diagonal:.2f}")
+        painter.drawText(QtCore.QRectF(0, plot.bottom() + 5 + 2 * line, self.width(), line + 2),
+                         QtCore.Qt.AlignCenter,
+                         translate("ThinPart", "thickness: mm, and share of the diagonal"))
+
+    def _centred(self, painter, plot, x, y, text):
+        width = self.fontMetrics().boundingRect(text).width() + 4
+        left = max(0.0, min(x - width / 2, self.width() - width))
+        painter.drawText(QtCore.QRectF(left, y, width, self.fontMetrics().height()),
+                         QtCore.Qt.AlignCenter, text)
+
+    def _draw_limit(self, painter, plot):
+        x = plot.left() + plot.width() * self._limit / self._span
+        painter.setPen(QtGui.QPen(_LIMIT, 1.5, QtCore.Qt.DashLine))
+        painter.drawLine(QtCore.QPointF(x, plot.top() - 2), QtCore.QPointF(x, plot.bottom()))
+        painter.setPen(QtGui.QPen(_LIMIT))
+        text = translate("ThinPart", "thin below {} mm").format(
+            number(self._limit * self._diagonal))
+        self._centred(painter, plot, x, 1, text)
+
+
+def _round_up(value):
+    """The next of 1, 2, 2.5, 5 times a power of ten."""
+    power = 10.0 ** math.floor(math.log10(value))
+    return next(each * power for each in (1.0, 2.0, 2.5, 5.0, 10.0)
+                if each * power >= value * (1.0 - 1e-9))

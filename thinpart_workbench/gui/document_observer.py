@@ -1,0 +1,76 @@
+"""What ThinPart has to know of every document: that it is changed, saved or closed."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from .face_colours import FACE_COLOURS
+
+
+class DocumentObserver:
+    """Keeps analysis colours out of files, and knows which documents differ from theirs.
+
+    Notes
+    -----
+    FreeCAD marks a document as modified for a colour too. What is measured depends on the objects
+    alone, so it is their changes that count here.
+    """
+
+    def __init__(self):
+        self._changed = set()
+        self._on_close = []
+
+    def differs_from_file(self, document):
+        """Whether the objects of a document are not those in its file, or it has none."""
+        if not document.FileName:
+            return True
+        return document.Name in self._changed and Gui.getDocument(document.Name).Modified
+
+    def on_close(self, call):
+        """Have a function called with the name of every document that is closed."""
+        self._on_close.append(call)
+
+    def slotChangedObject(self, changed, name):
+        """An object was changed."""
+        self._note(changed.Document)
+        if name == "Shape":
+            FACE_COLOURS.drop(changed)
+
+    def slotCreatedObject(self, created):
+        """An object was made."""
+        self._note(created.Document)
+
+    def slotDeletedObject(self, deleted):
+        """An object is about to go."""
+        self._note(deleted.Document)
+
+    def slotStartSaveDocument(self, document, _file):
+        """A document is about to be saved."""
+        FACE_COLOURS.suspend(document)
+
+    def slotFinishSaveDocument(self, document, file):
+        """A document, or a copy of it, was saved."""
+        FACE_COLOURS.resume(document)
+        if file == document.FileName:
+            self._changed.discard(document.Name)
+
+    def slotDeletedDocument(self, document):
+        """A document is about to be closed."""
+        name = document.Name
+        FACE_COLOURS.forget(name)
+        self._changed.discard(name)
+        for call in self._on_close:
+            call(name)
+
+    def _note(self, document):
+        # While a document is being opened, every property of every object is set once.
+        if not document.Restoring:
+            self._changed.add(document.Name)
+
+
+OBSERVER = DocumentObserver()
+"""The one observer of this session."""
+
+
+def observe():
+    """Start observing; called once, when FreeCAD starts."""
+    App.addDocumentObserver(OBSERVER)

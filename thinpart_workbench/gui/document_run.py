@@ -1,0 +1,161 @@
+"""A document that is being measured: its snapshot, and the process that works on it."""
+
+import json
+import os
+import shutil
+import tempfile
+
+import FreeCAD as App
+
+from ..core.errors import ThinPartError
+from ..freecad_adapter.snapshot import write_snapshot
+from .qt import QtCore, QtWidgets, Signal, translate
+from .worker_python import python_environment, python_program
+
+WORKER = "thinpart_workbench.workflow.snapshot_worker"
+_OUT_OF_MEMORY = ("bad_alloc", "MemoryError", "Unable to allocate", "OutOfMemory", "length_error")
+
+
+class DocumentRun(QtCore.QObject):
+    """Measures the parts of a `DocumentAnalysis` in another process, so that FreeCAD never waits.
+
+    Signals
+    -------
+    progressed(object)
+        The worker's ``progress`` entry.
+    measured(str)
+        Name of a part of which the analysis now holds the record or the failure.
+    ended(str)
+        Empty when all went well, else one sentence. Not sent after `stop`.
+    """
+
+    progressed = Signal(object)
+    measured = Signal(str)
+    ended = Signal(str)
+
+    def __init__(self, analysis, megabytes, parent=None):
+        super().__init__(parent)
+        self._analysis = analysis
+        self._megabytes = megabytes
+        self._folder = None
+        self._process = None
+        self._done = False
+        self._errors = b""
+
+    @property
+    def is_running(self):
+        """Whether the process is at work."""
+        return self._process is not None
+
+    def start(self):
+        """Write the snapshot and start the process.
+
+        Raises
+        ------
+        ThinPartError
+            When the snapshot cannot be written or there is no Python.
+        """
+        program = python_program()
+        try:
+            self._folder = tempfile.mkdtemp(prefix="thinpart-")
+            write_snapshot(self._analysis.in_turn, self._folder, self._analysis.settings,
+                           self._analysis.profile_content)
+        except OSError as error:
+            self._remove_folder()
+            raise ThinPartError(
+                f"There is no room for temporary files ({error.strerror}): nothing was measured.",
+                "failed",
+            ) from None
+        process = QtCore.QProcess(self)
+        environment = QtCore.QProcessEnvironment()
+        for name, value in python_environment().items():
+            environment.insert(name, value)
+        process.setProcessEnvironment(environment)
+        process.setWorkingDirectory(self._folder)
+        process.readyReadStandardOutput.connect(self._read)
+        process.readyReadStandardError.connect(self._read_errors)
+        process.finished.connect(self._finished)
+        process.errorOccurred.connect(self._failed_to_start)
+        QtWidgets.QApplication.instance().aboutToQuit.connect(self.stop)
+        self._process = process
+        process.started.connect(self._step_back)
+        process.start(program, ["-m", WORKER, self._folder, str(self._megabytes)])
+        process.closeWriteChannel()
+
+    def _step_back(self):
+        """The window goes first where there are few processors."""
+        if hasattr(os, "setpriority"):
+            try:
+                os.setpriority(os.PRIO_PROCESS, self._process.processId(), 10)
+            except ProcessLookupError:
+                return  # it has ended already, which is told elsewhere
+
+    def stop(self):
+        """End the process, if it runs, and remove what was written for it."""
+        process, self._process = self._process, None
+        if process is not None:
+            QtWidgets.QApplication.instance().aboutToQuit.disconnect(self.stop)
+            process.blockSignals(True)
+            process.kill()
+            process.waitForFinished(3000)
+            process.deleteLater()
+        self._remove_folder()
+
+    def _read(self):
+        while self._process is not None and self._process.canReadLine():
+            try:
+                line = json.loads(bytes(self._process.readLine()))
+            except ValueError:
+                continue  # half a line, from a process that was killed: the end tells
+            self._take(line)
+
+    def _take(self, line):
+        kind = self._analysis.take(line)
+        if kind == "progress":
+            self.progressed.emit(line["progress"])
+        elif kind == "done":
+            self._done = True
+        else:
+            name = line["record"]["name"] if kind == "record" else line["failure"]["part"]
+            self.measured.emit(name)
+
+    def _read_errors(self):
+        if self._process is not None:
+            self._errors += bytes(self._process.readAllStandardError())
+
+    def _finished(self, *_):
+        self._read()
+        self._read_errors()
+        if self._process is None:
+            return  # whoever was told of the last line has stopped the run
+        self.stop()
+        if not self._done:
+            App.Console.PrintLog(self._errors.decode("utf-8", "replace") + "\n")
+        self.ended.emit("" if self._done else self._reason())
+
+    def _failed_to_start(self, error):
+        if error == QtCore.QProcess.FailedToStart:
+            self.stop()
+            self.ended.emit(translate(
+                "ThinPart", "The process that measures could not be started."
+            ))
+
+    def _reason(self):
+        errors = self._errors.decode("utf-8", "replace")
+        if any(sign in errors for sign in _OUT_OF_MEMORY):
+            return translate(
+                "ThinPart", "Measuring needs more than {} MB of memory: raise the limit in the "
+                "preferences.",
+            ).format(self._megabytes)
+        name, found, message = errors.strip().rpartition("\n")[2].partition("ThinPartError: ")
+        if found and not name.strip().strip("abcdefghijklmnopqrstuvwxyz_."):
+            return message
+        return translate(
+            "ThinPart", "The process that measures ended unexpectedly; the document is unharmed. "
+            "Check the part with 'Check geometry' of the Part workbench.",
+        )
+
+    def _remove_folder(self):
+        if self._folder is not None:
+            shutil.rmtree(self._folder, ignore_errors=True)
+            self._folder = None

@@ -1,0 +1,26 @@
+"""The workbench: its name, icons, tool bar and menu."""
+
+from pathlib import Path
+
+import FreeCADGui as Gui
+
+from .qt import translate
+
+ICONS = (Path(__file__).resolve().parents[2] / "resources" / "icons").as_posix()
+MENU_TEXT = "ThinPart"
+TOOL_TIP = translate("ThinPart", "Tells before meshing whether a part is thin, and where")
+
+
+def initialize(workbench):
+    """Add commands, tool bar and menu.
+
+    Parameters
+    ----------
+    workbench : Gui.Workbench
+    """
+    from .commands import add_commands
+
+    Gui.addIconPath(ICONS)
+    names = add_commands()
+    workbench.appendToolbar("ThinPart", names)
+    workbench.appendMenu("&ThinPart", names)

@@ -1,0 +1,58 @@
+"""The Python that measures beside FreeCAD, and the environment in which it can import FreeCAD."""
+
+import os
+import sys
+from pathlib import Path
+
+import FreeCAD as App
+
+from ..core.errors import ThinPartError
+
+CHECKOUT = Path(__file__).resolve().parents[2]
+
+# What is set for FreeCAD's own Python, or by a user for another one, and misleads this one.
+_UNSUITABLE = ("PYTHONSTARTUP", "PYTHONINSPECT", "PYTHONDEBUG", "PYTHONPATH", "PYTHONHOME",
+               "PYTHONUNBUFFERED", "PYTHONOPTIMIZE")
+
+
+def python_program():
+    """Path of the Python that FreeCAD was built with.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``unsupported`` where there is none.
+
+    Notes
+    -----
+    Inside FreeCAD ``sys.executable`` is FreeCAD itself.
+    """
+    version = f"python{sys.version_info.major}.{sys.version_info.minor}"
+    folders = (Path(sys.prefix, "bin"), Path(sys.base_prefix, "bin"), Path(sys.prefix),
+               Path(App.getHomePath(), "bin"), Path(sys.executable).parent)
+    for name in (version, "python3", "python", "python.exe"):
+        for folder in folders:
+            if os.access(folder / name, os.X_OK) and (folder / name).is_file():
+                return os.fspath(folder / name)
+    raise ThinPartError(
+        f"There is no Python {version[6:]} beside FreeCAD to measure with: install it.",
+        "unsupported",
+    )
+
+
+def python_environment():
+    """dict of the environment variables for `python_program`."""
+    environment = {name: value for name, value in os.environ.items() if name not in _UNSUITABLE}
+    # A bundled FreeCAD points Python to the bundle's own library, and its Python needs that too.
+    home = os.environ.get("PYTHONHOME")
+    if home and os.path.realpath(home) == os.path.realpath(sys.prefix):
+        environment["PYTHONHOME"] = home
+    library = os.path.join(App.getHomePath(), "lib")
+    if os.path.isfile(os.path.join(library, "FreeCAD.so")):
+        environment.setdefault("FREECAD_LIB", library)
+    # The folder in which FreeCAD was started may hold a numpy.py.
+    environment.update(PYTHONPATH=os.fspath(CHECKOUT), PYTHONSAFEPATH="1",
+                       PYTHONDONTWRITEBYTECODE="1", PYTHONUTF8="1")
+    # Under a memory limit, OpenBLAS waits for ever for threads whose stacks it cannot have.
+    environment.update(OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
+    return environment

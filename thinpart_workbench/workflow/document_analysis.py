@@ -1,0 +1,113 @@
+"""All that is found out about an open document, as the worker tells it, and its info file."""
+
+import os
+
+from ..core.criteria import profile_from
+from ..core.errors import ThinPartError
+from ..storage.info_file import info_content, info_path, new_source, read_info, write_info
+
+
+class DocumentAnalysis:
+    """The parts of a document, one of them in the foreground, and what was measured on them.
+
+    Parameters
+    ----------
+    parts : list of SolidPart or MeshedPart
+        In the order of the document.
+    chosen : SolidPart or MeshedPart
+        The one that is measured first.
+    settings : AnalysisSettings
+    profile : dict
+        Content of a profile.
+
+    Attributes
+    ----------
+    records, failures : dict
+        By the name of the part.
+    """
+
+    def __init__(self, parts, chosen, settings, profile):
+        self.parts = parts
+        self.chosen = chosen
+        self.settings = settings
+        self.profile_content = profile
+        self.profile = profile_from(profile)
+        self.records = {}
+        self.failures = {}
+
+    @property
+    def in_turn(self):
+        """list: the parts in the order in which they are measured, the chosen one first."""
+        return [self.chosen] + [part for part in self.parts if part is not self.chosen]
+
+    @property
+    def is_complete(self):
+        """Whether every part was measured or failed to be."""
+        return len(self.records) + len(self.failures) == len(self.parts)
+
+    def take(self, line):
+        """Keep what a line of the worker tells.
+
+        Returns
+        -------
+        str
+            Key of what came: ``record``, ``failure``, ``progress`` or ``done``.
+        """
+        if "record" in line:
+            self.records[line["record"]["name"]] = line["record"]
+        elif "failure" in line:
+            self.failures[line["failure"]["part"]] = line["failure"]
+        return next(iter(line))
+
+    def share_done(self, progress):
+        """Fraction of the whole work that is done.
+
+        Parameters
+        ----------
+        progress : dict
+            ``part``, ``stage``, ``fraction`` as the worker tells them.
+        """
+        turn = [part.name for part in self.in_turn].index(progress["part"])
+        # Measuring takes most of the time; the tessellation before it has no fraction of its own.
+        return (turn + (progress["fraction"] if progress["stage"] == "measure" else 0.0)) / len(
+            self.parts
+        )
+
+    def write_info_file(self, document_file):
+        """Write the info file of the document as it is on disk.
+
+        Parameters
+        ----------
+        document_file : str
+
+        Returns
+        -------
+        Path
+            Of the info file.
+
+        Raises
+        ------
+        ThinPartError
+            kind ``info_write``, or as `new_source`.
+        """
+        if not self.records:
+            raise ThinPartError("Nothing was measured that could be written.", "info_write")
+        path = info_path(document_file)
+        names = [part.name for part in self.parts]
+        content = info_content(
+            new_source(document_file), self.settings.content(), self.profile_content,
+            [self.records[name] for name in names if name in self.records],
+            [self.failures[name] for name in names if name in self.failures],
+        )
+        write_info(path, content, keep=_stored(path))
+        return path
+
+
+def _stored(path):
+    """What the info file says so far, for the notes in it; None where it cannot be read."""
+    if not os.path.lexists(path):
+        return None
+    try:
+        return read_info(path)
+    except ThinPartError:
+        return None  # what is no info file is refused when it is written to
