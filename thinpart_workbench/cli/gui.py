@@ -8,6 +8,7 @@ from pathlib import Path
 from ..core.errors import ThinPartError
 
 ROOT = Path(__file__).resolve().parents[2]
+OPEN_WORKBENCH = ROOT / "thinpart_workbench" / "gui" / "open_workbench.py"
 PROGRAMS = ("freecad", "FreeCAD")
 
 # The launcher sets these for its own Python; FreeCAD's must not see them.
@@ -33,7 +34,10 @@ def run(options):
         raise ThinPartError("There is no screen here (DISPLAY is not set): FreeCAD cannot open "
                             "its window.", "unsupported")
     environment = {name: value for name, value in os.environ.items() if name not in _OWN}
+    if os.geteuid() == 0:
+        # The web engine of FreeCAD's start page ends the whole program for root otherwise.
+        environment.setdefault("QTWEBENGINE_DISABLE_SANDBOX", "1")
     # FreeCAD's options come after the files: what comes first is read as Python's.
     files = [os.path.abspath(file) for file in options.files]
-    command = [program, *files, "-M", os.fspath(ROOT)]
+    command = [program, os.fspath(OPEN_WORKBENCH), *files, "-M", os.fspath(ROOT)]
     return subprocess.run(command, env=environment, check=False).returncode

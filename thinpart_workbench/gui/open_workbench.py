@@ -1,0 +1,5 @@
+"""Run by ``thinpart gui`` inside FreeCAD: opens the workbench, which is otherwise one in a list."""
+
+import FreeCADGui as Gui
+
+Gui.activateWorkbench("ThinPartWorkbench")
