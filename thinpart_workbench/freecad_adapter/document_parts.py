@@ -188,7 +188,7 @@ def _add_solids(parts, root, path, leaf):
             name, label = leaf.Name, leaf.Label
             if len(solids) > 1:
                 name, label = f"{name}.Solid{index + 1}", f"{label} ({index + 1})"
-            known = SolidPart(_unique(parts, name), label, solid)
+            known = SolidPart(_unique(parts, name), label, shape=solid)
             parts.append(known)
         known.occurrences.append(Occurrence(root.Name, path, index))
 
@@ -199,7 +199,8 @@ def _add_mesh(parts, root, path, leaf, source):
         return
     matrix = np.array(root.getSubObject(path, 3).A if path else np.eye(4).ravel()).reshape(4, 4)
     points = np.array([(p.x, p.y, p.z) for p in points]) @ matrix[:3, :3].T + matrix[:3, 3]
-    part = MeshedPart(_unique(parts, leaf.Name), leaf.Label, points, np.array(triangles))
+    part = MeshedPart(_unique(parts, leaf.Name), leaf.Label, points=points,
+                      triangles=np.array(triangles))
     part.occurrences.append(Occurrence(root.Name, path, 0))
     parts.append(part)
 

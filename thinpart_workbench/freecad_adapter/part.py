@@ -29,22 +29,19 @@ class Occurrence:
 
 
 @dataclass
-class SolidPart:
-    """A B-Rep solid.
+class Part:
+    """What a part is called and where it stands; its geometry is a `SolidPart`'s or `MeshedPart`'s.
 
     Attributes
     ----------
     name, label : str
         Unique name within the document, and what people call it.
-    shape : Part.Shape
-        One solid, placed as in its first occurrence.
     occurrences : list of Occurrence
     warnings : tuple of str
     """
 
     name: str
     label: str
-    shape: object
     occurrences: list = field(default_factory=list)
     warnings: tuple = ()
 
@@ -52,6 +49,19 @@ class SolidPart:
     def instances(self):
         """How often the part occurs."""
         return max(1, len(self.occurrences))
+
+
+@dataclass
+class SolidPart(Part):
+    """A B-Rep solid.
+
+    Attributes
+    ----------
+    shape : Part.Shape
+        One solid, placed as in its first occurrence.
+    """
+
+    shape: object = None
 
     @property
     def can_be_finer(self):
@@ -85,7 +95,7 @@ class SolidPart:
 
 
 @dataclass
-class MeshedPart:
+class MeshedPart(Part):
     """A part that came as triangles.
 
     Attributes
@@ -94,17 +104,8 @@ class MeshedPart:
     triangles : ndarray of shape (n, 3), int64
     """
 
-    name: str
-    label: str
-    points: np.ndarray
-    triangles: np.ndarray
-    occurrences: list = field(default_factory=list)
-    warnings: tuple = ()
-
-    @property
-    def instances(self):
-        """How often the part occurs."""
-        return max(1, len(self.occurrences))
+    points: np.ndarray = None
+    triangles: np.ndarray = None
 
     @property
     def can_be_finer(self):

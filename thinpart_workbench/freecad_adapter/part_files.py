@@ -21,6 +21,7 @@ def read_parts(path):
     Parameters
     ----------
     path : str or Path
+        A file that is there and not empty; `storage.info_file.new_source` has seen to that.
 
     Returns
     -------
@@ -30,11 +31,9 @@ def read_parts(path):
     Raises
     ------
     ThinPartError
-        kind ``missing``, ``permission``, ``empty``, ``unsupported``, ``unreadable`` or
-        ``no_solid``.
+        kind ``unsupported``, ``unreadable``, ``empty`` (document) or ``no_solid``.
     """
     path = Path(path)
-    check_readable(path)
     reader = READERS.get(path.suffix.lower())
     if reader is None:
         raise ThinPartError(
@@ -49,24 +48,6 @@ def read_parts(path):
             "close or thicken it first.", "no_solid",
         )
     return parts
-
-
-def check_readable(path):
-    """Raise a `ThinPartError` for a file that cannot be opened or holds nothing."""
-    try:
-        with open(path, "rb") as file:
-            if not file.read(1):
-                raise ThinPartError(f"{path.name} is empty (0 bytes).", "empty")
-    except FileNotFoundError:
-        raise ThinPartError(f"There is no file {os.fspath(path)}.", "missing") from None
-    except PermissionError:
-        raise ThinPartError(
-            f"{path.name} may not be read: check its permissions.", "permission"
-        ) from None
-    except IsADirectoryError:
-        raise ThinPartError(f"{path.name} is a folder, not a file.", "unreadable") from None
-    except OSError as error:
-        raise ThinPartError(f"{path.name} cannot be read ({error.strerror}).") from None
 
 
 def _read_document(path):
@@ -129,7 +110,7 @@ def _read_shape(path):
         if known is None:
             number = len(parts) + 1
             label = path.stem if len(solids) == 1 else f"{path.stem} ({number})"
-            known = SolidPart(f"Solid{number}", label, solid, warnings=warnings)
+            known = SolidPart(f"Solid{number}", label, warnings=warnings, shape=solid)
             parts.append(known)
         known.occurrences.append(Occurrence("", "", index))
     return parts
@@ -148,7 +129,8 @@ def _read_mesh(path):
     if not triangles:
         raise ThinPartError(f"{path.name} is damaged or holds no triangles.", "unreadable")
     points = np.array([(p.x, p.y, p.z) for p in points], dtype=np.float64)
-    return [MeshedPart("Mesh", path.stem, points, np.array(triangles, dtype=np.int64))]
+    return [MeshedPart("Mesh", path.stem, points=points,
+                       triangles=np.array(triangles, dtype=np.int64))]
 
 
 READERS = {

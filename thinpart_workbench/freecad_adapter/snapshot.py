@@ -64,12 +64,12 @@ def read_snapshot(folder):
         places, warnings = [None] * entry["instances"], tuple(entry["warnings"])
         if entry["file"].endswith(".npz"):
             with np.load(path) as arrays:
-                return MeshedPart(entry["name"], entry["label"], arrays["points"],
-                                  arrays["triangles"], places, warnings)
+                return MeshedPart(entry["name"], entry["label"], places, warnings,
+                                  arrays["points"], arrays["triangles"])
         import Part
 
         shape = Part.Shape()
         shape.importBrep(path)
-        return SolidPart(entry["name"], entry["label"], shape, places, warnings)
+        return SolidPart(entry["name"], entry["label"], places, warnings, shape)
 
     return job, read

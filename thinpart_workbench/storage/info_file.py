@@ -46,7 +46,7 @@ def new_source(document):
     Raises
     ------
     ThinPartError
-        kind ``missing``, ``permission`` or ``unreadable``.
+        kind ``missing``, ``permission``, ``unreadable``, or ``empty`` for a file of 0 bytes.
     """
     digest = hashlib.sha256()
     try:
@@ -64,6 +64,8 @@ def new_source(document):
         raise ThinPartError(
             f"{Path(document).name} cannot be read ({error.strerror}).", "unreadable"
         ) from None
+    if status.st_size == 0:
+        raise ThinPartError(f"{Path(document).name} is empty (0 bytes).", "empty")
     return {
         "file": Path(document).name,
         "sha256": digest.hexdigest(),
