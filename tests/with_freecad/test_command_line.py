@@ -202,6 +202,33 @@ def test_info_folder_mirrors_the_tree(tmp_path):
     assert not list((tmp_path / "parts").rglob("*.json"))
 
 
+def test_documents_of_one_name_in_two_folders_have_two_info_files(tmp_path):
+    for folder, sample in (("a", "wedge"), ("b", "block")):
+        (tmp_path / folder).mkdir()
+        shutil.copy(SAMPLES / f"{sample}.step", tmp_path / folder / "part.step")
+    thinpart("classify", "a", "b/part.step", "a/part.step", "--info-dir", "info", cwd=tmp_path)
+    categories = {
+        str(path.relative_to(tmp_path / "info")): json.loads(path.read_text())["parts"][0]["category"]
+        for path in (tmp_path / "info").rglob("*.json")
+    }
+    assert categories == {"a/part.step.thinpart.json": "thin_features",
+                          "b/part.step.thinpart.json": "normal"}
+
+
+def test_folders_offer_what_can_be_read():
+    from thinpart_workbench.freecad_adapter.part_files import READERS
+    from thinpart_workbench.workflow.find_documents import ENDINGS
+
+    assert set(ENDINGS) == set(READERS)
+
+
+def test_loops_of_links_are_walked_once(tmp_path):
+    (tmp_path / "deep").mkdir()
+    shutil.copy(SAMPLES / "wedge.step", tmp_path / "deep")
+    (tmp_path / "deep" / "loop").symlink_to(tmp_path)
+    assert len(records(thinpart("classify", tmp_path, "--json", "--no-info"))) == 1
+
+
 def test_csv_has_a_row_per_part_and_failure(tmp_path):
     (tmp_path / "bad.step").write_bytes(b"")
     shutil.copy(SAMPLES / "plate.step", tmp_path)

@@ -11,7 +11,7 @@ from ..core.criteria import load_profile
 from ..core.errors import ThinPartError
 from ..storage.info_file import info_path
 from ..workflow.analyse_file import FileTask
-from ..workflow.find_documents import find_documents
+from ..workflow.find_documents import common_folder, find_documents
 from ..workflow.worker_pool import LEAST_MEGABYTES, Limits, analyse_files
 from .part_rows import write_csv, print_table
 
@@ -50,7 +50,8 @@ def run(options):
             f"There are no parts in {', '.join(options.paths)}: name a CAD file or a folder "
             "that holds some.", "empty",
         )
-    tasks = [_task(document, options) for document in documents]
+    tree = common_folder(options.paths)
+    tasks = [_task(document, tree, options) for document in documents]
     if options.csv:
         _check_writable(options.csv)
     limits = Limits(options.timeout, options.memory, options.jobs)
@@ -69,12 +70,12 @@ def run(options):
     return 1 if any("error" in each or each["failures"] for each in outcomes) else 0
 
 
-def _task(document, options):
+def _task(document, tree, options):
     settings = AnalysisSettings(measure=options.measure, box=options.box)
     info = None
     if not options.no_info:
-        info = os.fspath(info_path(document.file, options.info_dir, document.root))
-    return FileTask(os.fspath(document.file), info, settings,
+        info = os.fspath(info_path(document, options.info_dir, tree))
+    return FileTask(os.fspath(document), info, settings,
                     load_profile(options.profile).content, options.force)
 
 

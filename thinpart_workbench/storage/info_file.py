@@ -37,7 +37,8 @@ def info_path(document, info_folder=None, root=None):
         return document.with_name(name)
     if root is None:
         return Path(info_folder) / name
-    return Path(info_folder) / os.path.relpath(document.parent, root) / name
+    inner = os.path.relpath(os.path.abspath(document.parent), os.path.abspath(root))
+    return Path(info_folder) / inner / name
 
 
 def new_source(document):

@@ -1,26 +1,11 @@
 """The documents that a list of files and folders names."""
 
 import os
-from dataclasses import dataclass
 from pathlib import Path
 
 ENDINGS = (".fcstd", ".step", ".stp", ".iges", ".igs", ".brep", ".brp",
            ".stl", ".obj", ".ply", ".off", ".3mf")
 """Endings that are taken from folders; a test holds them equal to those that can be read."""
-
-
-@dataclass(frozen=True)
-class FoundDocument:
-    """A document and the top of the tree in which it was found.
-
-    Attributes
-    ----------
-    file : Path
-    root : Path
-    """
-
-    file: Path
-    root: Path
 
 
 def find_documents(paths):
@@ -34,16 +19,22 @@ def find_documents(paths):
 
     Returns
     -------
-    list of FoundDocument
+    list of Path
     """
     found = {}
     for path in map(Path, paths):
-        if path.is_dir():
-            for file in _under(path):
-                found.setdefault(os.path.abspath(file), FoundDocument(file, path))
-        else:
-            found.setdefault(os.path.abspath(path), FoundDocument(path, path.parent))
+        for file in _under(path) if path.is_dir() else [path]:
+            found.setdefault(os.path.abspath(file), file)
     return [found[key] for key in sorted(found)]
+
+
+def common_folder(paths):
+    """The innermost folder that holds all of these files and folders: the top of their tree.
+
+    Two documents of one name in different folders have different places below it.
+    """
+    folders = [path if path.is_dir() else path.parent for path in map(Path, paths)]
+    return Path(os.path.commonpath([os.path.abspath(folder) for folder in folders]))
 
 
 def _under(folder):
