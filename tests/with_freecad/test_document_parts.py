@@ -1,5 +1,11 @@
 """Which solids of a document are its parts, and where they stand."""
 
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
 import pytest
 
 from thinpart_workbench.freecad_adapter.document_parts import document_parts, part_at
@@ -144,3 +150,26 @@ def test_null_shapes_and_surfaces_are_no_parts(document):
     document.addObject("Part::Feature", "Null")
     document.addObject("Part::Feature", "Face").Shape = Part.makePlane(5, 5)
     assert names(document) == set()
+
+
+@pytest.mark.parametrize("use_link", [False, True])
+def test_an_array_of_draft_is_read_from_its_file(tmp_path, document, use_link):
+    """In a process of its own: only there the module of the array is not loaded yet."""
+    import Draft
+    import FreeCAD
+
+    source = box(document, "Bolt")
+    document.recompute()
+    step = FreeCAD.Vector
+    Draft.make_ortho_array(source, v_x=step(30, 0, 0), v_y=step(0, 30, 0), v_z=step(0, 0, 30),
+                           n_x=3, n_y=2, n_z=1, use_link=use_link)
+    source.Visibility = False
+    document.recompute()
+    file = tmp_path / "array.FCStd"
+    document.saveAs(str(file))
+    root = Path(__file__).resolve().parents[2]
+    run = subprocess.run(
+        [sys.executable, "-m", "thinpart_workbench", "classify", str(file), "--json", "--no-info"],
+        env=dict(os.environ, PYTHONPATH=str(root)), capture_output=True, text=True, timeout=120)
+    record, = map(json.loads, run.stdout.splitlines())
+    assert (record["category"], record["instances"]) == ("normal", 6)

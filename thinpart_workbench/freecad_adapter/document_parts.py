@@ -179,6 +179,7 @@ def _add_solids(parts, root, path, leaf):
     if shape.isNull() or leaf.isDerivedFrom("Part::Part2DObject"):
         return
     solids = shape.Solids
+    alike = all(solid.isPartner(solids[0]) for solid in solids)
     for index, solid in enumerate(solids):
         known = next(
             (part for part in parts if isinstance(part, SolidPart) and part.shape.isPartner(solid)),
@@ -186,7 +187,7 @@ def _add_solids(parts, root, path, leaf):
         )
         if known is None:
             name, label = leaf.Name, leaf.Label
-            if len(solids) > 1:
+            if not alike:
                 name, label = f"{name}.Solid{index + 1}", f"{label} ({index + 1})"
             known = SolidPart(_unique(parts, name), label, shape=solid)
             parts.append(known)

@@ -1,7 +1,10 @@
 """Reads the parts of a CAD or mesh file. Foreign files may end the process: call it in a worker."""
 
+import importlib
 import os
+import re
 import zipfile
+from contextlib import suppress
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -58,6 +61,7 @@ def _read_document(path):
             damaged = archive.testzip()
             names = archive.namelist()
             hidden = _hidden_objects(archive) if "GuiDocument.xml" in names else set()
+            modules = _proxy_modules(archive) if "Document.xml" in names else set()
     except (zipfile.BadZipFile, OSError, EOFError, ValueError) as error:
         raise ThinPartError(f"{path.name} is damaged or no FreeCAD document ({error}).",
                             "unreadable") from None
@@ -66,6 +70,9 @@ def _read_document(path):
             f"{path.name} is damaged or no FreeCAD document ({damaged or 'no Document.xml'}).",
             "unreadable",
         )
+    for module in sorted(modules):
+        with suppress(Exception):  # an add-on that is not there or not whole: its shape is stored
+            importlib.import_module(module)
     try:
         document = FreeCAD.openDocument(os.fspath(path), True)
     except Exception as error:  # FreeCAD raises its own classes, which differ between versions
@@ -77,6 +84,18 @@ def _read_document(path):
         document.getObject(name).Visibility = False
     # The document stays open while its shapes are in use; the worker drops it afterwards.
     return document_parts(document)
+
+
+def _proxy_modules(archive):
+    """Modules of the Python objects of a document, such as Draft's arrays.
+
+    Without a window FreeCAD does not get them by itself while it reads, and such an object then has
+    no shape.
+    """
+    return {
+        name.decode() for name in re.findall(
+            rb'<Python\b[^>]*\bmodule="([A-Za-z_][\w.]*)"', archive.read("Document.xml"))
+    }
 
 
 def _hidden_objects(archive):
