@@ -1,0 +1,314 @@
+"""Bad input and interruption: one clear row, the others go on, nothing half-written."""
+
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import jsonschema
+import numpy as np
+import pytest
+
+import made_meshes
+from program import ROOT, SAMPLES, SCHEMA, failures, records, thinpart
+
+
+def bad_row(tmp_path, name, content, *arguments):
+    """Classify one bad file beside a good one: the good one must go on."""
+    folder = tmp_path / "parts"
+    folder.mkdir()
+    shutil.copy(SAMPLES / "wedge.step", folder)
+    (folder / name).write_bytes(content)
+    run = thinpart("classify", folder / name, folder / "wedge.step", "--json", *arguments)
+    good = [line for line in records(run) if line.get("category")]
+    assert run.returncode == 1 and [line["category"] for line in good] == ["thin_features"]
+    assert name in run.stderr and "Traceback" not in run.stderr
+    assert not list(folder.glob(f"{name}*.json")) and not list(folder.glob(".thinpart*"))
+    return failures(run)[name]
+
+
+def step(shape, tmp_path, name="made.step"):
+    file = tmp_path / name
+    (shape.exportStep if name.endswith("step") else shape.exportBrep)(str(file))
+    return file.read_bytes()
+
+
+@pytest.mark.parametrize("ending", ["step", "iges", "brep", "FCStd", "stl", "obj", "ply", "off"])
+def test_empty_files(tmp_path, ending):
+    assert bad_row(tmp_path, f"empty.{ending}", b"") == "empty"
+
+
+@pytest.mark.parametrize("ending", ["step", "iges", "brep", "FCStd", "stl", "obj", "ply", "off"])
+def test_garbage(tmp_path, ending, rng):
+    assert bad_row(tmp_path, f"bad.{ending}", rng.bytes(5000)) in ("unreadable", "crash")
+
+
+@pytest.mark.parametrize("ending", ["step", "FCStd"])
+@pytest.mark.parametrize("part", [0.5, 0.9])
+def test_truncated(tmp_path, ending, part):
+    whole = (SAMPLES / f"block.{ending}").read_bytes()
+    assert bad_row(tmp_path, f"cut.{ending}", whole[:int(part * len(whole))]) in (
+        "unreadable", "crash")
+
+
+@pytest.mark.parametrize("form", ["binary", "ascii"])
+def test_truncated_stl(tmp_path, form):
+    import Mesh
+
+    file = tmp_path / "box.stl"
+    Mesh.createBox(10, 10, 10).write(Filename=str(file), Format="STL" if form == "binary" else "AST")
+    assert bad_row(tmp_path, "cut.stl", file.read_bytes()[:-60]) == "unreadable"
+
+
+def test_surfaces_and_wires_are_no_solid(tmp_path):
+    import Part
+
+    box = Part.makeBox(10, 10, 10)
+    for name, shape in (("face", box.Faces[0]), ("shell", Part.makeShell(box.Faces[:5])),
+                        ("wire", box.Wires[0]), ("nothing", Part.Compound([]))):
+        folder = tmp_path / name
+        folder.mkdir()
+        assert bad_row(folder, f"{name}.brep", step(shape, tmp_path, "made.brep")) == "no_solid"
+
+
+def test_documents_without_a_part(tmp_path, document):
+    import Part
+
+    file = tmp_path / "made.FCStd"
+    for name, kind in (("empty", "empty"), ("null", "no_solid"), ("face", "no_solid")):
+        if name == "null":
+            document.addObject("Part::Feature", "Null")
+        elif name == "face":
+            document.addObject("Part::Feature", "Face").Shape = Part.makePlane(5, 5)
+        document.saveAs(str(file))
+        folder = tmp_path / name
+        folder.mkdir()
+        assert bad_row(folder, f"{name}.FCStd", file.read_bytes()) == kind
+
+
+def test_coordinates_that_are_no_numbers(tmp_path):
+    import Mesh
+
+    file = tmp_path / "box.stl"
+    Mesh.createBox(10, 10, 10).write(Filename=str(file), Format="AST")
+    text = file.read_text()
+    for name, content in (("nan.stl", re.sub(r"vertex\s+\S+", "vertex nan", text, count=3)),
+                          ("inf.obj", "v 0 0 0\nv 1 0 0\nv 0 inf 0\nf 1 2 3\n")):
+        folder = tmp_path / name
+        folder.mkdir()
+        assert bad_row(folder, name, content.encode()) == "not_finite"
+
+
+def test_zero_volume(tmp_path):
+    sheet = b"OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n"
+    assert bad_row(tmp_path, "sheet.off", sheet) == "zero_volume"
+
+
+def test_suspect_parts_are_classified_with_a_warning(tmp_path):
+    import FreeCAD
+    import MeshPart
+    import Part
+
+    box = Part.makeBox(10, 10, 10)
+    other = box.copy()
+    other.translate(FreeCAD.Vector(5, 5, 5))
+
+    def stl(*shapes, cut=0, flip=False):
+        import Mesh
+
+        mesh = Mesh.Mesh()
+        for shape in shapes:
+            mesh.addMesh(MeshPart.meshFromShape(Shape=shape, LinearDeflection=1,
+                                                AngularDeflection=1))
+        facets = [[tuple(p) for p in facet.Points] for facet in mesh.Facets][cut:]
+        return Mesh.Mesh([facet[::-1] if flip else facet for facet in facets])
+
+    tiny = box.copy()
+    tiny.scale(1e-4)
+    for name, thing, says, category in (
+        ("through.stl", stl(box, other), "passes through itself", None),
+        ("open.stl", stl(box, cut=2), "open", "unknown"),
+        ("inverted.stl", stl(box, flip=True), "inside-out", "normal"),
+        ("tiny.brep", tiny, "unit", "normal"),
+        ("reversed.brep", box.reversed(), "inside-out", "normal"),
+    ):
+        file = tmp_path / name
+        (thing.exportBrep if name.endswith("brep") else thing.write)(str(file))
+        record, = records(thinpart("classify", file, "--json", "--no-info"))
+        assert any(says in warning for warning in record["warnings"]), (name, record["warnings"])
+        assert category in (None, record["category"])
+
+
+def test_a_solid_far_from_the_origin(tmp_path):
+    import FreeCAD
+    import Part
+
+    box = Part.makeBox(100, 100, 2)
+    box.translate(FreeCAD.Vector(1e6, -1e6, 1e6))
+    file = tmp_path / "far.brep"
+    box.exportBrep(str(file))
+    record, = records(thinpart("classify", file, "--json", "--no-info"))
+    assert record["criteria"] == [1, 4, 5]
+    assert record["descriptors"]["thickness_mm"]["min"] == pytest.approx(2, rel=1e-6)
+    assert record["faces"][0]["witness"]["points"][0] == pytest.approx([1e6, -1e6, 1e6], rel=1e-3)
+
+
+def test_a_file_that_ends_its_reader_is_one_row(tmp_path, rng):
+    """References to anything: the reader follows them and dies; the row says so."""
+    lines = (SAMPLES / "block.step").read_text().split("\n")
+    kinds = set()
+    folder = tmp_path / "parts"
+    folder.mkdir()
+    for number in range(8):
+        spoilt = list(lines)
+        for line in rng.integers(20, len(lines) - 3, 8):
+            spoilt[line] = re.sub(r"#\d+", lambda _: f"#{rng.integers(1, 400)}", spoilt[line])
+        (folder / f"{number}.step").write_text("\n".join(spoilt))
+    shutil.copy(SAMPLES / "wedge.step", folder / "good.step")
+    run = thinpart("classify", folder, "--json", "--no-info", "--timeout", "20")
+    kinds = set(failures(run).values())
+    assert len(records(run)) == 9 and "crash" in kinds
+    assert kinds <= {"crash", "unreadable", "no_solid", "timeout", "zero_volume", "memory"}
+    assert [r["category"] for r in records(run) if r["file"].endswith("good.step")] == [
+        "thin_features"]
+
+
+def test_a_file_that_never_ends_is_one_row(tmp_path):
+    os.mkfifo(tmp_path / "hang.step")
+    shutil.copy(SAMPLES / "wedge.step", tmp_path / "good.step")
+    run = thinpart("classify", tmp_path, "--json", "--no-info", "--timeout", "6")
+    assert failures(run) == {"hang.step": "timeout"} and len(records(run)) == 2
+
+
+def test_too_little_memory_is_one_row(tmp_path):
+    points, triangles = made_meshes.sphere(20, 800)
+    facets = np.zeros(len(triangles), [("normal", "<f4", 3), ("corners", "<f4", (3, 3)),
+                                       ("flags", "<u2")])
+    facets["corners"] = points[triangles]
+    head = b"\0" * 80 + len(triangles).to_bytes(4, "little")
+    assert bad_row(tmp_path, "large.stl", head + facets.tobytes(), "--memory", "700") == "memory"
+
+
+def test_missing_file(tmp_path):
+    run = thinpart("classify", tmp_path / "no.step", "--json")
+    assert run.returncode == 1 and failures(run) == {"no.step": "missing"}
+
+
+def test_empty_folder(tmp_path):
+    run = thinpart("classify", tmp_path)
+    assert run.returncode == 1 and "no parts" in run.stderr
+
+
+@pytest.fixture
+def nobody():
+    """Run as a user who may do nothing: as root every file may be read and written."""
+    if os.geteuid() != 0:
+        return {}
+    return {"user": 65534, "group": 65534, "extra_groups": []}
+
+
+def test_no_permission_to_read(tmp_path, nobody):
+    _open_to_all(tmp_path)
+    file = Path(shutil.copy(SAMPLES / "wedge.step", tmp_path))
+    file.chmod(0)
+    run = thinpart("classify", file, "--json", "--no-info", **nobody)
+    assert failures(run) == {"wedge.step": "permission"}
+
+
+def test_read_only_folder_for_the_info_file(tmp_path, nobody):
+    _open_to_all(tmp_path)
+    file = Path(shutil.copy(SAMPLES / "wedge.step", tmp_path))
+    file.chmod(0o644)
+    tmp_path.chmod(0o555)
+    run = thinpart("classify", file, "--json", **nobody)
+    tmp_path.chmod(0o755)
+    lines = records(run)
+    assert run.returncode == 1 and lines[0]["category"] == "thin_features"
+    assert lines[1]["error"]["kind"] == "info_write" and "--info-dir" in run.stderr
+    assert sorted(os.listdir(tmp_path)) == ["wedge.step"]
+
+
+def test_full_folder_for_the_info_file(tmp_path):
+    """A file system of a few kilobytes, where this machine lets us mount one."""
+    full = tmp_path / "full"
+    full.mkdir()
+    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=8k", "tmpfs", str(full)],
+                      capture_output=True).returncode:
+        pytest.skip("no file system may be mounted here")
+    try:
+        run = thinpart("classify", SAMPLES / "wedge.step", "--json", "--info-dir", full)
+        assert records(run)[1]["error"]["kind"] == "info_write"
+        assert os.listdir(full) == []
+    finally:
+        subprocess.run(["umount", str(full)], check=True)
+
+
+def test_a_foreign_or_newer_info_file_is_left_as_it_is(tmp_path):
+    file = Path(shutil.copy(SAMPLES / "wedge.step", tmp_path))
+    info = tmp_path / "wedge.step.thinpart.json"
+    for content in ('{"format": "thinpart-info", "version": 99}', "something else", ""):
+        info.write_text(content)
+        run = thinpart("classify", file, "--json")
+        assert run.returncode == 1 and info.read_text() == content
+        assert [r["error"]["kind"] for r in records(run) if "error" in r] == ["info_write"]
+
+
+def _open_to_all(folder):
+    for parent in [folder, *folder.parents]:
+        if parent.stat().st_uid == os.geteuid() and parent != Path("/"):
+            parent.chmod(parent.stat().st_mode | 0o755)
+
+
+# -- interruption
+
+
+def test_ctrl_c_keeps_what_was_done_and_leaves_nothing_running(tmp_path):
+    for number in range(6):
+        shutil.copy(SAMPLES / "thin_walled_casting.step", tmp_path / f"{number}.step")
+    process = subprocess.Popen(
+        [sys.executable, "-m", "thinpart_workbench", "classify", str(tmp_path), "--json",
+         "--jobs", "1"], env=dict(os.environ, PYTHONPATH=str(ROOT)), stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True,
+    )
+    first = process.stdout.readline()
+    os.killpg(process.pid, signal.SIGINT)
+    rest, errors = process.communicate(timeout=60)
+    assert process.returncode == 130 and "Traceback" not in errors
+    done = len((first + rest).splitlines())
+    infos = list(tmp_path.glob("*.thinpart.json"))
+    assert 1 <= done < 6 and len(infos) >= done
+    for info in infos:
+        jsonschema.validate(json.loads(info.read_text(encoding="utf-8")), SCHEMA)
+    assert _ended(process.pid)
+
+
+def test_kill_9_leaves_no_half_written_file(tmp_path):
+    for number in range(4):
+        shutil.copy(SAMPLES / "wedge.step", tmp_path / f"{number}.step")
+    process = subprocess.Popen(
+        [sys.executable, "-m", "thinpart_workbench", "classify", str(tmp_path), "--json"],
+        env=dict(os.environ, PYTHONPATH=str(ROOT)), stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, start_new_session=True,
+    )
+    process.stdout.readline()
+    os.killpg(process.pid, signal.SIGKILL)
+    process.wait()
+    for info in tmp_path.glob("*.thinpart.json"):
+        jsonschema.validate(json.loads(info.read_text(encoding="utf-8")), SCHEMA)
+    run = thinpart("classify", tmp_path, "--json")
+    assert run.returncode == 0 and len(records(run)) == 4
+
+
+def _ended(group):
+    for _ in range(50):
+        try:
+            os.killpg(group, 0)
+        except ProcessLookupError:
+            return True
+        time.sleep(0.1)
+    return False
