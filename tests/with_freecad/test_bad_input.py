@@ -16,6 +16,7 @@ import pytest
 
 import made_meshes
 from program import ROOT, SAMPLES, SCHEMA, failures, records, thinpart
+from thinpart_workbench.freecad_adapter.mesh_file_check import check_mesh_file
 
 
 def bad_row(tmp_path, name, content, *arguments):
@@ -102,6 +103,31 @@ def test_coordinates_that_are_no_numbers(tmp_path):
         folder = tmp_path / name
         folder.mkdir()
         assert bad_row(folder, name, content.encode()) == "not_finite"
+
+
+def test_a_table_is_never_written_over_a_part_or_anything_else(tmp_path):
+    files = [Path(shutil.copy(SAMPLES / f"{name}.step", tmp_path)) for name in ("wedge", "block")]
+    notes = tmp_path / "notes.txt"
+    notes.write_text("mine")
+    for table in (*files, notes, tmp_path / "new.FCStd"):
+        before = table.read_bytes() if table.exists() else None
+        run = thinpart("classify", files[1], "--no-info", "--csv", table)
+        assert run.returncode == 2 and "left as it is" in run.stderr
+        assert (table.read_bytes() if table.exists() else None) == before
+
+
+def test_words_that_look_like_no_number_are_none(tmp_path):
+    texts = {"noted.obj": b"v 0 0 0 # info\nv 10 0 0 # nan\n", "named.obj": b"o inf\ng nano\n",
+             "binary.ply": b"ply\nformat binary_little_endian 1.0\nend_header\n1 inf nan\n"}
+    for name, content in texts.items():
+        file = tmp_path / name
+        file.write_bytes(content)
+        check_mesh_file(file)
+
+
+def test_faces_that_freecad_leaves_out_are_not_lost_silently(tmp_path):
+    hexagon = b"".join(b"v %d %d 0\n" % (k, k * k) for k in range(6)) + b"f 1 2 3 4 5 6\n"
+    assert bad_row(tmp_path, "hex.obj", hexagon) == "unsupported"
 
 
 def test_zero_volume(tmp_path):

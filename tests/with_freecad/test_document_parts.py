@@ -144,6 +144,28 @@ def test_a_mesh_in_a_document_is_a_part(document, freecad):
     assert part.points[:, 0].min() > 90
 
 
+def test_a_mesh_in_containers_and_links_stands_where_they_put_it(document, freecad):
+    import Mesh
+
+    feature = document.addObject("Mesh::Feature", "Scan")
+    feature.Mesh = Mesh.createBox(10, 10, 10)
+    feature.Placement.Base = freecad.Vector(0, 0, 7)
+    container = document.addObject("App::Part", "Unit")
+    container.addObject(feature)
+    container.Placement.Base = freecad.Vector(1000, 0, 0)
+    group = document.addObject("App::DocumentObjectGroup", "Group")
+    group.addObject(container)
+    document.recompute()
+    part, = document_parts(document)
+    assert part.points.mean(axis=0) == pytest.approx([1000, 0, 7], abs=1e-3)
+    link = document.addObject("App::Link", "Second")
+    link.LinkedObject = feature
+    link.Placement.Base = freecad.Vector(0, 500, 0)
+    document.recompute()
+    middles = {tuple(part.points.mean(axis=0).round(3)) for part in document_parts(document)}
+    assert (1000, 0, 7) in middles and any(abs(y - 500) < 1e-3 for _, y, _ in middles)
+
+
 def test_null_shapes_and_surfaces_are_no_parts(document):
     import Part
 

@@ -1,19 +1,21 @@
 """``thinpart classify``: parts and folders to a table, JSON lines, CSV and info files."""
 
 import argparse
+import errno
 import json
 import os
 import sys
 from dataclasses import fields
+from pathlib import Path
 
 from ..core.analysis_settings import BOXES, MEASURES, AnalysisSettings
 from ..core.criteria import load_profile
 from ..core.errors import ThinPartError
-from ..storage.info_file import info_path
+from ..storage.info_file import SUFFIX, info_path
 from ..workflow.analyse_file import FileTask
-from ..workflow.find_documents import common_folder, find_documents
+from ..workflow.find_documents import ENDINGS, common_folder, find_documents
 from ..workflow.worker_pool import LEAST_MEGABYTES, Limits, analyse_files
-from .part_rows import write_csv, print_table
+from .part_rows import FIRST_COLUMNS, print_table, write_csv
 
 
 def add_arguments(parser):
@@ -53,7 +55,7 @@ def run(options):
     tree = common_folder(options.paths)
     tasks = [_task(document, tree, options) for document in documents]
     if options.csv:
-        _check_writable(options.csv)
+        _check_table(options.csv, documents)
     limits = Limits(options.timeout, options.memory, options.jobs)
     outcomes = []
     try:
@@ -116,10 +118,26 @@ def _print_failure(file, error):
           flush=True)
 
 
-def _check_writable(path):
+def _check_table(path, documents):
+    """Refuse a place for the table that cannot be written or that holds something else."""
+    path = Path(path)
+    same = any(os.path.realpath(path) == os.path.realpath(each) for each in documents)
+    if same or path.name.lower().endswith((*ENDINGS, SUFFIX)):
+        raise ThinPartError(
+            f"{path} is a part, not a table, and was left as it is: name a .csv file after --csv.",
+            "usage",
+        )
     try:
-        with open(path, "a", encoding="utf-8"):
-            pass
+        if path.exists():
+            with open(path, "rb") as file:
+                start = file.read(len(FIRST_COLUMNS) + 3)
+            if start.strip() and FIRST_COLUMNS not in start:
+                raise ThinPartError(
+                    f"{path} is there already and is no table of ThinPart: it was left as it is; "
+                    "give another file to --csv.", "usage",
+                )
+        if path.is_dir() or not os.access(path if path.exists() else path.absolute().parent, os.W_OK):
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
     except OSError as error:
         raise ThinPartError(
             f"The table {path} cannot be written ({error.strerror}): give another file to --csv.",

@@ -82,6 +82,10 @@ CSV_COLUMNS = {
 }
 
 
+FIRST_COLUMNS = b"file,part,label"
+"""How every table that was written starts; what starts otherwise is not overwritten."""
+
+
 def print_table(outcomes, stream):
     """Print a row per part and per failure.
 

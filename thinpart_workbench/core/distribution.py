@@ -109,6 +109,7 @@ def tabulate(keys, area, parallel, nonparallel, unmet):
     parallel, nonparallel, unmet = float(parallel), float(nonparallel), float(unmet)
     unmeasured = 1.0 - parallel - nonparallel
     if unmeasured < 1e-12:  # the rounding of a sum, which must not look like a finding
+        parallel = min(parallel, 1.0)
         unmeasured, nonparallel = 0.0, 1.0 - parallel
     return Distribution(
         used[~slanted], total[~slanted], bins[order], angle[order] * ANGLE_STEP,

@@ -78,17 +78,19 @@ def _stands_alone(candidate):
     """Whether an object is at the top of the document and not used up by another."""
     if candidate.isDerivedFrom("App::LinkElement"):
         return False  # its array of links is what stands there
-    if candidate.getParentGeoFeatureGroup() is not None or candidate.getParentGroup() is not None:
-        return False
-    if any(_is_container(user) and candidate in _children(user) for user in candidate.InList):
+    if _is_plain_group(candidate):
+        return False  # it places nothing: what is in it stands for itself
+    if candidate.getParentGeoFeatureGroup() is not None:
         return False
     if any(_uses_up(user, candidate) for user in candidate.InList):
         return False
     return getattr(candidate, "Visibility", True) or not _has_links(candidate)
 
 
-def _children(container):
-    return getattr(container, "Group", [])
+def _is_plain_group(candidate):
+    return candidate.hasExtension("App::GroupExtension") and not candidate.hasExtension(
+        "App::GeoFeatureGroupExtension"
+    )
 
 
 def _is_link(candidate):
@@ -135,11 +137,9 @@ def _leaf_paths(root):
         return [""]
     paths = []
     for path in root.getSubObjects():
-        chain = root.getSubObjectList(path)
-        # The path is already relative to the container: a child of its own gives longer ones.
-        if len(chain) < 2:
+        child = root.getSubObject(path, retType=1)
+        if child is None or child == root:
             continue
-        child = chain[-1]
         if not getattr(child, "Visibility", True) and _has_links(child):
             continue
         if any(_uses_up(user, child) for user in child.InList):
@@ -164,7 +164,7 @@ def _holds_others(candidate):
 
 
 def _add_leaf(parts, root, path):
-    leaf = root.getSubObjectList(path)[-1] if path else root
+    leaf = root.getSubObject(path, retType=1) if path else root
     source = leaf.getLinkedObject(True) or leaf
     if source.isDerivedFrom("Mesh::Feature"):
         _add_mesh(parts, root, path, leaf, source)
@@ -198,7 +198,9 @@ def _add_mesh(parts, root, path, leaf, source):
     points, triangles = source.Mesh.Topology
     if not triangles:
         return
-    matrix = np.array(root.getSubObject(path, 3).A if path else np.eye(4).ravel()).reshape(4, 4)
+    # The points are placed as the mesh itself is; containers and links come on top of that.
+    placed = root.getSubObject(path, retType=4) * source.Placement.toMatrix().inverse()
+    matrix = np.array(placed.A).reshape(4, 4)
     points = np.array([(p.x, p.y, p.z) for p in points]) @ matrix[:3, :3].T + matrix[:3, 3]
     part = MeshedPart(_unique(parts, leaf.Name), leaf.Label, points=points,
                       triangles=np.array(triangles))

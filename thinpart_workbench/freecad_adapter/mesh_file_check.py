@@ -6,7 +6,7 @@ import numpy as np
 
 from ..core.errors import ThinPartError
 
-_NOT_A_NUMBER = re.compile(rb"[-+]?(nan|inf)", re.IGNORECASE)
+_NOT_A_NUMBER = re.compile(rb"(?<!\S)[-+]?(nan|inf(inity)?)(?!\S)", re.IGNORECASE)
 _NUMBERS = re.compile(rb"^\s*(vertex\s|v\s|[-+.0-9]|nan|inf)", re.IGNORECASE)
 _TEXT_FORMATS = (".stl", ".obj", ".off", ".ply")
 
@@ -50,7 +50,16 @@ def _check_binary_stl(path):
 def _check_text(path):
     last = b""
     with open(path, "rb") as file:
+        if path.suffix.lower() == ".ply" and b"format binary" in file.read(4096):
+            return  # its coordinates are checked where they are used
+        file.seek(0)
         for line in file:
+            line = line.partition(b"#")[0]
+            if path.suffix.lower() == ".obj" and line.startswith(b"f ") and len(line.split()) > 5:
+                raise ThinPartError(
+                    f"{path.name} has faces with more than four corners, which FreeCAD leaves out: "
+                    "triangulate it first.", "unsupported",
+                )
             if _NUMBERS.match(line) and _NOT_A_NUMBER.search(line):
                 raise _not_finite(path)
             last = line if line.strip() else last

@@ -146,7 +146,8 @@ def _read_mesh(path):
         kind = "unsupported" if path.suffix.lower() == ".3mf" else "unreadable"
         raise ThinPartError(f"FreeCAD cannot read {path.name} ({error}).", kind) from None
     if not triangles:
-        raise ThinPartError(f"{path.name} is damaged or holds no triangles.", "unreadable")
+        raise ThinPartError(f"{path.name} is damaged, or its faces are no triangles: "
+                            "triangulate it first.", "unreadable")
     points = np.array([(p.x, p.y, p.z) for p in points], dtype=np.float64)
     return [MeshedPart("Mesh", path.stem, points=points,
                        triangles=np.array(triangles, dtype=np.int64))]
