@@ -24,9 +24,12 @@ def first_hits(mesh, points, directions):
         inside = origin + hit[:, None] * direction - a
         u = np.einsum("ij,ij->i", np.cross(inside, edge_v), normals) / doubled
         v = np.einsum("ij,ij->i", np.cross(edge_u, inside), normals) / doubled
-        slack = TOLERANCES.edge
+        gap = TOLERANCES.gap * mesh.extent if mesh.cracked else 0.0
+        # u falls by one over the height of the triangle, and so on.
+        heights = [doubled / np.linalg.norm(side, axis=1) for side in (edge_v, edge_u, c - b)]
+        u_slack, v_slack, w_slack = (TOLERANCES.edge + gap / height for height in heights)
         met = (facing > TOLERANCES.grazing) & (hit > TOLERANCES.self_hit * mesh.extent)
-        met &= (u >= -slack) & (v >= -slack) & (u + v <= 1 + slack)
+        met &= (u >= -u_slack) & (v >= -v_slack) & (u + v <= 1 + w_slack)
         if met.any():
             hit = np.where(met, hit, np.inf)
             triangle[ray] = hit.argmin()

@@ -12,6 +12,10 @@ WIDTH = 8
 _PADDING = 4e-7
 """Boxes are float32 and grown by this share of the extent, so that rounding hides no triangle."""
 
+_COARSE_SLACK = 8e-6
+"""Share of the extent by which float32 may misplace the point where a ray meets a plane, unless it
+grazes it."""
+
 
 @dataclass(frozen=True)
 class BoxTree:
@@ -31,18 +35,25 @@ class BoxTree:
     triangle_rows : ndarray of shape (12, n), float64
         Per place of the curve: unit normal n, n.a, then twice the gradient g of a barycentric
         coordinate and g.a, for corner a: a ray hits plane point p with u = g.p - g.a.
+    coarse_rows : ndarray of shape (13, n), float32
+        The same with slack: u and v are raised by what rounding can take from them, and the last
+        row is what their sum may reach.
     extent : float, mm
         Diagonal of the axis-aligned box of all triangles.
+    gap : float, mm
+        A ray this near to a triangle meets it.
     """
 
     order: np.ndarray
     levels: list
     leaf_normals: np.ndarray
     triangle_rows: np.ndarray
+    coarse_rows: np.ndarray
     extent: float
+    gap: float
 
 
-def box_tree(corners, normals, areas):
+def box_tree(corners, normals, areas, gap=0.0):
     """Build the tree bottom-up.
 
     Parameters
@@ -50,6 +61,8 @@ def box_tree(corners, normals, areas):
     corners : ndarray of shape (n, 3, 3), mm, middle near zero
     normals : ndarray of shape (n, 3)
     areas : ndarray of shape (n,), mm2
+    gap : float, mm
+        See `BoxTree`; small against `extent`.
 
     Returns
     -------
@@ -58,7 +71,7 @@ def box_tree(corners, normals, areas):
     low, high = corners.min(axis=1), corners.max(axis=1)
     extent = float(np.linalg.norm(high.max(axis=0) - low.min(axis=0)))
     order = hilbert_order(low + high)
-    grown = _PADDING * extent
+    grown = _PADDING * extent + gap
     low = np.take((low - grown).astype(np.float32).T, order, axis=1)
     high = np.take((high + grown).astype(np.float32).T, order, axis=1)
     levels = []
@@ -74,7 +87,8 @@ def box_tree(corners, normals, areas):
         high = high.reshape(3, nodes, WIDTH).max(axis=2)
     leaf_normals = _children_of(_fill_up(np.take(normals.astype(np.float32).T, order, axis=1), 0.0))
     rows = _triangle_rows(corners[order], normals[order], areas[order])
-    return BoxTree(order, levels[::-1], leaf_normals, rows, extent)
+    coarse = _coarse_rows(rows, _COARSE_SLACK * extent + gap)
+    return BoxTree(order, levels[::-1], leaf_normals, rows, coarse, extent, gap)
 
 
 def _fill_up(columns, filler):
@@ -92,6 +106,16 @@ def _children_of(columns):
     nodes = columns.shape[1] // WIDTH
     grouped = columns.reshape(-1, nodes, WIDTH).transpose(0, 2, 1)
     return np.ascontiguousarray(grouped).reshape(-1, nodes)
+
+
+def _coarse_rows(rows, slack):
+    coarse = np.empty((13, rows.shape[1]), dtype=np.float32)
+    coarse[:12] = rows
+    slack_u = np.sqrt((rows[4:7] ** 2).sum(axis=0)) * slack
+    slack_v = np.sqrt((rows[8:11] ** 2).sum(axis=0)) * slack
+    coarse[7], coarse[11] = rows[7] - slack_u, rows[11] - slack_v
+    coarse[12] = 1.0 + 2.0 * (slack_u + slack_v)
+    return coarse
 
 
 def _triangle_rows(corners, normals, areas):

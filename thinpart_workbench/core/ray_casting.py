@@ -1,49 +1,69 @@
 """First triangle met by many rays together, in numpy.
 
-Rays come in packets: eight origins close together that share one direction, so that a packet is
-one thick ray for the boxes. All packets descend the tree together, level by level.
+All packets of rays descend the tree together, level by level; the triangles that are left to a
+packet are tested in float32 with some slack, and what passes is decided in float64.
 """
+
+from dataclasses import dataclass
 
 import numpy as np
 
 from .box_tree import WIDTH
+from .ray_packets import PACKET, coherent_order, thick_rays
 from .tolerances import TOLERANCES
 
-PACKET = 8
-"""Rays per packet."""
-
-PACKETS_AT_ONCE = 512
+PACKETS_AT_ONCE = 384
 """Packets that descend together: their boxes and candidates stay in the processor's cache."""
 
-_CANDIDATES_AT_ONCE = 4096
-_GUESS_MARGIN = 1.05
+_PAIRS_AT_ONCE = 32768
+_STRIDE = 8
+_GUESS_MARGIN = 1.2
 _GUESS_GROWTH = 4.0
 
+_GRAZING_FLOAT32 = np.float32(0.05)
+"""Cosine under which float32 cannot tell where a plane is met: float64 decides."""
 
 INNER, OUTER = 1.0, -1.0
 """Sides from which a triangle can be met: leaving the material, or entering it."""
 
 
-def first_hits(tree, origins, directions, report=None, side=INNER):
+@dataclass
+class Work:
+    """How much was tested; a test holds it against what it should be.
+
+    Attributes
+    ----------
+    nodes, pairs, exact : int
+        Nodes of the tree whose eight boxes were tested; pairs of a packet and a triangle; pairs of
+        a ray and a triangle that were decided in float64.
+    """
+
+    nodes: int = 0
+    pairs: int = 0
+    exact: int = 0
+
+
+def first_hits(tree, origins, directions, side=INNER, report=None, work=None):
     """Distance to, and index of, the first triangle that each ray meets from one side.
 
     Parameters
     ----------
     tree : BoxTree
-    origins : ndarray of shape (8, p, 3), float64, mm
-        Eight origins per packet; packets in an order that keeps neighbours together.
-    directions : ndarray of shape (p, 3), float64
-        Unit direction of each packet.
-    report : callable, optional
-        Called with the fraction done; may raise to stop.
+    origins : ndarray of shape (m, 3), float64, mm
+    directions : ndarray of shape (m, 3), float64
+        Unit vectors.
     side : float
         `INNER` or `OUTER`.
+    report : callable, optional
+        Called with the fraction done; may raise to stop.
+    work : Work, optional
+        Is added to.
 
     Returns
     -------
-    distance : ndarray of shape (8, p), float64, mm
+    distance : ndarray of shape (m,), float64, mm
         inf where nothing is met.
-    triangle : ndarray of shape (8, p), int64
+    triangle : ndarray of shape (m,), int64
         -1 where nothing is met.
 
     Notes
@@ -52,93 +72,134 @@ def first_hits(tree, origins, directions, report=None, side=INNER):
     packet is solved first without a limit, its neighbours then start from the distance it found and
     widen only where they meet nothing: a hit inside the limit is final.
     """
-    packets = origins.shape[1]
-    distance = np.full((PACKET, packets), np.inf)
-    triangle = np.full((PACKET, packets), -1, dtype=np.int64)
-    done = 0
-    stride = 1
-    while packets // (stride * 8) > 8:
-        stride *= 8
-    limit = np.full(packets, tree.extent * 1.01)
-    solved_stride = None
-    while stride >= 1:
-        wanted = np.arange(0, packets, stride)
-        if solved_stride is not None:
-            wanted = wanted[wanted % solved_stride != 0]
-            neighbour = (wanted // solved_stride) * solved_stride
-            farthest = distance[:, neighbour].max(axis=0)
-            guess = np.where(np.isfinite(farthest), farthest * _GUESS_MARGIN, 0.1 * tree.extent)
-            limit[wanted] = np.minimum(guess, limit[wanted])
-        for start in range(0, len(wanted), PACKETS_AT_ONCE):
-            chunk = wanted[start:start + PACKETS_AT_ONCE]
-            _solve(tree, origins, directions, side, chunk, limit[chunk], distance, triangle)
-            done += len(chunk)
-            if report is not None:
-                report(done / packets)
-        solved_stride, stride = stride, stride // 8
-    found = triangle >= 0
-    triangle[found] = tree.order[triangle[found]]
+    if not len(origins):
+        return np.empty(0), np.empty(0, dtype=np.int64)
+    order = coherent_order(origins, directions)
+    rays = _Rays(tree, origins[order], directions[order], side, report, work or Work())
+    _solve_in_stages(rays)
+    distance, triangle = np.empty(len(order)), np.empty(len(order), dtype=np.int64)
+    distance[order], triangle[order] = rays.found()
     return distance, triangle
 
 
-def _solve(tree, origins, directions, side, packets, limit, distance, triangle):
-    """Fill in the results of some packets, widening the limit where a ray met nothing."""
-    whole = tree.extent * 1.01
-    while len(packets):
-        found_distance, found_triangle = _descend(
-            tree, np.ascontiguousarray(origins[:, packets].transpose(2, 0, 1)),
-            np.ascontiguousarray(directions[packets].T), side, limit,
-        )
-        distance[:, packets], triangle[:, packets] = found_distance, found_triangle
-        unmet = np.isinf(found_distance).any(axis=0) & (limit < whole)
-        packets, limit = packets[unmet], np.minimum(limit[unmet] * _GUESS_GROWTH, whole)
+def first_hits_within(tree, origins, directions, limit, side=INNER):
+    """The same for a few rays far from each other, no farther than a limit for each.
+
+    Parameters
+    ----------
+    tree, origins, directions, side
+        As for `first_hits`.
+    limit : ndarray of shape (m,), mm
+        inf for none.
+
+    Returns
+    -------
+    distance, triangle
+        As of `first_hits`.
+    """
+    rays = _Rays(tree, origins, directions, side, None, Work())
+    if rays.count:
+        _cast(rays, np.arange(rays.count), np.minimum(limit, tree.extent * 1.01), 1)
+    return rays.found()
 
 
-def _descend(tree, origins, directions, side, limit):
-    """Hits within `limit`. origins (3, 8, p), directions (3, p), limit (p,)."""
-    rays, nodes = _candidates(tree, origins, directions, side, limit)
-    count = origins.shape[2]
-    best_distance = np.full((PACKET, count), np.inf)
-    best_triangle = np.full((PACKET, count), -1, dtype=np.int64)
-    keys, hits, triangles = [], [], []
-    for start in range(0, len(rays), _CANDIDATES_AT_ONCE):
-        part = slice(start, start + _CANDIDATES_AT_ONCE)
-        key, hit, place = _intersect(
-            tree, origins, directions, side, limit, rays[part], nodes[part]
-        )
-        keys.append(key)
-        hits.append(hit)
-        triangles.append(place)
-    if keys:
-        key, hit, place = np.concatenate(keys), np.concatenate(hits), np.concatenate(triangles)
-        # Farthest first, so that the nearest is written last and stays.
-        order = np.argsort(-hit, kind="stable")
-        best_distance.ravel()[key[order]] = hit[order]
-        best_triangle.ravel()[key[order]] = place[order]
-    return best_distance, best_triangle
+class _Rays:
+    """Rays in coherent order, and what was found for them so far."""
+
+    def __init__(self, tree, origins, directions, side, report, work):
+        self.tree, self.side, self.report, self.work = tree, side, report, work
+        self.origins, self.directions = origins, directions
+        self.count = len(origins)
+        self.coarse_origins = np.ascontiguousarray(origins.T, dtype=np.float32)
+        self.coarse_directions = np.ascontiguousarray(directions.T, dtype=np.float32)
+        self.distance = np.full(self.count, np.inf)
+        self.place = np.full(self.count, -1, dtype=np.int64)
+        self._settled = 0
+
+    def found(self):
+        """Distance and index of the triangle of each ray."""
+        return self.distance, np.where(self.place >= 0, self.tree.order[self.place], -1)
+
+    def settle(self, ray, limit):
+        """Report those rays that met something or cannot reach farther."""
+        done = (self.place[ray] >= 0) | (limit >= self.tree.extent)
+        self._settled += np.count_nonzero(done)
+        if self.report is not None:
+            self.report(min(1.0, self._settled / self.count))
 
 
-def _candidates(tree, origins, directions, side, limit):
-    """Pairs (packet, place of the curve) whose boxes the thick ray meets within the limit."""
-    low, high = origins.min(axis=1), origins.max(axis=1)
-    # A box grown by the packet's spread is met by the middle ray when any ray meets the box.
-    reach = np.float32(1e-6) * np.float32(tree.extent)
-    direction = directions.astype(np.float32)
-    tiny = np.float32(1e-12)
-    inverse = np.float32(1.0) / np.where(np.abs(direction) < tiny, tiny, direction)
-    thick = np.concatenate([
-        high.astype(np.float32) + reach, low.astype(np.float32) - reach, inverse,
-        (limit[None] * (1.0 + 1e-6)).astype(np.float32),
-    ])
-    facing = direction * np.float32(side)
-    packets = origins.shape[2]
+def _solve_in_stages(rays):
+    whole = rays.tree.extent * 1.01
+    packets = -(-rays.count // PACKET)
+    stride, solved = 1, None
+    while packets // (stride * _STRIDE) > _STRIDE:
+        stride *= _STRIDE
+    while stride >= 1 and rays.count:
+        chosen = np.arange(0, packets, stride)
+        limit = np.full(len(chosen), whole)
+        if solved is not None:
+            chosen = chosen[chosen % solved != 0]
+            near = (chosen // solved) * solved * PACKET + np.arange(PACKET)[:, None]
+            found = rays.distance[np.minimum(near, rays.count - 1)].max(axis=0)
+            limit = np.where(np.isfinite(found), found * _GUESS_MARGIN, 0.1 * rays.tree.extent)
+        ray = (chosen[:, None] * PACKET + np.arange(PACKET)).ravel()
+        limit = np.repeat(np.minimum(limit, whole), PACKET)
+        present = ray < rays.count
+        _solve(rays, ray[present], limit[present], whole)
+        solved, stride = stride, stride // _STRIDE
+
+
+def _solve(rays, ray, limit, whole):
+    """Find the first hits of some rays, widening the limit where one met nothing."""
+    while len(ray):
+        _cast(rays, ray, limit, PACKET)
+        open_end = (rays.place[ray] < 0) & (limit < whole)
+        ray, limit = ray[open_end], np.minimum(limit[open_end] * _GUESS_GROWTH, whole)
+
+
+def _cast(rays, ray, limit, size):
+    """Fill in the first hits within the limit, `size` rays to a packet."""
+    packets = -(-len(ray) // size)
+    at_once = PACKETS_AT_ONCE * (1 if size > 1 else 4)
+    alone = []
+    for start in range(0, packets, at_once):
+        rows = np.arange(start, min(start + at_once, packets)) * size + np.arange(size)[:, None]
+        rows = np.minimum(rows, len(ray) - 1)
+        members = ray[rows]
+        limits = limit[rows].max(axis=0).astype(np.float32) * np.float32(1.0 + 1e-6)
+        shape = (3,) + members.shape
+        origins = np.take(rays.coarse_origins, members.ravel(), axis=1).reshape(shape)
+        directions = np.take(rays.coarse_directions, members.ravel(), axis=1).reshape(shape)
+        thick = thick_rays(origins, directions, limits, rays.tree.extent)
+        if size > 1 and thick.divergent.any():
+            alone.append(rows[:, thick.divergent].T.ravel())
+            kept = np.flatnonzero(~thick.divergent)
+            if not len(kept):
+                continue
+            members, limits = members[:, kept], limits[kept]
+            origins, directions = origins[:, :, kept], directions[:, :, kept]
+            thick = thick_rays(origins, directions, limits, rays.tree.extent)
+        packet, place = _descend(rays, thick)
+        lane, place = _candidates(rays, origins, directions, limits, packet, place)
+        _decide(rays, members.ravel()[lane], place, np.tile(limits, size)[lane])
+        rays.settle(members, limits)
+    if alone:
+        alone = np.unique(np.concatenate(alone))
+        _cast(rays, ray[alone], limit[alone], 1)
+
+
+def _descend(rays, thick):
+    """Pairs (packet, place of the curve) whose boxes the thick ray meets within its limit."""
+    tree, work = rays.tree, rays.work
+    packets = thick.rows.shape[1]
     roots = tree.levels[0].shape[1]
-    ray = np.repeat(np.arange(packets), roots)
+    packet = np.repeat(np.arange(packets), roots)
     node = np.tile(np.arange(roots), packets)
     for depth, boxes in enumerate(tree.levels):
-        count = len(ray)
+        count = len(packet)
+        work.nodes += count
         box = np.take(boxes, node, axis=1, mode="clip").reshape(2, 3, WIDTH, count)
-        own = np.take(thick, ray, axis=1, mode="clip")
+        own = np.take(thick.rows, packet, axis=1, mode="clip")
         near, far = box
         near -= own[0:3, None]
         near *= own[6:9, None]
@@ -146,44 +207,111 @@ def _candidates(tree, origins, directions, side, limit):
         far *= own[6:9, None]
         enter = np.minimum(near, far)
         leave = np.maximum(near, far, out=far)
-        first = np.maximum(np.maximum(enter[0], enter[1]), enter[2])
-        last = np.minimum(np.minimum(leave[0], leave[1]), leave[2])
-        met = np.maximum(first, 0.0, out=first) <= np.minimum(last, own[9], out=last)
+        first = np.maximum(enter[0], enter[1], out=enter[0])
+        np.maximum(first, enter[2], out=first)
+        np.maximum(first, np.float32(0.0), out=first)
+        last = np.minimum(leave[0], leave[1], out=leave[0])
+        np.minimum(last, leave[2], out=last)
+        np.minimum(last, own[9], out=last)
+        met = first <= last
         if depth == len(tree.levels) - 1:
-            met &= _faces_along(tree, node, np.take(facing, ray, axis=1, mode="clip"))
+            met &= _faces_along(rays, thick, packet, node)
         met = np.flatnonzero(met)
         child = met // count
         parent = met - child * count
-        ray, node = ray[parent], node[parent] * WIDTH + child
-    return ray, node
+        packet, node = packet[parent], node[parent] * WIDTH + child
+    work.pairs += len(packet)
+    return packet, node
 
 
-def _faces_along(tree, node, direction):
-    """Whether each child triangle can be met from inside; generous, float64 decides later."""
-    normals = np.take(tree.leaf_normals, node, axis=1, mode="clip").reshape(3, WIDTH, len(node))
-    normals *= direction[:, None]
-    return normals[0] + normals[1] + normals[2] > np.float32(-1e-6)
+def _faces_along(rays, thick, packet, node):
+    """Whether each child triangle can be met from the wanted side; generous."""
+    normals = np.take(rays.tree.leaf_normals, node, axis=1, mode="clip")
+    normals = normals.reshape(3, WIDTH, len(node))
+    normals *= (np.take(thick.axis, packet, axis=1) * np.float32(rays.side))[:, None]
+    facing = np.add(normals[0], normals[1], out=normals[0])
+    facing += normals[2]
+    return facing > -np.take(thick.spread, packet)
 
 
-def _intersect(tree, origins, directions, side, limit, ray, place):
-    """Exact hits of the eight rays of each candidate pair with its triangle."""
-    count = len(ray)
-    packets = origins.shape[2]
-    rows = np.take(tree.triangle_rows, place, axis=1)
-    origin = np.take(origins.reshape(3 * PACKET, packets), ray, axis=1).reshape(3, PACKET, count)
-    direction = np.take(directions, ray, axis=1)
-    facing = rows[0] * direction[0] + rows[1] * direction[1] + rows[2] * direction[2]
-    facing *= side
-    hit = rows[3] - (rows[0] * origin[0] + rows[1] * origin[1] + rows[2] * origin[2])
-    hit /= np.maximum(facing, TOLERANCES.grazing) * side
-    point = origin + direction[:, None] * hit
-    u = rows[4] * point[0] + rows[5] * point[1] + rows[6] * point[2] - rows[7]
-    v = rows[8] * point[0] + rows[9] * point[1] + rows[10] * point[2] - rows[11]
-    slack = TOLERANCES.edge
-    inside = (u >= -slack) & (v >= -slack) & (u + v <= 1.0 + slack)
-    inside &= (facing > TOLERANCES.grazing) & (hit > TOLERANCES.self_hit * tree.extent)
-    inside &= hit <= np.take(limit, ray)
-    found = np.flatnonzero(inside)
-    row = found // count
-    column = found - row * count
-    return row * packets + ray[column], hit.ravel()[found], place[column]
+def _candidates(rays, origins, directions, limit, packet, place):
+    """Pairs (lane, place) that float32 cannot rule out; a lane is ``row * packets + packet``."""
+    size, packets = origins.shape[1:]
+    origins, directions = origins.reshape(-1, packets), directions.reshape(-1, packets)
+    coarse, side = rays.tree.coarse_rows, np.float32(rays.side)
+    slack = np.float32(1e-5 * rays.tree.extent)
+    lanes, places = [], []
+    step = max(1, _PAIRS_AT_ONCE // size)
+    for start in range(0, len(packet), step):
+        part, goal = packet[start:start + step], place[start:start + step]
+        count = len(part)
+        row = np.take(coarse, goal, axis=1, mode="clip")
+        origin = np.take(origins, part, axis=1, mode="clip").reshape(3, size, count)
+        point = np.take(directions, part, axis=1, mode="clip").reshape(3, size, count)
+        facing = _dot(row[0:3], point)
+        facing *= side
+        hit = _dot(row[0:3], origin)
+        np.subtract(row[3], hit, out=hit)
+        hit *= side
+        grazing = facing < _GRAZING_FLOAT32
+        hit /= np.maximum(facing, np.float32(1e-6))
+        point *= hit
+        point += origin
+        u = _dot(row[4:7], point)
+        u -= row[7]
+        v = _dot(row[8:11], point)
+        v -= row[11]
+        met = u >= 0.0
+        met &= v >= 0.0
+        u += v
+        met &= u <= row[12]
+        met &= hit <= np.take(limit, part) + slack
+        met &= hit > -slack
+        met |= grazing
+        met &= facing > np.float32(0.5 * TOLERANCES.grazing)
+        met = np.flatnonzero(met)
+        lane = met // count
+        column = met - lane * count
+        lanes.append(lane * packets + part[column])
+        places.append(goal[column])
+    if not lanes:
+        return np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64)
+    return np.concatenate(lanes), np.concatenate(places)
+
+
+def _dot(row, vectors):
+    total = row[0] * vectors[0]
+    term = row[1] * vectors[1]
+    total += term
+    np.multiply(row[2], vectors[2], out=term)
+    total += term
+    return total
+
+
+def _decide(rays, ray, place, limit):
+    """Test pairs of ray and triangle in float64 and keep the nearest hit of each ray."""
+    rays.work.exact += len(ray)
+    tree, side = rays.tree, rays.side
+    row = np.take(tree.triangle_rows, place, axis=1)
+    origin, direction = rays.origins[ray].T, rays.directions[ray].T
+    facing = _dot(row[0:3], direction) * side
+    hit = (row[3] - _dot(row[0:3], origin)) * side / np.maximum(facing, TOLERANCES.grazing)
+    point = origin + direction * hit
+    u = _dot(row[4:7], point) - row[7]
+    v = _dot(row[8:11], point) - row[11]
+    met = (u >= -_slack(tree, row[4:7])) & (v >= -_slack(tree, row[8:11]))
+    met &= u + v <= 1.0 + _slack(tree, row[4:7] + row[8:11])
+    met &= (facing > TOLERANCES.grazing) & (hit > TOLERANCES.self_hit * tree.extent)
+    met &= hit <= limit
+    met = np.flatnonzero(met)
+    # Farthest first, so that the nearest is written last and stays.
+    met = met[np.argsort(-hit[met], kind="stable")]
+    rays.distance[ray[met]] = hit[met]
+    rays.place[ray[met]] = place[met]
+
+
+def _slack(tree, gradient):
+    """How far beyond its edge, as a barycentric coordinate, a triangle is still met."""
+    if tree.gap == 0.0:
+        return TOLERANCES.edge
+    return TOLERANCES.edge + tree.gap * np.sqrt(_dot(gradient, gradient))

@@ -4,6 +4,8 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
+_AT_ONCE = 65536
+
 CREASE = np.radians(20.0)
 """Facets that meet at less than this belong to one smooth surface, unless B-Rep faces say more."""
 
@@ -62,8 +64,19 @@ def normals_at(mesh, triangle, points):
     (1975, doi:10.1145/360825.360839). On a plane they are the facet's own. Two walls of a
     tessellated shell are parallel by these normals, although their facets are not.
     """
-    corner_normals = _corner_normals(mesh)
-    corners = mesh.corners[triangle]
+    corner_normals = mesh.corner_normals
+    normal = mesh.normals[triangle]
+    bent = np.flatnonzero(mesh.is_bent[triangle])
+    for start in range(0, len(bent), _AT_ONCE):
+        chosen = bent[start:start + _AT_ONCE]
+        weights = _barycentric(mesh.corners[triangle[chosen]], points[chosen])
+        mean = np.einsum("ik,ikj->ij", weights, corner_normals[triangle[chosen]])
+        normal[chosen] = mean / np.sqrt(np.einsum("ij,ij->i", mean, mean))[:, None]
+    return normal
+
+
+def _barycentric(corners, points):
+    """ndarray of shape (m, 3): weights of the corners, of points on or just beside triangles."""
     edge_u, edge_v = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     inside = points - corners[:, 0]
     uu, uv, vv = (np.einsum("ij,ij->i", a, b) for a, b in (
@@ -72,14 +85,16 @@ def normals_at(mesh, triangle, points):
     determinant = np.maximum(uu * vv - uv * uv, np.finfo(float).tiny)
     second = np.clip((vv * pu - uv * pv) / determinant, 0.0, 1.0)
     third = np.clip((uu * pv - uv * pu) / determinant, 0.0, 1.0)
-    first = np.clip(1.0 - second - third, 0.0, 1.0)
-    weights = np.stack([first, second, third], axis=1)
-    normal = np.einsum("ik,ikj->ij", weights, corner_normals[triangle])
-    return normal / np.linalg.norm(normal, axis=1)[:, None]
+    return np.stack([np.clip(1.0 - second - third, 0.0, 1.0), second, third], axis=1)
 
 
-def _corner_normals(mesh):
-    """ndarray of shape (n, 3, 3): triangle, corner, coordinate."""
+def corner_normals(mesh):
+    """Normals of the smooth surface at the corners, ndarray of shape (n, 3, 3).
+
+    Parameters
+    ----------
+    mesh : SurfaceMesh
+    """
     corners, normals = mesh.corners, mesh.normals
     key = (mesh.triangles * (mesh.face_of_triangle.max() + 1) + mesh.face_of_triangle[:, None])
     _, which = np.unique(key.ravel(), return_inverse=True)

@@ -9,7 +9,17 @@ BITS = 10
 
 
 def hilbert_order(points):
-    """Indices that sort points along a Hilbert curve.
+    """Indices that sort points along a Hilbert curve, ndarray of shape (n,), int64.
+
+    Parameters
+    ----------
+    points : ndarray of shape (n, 3)
+    """
+    return np.argsort(hilbert_index(points), kind="stable")
+
+
+def hilbert_index(points):
+    """Place of each point along a Hilbert curve.
 
     Parameters
     ----------
@@ -17,7 +27,8 @@ def hilbert_order(points):
 
     Returns
     -------
-    ndarray of shape (n,), int64
+    ndarray of shape (n,), uint32
+        Below 2 ** 30.
 
     Notes
     -----
@@ -37,7 +48,7 @@ def hilbert_order(points):
         entry = (state << np.uint32(6)) | ((morton >> shift) & np.uint32(63))
         index = (index << np.uint32(6)) | index_table[entry]
         state = state_table[entry]
-    return np.argsort(index, kind="stable")
+    return index
 
 
 def _spread_bits(cell):

@@ -8,8 +8,9 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
+from .edge_balance import closes_at_t_junctions, edge_balance
 from .errors import MeshError
-from .smooth_normals import smooth_patches
+from .smooth_normals import corner_normals, smooth_patches
 from .tolerances import TOLERANCES
 
 
@@ -28,7 +29,10 @@ class SurfaceMesh:
         faces.
     origin : ndarray of shape (3,), float64, mm
     watertight : bool
-        Whether the oriented edges cancel, so that the surface bounds a volume.
+        Whether the oriented edges cancel, so that the surface bounds a volume; a long edge may be
+        met by several short ones.
+    cracked : bool
+        Whether a ray can slip between triangles that do not share their edges.
     turned_round : bool
         Whether the triangles came inside-out and were inverted.
     dropped_duplicates, dropped_degenerate : int
@@ -40,6 +44,7 @@ class SurfaceMesh:
     face_of_triangle: np.ndarray
     origin: np.ndarray
     watertight: bool
+    cracked: bool = False
     turned_round: bool = False
     dropped_duplicates: int = 0
     dropped_degenerate: int = 0
@@ -69,6 +74,17 @@ class SurfaceMesh:
     def normals(self):
         """ndarray of shape (n, 3): unit outward normals."""
         return self._area_vectors / self.areas[:, None]
+
+    @cached_property
+    def corner_normals(self):
+        """ndarray of shape (n, 3, 3): normals of the smooth surface at the corners."""
+        return corner_normals(self)
+
+    @cached_property
+    def is_bent(self):
+        """ndarray of shape (n,), bool: triangles whose corner normals are not all their own."""
+        away = self.corner_normals - self.normals[:, None]
+        return np.abs(away).max(axis=(1, 2)) > TOLERANCES.angle
 
     @cached_property
     def extent(self):
@@ -115,7 +131,7 @@ def surface_mesh(points, triangles, face_of_triangle=None):
     if not 0.0 < extent < np.inf:
         raise MeshError("All points lie in one place.", "zero_volume")
     vertices, triangles = _weld_equal(points - origin, triangles)
-    if not _edges_cancel(triangles):
+    if _open_edges(triangles):
         welded = _weld_near(vertices, triangles, TOLERANCES.weld * extent)
         if _open_edges(welded) < _open_edges(triangles):
             triangles = welded
@@ -126,7 +142,10 @@ def surface_mesh(points, triangles, face_of_triangle=None):
     duplicates = len(triangles) - len(first)
     triangles, face_of_triangle = triangles[first], face_of_triangle[first]
     # Asked before needles go: they carry edges even though they carry no area.
-    watertight = len(triangles) > 0 and _edges_cancel(triangles)
+    cracked = len(triangles) > 0 and _open_edges(triangles) > 0
+    watertight = len(triangles) > 0 and (
+        not cracked or closes_at_t_junctions(vertices, triangles, TOLERANCES.gap * extent)
+    )
 
     flat = _is_flat(vertices, triangles, TOLERANCES.zero_height * extent)
     triangles, face_of_triangle = triangles[~flat], face_of_triangle[~flat]
@@ -149,7 +168,7 @@ def surface_mesh(points, triangles, face_of_triangle=None):
     if degenerate:
         warnings.append(f"{degenerate} triangles of zero area were left out.")
     return SurfaceMesh(
-        vertices, np.ascontiguousarray(triangles), face_of_triangle, origin, watertight,
+        vertices, np.ascontiguousarray(triangles), face_of_triangle, origin, watertight, cracked,
         inside_out, duplicates, degenerate, tuple(warnings),
     )
 
@@ -187,28 +206,12 @@ def _weld_near(vertices, triangles, tolerance):
     return representative[cluster][triangles]
 
 
-def _edge_balance(triangles):
-    """Per undirected edge: uses in one direction minus uses in the other, and all uses."""
-    edges = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
-    forward = edges[:, 0] < edges[:, 1]
-    low, high = edges.min(axis=1), edges.max(axis=1)
-    sign = np.where(low == high, 0, np.where(forward, 1, -1))
-    _, which = np.unique(low * (triangles.max() + 1) + high, return_inverse=True)
-    which = which.ravel()
-    return np.bincount(which, sign), np.bincount(which, np.abs(sign))
-
-
 def _open_edges(triangles):
-    return int(np.count_nonzero(_edge_balance(triangles)[0]))
-
-
-def _edges_cancel(triangles):
-    """Whether the surface is a closed chain: then its volume does not depend on a reference."""
-    return _open_edges(triangles) == 0
+    return int(np.count_nonzero(edge_balance(triangles)[1]))
 
 
 def _why_not_watertight(triangles):
-    balance, uses = _edge_balance(triangles)
+    _, _, uses = edge_balance(triangles)
     if (uses % 2 == 0).all():
         return "The triangles are not consistently oriented, so it has no certain volume."
     return f"The surface is open ({int((uses % 2).sum())} free edges), so it has no certain volume."

@@ -22,8 +22,13 @@ class Tolerances:
     edge: float = 1e-9
     """Barycentric slack, so that no ray slips between two triangles that share an edge."""
 
-    grazing: float = 1e-9
-    """Cosine under which a triangle is seen edge-on and cannot be hit."""
+    gap: float = 1e-6
+    """Cracks no wider than this between triangles that do not share their edges are closed: a ray
+    this near to a triangle meets it."""
+
+    grazing: float = 2e-6
+    """Cosine under which a triangle is seen edge-on and cannot be hit. Float32 has to know it from
+    zero: the walls beside a ray are seen so, and they are many."""
 
     bin_edge: float = 1e-7
     """A distance this little under a bin edge lies on it: a wall that is exactly 5 % of the

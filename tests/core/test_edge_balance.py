@@ -1,0 +1,43 @@
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+import made_meshes
+from thinpart_workbench.core.analysis_settings import AnalysisSettings
+from thinpart_workbench.core.measurement import measure
+from thinpart_workbench.core.surface_mesh import surface_mesh
+
+TURNED = Rotation.from_rotvec([0.5, 0.7, -0.3]).as_matrix()
+
+
+def _box_of_patches(turn=np.eye(3)):
+    """A box whose top is cut finer than its sides: its long edges meet several short ones."""
+    coarse, fine = made_meshes.box(100, 60, 10), made_meshes.box(100, 60, 10, cells=4)
+    kept = []
+    for (points, triangles), is_top in ((coarse, False), (fine, True)):
+        on_top = (points[triangles][:, :, 2] == 10).all(axis=1)
+        kept.append((points, triangles[on_top == is_top]))
+    return made_meshes.moved(made_meshes.joined(*kept), turn)
+
+
+@pytest.mark.parametrize("turn", [np.eye(3), TURNED])
+def test_edges_that_meet_several_short_ones_close_the_surface(turn):
+    mesh = surface_mesh(*_box_of_patches(turn))
+    assert mesh.watertight and mesh.cracked
+    assert not any("open" in warning for warning in mesh.warnings)
+    measurement = measure(mesh, AnalysisSettings())
+    assert measurement.descriptors.volume == pytest.approx(100 * 60 * 10, rel=1e-9)
+    assert measurement.descriptors.unmet == 0.0
+
+
+def test_a_missing_triangle_still_leaves_it_open():
+    points, triangles = _box_of_patches()
+    for missing in (0, len(triangles) - 1):
+        assert not surface_mesh(points, np.delete(triangles, missing, axis=0)).watertight
+
+
+def test_a_slit_wider_than_the_tolerance_leaves_it_open():
+    points, triangles = _box_of_patches()
+    lifted = points.copy()
+    lifted[(points[:, 2] == 10) & (points[:, 0] == 50)] += [0, 0, 0.01]
+    assert not surface_mesh(lifted, triangles).watertight

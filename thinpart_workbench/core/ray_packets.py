@@ -1,0 +1,112 @@
+"""Rays that start close together and run alike, so that they can go down a tree as one thick ray."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .space_filling_curve import hilbert_index
+
+PACKET = 8
+"""Rays per packet."""
+
+MOST_DIVERGENCE = 3.0
+"""A packet that widens to more than this many times the spread of its origins is cast ray by ray."""
+
+_SIDES = 1
+"""Each side of the cube of directions is cut into this many strips both ways."""
+
+
+def coherent_order(origins, directions):
+    """Order in which neighbours start close together and run in similar directions.
+
+    Parameters
+    ----------
+    origins : ndarray of shape (m, 3), mm
+    directions : ndarray of shape (m, 3)
+
+    Returns
+    -------
+    ndarray of shape (m,), int64
+
+    Notes
+    -----
+    Both skins of a thin wall lie in one cell of the curve. So rays are first put apart by where
+    they run, each to a patch of the cube around the sphere of directions, and follow the curve
+    within it.
+    """
+    key = hilbert_index(origins).astype(np.uint64)
+    key |= _patch_of_cube(directions).astype(np.uint64) << np.uint64(30)
+    return np.argsort(key, kind="stable")
+
+
+def _patch_of_cube(directions):
+    size = np.abs(directions)
+    axis = size.argmax(axis=1)
+    row = np.arange(len(directions))
+    longest = size[row, axis]
+    patch = 2 * axis + (directions[row, axis] > 0.0)
+    for other in (1, 2):
+        across = directions[row, (axis + other) % 3] / longest
+        strip = np.minimum((0.5 * _SIDES * (across + 1.0)).astype(np.int64), _SIDES - 1)
+        patch = patch * _SIDES + strip
+    return patch
+
+
+@dataclass(frozen=True)
+class ThickRays:
+    """Packets of rays, each inside one thick ray.
+
+    Attributes
+    ----------
+    rows : ndarray of shape (10, p), float32
+        Upper corner of the origins less the reach, lower corner, inverse of the direction of the
+        axis, limit: what a box is tested with.
+    axis : ndarray of shape (3, p), float32
+        Direction of the axis.
+    spread : ndarray of shape (p,), float32
+        No direction of the packet differs from the axis by more, summed over the coordinates.
+    divergent : ndarray of shape (p,), bool
+        Packets so wide at their limit that their rays had better go alone.
+    """
+
+    rows: np.ndarray
+    axis: np.ndarray
+    spread: np.ndarray
+    divergent: np.ndarray
+
+
+def thick_rays(origins, directions, limit, extent):
+    """Thick rays around packets.
+
+    Parameters
+    ----------
+    origins, directions : ndarray of shape (3, k, p), float32
+    limit : ndarray of shape (p,), float32, mm
+        How far each packet reaches.
+    extent : float, mm
+        Size of the scene, to which rounding is in proportion.
+
+    Returns
+    -------
+    ThickRays
+
+    Notes
+    -----
+    A box grown by the reach is met by the axis whenever any ray of the packet meets the box: the
+    distance of a ray from the axis at equal parameters is greatest at either end.
+    """
+    low, high = origins.min(axis=1), origins.max(axis=1)
+    slow, fast = directions.min(axis=1), directions.max(axis=1)
+    half = np.float32(0.5)
+    middle, axis = (low + high) * half, (slow + fast) * half
+    from_middle, from_axis = (high - low) * half, (fast - slow) * half
+    reach = from_middle.copy()
+    if from_axis.any():
+        away = (origins - middle[:, None]) + (directions - axis[:, None]) * limit
+        np.maximum(reach, np.abs(away, out=away).max(axis=1), out=reach)
+    divergent = from_axis.max(axis=0) * limit > np.float32(MOST_DIVERGENCE) * from_middle.max(axis=0)
+    reach = reach * np.float32(1.0 + 1e-5) + np.float32(1e-6 * extent)
+    tiny = np.float32(1e-9)
+    inverse = np.float32(1.0) / np.where(np.abs(axis) < tiny, tiny, axis)
+    rows = np.concatenate([middle + reach, middle - reach, inverse, limit[None]])
+    return ThickRays(rows, axis, from_axis.sum(axis=0) + np.float32(1e-4), divergent)
