@@ -73,7 +73,7 @@ def test_one_module_of_gui_imports_qt():
     assert [path.name for path in files("gui") if {m for _, m in imports(path)} & QT] == ["qt.py"]
 
 
-MEASURING = ("surface_mesh", "edge_balance", "ray_packets", "mass_properties", "bounds", "sampling", "box_tree", "ray_casting",
+MEASURING = ("surface_mesh", "edge_balance", "ray_packets", "tree_descent", "nonparallel", "convex_clipping", "mass_properties", "bounds", "sampling", "box_tree", "ray_casting",
              "thickness", "inward_rays", "smooth_normals", "pair_rule", "distribution", "measurement", "face_thickness",
              "descriptors", "chord_error")
 JUDGING = ("criteria", "classification")

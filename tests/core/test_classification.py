@@ -9,6 +9,7 @@ from thinpart_workbench.core.classification import classify
 from thinpart_workbench.core.criteria import PROFILES, load_profile, profile_from
 from thinpart_workbench.core.descriptors import QUANTITIES, Descriptors, quantity_named
 from thinpart_workbench.core.distribution import Distribution
+from thinpart_workbench.core.nonparallel import STATED_ANGLES, STATED_FLOOR
 from thinpart_workbench.core.errors import ProfileError
 
 PAPER = load_profile("paper")
@@ -28,7 +29,8 @@ def part(box=(1.0, 1.0, 1.0), fill=0.5, walls=(), slanted=(), unmet=0.0):
         parallel, nonparallel, 1.0 - parallel - nonparallel, unmet,
     )
     volume = None if fill is None else fill * box.prod()
-    return Descriptors(volume, 1.0, OrientedBox(box, np.eye(3)), shares)
+    least = shares.nonparallel_minimum(STATED_FLOOR, *STATED_ANGLES)
+    return Descriptors(volume, 1.0, OrientedBox(box, np.eye(3)), shares, least)
 
 
 @pytest.mark.parametrize("criterion, holds, fails", [

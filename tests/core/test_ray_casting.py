@@ -6,11 +6,12 @@ import brute_force
 import made_meshes
 from thinpart_workbench.core.box_tree import box_tree
 from thinpart_workbench.core.inward_rays import InwardRays
-from thinpart_workbench.core.ray_casting import OUTER, Work, first_hits, first_hits_within
+from thinpart_workbench.core.ray_casting import OUTER, first_hits, first_hits_within
 from thinpart_workbench.core.ray_packets import PACKET
 from thinpart_workbench.core.sampling import centroid_samples, surface_samples
 from thinpart_workbench.core.surface_mesh import surface_mesh
 from thinpart_workbench.core.tolerances import TOLERANCES
+from thinpart_workbench.core.tree_descent import Work
 
 TURNED = Rotation.from_rotvec([0.5, 0.7, -0.3]).as_matrix()
 
@@ -47,7 +48,7 @@ def _counted(mesh, samples):
     work = Work()
     rays = InwardRays(mesh)
     origins, directions = rays._rays(samples, slice(None))
-    first_hits(rays._tree, origins, directions, work=work)
+    first_hits(rays.tree, origins, directions, work=work)
     return work
 
 

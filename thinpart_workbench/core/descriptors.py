@@ -8,12 +8,10 @@ import numpy as np
 
 from .bounds import OrientedBox
 from .distribution import Distribution
+from .nonparallel import STATED_ANGLES, STATED_FLOOR
 
 REPORTED_SHARES = ((0.0, 0.05), (0.0, 0.25), (0.05, 0.29), (0.3, 0.7))
 """The samples of the distribution that the paper keeps in its info file (section 6)."""
-
-AREA_FLOOR = 0.0001
-"""Share of the area under which a finding is a stray ray; what `min_nonparallel` is stated at."""
 
 
 @dataclass(frozen=True)
@@ -27,19 +25,23 @@ class Descriptors:
     area : float, mm2
     box : OrientedBox
     distribution : Distribution
+    min_nonparallel : float or None
+        Least distance between slanted walls, in diagonals, at `STATED_FLOOR` and `STATED_ANGLES`.
+        At any other it is read off the distribution, to 0.001.
     """
 
     volume: Optional[float]
     area: float
     box: OrientedBox
     distribution: Distribution
+    min_nonparallel: Optional[float]
 
     @property
     def unmet(self):
         """float: share of the area about which nothing is known; see `Distribution.unmet`."""
         return self.distribution.unmet
 
-    def value(self, quantity, area_floor=AREA_FLOOR):
+    def value(self, quantity, area_floor=STATED_FLOOR):
         """Value of a named quantity.
 
         Parameters
@@ -107,6 +109,12 @@ def _ratio(numerator, denominator):
     return float(numerator / denominator)
 
 
+def _nonparallel_minimum(descriptors, floor, low, high):
+    if floor == STATED_FLOOR and (low, high) == STATED_ANGLES:
+        return descriptors.min_nonparallel
+    return descriptors.distribution.nonparallel_minimum(floor, low, high)
+
+
 _EVALUATE = {
     "volume_mm3": lambda d, floor: d.volume,
     "area_mm2": lambda d, floor: d.area,
@@ -118,8 +126,7 @@ _EVALUATE = {
     "d1_d2": lambda d, floor: _ratio(d.box.dimensions[0], d.box.dimensions[1]),
     "d2_d3": lambda d, floor: _ratio(d.box.dimensions[1], d.box.dimensions[2]),
     "F": lambda d, floor, low, high: d.distribution.share(low, high),
-    "min_nonparallel": lambda d, floor, low, high:
-        d.distribution.nonparallel_minimum(floor, low, high),
+    "min_nonparallel": _nonparallel_minimum,
     "parallel": lambda d, floor: d.distribution.parallel,
     "nonparallel": lambda d, floor: d.distribution.nonparallel,
     "unmeasured": lambda d, floor: d.distribution.unmeasured,

@@ -18,6 +18,13 @@ class InwardRays:
     ----------
     mesh : SurfaceMesh
 
+    Attributes
+    ----------
+    tree : BoxTree
+    corners : ndarray of shape (n, 3, 3), mm
+    normals : ndarray of shape (n, 3)
+        As the tree has them.
+
     Notes
     -----
     The mesh is turned to its own dominant directions first: boxes of slender triangles that lie
@@ -27,11 +34,12 @@ class InwardRays:
     def __init__(self, mesh):
         self._mesh = mesh
         self._axes = dominant_axes(mesh.normals, mesh.areas)
-        self._normals = mesh.normals @ self._axes.T
+        self.normals = mesh.normals @ self._axes.T
         corners = mesh.corners @ self._axes.T
         self._middle = 0.5 * (corners.min(axis=(0, 1)) + corners.max(axis=(0, 1)))
+        self.corners = corners - self._middle
         gap = TOLERANCES.gap * mesh.extent if mesh.cracked else 0.0
-        self._tree = box_tree(corners - self._middle, self._normals, mesh.areas, gap)
+        self.tree = box_tree(self.corners, self.normals, mesh.areas, gap)
 
     def first_hits(self, samples, side, report=None):
         """First triangle under each sample.
@@ -50,7 +58,7 @@ class InwardRays:
         triangle : ndarray of shape (m,), int64
             inf and -1 where nothing is met.
         """
-        return first_hits(self._tree, *self._rays(samples, slice(None)), side, report)
+        return first_hits(self.tree, *self._rays(samples, slice(None)), side, report)
 
     def entered(self, samples, distance):
         """Samples, of a few, whose ray enters the material again before it has left it.
@@ -63,17 +71,29 @@ class InwardRays:
         """
         tried = np.arange(0, samples.count, max(1, samples.count // ENTRY_SAMPLES))
         # Two solids that touch are entered just where the first is left.
-        before = distance[tried] - TOLERANCES.self_hit * self._tree.extent
-        entry, _ = first_hits_within(self._tree, *self._rays(samples, tried), before, OUTER)
+        before = distance[tried] - TOLERANCES.self_hit * self.tree.extent
+        entry, _ = first_hits_within(self.tree, *self._rays(samples, tried), before, OUTER)
         entered = tried[entry < before]
         # Beside a sharp edge the ray has left again before it counts as having started.
         inside = _distance_to_edges(self._mesh, samples, entered)
-        return entered[inside > TOLERANCES.beside_edge * self._tree.extent]
+        return entered[inside > TOLERANCES.beside_edge * self.tree.extent]
+
+    def is_hidden(self, samples, distance):
+        """Whether something is met before a distance, ndarray of shape (m,), bool.
+
+        Parameters
+        ----------
+        samples : SurfaceSamples
+        distance : ndarray of shape (m,), mm
+        """
+        before = distance - TOLERANCES.self_hit * self.tree.extent
+        met, _ = first_hits_within(self.tree, *self._rays(samples, slice(None)), before)
+        return met < before
 
     def _rays(self, samples, chosen):
         """Origins and directions as the tree has them."""
         origins = samples.points[chosen] @ self._axes.T - self._middle
-        return origins, -self._normals[samples.triangle[chosen]]
+        return origins, -self.normals[samples.triangle[chosen]]
 
 
 def _distance_to_edges(mesh, samples, chosen):

@@ -9,10 +9,15 @@ from .bounds import minimal_box, principal_box
 from .descriptors import Descriptors
 from .distribution import distribution
 from .dominant_directions import dominant_directions
+from .inward_rays import InwardRays
 from .mass_properties import area, volume
+from .nonparallel import STATED_ANGLES, STATED_FLOOR, nonparallel_minimum
 from .pair_rule import measure_pairs
 from .sampling import centroid_samples, surface_samples
 from .thickness import ThicknessField, measure_rays
+
+RAYS_SHARE = 0.8
+"""Share of the progress that the samples take; the search for slanted walls takes the rest."""
 
 FLAT_DIRECTIONS = 16
 """Sides of a part that its box may lie flush with."""
@@ -72,10 +77,20 @@ def measure(mesh, settings, report=None):
     box = _box(mesh, settings.box)
     if settings.measure == "pairs":
         field, shares = measure_pairs(mesh, centroid_samples(mesh), box.diagonal, report)
+        least = shares.nonparallel_minimum(STATED_FLOOR, *STATED_ANGLES)
     else:
-        field = measure_rays(mesh, surface_samples(mesh, settings.minimum_samples), report)
+        rays = InwardRays(mesh)
+        samples = surface_samples(mesh, settings.minimum_samples)
+        field = measure_rays(mesh, samples, _portion(report, 0.0, RAYS_SHARE), rays)
         shares = distribution(field, box.diagonal)
-    return Measurement(Descriptors(enclosed, area(mesh), box, shares), field)
+        slanted = _portion(report, RAYS_SHARE, 1.0)
+        least = nonparallel_minimum(mesh, rays, field, box.diagonal, slanted)
+    return Measurement(Descriptors(enclosed, area(mesh), box, shares, least), field)
+
+
+def _portion(report, start, end):
+    """A report of a part of the work, which runs from 0 to 1 itself."""
+    return report and (lambda done: report(start + (end - start) * done))
 
 
 def _box(mesh, kind):

@@ -94,6 +94,7 @@ def descriptors_of(record):
             np.array(slanted["area"], float),
             shares["parallel"], shares["nonparallel"], shares["unmeasured"], shares["unmet"],
         ),
+        content["min_nonparallel"],
     )
 
 
@@ -112,7 +113,7 @@ def _descriptors(mesh, measurement, paper, error_bound):
         "d2_d3": measured.value("d2_d3"),
         "F": {f"{low:g}:{high:g}": shares.share(low, high) for low, high in REPORTED_SHARES},
         "teeth": int(_has_teeth(paper)),
-        "min_nonparallel": measured.value("min_nonparallel[10;55]"),
+        "min_nonparallel": measured.min_nonparallel,
         "thickness_mm": {
             "min": thinnest, "median": median, "max": thickest, "error_bound": error_bound,
         },

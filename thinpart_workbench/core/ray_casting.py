@@ -4,13 +4,11 @@ All packets of rays descend the tree together, level by level; the triangles tha
 packet are tested in float32 with some slack, and what passes is decided in float64.
 """
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from .box_tree import WIDTH
 from .ray_packets import PACKET, coherent_order, thick_rays
 from .tolerances import TOLERANCES
+from .tree_descent import Work, cosines, descend
 
 PACKETS_AT_ONCE = 384
 """Packets that descend together: their boxes and candidates stay in the processor's cache."""
@@ -25,22 +23,6 @@ _GRAZING_FLOAT32 = np.float32(0.05)
 
 INNER, OUTER = 1.0, -1.0
 """Sides from which a triangle can be met: leaving the material, or entering it."""
-
-
-@dataclass
-class Work:
-    """How much was tested; a test holds it against what it should be.
-
-    Attributes
-    ----------
-    nodes, pairs, exact : int
-        Nodes of the tree whose eight boxes were tested; pairs of a packet and a triangle; pairs of
-        a ray and a triangle that were decided in float64.
-    """
-
-    nodes: int = 0
-    pairs: int = 0
-    exact: int = 0
 
 
 def first_hits(tree, origins, directions, side=INNER, report=None, work=None):
@@ -179,7 +161,7 @@ def _cast(rays, ray, limit, size):
             members, limits = members[:, kept], limits[kept]
             origins, directions = origins[:, :, kept], directions[:, :, kept]
             thick = thick_rays(origins, directions, limits, rays.tree.extent)
-        packet, place = _descend(rays, thick)
+        packet, place = descend(rays.tree, thick, lambda *pairs: _met(rays, thick, *pairs), rays.work)
         lane, place = _candidates(rays, origins, directions, limits, packet, place)
         _decide(rays, members.ravel()[lane], place, np.tile(limits, size)[lane])
         rays.settle(members, limits)
@@ -188,49 +170,10 @@ def _cast(rays, ray, limit, size):
         _cast(rays, ray[alone], limit[alone], 1)
 
 
-def _descend(rays, thick):
-    """Pairs (packet, place of the curve) whose boxes the thick ray meets within its limit."""
-    tree, work = rays.tree, rays.work
-    packets = thick.rows.shape[1]
-    roots = tree.levels[0].shape[1]
-    packet = np.repeat(np.arange(packets), roots)
-    node = np.tile(np.arange(roots), packets)
-    for depth, boxes in enumerate(tree.levels):
-        count = len(packet)
-        work.nodes += count
-        box = np.take(boxes, node, axis=1, mode="clip").reshape(2, 3, WIDTH, count)
-        own = np.take(thick.rows, packet, axis=1, mode="clip")
-        near, far = box
-        near -= own[0:3, None]
-        near *= own[6:9, None]
-        far -= own[3:6, None]
-        far *= own[6:9, None]
-        enter = np.minimum(near, far)
-        leave = np.maximum(near, far, out=far)
-        first = np.maximum(enter[0], enter[1], out=enter[0])
-        np.maximum(first, enter[2], out=first)
-        np.maximum(first, np.float32(0.0), out=first)
-        last = np.minimum(leave[0], leave[1], out=leave[0])
-        np.minimum(last, leave[2], out=last)
-        np.minimum(last, own[9], out=last)
-        met = first <= last
-        if depth == len(tree.levels) - 1:
-            met &= _faces_along(rays, thick, packet, node)
-        met = np.flatnonzero(met)
-        child = met // count
-        parent = met - child * count
-        packet, node = packet[parent], node[parent] * WIDTH + child
-    work.pairs += len(packet)
-    return packet, node
-
-
-def _faces_along(rays, thick, packet, node):
-    """Whether each child triangle can be met from the wanted side; generous."""
-    normals = np.take(rays.tree.leaf_normals, node, axis=1, mode="clip")
-    normals = normals.reshape(3, WIDTH, len(node))
-    normals *= (np.take(thick.axis, packet, axis=1) * np.float32(rays.side))[:, None]
-    facing = np.add(normals[0], normals[1], out=normals[0])
-    facing += normals[2]
+def _met(rays, thick, packet, node):
+    """Whether each triangle can be met from the wanted side; generous."""
+    facing = cosines(rays.tree, thick, packet, node)
+    facing *= np.float32(rays.side)
     return facing > -np.take(thick.spread, packet)
 
 

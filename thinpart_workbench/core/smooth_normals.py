@@ -4,6 +4,8 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
+from .tolerances import TOLERANCES
+
 _AT_ONCE = 65536
 
 CREASE = np.radians(20.0)
@@ -66,7 +68,7 @@ def normals_at(mesh, triangle, points):
     """
     corner_normals = mesh.corner_normals
     normal = mesh.normals[triangle]
-    bent = np.flatnonzero(mesh.is_bent[triangle])
+    bent = np.flatnonzero(mesh.bend[triangle] > TOLERANCES.angle)
     for start in range(0, len(bent), _AT_ONCE):
         chosen = bent[start:start + _AT_ONCE]
         weights = _barycentric(mesh.corners[triangle[chosen]], points[chosen])

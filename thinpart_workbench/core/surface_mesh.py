@@ -81,10 +81,11 @@ class SurfaceMesh:
         return corner_normals(self)
 
     @cached_property
-    def is_bent(self):
-        """ndarray of shape (n,), bool: triangles whose corner normals are not all their own."""
+    def bend(self):
+        """ndarray of shape (n,), radians: how far the corner normals turn from the triangle's own."""
         away = self.corner_normals - self.normals[:, None]
-        return np.abs(away).max(axis=(1, 2)) > TOLERANCES.angle
+        chord = np.sqrt(np.einsum("ikj,ikj->ik", away, away).max(axis=1))
+        return 2.0 * np.arcsin(np.clip(0.5 * chord, 0.0, 1.0))
 
     @cached_property
     def extent(self):

@@ -72,7 +72,7 @@ class ThicknessField:
         return ~self.parallel & (self.wedge_angle < NONPARALLEL_BELOW - TOLERANCES.angle)
 
 
-def measure_rays(mesh, samples, report=None):
+def measure_rays(mesh, samples, report=None, rays=None):
     """First-hit thickness along the inward normal of every sample.
 
     Parameters
@@ -81,6 +81,8 @@ def measure_rays(mesh, samples, report=None):
     samples : SurfaceSamples
     report : callable, optional
         Called with the fraction done; may raise to stop.
+    rays : InwardRays, optional
+        Over the mesh; is built where it is not given.
 
     Returns
     -------
@@ -94,7 +96,7 @@ def measure_rays(mesh, samples, report=None):
     turned to its own dominant directions: boxes of slender triangles that lie askew are fat, which
     costs up to a factor of twenty, and the result is then the same for every placement.
     """
-    rays = InwardRays(mesh)
+    rays = rays or InwardRays(mesh)
     distance, opposite = rays.first_hits(samples, INNER, report)
     field = thickness_field(mesh, samples, distance, opposite, rays.entered(samples, distance))
     corners = corner_samples(mesh, _likely_thinnest(mesh, samples, field))

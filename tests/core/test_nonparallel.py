@@ -1,0 +1,157 @@
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+import made_meshes
+from thinpart_workbench.core.analysis_settings import AnalysisSettings
+from thinpart_workbench.core.convex_clipping import areas, clip
+from thinpart_workbench.core.inward_rays import InwardRays
+from thinpart_workbench.core.measurement import measure
+from thinpart_workbench.core.nonparallel import STATED_FLOOR, _regions, nonparallel_minimum
+from thinpart_workbench.core.sampling import surface_samples
+from thinpart_workbench.core.surface_mesh import surface_mesh
+from thinpart_workbench.core.thickness import measure_rays
+
+TURNED = Rotation.from_rotvec([0.5, 0.7, -0.3]).as_matrix()
+
+
+def _finer(shape, times):
+    """Every triangle cut in four, several times."""
+    points, triangles = shape
+    for _ in range(times):
+        a, b, c = (points[triangles[:, k]] for k in range(3))
+        ab, bc, ca = (a + b) / 2, (b + c) / 2, (c + a) / 2
+        points = np.concatenate([
+            np.stack(each, axis=1) for each in ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))
+        ]).reshape(-1, 3)
+        triangles = np.arange(len(points)).reshape(-1, 3)
+    return points, triangles
+
+
+def _least(shape, minimum=AnalysisSettings.minimum_samples):
+    """Least non-parallel distance in mm, and the mesh."""
+    mesh = surface_mesh(*shape)
+    rays = InwardRays(mesh)
+    field = measure_rays(mesh, surface_samples(mesh, minimum), rays=rays)
+    return nonparallel_minimum(mesh, rays, field, 1.0), mesh
+
+
+@pytest.mark.parametrize("angle", [12, 30, 54])
+@pytest.mark.parametrize("times", [0, 2, 4])
+def test_a_wedge_is_as_thin_as_the_strip_along_its_edge(angle, times):
+    side, length = 100.0, 60.0
+    shape = _finer(made_meshes.wedge(angle, side, length), times)
+    least, mesh = _least(made_meshes.moved(shape, TURNED, shift=(300, 0, 0)))
+    # On both faces a strip of that width, which rises by the tangent of the angle.
+    strip = STATED_FLOOR * mesh.areas.sum() / (2 * length)
+    assert least == pytest.approx(strip * np.tan(np.radians(angle)), rel=1e-3)
+
+
+@pytest.mark.parametrize("times", [0, 2, 4])
+def test_a_blunt_wedge_is_as_thin_as_its_end(times):
+    shape = made_meshes.prism([(0, 0), (100, 0), (100, 10), (0, 60)], 50)
+    least, mesh = _least(made_meshes.moved(_finer(shape, times), TURNED))
+    # Rays from the lower face are the shorter ones; those from the upper one miss the end.
+    width = STATED_FLOOR * mesh.areas.sum() / 50
+    assert least == pytest.approx(10 + width * 0.5, rel=1e-6)
+
+
+@pytest.mark.parametrize("angle", [9.0, 56.0])
+def test_other_angles_do_not_count(angle):
+    assert _least(made_meshes.wedge(angle))[0] is None
+
+
+@pytest.mark.parametrize("shape", [
+    made_meshes.box(100, 60, 40), made_meshes.tube(), made_meshes.spherical_shell(steps=60),
+    made_meshes.sphere(steps=60),
+])
+def test_parallel_walls_have_none(shape):
+    assert _least(made_meshes.moved(shape, TURNED))[0] is None
+
+
+def _ring(steps):
+    """A ring with a triangular section: 20 degrees at its outer edge."""
+    half = 30 * np.tan(np.radians(10))
+    return made_meshes.revolved([(20, -half), (50, 0), (20, half)], steps)
+
+
+def test_a_round_wedge_does_not_follow_the_tessellation():
+    least = [_least(made_meshes.moved(_ring(steps), TURNED))[0] for steps in (60, 120, 240)]
+    assert least == pytest.approx([least[-1]] * 3, rel=0.05)
+    # The strip at the edge, on both sides of the ring, seen along the slope.
+    area = 2 * np.pi * 70 * 30 / np.cos(np.radians(10)) + 2 * np.pi * 20 * 60 * np.tan(np.radians(10))
+    strip = STATED_FLOOR * area / (2 * 2 * np.pi * 50)
+    assert least[-1] == pytest.approx(strip * np.tan(np.radians(20)), rel=0.02)
+
+
+@pytest.mark.parametrize("outline", [
+    [(0, 0), (80, 0), (90, 30), (50, 12), (10, 45)],
+    [(0, 0), (60, 0), (60, 30), (45, 9), (30, 30), (15, 6), (0, 30)],
+])
+def test_agrees_with_very_many_samples(outline):
+    shape = made_meshes.moved(made_meshes.prism(outline, 25), TURNED)
+    least, mesh = _least(shape)
+    samples = surface_samples(mesh, 580_000)
+    field = measure_rays(mesh, samples)
+    degrees = np.degrees(field.wedge_angle)
+    slanted = np.flatnonzero((degrees >= 10) & (degrees < 55))
+    slanted = slanted[np.argsort(field.distance[slanted])]
+    reached = np.cumsum(field.area[slanted]) >= STATED_FLOOR * mesh.areas.sum()
+    assert least == pytest.approx(field.distance[slanted[reached]][0], rel=0.05)
+
+
+def test_what_another_wall_hides_does_not_count():
+    # A block with a wedge-shaped cavity under its upper side, with and without a slot between.
+    block = made_meshes.prism([(0, 0), (100, 0), (100, 60), (0, 60)], 50)
+    cavity = made_meshes.inverted(made_meshes.moved(
+        made_meshes.prism([(20, 20), (80, 20), (80, 40)], 40), shift=(0, 0, 5)))
+    slot = made_meshes.inverted(made_meshes.moved(made_meshes.box(76, 2, 46), shift=(12, 50, 2)))
+    free, _ = _least(made_meshes.joined(block, cavity))
+    assert free == pytest.approx(20, rel=0.01)
+    mesh = surface_mesh(*made_meshes.joined(block, cavity, slot))
+    rays = InwardRays(mesh)
+    regions = _regions(mesh, rays, 45.0, None)
+    # The slot hides the cavity from the upper side of the block, 20 to 40 mm away; what is left is
+    # 10 to 30 mm between cavity and slot, each seen from the other.
+    seen = regions.distance.mean(axis=1)
+    assert len(seen) and seen.min() > 10 and seen.max() < 30
+    assert regions.area.sum() == pytest.approx((60 + np.hypot(60, 20)) * 40, rel=0.05)
+
+
+def test_the_record_states_the_exact_value():
+    mesh = surface_mesh(*made_meshes.wedge(30))
+    descriptors = measure(mesh, AnalysisSettings()).descriptors
+    assert descriptors.value("min_nonparallel[10;55]") == descriptors.min_nonparallel
+    assert 0 < descriptors.min_nonparallel < 1e-3
+    # Other bounds are read off the distribution.
+    assert descriptors.value("min_nonparallel[10;20]") is None
+    assert descriptors.value("min_nonparallel[25;35]") == pytest.approx(0.0, abs=0.001)
+
+
+def test_progress_is_reported_and_can_stop_it():
+    mesh = surface_mesh(*_finer(made_meshes.wedge(30), 5))
+    rays = InwardRays(mesh)
+    field = measure_rays(mesh, surface_samples(mesh), rays=rays)
+    seen = []
+    nonparallel_minimum(mesh, rays, field, 1.0, seen.append)
+    assert len(seen) >= 2 and all(0 <= each <= 1 for each in seen)
+
+    def stop(fraction):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        nonparallel_minimum(mesh, rays, field, 1.0, stop)
+
+
+def test_polygons_are_cut_by_half_planes():
+    rng = np.random.default_rng(3)
+    square = np.array([[0.0, 0], [1, 0], [1, 1], [0, 1]])
+    normal = rng.normal(size=(200, 2))
+    level = rng.uniform(-1, 1, 200)
+    squares = np.broadcast_to(square, (200, 4, 2))
+    value = np.einsum("mkj,mj->mk", squares, normal) + level[:, None]
+    kept, left = areas(clip(squares, value)), areas(clip(squares, -value))
+    assert kept + left == pytest.approx(np.ones(200))
+    points = rng.uniform(size=(4000, 2))
+    shares = (points @ normal.T + level >= 0).mean(axis=0)
+    assert kept == pytest.approx(shares, abs=0.05)

@@ -1,0 +1,48 @@
+"""Many convex polygons in the plane, cut by half-planes together."""
+
+import numpy as np
+
+
+def clip(points, value):
+    """The part of each polygon where a linear function is not negative.
+
+    Parameters
+    ----------
+    points : ndarray of shape (m, k, 2)
+        Corners in turn; a corner may be repeated.
+    value : ndarray of shape (m, k)
+        The function at the corners.
+
+    Returns
+    -------
+    ndarray of shape (m, k + 1, 2)
+        Of no area where nothing is left.
+
+    Notes
+    -----
+    Sutherland and Hodgman (1974, doi:10.1145/360767.360802), one step for all polygons: a half-plane
+    adds at most one corner to a convex polygon.
+    """
+    count, corners = value.shape
+    ahead, beyond = np.roll(points, -1, axis=1), np.roll(value, -1, axis=1)
+    inside = value >= 0.0
+    crossing = inside != (beyond >= 0.0)
+    share = value / np.where(crossing, value - beyond, 1.0)
+    slots = np.stack([points, points + share[:, :, None] * (ahead - points)], axis=2)
+    used = np.stack([inside, crossing], axis=2).reshape(count, 2 * corners)
+    order = np.argsort(~used, axis=1, kind="stable")[:, :corners + 1]
+    clipped = np.take_along_axis(slots.reshape(count, 2 * corners, 2), order[:, :, None], axis=1)
+    kept = np.take_along_axis(used, order, axis=1)
+    return np.where(kept[:, :, None], clipped, clipped[:, :1])
+
+
+def areas(points):
+    """Areas of convex polygons, ndarray of shape (m,).
+
+    Parameters
+    ----------
+    points : ndarray of shape (m, k, 2)
+    """
+    ahead = np.roll(points, -1, axis=1)
+    doubled = points[..., 0] * ahead[..., 1] - points[..., 1] * ahead[..., 0]
+    return 0.5 * np.abs(doubled.sum(axis=1))
