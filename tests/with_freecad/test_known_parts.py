@@ -201,7 +201,7 @@ def test_a_finer_triangulation_on_the_shape_is_not_reused():
 
     shape = Part.makeSphere(20)
     fresh = analysed(shape.copy())
-    MeshPart.meshFromShape(Shape=shape, LinearDeflection=0.001, AngularDeflection=0.01)
+    MeshPart.meshFromShape(Shape=shape, LinearDeflection=0.01, AngularDeflection=0.03)
     assert analysed(shape)["triangles"] == fresh["triangles"]
 
 

@@ -9,6 +9,8 @@ from .space_filling_curve import hilbert_order
 WIDTH = 8
 """Children per node."""
 
+_AT_ONCE = 65536
+
 _PADDING = 4e-7
 """Boxes are float32 and grown by this share of the extent, so that rounding hides no triangle."""
 
@@ -86,7 +88,7 @@ def box_tree(corners, normals, areas, gap=0.0):
         low = low.reshape(3, nodes, WIDTH).min(axis=2)
         high = high.reshape(3, nodes, WIDTH).max(axis=2)
     leaf_normals = _children_of(_fill_up(np.take(normals.astype(np.float32).T, order, axis=1), 0.0))
-    rows = _triangle_rows(corners[order], normals[order], areas[order])
+    rows = _triangle_rows(corners, normals, areas, order)
     coarse = _coarse_rows(rows, _COARSE_SLACK * extent + gap)
     return BoxTree(order, levels[::-1], leaf_normals, rows, coarse, extent, gap)
 
@@ -111,21 +113,25 @@ def _children_of(columns):
 def _coarse_rows(rows, slack):
     coarse = np.empty((13, rows.shape[1]), dtype=np.float32)
     coarse[:12] = rows
-    slack_u = np.sqrt((rows[4:7] ** 2).sum(axis=0)) * slack
-    slack_v = np.sqrt((rows[8:11] ** 2).sum(axis=0)) * slack
-    coarse[7], coarse[11] = rows[7] - slack_u, rows[11] - slack_v
+    slack_u, slack_v = (
+        np.sqrt(sum(rows[row + axis] ** 2 for axis in range(3))) * slack for row in (4, 8)
+    )
+    coarse[7] = rows[7] - slack_u
+    coarse[11] = rows[11] - slack_v
     coarse[12] = 1.0 + 2.0 * (slack_u + slack_v)
     return coarse
 
 
-def _triangle_rows(corners, normals, areas):
-    first = corners[:, 0]
-    edge_u, edge_v = corners[:, 1] - first, corners[:, 2] - first
-    inverse = 1.0 / (2.0 * areas[:, None])
-    gradient_u = np.cross(edge_v, normals) * inverse
-    gradient_v = np.cross(normals, edge_u) * inverse
-    rows = np.empty((12, len(corners)))
-    for start, vector in ((0, normals), (4, gradient_u), (8, gradient_v)):
-        rows[start:start + 3] = vector.T
-        rows[start + 3] = np.einsum("ij,ij->i", vector, first)
+def _triangle_rows(corners, normals, areas, order):
+    rows = np.empty((12, len(order)))
+    for start in range(0, len(order), _AT_ONCE):
+        part = order[start:start + _AT_ONCE]
+        place = slice(start, start + len(part))
+        first, normal = corners[part, 0], normals[part]
+        edge_u, edge_v = corners[part, 1] - first, corners[part, 2] - first
+        inverse = 1.0 / (2.0 * areas[part, None])
+        gradients = np.cross(edge_v, normal) * inverse, np.cross(normal, edge_u) * inverse
+        for row, vector in zip((0, 4, 8), (normal, *gradients)):
+            rows[row:row + 3, place] = vector.T
+            rows[row + 3, place] = np.einsum("ij,ij->i", vector, first)
     return rows

@@ -71,8 +71,9 @@ def face_thicknesses(field, thin_limit):
     list of FaceThickness
         One per face that has triangles, by index.
     """
-    order = np.lexsort([field.distance, field.face])
-    faces, start = np.unique(field.face[order], return_index=True)
+    face = field.face
+    order = np.lexsort([field.distance, face])
+    faces, start = np.unique(face[order], return_index=True)
     return [
         _face_thickness(field, int(face), rows, thin_limit)
         for face, rows in zip(faces, np.split(order, start[1:]))
@@ -104,7 +105,6 @@ def _face_thickness(field, face, rows, thin_limit):
 
 def witness_of(field, sample):
     """The `Witness` of one sample."""
-    return Witness(
-        float(field.distance[sample]), field.points[sample], field.opposite_points[sample],
-        int(field.face[sample]), int(field.opposite_face[sample]),
-    )
+    here, there = field.points(sample)
+    face = int(field.mesh.face_of_triangle[field.samples.triangle[sample]])
+    return Witness(float(field.distance[sample]), here, there, face, field.opposite_face(sample))

@@ -4,11 +4,17 @@ import numpy as np
 
 from .box_tree import box_tree
 from .dominant_directions import dominant_axes
-from .ray_casting import OUTER, first_hits, first_hits_within
+from .ray_casting import OUTER, first_hits_in_order, first_hits_within
+from .ray_packets import side_of_cube
+from .space_filling_curve import hilbert_index
 from .tolerances import TOLERANCES
 
 ENTRY_SAMPLES = 1000
 """Samples that are tried for a surface that passes through itself."""
+
+
+BLOCK = 131072
+"""Rays that are cast together: it bounds the memory that casting takes."""
 
 
 class InwardRays:
@@ -21,7 +27,6 @@ class InwardRays:
     Attributes
     ----------
     tree : BoxTree
-    corners : ndarray of shape (n, 3, 3), mm
     normals : ndarray of shape (n, 3)
         As the tree has them.
 
@@ -36,10 +41,11 @@ class InwardRays:
         self._axes = dominant_axes(mesh.normals, mesh.areas)
         self.normals = mesh.normals @ self._axes.T
         corners = mesh.corners @ self._axes.T
-        self._middle = 0.5 * (corners.min(axis=(0, 1)) + corners.max(axis=(0, 1)))
-        self.corners = corners - self._middle
+        low, high = corners.min(axis=(0, 1)), corners.max(axis=(0, 1))
+        self._middle, self._half = 0.5 * (low + high), 0.5 * (high - low)
+        corners -= self._middle
         gap = TOLERANCES.gap * mesh.extent if mesh.cracked else 0.0
-        self.tree = box_tree(self.corners, self.normals, mesh.areas, gap)
+        self.tree = box_tree(corners, self.normals, mesh.areas, gap)
 
     def first_hits(self, samples, side, report=None):
         """First triangle under each sample.
@@ -58,7 +64,26 @@ class InwardRays:
         triangle : ndarray of shape (m,), int64
             inf and -1 where nothing is met.
         """
-        return first_hits(self.tree, *self._rays(samples, slice(None)), side, report)
+        order = self._coherent_order(samples)
+        distance = np.empty(samples.count)
+        triangle = np.empty(samples.count, dtype=np.int64)
+        for start in range(0, samples.count, BLOCK):
+            rays = order[start:start + BLOCK]
+            distance[rays], triangle[rays] = first_hits_in_order(
+                self.tree, *self._rays(samples, rays), side,
+                report and (lambda done: report((start + done * len(rays)) / samples.count)),
+            )
+        return distance, triangle
+
+    def _coherent_order(self, samples):
+        corners = self._middle - self._half, self._middle + self._half
+        side = side_of_cube(-self.normals)
+        keys = np.empty(samples.count, dtype=np.uint64)
+        for start in range(0, samples.count, BLOCK):
+            part = slice(start, start + BLOCK)
+            place = hilbert_index(samples.points[part] @ self._axes.T, corners)
+            keys[part] = place | side[samples.triangle[part]]
+        return np.argsort(keys, kind="stable")
 
     def entered(self, samples, distance):
         """Samples, of a few, whose ray enters the material again before it has left it.
@@ -77,6 +102,10 @@ class InwardRays:
         # Beside a sharp edge the ray has left again before it counts as having started.
         inside = _distance_to_edges(self._mesh, samples, entered)
         return entered[inside > TOLERANCES.beside_edge * self.tree.extent]
+
+    def corners(self, triangles):
+        """Corners of some triangles as the tree has them, ndarray of shape (..., 3, 3), mm."""
+        return self._mesh.corners[triangles] @ self._axes.T - self._middle
 
     def is_hidden(self, samples, distance):
         """Whether something is met before a distance, ndarray of shape (m,), bool.

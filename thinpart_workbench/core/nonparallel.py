@@ -162,7 +162,7 @@ def _pairs_ahead(mesh, rays, limit, report):
 def _thick(rays, members, limit):
     """Thick rays from whole triangles: every ray from a triangle runs between those of its corners."""
     size, count = members.shape
-    origins = rays.corners[members].astype(np.float32)  # member, packet, corner, coordinate
+    origins = rays.corners(members).astype(np.float32)  # member, packet, corner, coordinate
     origins = origins.transpose(3, 0, 2, 1).reshape(3, 3 * size, count)
     directions = -rays.normals[members].astype(np.float32).transpose(2, 0, 1)
     directions = np.repeat(directions, 3, axis=1)

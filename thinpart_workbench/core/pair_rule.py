@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .distribution import table_key, tabulate
-from .thickness import NONPARALLEL_BELOW, PARALLEL_BELOW, thickness_field
+from .thickness import NONPARALLEL_BELOW, PARALLEL_BELOW, ThicknessField, wedge_angles
 from .tolerances import TOLERANCES
 
 _ROWS_AT_ONCE = 256
@@ -89,7 +89,9 @@ def measure_pairs(mesh, samples, diagonal, report=None):
         rows = np.flatnonzero(slanted_only[start:start + _ROWS_AT_ONCE]) + start
         if len(rows):
             _keep_nearest(pairs_of(mesh, rows)[1], best, best_other, only=slanted_only)
-    return thickness_field(mesh, samples, best, best_other), result
+    angle = wedge_angles(mesh, samples, best, best_other)
+    none_entered = np.empty(0, dtype=np.int64)
+    return ThicknessField(mesh, samples, best, angle, best_other, none_entered), result
 
 
 def pairs_of(mesh, rows):

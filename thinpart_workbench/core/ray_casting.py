@@ -54,14 +54,19 @@ def first_hits(tree, origins, directions, side=INNER, report=None, work=None):
     packet is solved first without a limit, its neighbours then start from the distance it found and
     widen only where they meet nothing: a hit inside the limit is final.
     """
-    if not len(origins):
-        return np.empty(0), np.empty(0, dtype=np.int64)
-    order = coherent_order(origins, directions)
-    rays = _Rays(tree, origins[order], directions[order], side, report, work or Work())
-    _solve_in_stages(rays)
+    order = coherent_order(origins, directions) if len(origins) else np.empty(0, dtype=np.int64)
     distance, triangle = np.empty(len(order)), np.empty(len(order), dtype=np.int64)
-    distance[order], triangle[order] = rays.found()
+    distance[order], triangle[order] = first_hits_in_order(
+        tree, origins[order], directions[order], side, report, work
+    )
     return distance, triangle
+
+
+def first_hits_in_order(tree, origins, directions, side=INNER, report=None, work=None):
+    """`first_hits` of rays that are in coherent order already (`ray_packets.coherent_order`)."""
+    rays = _Rays(tree, origins, directions, side, report, work or Work())
+    _solve_in_stages(rays)
+    return rays.found()
 
 
 def first_hits_within(tree, origins, directions, limit, side=INNER):

@@ -12,9 +12,6 @@ PACKET = 8
 MOST_DIVERGENCE = 3.0
 """A packet that widens to more than this many times the spread of its origins is cast ray by ray."""
 
-_SIDES = 1
-"""Each side of the cube of directions is cut into this many strips both ways."""
-
 
 def coherent_order(origins, directions):
     """Order in which neighbours start close together and run in similar directions.
@@ -30,26 +27,26 @@ def coherent_order(origins, directions):
 
     Notes
     -----
-    Both skins of a thin wall lie in one cell of the curve. So rays are first put apart by where
-    they run, each to a patch of the cube around the sphere of directions, and follow the curve
-    within it.
+    Both skins of a thin wall lie in one cell of the curve. So rays are first put apart by the side
+    of the cube that they run to, and follow the curve within it.
     """
-    key = hilbert_index(origins).astype(np.uint64)
-    key |= _patch_of_cube(directions).astype(np.uint64) << np.uint64(30)
-    return np.argsort(key, kind="stable")
+    return np.argsort(hilbert_index(origins) | side_of_cube(directions), kind="stable")
 
 
-def _patch_of_cube(directions):
-    size = np.abs(directions)
-    axis = size.argmax(axis=1)
-    row = np.arange(len(directions))
-    longest = size[row, axis]
-    patch = 2 * axis + (directions[row, axis] > 0.0)
-    for other in (1, 2):
-        across = directions[row, (axis + other) % 3] / longest
-        strip = np.minimum((0.5 * _SIDES * (across + 1.0)).astype(np.int64), _SIDES - 1)
-        patch = patch * _SIDES + strip
-    return patch
+def side_of_cube(directions):
+    """Side of the cube around the sphere of directions, above the digits of `hilbert_index`.
+
+    Parameters
+    ----------
+    directions : ndarray of shape (m, 3)
+
+    Returns
+    -------
+    ndarray of shape (m,), uint64
+    """
+    axis = np.abs(directions).argmax(axis=1)
+    forward = directions[np.arange(len(directions)), axis] > 0.0
+    return (2 * axis + forward).astype(np.uint64) << np.uint64(30)
 
 
 @dataclass(frozen=True)

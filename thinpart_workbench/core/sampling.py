@@ -42,6 +42,14 @@ class SurfaceSamples:
         """Number of samples."""
         return len(self.points)
 
+    def followed_by(self, other):
+        """These samples and then those of another `SurfaceSamples`."""
+        return SurfaceSamples(
+            np.concatenate([self.points, other.points]),
+            np.concatenate([self.triangle, other.triangle]),
+            np.concatenate([self.area, other.area]),
+        )
+
 
 def surface_samples(mesh, minimum=AnalysisSettings.minimum_samples):
     """Sample a surface deterministically.

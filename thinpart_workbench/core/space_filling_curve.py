@@ -18,16 +18,18 @@ def hilbert_order(points):
     return np.argsort(hilbert_index(points), kind="stable")
 
 
-def hilbert_index(points):
+def hilbert_index(points, bounds=None):
     """Place of each point along a Hilbert curve.
 
     Parameters
     ----------
     points : ndarray of shape (n, 3)
+    bounds : pair of ndarray of shape (3,), optional
+        Lower and upper corner of the cells; the points' own where not given.
 
     Returns
     -------
-    ndarray of shape (n,), uint32
+    ndarray of shape (n,), uint64
         Below 2 ** 30.
 
     Notes
@@ -36,9 +38,10 @@ def hilbert_index(points):
     Hamilton 2006, "Compact Hilbert Indices", Dalhousie CS-2006-07). Against the Morton order the
     boxes of eight neighbours are a quarter smaller.
     """
-    low = points.min(axis=0)
-    side = max(float(np.ptp(points, axis=0).max()), 1e-30)
-    cells = ((points - low) * ((2 ** BITS - 0.001) / side)).astype(np.uint32)
+    low, high = (points.min(axis=0), points.max(axis=0)) if bounds is None else bounds
+    side = max(float((high - low).max()), 1e-30)
+    cells = np.maximum((points - low) * ((2 ** BITS - 0.001) / side), 0.0).astype(np.uint32)
+    np.minimum(cells, np.uint32(2 ** BITS - 1), out=cells)
     morton = sum(_spread_bits(cells[:, axis]) << np.uint32(axis) for axis in range(3))
     index_table, state_table = _two_level_tables()
     state = np.zeros(len(points), dtype=np.uint32)
@@ -48,7 +51,7 @@ def hilbert_index(points):
         entry = (state << np.uint32(6)) | ((morton >> shift) & np.uint32(63))
         index = (index << np.uint32(6)) | index_table[entry]
         state = state_table[entry]
-    return index
+    return index.astype(np.uint64)
 
 
 def _spread_bits(cell):

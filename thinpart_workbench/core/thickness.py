@@ -1,15 +1,15 @@
 """Thickness of the material under every sample of the surface."""
 
 from dataclasses import dataclass
-from dataclasses import fields as dataclass_fields
 from functools import cached_property
 
 import numpy as np
 
 from .inward_rays import InwardRays
 from .ray_casting import INNER
-from .sampling import corner_samples
+from .sampling import SurfaceSamples, corner_samples
 from .smooth_normals import normals_at
+from .surface_mesh import SurfaceMesh
 from .tolerances import TOLERANCES
 
 PARALLEL_BELOW = np.radians(10.0)
@@ -24,6 +24,8 @@ SLOPE_ALLOWANCE = np.radians(1.0)
 NONPARALLEL_BELOW = np.radians(60.0)
 """Wedge angle from which two faces do not enclose a thickness (same place)."""
 
+_AT_ONCE = 65536
+
 
 @dataclass(frozen=True)
 class ThicknessField:
@@ -31,6 +33,9 @@ class ThicknessField:
 
     Attributes
     ----------
+    mesh : SurfaceMesh
+    samples : SurfaceSamples
+        Those that were added to find the minimum, which stand for no area, come last.
     distance : ndarray of shape (m,), mm
         To the opposite side; inf where nothing was met.
     wedge_angle : ndarray of shape (m,), radians
@@ -38,38 +43,57 @@ class ThicknessField:
         nothing was met.
     opposite : ndarray of shape (m,), int64
         Triangle met, -1 for none.
-    area : ndarray of shape (m,), mm2
-        Area that each sample stands for; 0 for those that were added to find the minimum.
-    face : ndarray of shape (m,), int64
-        B-Rep face of each sample.
-    opposite_face : ndarray of shape (m,), int64
-        B-Rep face met, -1 for none.
-    points, opposite_points : ndarray of shape (m, 3), mm
-        In the coordinates of the part's document.
     entered : ndarray of shape (k,), int64
         Samples, of a few that were tried, whose ray enters the material again before it has left
         it: there the surface passes through itself or is inside-out.
     """
 
+    mesh: SurfaceMesh
+    samples: SurfaceSamples
     distance: np.ndarray
     wedge_angle: np.ndarray
     opposite: np.ndarray
-    area: np.ndarray
-    face: np.ndarray
-    opposite_face: np.ndarray
-    points: np.ndarray
-    opposite_points: np.ndarray
     entered: np.ndarray
+
+    @property
+    def area(self):
+        """ndarray of shape (m,), mm2: area that each sample stands for."""
+        return self.samples.area
 
     @cached_property
     def parallel(self):
         """ndarray of shape (m,), bool: samples that enter the parallel distribution."""
-        return self.wedge_angle < PARALLEL_BELOW - TOLERANCES.angle
+        return is_parallel(self.wedge_angle)
 
     @cached_property
     def nonparallel(self):
         """ndarray of shape (m,), bool: samples that enter the non-parallel table."""
         return ~self.parallel & (self.wedge_angle < NONPARALLEL_BELOW - TOLERANCES.angle)
+
+    @property
+    def face(self):
+        """ndarray of shape (m,), int64: B-Rep face of each sample."""
+        return self.mesh.face_of_triangle[self.samples.triangle]
+
+    def opposite_face(self, sample):
+        """B-Rep face that one sample sees, -1 for none."""
+        met = self.opposite[sample]
+        return int(self.mesh.face_of_triangle[met]) if met >= 0 else -1
+
+    def points(self, sample):
+        """Where one sample is and what it sees, two ndarrays of shape (3,), mm.
+
+        In the coordinates of the part's document; both are one where nothing was met.
+        """
+        here = self.samples.points[sample]
+        reach = self.distance[sample] if self.opposite[sample] >= 0 else 0.0
+        there = here - self.mesh.normals[self.samples.triangle[sample]] * reach
+        return here + self.mesh.origin, there + self.mesh.origin
+
+
+def is_parallel(wedge_angle):
+    """Whether walls at a wedge angle, radians, are parallel."""
+    return wedge_angle < PARALLEL_BELOW - TOLERANCES.angle
 
 
 def measure_rays(mesh, samples, report=None, rays=None):
@@ -92,65 +116,70 @@ def measure_rays(mesh, samples, report=None, rays=None):
     -----
     Giannini, Petton, Pernot (TMCE 2012), 4.2.2, want the distance between faces that enclose
     material, never across a void. Their rule on pairs of triangles (`pair_rule`) sees through
-    whatever lies between; the first triangle met from inside is the wall itself. The mesh is first
-    turned to its own dominant directions: boxes of slender triangles that lie askew are fat, which
-    costs up to a factor of twenty, and the result is then the same for every placement.
+    whatever lies between; the first triangle met from inside is the wall itself.
     """
     rays = rays or InwardRays(mesh)
     distance, opposite = rays.first_hits(samples, INNER, report)
-    field = thickness_field(mesh, samples, distance, opposite, rays.entered(samples, distance))
-    corners = corner_samples(mesh, _likely_thinnest(mesh, samples, field))
-    return _joined(field, thickness_field(mesh, corners, *rays.first_hits(corners, INNER)))
+    angle = wedge_angles(mesh, samples, distance, opposite)
+    entered = rays.entered(samples, distance)
+    corners = corner_samples(mesh, _likely_thinnest(mesh, samples, distance, angle))
+    corner_distance, corner_opposite = rays.first_hits(corners, INNER)
+    corner_angle = wedge_angles(mesh, corners, corner_distance, corner_opposite)
+    return ThicknessField(
+        mesh, samples.followed_by(corners), np.concatenate([distance, corner_distance]),
+        np.concatenate([angle, corner_angle]), np.concatenate([opposite, corner_opposite]), entered,
+    )
 
 
-def _likely_thinnest(mesh, samples, field):
+def _likely_thinnest(mesh, samples, distance, wedge_angle):
     """Triangles whose corners may lie over a thinner wall than any sample does.
 
     Samples stand in the middle of the area they represent; where a wall tapers, its thinnest place
     is at the end. From a sample the wall can shrink by the tangent of its wedge angle.
     """
-    parallel = np.flatnonzero(field.parallel)
+    parallel = np.flatnonzero(is_parallel(wedge_angle))
     triangle = samples.triangle[parallel]
     sides = mesh.corners - np.roll(mesh.corners, 1, axis=1)
     longest = np.sqrt((sides * sides).sum(axis=2).max(axis=1))
-    slope = np.tan(field.wedge_angle[parallel] + SLOPE_ALLOWANCE)
+    slope = np.tan(wedge_angle[parallel] + SLOPE_ALLOWANCE)
     least = np.full(mesh.count, np.inf)
-    np.minimum.at(least, triangle, field.distance[parallel] - longest[triangle] * slope)
+    np.minimum.at(least, triangle, distance[parallel] - longest[triangle] * slope)
     order = np.argsort(least, kind="stable")
     order = order[np.isfinite(least[order])]
     _, first_of_face = np.unique(mesh.face_of_triangle[order], return_index=True)
     return np.union1d(order[:PROBED_TRIANGLES], order[first_of_face])
 
 
-def _joined(*fields):
-    return ThicknessField(**{
-        each.name: np.concatenate([getattr(field, each.name) for field in fields])
-        for each in dataclass_fields(ThicknessField)
-    })
+def wedge_angles(mesh, samples, distance, opposite):
+    """Wedge angles between samples and the triangles that they see.
 
+    Parameters
+    ----------
+    mesh : SurfaceMesh
+    samples : SurfaceSamples
+    distance : ndarray of shape (m,), mm
+    opposite : ndarray of shape (m,), int64
+        -1 where nothing is met.
 
-def thickness_field(mesh, samples, distance, opposite, entered=()):
-    """Complete distances and opposite triangles of samples to a `ThicknessField`.
+    Returns
+    -------
+    ndarray of shape (m,), radians
+        pi where nothing is met.
 
     Notes
     -----
-    The wedge angle is taken between the normals of the smooth surfaces, not of the facets: those
-    deviate by half the angular deflection on either side, and near the poles of a sphere by more,
-    so that a shell of constant wall would seem to have wedges in it.
+    They are taken between the normals of the smooth surfaces, not of the facets: those deviate by
+    half the angular deflection on either side, and near the poles of a sphere by more, so that a
+    shell of constant wall would seem to have wedges in it.
     """
-    met = np.flatnonzero(opposite >= 0)
-    facet = mesh.normals[samples.triangle]
-    reach = np.where(opposite >= 0, distance, 0.0)
-    hit_points = samples.points - facet * reach[:, None]
-    wedge_angle = np.full(samples.count, np.pi)
-    here = normals_at(mesh, samples.triangle[met], samples.points[met])
-    there = normals_at(mesh, opposite[met], hit_points[met])
-    wedge_angle[met] = _angle_between(here, -there)
-    return ThicknessField(
-        distance, wedge_angle, opposite, samples.area, mesh.face_of_triangle[samples.triangle],
-        np.where(opposite >= 0, mesh.face_of_triangle[opposite], -1),
-        samples.points + mesh.origin, hit_points + mesh.origin, np.asarray(entered, dtype=np.int64),
-    )
+    angle = np.full(samples.count, np.pi)
+    for start in range(0, samples.count, _AT_ONCE):
+        met = start + np.flatnonzero(opposite[start:start + _AT_ONCE] >= 0)
+        triangle, points = samples.triangle[met], samples.points[met]
+        here = normals_at(mesh, triangle, points)
+        there = points - mesh.normals[triangle] * distance[met, None]
+        angle[met] = _angle_between(here, -normals_at(mesh, opposite[met], there))
+    return angle
 
 
 def _angle_between(first, second):

@@ -90,7 +90,7 @@ def _plausibility(part, mesh, field, diagonal):
     """Warnings about what can be measured but is likely not meant."""
     warnings = []
     if len(field.entered) and mesh.watertight:
-        place = ", ".join(f"{value:.3g}" for value in field.points[field.entered[0]])
+        place = ", ".join(f"{value:.3g}" for value in field.points(field.entered[0])[0])
         warnings.append(
             f"The surface passes through itself, as under ({place}): repair it, its thickness and "
             "volume are not certain."
