@@ -14,9 +14,14 @@ HULL_FACET_CANDIDATES = 48
 EDGE_PRODUCT_CANDIDATES = 60
 SMALL_HULL_FACETS = 60
 REFINED_CANDIDATES = 4
+POLISHING_ROUNDS = 6
+POLISHING_TILTS = (0.005, 0.02, 0.06)
+POLISHED = 3e-4
+"""Share by which the box of all points may exceed that of the extreme ones it was found with."""
 FLAT_SIDE_DEPTH = 1e-6
 """Points this share of the extent under the outermost one lie on its flat side."""
 FLAT_SIDE_CORNERS = 64
+_POINTS_AT_ONCE = 4096
 
 
 @dataclass(frozen=True)
@@ -101,10 +106,39 @@ def minimal_box(points, flat_directions=()):
             boxes.append(_box_along(corners, axes))
     boxes.sort(key=lambda box: box.volume)
     # Nelder and Mead gains on curved hulls only; candidates that lie far above the best never win.
-    refined = [_refined(corners, box) for box in boxes[:REFINED_CANDIDATES]]
-    smallest = min(box.volume for box in boxes + refined)
-    ties = [box for box in boxes + refined if box.volume <= smallest * (1.0 + TOLERANCES.box_tie)]
-    return _box_along(points, min(ties, key=lambda box: box.diagonal).axes)
+    boxes += [_refined(corners, box) for box in boxes[:REFINED_CANDIDATES]]
+    boxes.sort(key=lambda box: box.volume)
+    # On a round part the extreme points let a box through that all points would not.
+    preferred = _preferred(boxes)
+    chosen = [preferred] if preferred is boxes[0] else [boxes[0], preferred]
+    return _preferred([_polished(points, corners, box) for box in chosen])
+
+
+def _preferred(boxes):
+    """The one with the shortest diagonal of the smallest boxes."""
+    least = min(box.volume for box in boxes) * (1.0 + TOLERANCES.box_tie)
+    return min((box for box in boxes if box.volume <= least), key=lambda box: box.diagonal)
+
+
+def _polished(points, corners, box):
+    """The box of all points, refined with those that stick out of it as more corners."""
+    best = _box_along(points, box.axes)
+    for _ in range(POLISHING_ROUNDS):
+        if best.volume <= box.volume * (1.0 + POLISHED):
+            break
+        corners = np.concatenate([corners, points[_extreme(points, _around(box.axes))]])
+        box = _refined(corners, _box_along(corners, best.axes))
+        best = min(best, _box_along(points, box.axes), key=lambda each: each.volume)
+    return best
+
+
+def _around(axes):
+    """Directions near the axes, both ways, ndarray of shape (k, 3)."""
+    cones = [
+        np.cos(tilt) * axis + np.sin(tilt) * _in_plane(axis, 8)
+        for axis in np.concatenate([axes, -axes]) for tilt in POLISHING_TILTS
+    ]
+    return np.concatenate([axes, -axes, *cones])
 
 
 def _box_along(points, axes):
@@ -132,11 +166,13 @@ def _support_points(points, flat_directions):
 
 def _extreme(points, directions):
     """Indices of the points farthest along each direction, each once."""
+    # Float32 tells apart what matters here; the directions are rows, for the sake of argmax.
+    coarse, rows = points.astype(np.float32), directions.astype(np.float32)
     winners = np.unique(np.concatenate([
-        start + (points[start:start + 8192] @ directions.T).argmax(axis=0)
-        for start in range(0, len(points), 8192)
+        start + (rows @ coarse[start:start + _POINTS_AT_ONCE].T).argmax(axis=1)
+        for start in range(0, len(points), _POINTS_AT_ONCE)
     ]))
-    return winners[np.unique((points[winners] @ directions.T).argmax(axis=0))]
+    return winners[np.unique((directions @ points[winners].T).argmax(axis=1))]
 
 
 def _in_plane(direction, count):
