@@ -7,6 +7,7 @@ from scipy.optimize import minimize
 from scipy.spatial import ConvexHull, QhullError
 from scipy.spatial.transform import Rotation
 
+from .progress import tell
 from .tolerances import TOLERANCES
 
 SUPPORT_DIRECTIONS = 400
@@ -69,7 +70,7 @@ def principal_box(points):
     return _box_along(points, np.linalg.eigh(np.cov(points.T))[1].T)
 
 
-def minimal_box(points, flat_directions=()):
+def minimal_box(points, flat_directions=(), report=None):
     """Oriented bounding box of minimum volume.
 
     Parameters
@@ -78,6 +79,8 @@ def minimal_box(points, flat_directions=()):
     flat_directions : array_like of shape (k, 3), optional
         Unit normals of the large flat sides. Where a part has many points and round edges, they
         keep the box flush with those sides.
+    report : callable, optional
+        Called with the fraction done; may raise to stop.
 
     Returns
     -------
@@ -99,19 +102,19 @@ def minimal_box(points, flat_directions=()):
     except QhullError:
         return _flat_box(points)
     corners = support[hull.vertices]
-    boxes = []
-    for direction in _candidate_directions(support, hull):
-        axes = _complete_by_rectangle(corners, direction)
-        if axes is not None:
-            boxes.append(_box_along(corners, axes))
+    tell(report, 0.3)
+    completed = (_complete_by_rectangle(corners, each) for each in _candidate_directions(support, hull))
+    boxes = [_box_along(corners, axes) for axes in completed if axes is not None]
     boxes.sort(key=lambda box: box.volume)
     # Nelder and Mead gains on curved hulls only; candidates that lie far above the best never win.
-    boxes += [_refined(corners, box) for box in boxes[:REFINED_CANDIDATES]]
+    for box in boxes[:REFINED_CANDIDATES]:
+        tell(report, 0.5)
+        boxes.append(_refined(corners, box))
     boxes.sort(key=lambda box: box.volume)
     # On a round part the extreme points let a box through that all points would not.
     preferred = _preferred(boxes)
     chosen = [preferred] if preferred is boxes[0] else [boxes[0], preferred]
-    return _preferred([_polished(points, corners, box) for box in chosen])
+    return _preferred([_polished(points, corners, box, report) for box in chosen])
 
 
 def _preferred(boxes):
@@ -120,12 +123,13 @@ def _preferred(boxes):
     return min((box for box in boxes if box.volume <= least), key=lambda box: box.diagonal)
 
 
-def _polished(points, corners, box):
+def _polished(points, corners, box, report):
     """The box of all points, refined with those that stick out of it as more corners."""
     best = _box_along(points, box.axes)
     for _ in range(POLISHING_ROUNDS):
         if best.volume <= box.volume * (1.0 + POLISHED):
             break
+        tell(report, 0.8)
         corners = np.concatenate([corners, points[_extreme(points, _around(box.axes))]])
         box = _refined(corners, _box_along(corners, best.axes))
         best = min(best, _box_along(points, box.axes), key=lambda each: each.volume)

@@ -9,7 +9,7 @@ from .space_filling_curve import hilbert_order
 WIDTH = 8
 """Children per node."""
 
-_AT_ONCE = 65536
+_AT_ONCE = 16384
 
 _PADDING = 4e-7
 """Boxes are float32 and grown by this share of the extent, so that rounding hides no triangle."""

@@ -4,6 +4,7 @@ import numpy as np
 
 from .box_tree import box_tree
 from .dominant_directions import dominant_axes
+from .progress import portion, tell
 from .ray_casting import OUTER, first_hits_in_order, first_hits_within
 from .ray_packets import side_of_cube
 from .space_filling_curve import hilbert_index
@@ -13,7 +14,7 @@ ENTRY_SAMPLES = 1000
 """Samples that are tried for a surface that passes through itself."""
 
 
-BLOCK = 131072
+BLOCK = 65536
 """Rays that are cast together: it bounds the memory that casting takes."""
 
 
@@ -64,14 +65,16 @@ class InwardRays:
         triangle : ndarray of shape (m,), int64
             inf and -1 where nothing is met.
         """
+        tell(report, 0.0)
         order = self._coherent_order(samples)
+        tell(report, 0.0)
         distance = np.empty(samples.count)
         triangle = np.empty(samples.count, dtype=np.int64)
         for start in range(0, samples.count, BLOCK):
             rays = order[start:start + BLOCK]
             distance[rays], triangle[rays] = first_hits_in_order(
                 self.tree, *self._rays(samples, rays), side,
-                report and (lambda done: report((start + done * len(rays)) / samples.count)),
+                portion(report, start / samples.count, (start + len(rays)) / samples.count),
             )
         return distance, triangle
 

@@ -13,11 +13,13 @@ from .inward_rays import InwardRays
 from .mass_properties import area, volume
 from .nonparallel import STATED_ANGLES, STATED_FLOOR, nonparallel_minimum
 from .pair_rule import measure_pairs
+from .progress import portion, tell
 from .sampling import centroid_samples, surface_samples
 from .thickness import ThicknessField, measure_rays
 
-RAYS_SHARE = 0.8
-"""Share of the progress that the samples take; the search for slanted walls takes the rest."""
+BOX_DONE, TREE_DONE, RAYS_DONE = 0.1, 0.15, 0.85
+"""Progress when the box is found, the tree is built, and all samples have been cast; the search for
+slanted walls is the rest."""
 
 FLAT_DIRECTIONS = 16
 """Sides of a part that its box may lie flush with."""
@@ -73,28 +75,28 @@ def measure(mesh, settings, report=None):
     MeshError
         kind ``zero_volume`` for a closed surface that encloses nothing.
     """
+    tell(report, 0.0)
     enclosed = volume(mesh)
-    box = _box(mesh, settings.box)
+    box = _box(mesh, settings.box, portion(report, 0.0, BOX_DONE))
     if settings.measure == "pairs":
-        field, shares = measure_pairs(mesh, centroid_samples(mesh), box.diagonal, report)
+        pairs_report = portion(report, BOX_DONE, 1.0)
+        field, shares = measure_pairs(mesh, centroid_samples(mesh), box.diagonal, pairs_report)
         least = shares.nonparallel_minimum(STATED_FLOOR, *STATED_ANGLES)
     else:
+        tell(report, BOX_DONE)
         rays = InwardRays(mesh)
+        tell(report, TREE_DONE)
         samples = surface_samples(mesh, settings.minimum_samples)
-        field = measure_rays(mesh, samples, _portion(report, 0.0, RAYS_SHARE), rays)
+        field = measure_rays(mesh, samples, portion(report, TREE_DONE, RAYS_DONE), rays)
         shares = distribution(field, box.diagonal)
-        slanted = _portion(report, RAYS_SHARE, 1.0)
-        least = nonparallel_minimum(mesh, rays, field, box.diagonal, slanted)
+        slanted_report = portion(report, RAYS_DONE, 1.0)
+        least = nonparallel_minimum(mesh, rays, field, box.diagonal, slanted_report)
+    tell(report, 1.0)
     return Measurement(Descriptors(enclosed, area(mesh), box, shares, least), field)
 
 
-def _portion(report, start, end):
-    """A report of a part of the work, which runs from 0 to 1 itself."""
-    return report and (lambda done: report(start + (end - start) * done))
-
-
-def _box(mesh, kind):
+def _box(mesh, kind, report=None):
     if kind == "principal":
         return principal_box(mesh.vertices)
     flat = dominant_directions(mesh.normals, mesh.areas, FLAT_DIRECTIONS)
-    return minimal_box(mesh.vertices, flat)
+    return minimal_box(mesh.vertices, flat, report)

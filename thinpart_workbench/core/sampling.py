@@ -18,6 +18,8 @@ _JUST_INSIDE_CORNERS = np.eye(3) * (1.0 - 3.0 * _INSET) + _INSET
 MAXIMUM_EXTRA_SAMPLES = 600_000
 """Beyond one sample per triangle no more than this many: cost stays near linear in triangles."""
 
+_AT_ONCE = 32768
+
 _GOLDEN = 1.32471795724474602596
 
 
@@ -72,13 +74,13 @@ def surface_samples(mesh, minimum=AnalysisSettings.minimum_samples):
     """
     per_triangle = _samples_per_triangle(mesh.areas, minimum)
     triangle = np.repeat(np.arange(mesh.count), per_triangle)
-    start = np.cumsum(per_triangle) - per_triangle
-    rank = np.arange(len(triangle)) - np.repeat(start, per_triangle)
-    barycentric = _barycentric(rank, triangle, per_triangle[triangle])
-    corners = mesh.corners
-    points = np.zeros((len(triangle), 3))
-    for corner in range(3):
-        points += barycentric[:, corner, None] * corners[triangle, corner]
+    first = np.cumsum(per_triangle) - per_triangle
+    points = np.empty((len(triangle), 3))
+    for start in range(0, len(triangle), _AT_ONCE):
+        own = triangle[start:start + _AT_ONCE]
+        rank = np.arange(start, start + len(own)) - first[own]
+        barycentric = _barycentric(rank, own, per_triangle[own])
+        points[start:start + len(own)] = np.einsum("ik,ikj->ij", barycentric, mesh.corners[own])
     area = (mesh.areas / per_triangle)[triangle]
     return SurfaceSamples(points, triangle, area)
 

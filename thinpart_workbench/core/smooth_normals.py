@@ -6,7 +6,7 @@ from scipy.sparse.csgraph import connected_components
 
 from .tolerances import TOLERANCES
 
-_AT_ONCE = 65536
+_AT_ONCE = 16384
 
 CREASE = np.radians(20.0)
 """Facets that meet at less than this belong to one smooth surface, unless B-Rep faces say more."""

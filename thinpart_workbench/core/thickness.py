@@ -7,6 +7,7 @@ import numpy as np
 
 from .inward_rays import InwardRays
 from .ray_casting import INNER
+from .progress import portion, tell
 from .sampling import SurfaceSamples, corner_samples
 from .smooth_normals import normals_at
 from .surface_mesh import SurfaceMesh
@@ -24,7 +25,10 @@ SLOPE_ALLOWANCE = np.radians(1.0)
 NONPARALLEL_BELOW = np.radians(60.0)
 """Wedge angle from which two faces do not enclose a thickness (same place)."""
 
-_AT_ONCE = 65536
+RAYS_DONE, ANGLES_DONE, CORNERS_CHOSEN = 0.85, 0.95, 0.98
+"""Progress after each step of measuring by rays."""
+
+_AT_ONCE = 16384
 
 
 @dataclass(frozen=True)
@@ -119,12 +123,14 @@ def measure_rays(mesh, samples, report=None, rays=None):
     whatever lies between; the first triangle met from inside is the wall itself.
     """
     rays = rays or InwardRays(mesh)
-    distance, opposite = rays.first_hits(samples, INNER, report)
-    angle = wedge_angles(mesh, samples, distance, opposite)
+    distance, opposite = rays.first_hits(samples, INNER, portion(report, 0.0, RAYS_DONE))
+    angle = wedge_angles(mesh, samples, distance, opposite, portion(report, RAYS_DONE, ANGLES_DONE))
     entered = rays.entered(samples, distance)
     corners = corner_samples(mesh, _likely_thinnest(mesh, samples, distance, angle))
+    tell(report, CORNERS_CHOSEN)
     corner_distance, corner_opposite = rays.first_hits(corners, INNER)
     corner_angle = wedge_angles(mesh, corners, corner_distance, corner_opposite)
+    tell(report, 1.0)
     return ThicknessField(
         mesh, samples.followed_by(corners), np.concatenate([distance, corner_distance]),
         np.concatenate([angle, corner_angle]), np.concatenate([opposite, corner_opposite]), entered,
@@ -150,7 +156,7 @@ def _likely_thinnest(mesh, samples, distance, wedge_angle):
     return np.union1d(order[:PROBED_TRIANGLES], order[first_of_face])
 
 
-def wedge_angles(mesh, samples, distance, opposite):
+def wedge_angles(mesh, samples, distance, opposite, report=None):
     """Wedge angles between samples and the triangles that they see.
 
     Parameters
@@ -160,6 +166,8 @@ def wedge_angles(mesh, samples, distance, opposite):
     distance : ndarray of shape (m,), mm
     opposite : ndarray of shape (m,), int64
         -1 where nothing is met.
+    report : callable, optional
+        Called with the fraction done; may raise to stop.
 
     Returns
     -------
@@ -178,6 +186,7 @@ def wedge_angles(mesh, samples, distance, opposite):
         triangle, points = samples.triangle[met], samples.points[met]
         here = normals_at(mesh, triangle, points)
         there = points - mesh.normals[triangle] * distance[met, None]
+        tell(report, start / samples.count)
         angle[met] = _angle_between(here, -normals_at(mesh, opposite[met], there))
     return angle
 
