@@ -7,7 +7,7 @@ import made_meshes
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
 from thinpart_workbench.core.descriptors import REPORTED_SHARES
 from thinpart_workbench.core.distribution import distribution
-from thinpart_workbench.core.sampling import surface_samples
+from thinpart_workbench.core.sampling import MAXIMUM_EXTRA_SAMPLES, surface_samples
 from thinpart_workbench.core.surface_mesh import surface_mesh
 from thinpart_workbench.core.thickness import measure_rays
 
@@ -69,6 +69,18 @@ def test_samples_stand_for_the_whole_area():
     assert per_triangle == pytest.approx(mesh.areas, rel=1e-12)
     assert samples.count >= 10_000
     assert np.bincount(samples.triangle).min() >= 4
+
+
+def test_samples_per_triangle_fall_on_very_fine_meshes():
+    mesh = surface_mesh(*made_meshes.box(100, 60, 40, cells=160))
+    samples = surface_samples(mesh)
+    per_triangle = np.bincount(samples.triangle, minlength=mesh.count)
+    assert mesh.count > 300_000
+    assert per_triangle.min() >= 1
+    assert samples.count <= mesh.count + MAXIMUM_EXTRA_SAMPLES
+    assert samples.area.sum() == pytest.approx(mesh.areas.sum())
+    # The large triangles keep their four.
+    assert per_triangle[mesh.areas > np.quantile(mesh.areas, 0.7)].min() >= 4
 
 
 def test_samples_have_no_random_seed_in_them():

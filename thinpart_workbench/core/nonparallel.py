@@ -21,8 +21,8 @@ STATED_ANGLES = (10, 55)
 SEARCHED = 0.05
 """Share of the diagonal within which is searched where samples alone do not reach the floor."""
 
-_MARGIN = 1.1
-_GROWTH = 1.5
+_TIMES_THE_AREA = (2, 16)
+_MARGIN = 1.0 + 1e-6
 _FARTHEST = 4.0
 _PACKETS_AT_ONCE = 96
 _PAIRS_AT_ONCE = 8192
@@ -58,14 +58,10 @@ def nonparallel_minimum(mesh, rays, field, diagonal, report=None):
     that something else hides, as seen from their middle, are left out.
     """
     target = STATED_FLOOR * field.area.sum()
-    limit, farthest = _bounds(field, target, diagonal)
-    while limit is not None:
+    for limit in _limits(field, target, diagonal):
         regions = _regions(mesh, rays, limit, report)
         if regions.area.sum() >= target:
             return regions.distance_of(target) / diagonal
-        if limit >= farthest:
-            break
-        limit = min(limit * _GROWTH, farthest)
     return _of_samples(field, target, diagonal)
 
 
@@ -82,16 +78,25 @@ def _of_samples(field, target, diagonal):
     return float(field.distance[chosen[reached[0]]]) / diagonal if len(reached) else None
 
 
-def _bounds(field, target, diagonal):
-    """Distance to search within at first, and at most; None where there is nothing to search."""
+def _limits(field, target, diagonal):
+    """Distances, mm, to search within, one after the other until the area is found.
+
+    The samples say under which distance a few times the area lies. Where they found too little, the
+    search widens from the nearest of them.
+    """
     chosen = _slanted(field)
     if not len(chosen):
-        return None, None
-    reached = _of_samples(field, target, 1.0)
-    if reached is not None:
-        return reached * _MARGIN, reached * _FARTHEST
-    nearest, farthest = float(field.distance[chosen[0]]), SEARCHED * diagonal
-    return (nearest * _MARGIN, farthest) if nearest < farthest else (None, None)
+        return
+    distance, area = field.distance[chosen], np.cumsum(field.area[chosen])
+    if area[-1] >= target:
+        for times in _TIMES_THE_AREA:
+            yield float(distance[min(np.searchsorted(area, times * target), len(area) - 1)]) * _MARGIN
+        yield float(distance[np.searchsorted(area, target)]) * _FARTHEST
+        return
+    limit, farthest = float(distance[0]) * _FARTHEST, SEARCHED * diagonal
+    while limit < farthest * _FARTHEST:
+        yield min(limit, farthest)
+        limit *= _FARTHEST
 
 
 @dataclass(frozen=True)
