@@ -40,6 +40,20 @@ def test_it_describes_the_whole_document(saved):
     assert window.text("ThinPart_PartLabel") == "Plate"
 
 
+def test_it_names_what_is_broken_beside_the_good_parts(saved):
+    document = App.ActiveDocument
+    window.add(document, "Cover", Part.makeShell(Part.makeBox(9, 9, 9).Faces[:5]))
+    document.save()
+    Gui.SendMsgToActiveView("Save")
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(document.Name, "Plate")
+    window.classify()
+    content = read_info(info(saved))
+    assert [part["name"] for part in content["parts"]] == ["Ribbed", "Plate"]
+    failure, = content["failures"]
+    assert (failure["label"], failure["kind"]) == ("Cover", "no_solid")
+
+
 def test_notes_are_kept(saved):
     window.classify()
     content = json.loads(info(saved).read_text())

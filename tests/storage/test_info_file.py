@@ -57,6 +57,69 @@ def test_notes_survive(document):
     assert info_file.read_info(path)["parts"][0]["notes"] == "meshed with 3 layers"
 
 
+def test_links_are_looked_at_too(tmp_path, document):
+    near, far = tmp_path / "near.FCStd", tmp_path / "lib" / "far.FCStd"
+    far.parent.mkdir()
+    for link in (near, far):
+        link.write_bytes(b"other geometry")
+    links = [near, far, tmp_path / "gone.FCStd"]
+    source = info_file.new_source(document, links)
+    assert [each["file"] for each in source["links"]] == ["near.FCStd", "lib/far.FCStd", "gone.FCStd"]
+
+    def current(links):
+        content = info_file.info_content(info_file.new_source(document, links), SETTINGS, PROFILE, [])
+        return lambda: info_file.is_current(content, document, SETTINGS, PROFILE)
+
+    missing, whole = current(links), current(links[:2])
+    assert not missing() and whole()
+    os.utime(near, (5, 5))
+    assert whole()  # the hash decides
+    far.write_bytes(b"same length!!!")
+    assert not whole() and not info_file.source_is_unchanged(source, document)
+    far.unlink()
+    assert not whole()
+
+
+def test_only_failures_that_come_again_are_taken_from_an_info_file(document):
+    for kind, lasts in (("no_solid", True), ("zero_volume", True), ("memory", False),
+                        ("missing", False)):
+        failure = {"part": "Pad", "label": "Pad", "kind": kind, "message": "It is broken."}
+        content = info_file.info_content(
+            info_file.new_source(document), SETTINGS, PROFILE, [], [failure])
+        assert info_file.is_current(content, document, SETTINGS, PROFILE) == lasts
+
+
+def test_an_info_file_of_another_document_is_not_overwritten(tmp_path):
+    path = tmp_path / "info" / "part.step.thinpart.json"
+    contents = {}
+    for folder in "ab":
+        (tmp_path / folder).mkdir()
+        document = tmp_path / folder / "part.step"
+        document.write_bytes(b"geometry of " + folder.encode())
+        contents[folder] = info_file.info_content(
+            info_file.new_source(document, info_file=path), SETTINGS, PROFILE,
+            [{"name": "Solid1", "notes": folder}])
+    assert contents["a"]["source"]["folder"] == "../a"
+    info_file.write_info(path, contents["a"])
+    before = path.read_bytes()
+    for keep in (None, info_file.read_info(path)):
+        with pytest.raises(ThinPartError, match="belongs to .*a/part.step") as failure:
+            info_file.write_info(path, contents["b"], keep=keep)
+        assert failure.value.kind == "info_write" and path.read_bytes() == before
+    (tmp_path / "link").symlink_to(tmp_path / "a")
+    linked = info_file.new_source(tmp_path / "link" / "part.step", info_file=path)
+    assert linked == contents["a"]["source"]
+    (tmp_path / "a").rename(tmp_path / "c")  # moved: its notes go with it
+    moved = info_file.info_content(
+        info_file.new_source(tmp_path / "c" / "part.step", info_file=path), SETTINGS, PROFILE,
+        [{"name": "Solid1", "notes": ""}])
+    assert not info_file.is_current(info_file.read_info(path), tmp_path / "c" / "part.step",
+                                    SETTINGS, PROFILE, path)
+    info_file.write_info(path, moved, keep=info_file.read_info(path))
+    assert info_file.read_info(path)["parts"][0]["notes"] == "a"
+    assert info_file.read_info(path)["source"]["folder"] == "../c"
+
+
 @pytest.mark.parametrize("text, says", [
     ("", "cannot be read"), ("{", "cannot be read"), ("[]", "not a ThinPart info file"),
     ('{"format": "other"}', "not a ThinPart info file"),

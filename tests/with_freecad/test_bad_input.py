@@ -330,6 +330,49 @@ def test_kill_9_leaves_no_half_written_file(tmp_path):
     assert run.returncode == 0 and len(records(run)) == 4
 
 
+def test_temporary_folders_of_killed_runs_are_removed_by_the_next(tmp_path):
+    folder = tmp_path / "parts"
+    folder.mkdir()
+    os.mkfifo(folder / "hang.step")
+    temporary = tmp_path / "temporary"
+    temporary.mkdir()
+    environment = dict(os.environ, PYTHONPATH=str(ROOT), TMPDIR=str(temporary))
+
+    def left():
+        return {each.name for each in temporary.glob("thinpart-*")}
+
+    def start():
+        before = left()
+        process = subprocess.Popen(
+            [sys.executable, "-m", "thinpart_workbench", "classify", str(folder), "--no-info"],
+            env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL, start_new_session=True)
+        for _ in range(200):
+            if any((temporary / name / "lock").exists() for name in left() - before):
+                return process, (left() - before).pop()
+            time.sleep(0.05)
+        raise AssertionError("no temporary folder")
+
+    foreign = temporary / "thinpart-run-of-somebody"
+    foreign.mkdir()
+    (temporary / "thinpart-run-link").symlink_to(folder)
+    (folder / "lock").write_bytes(b"")
+    killed, stale = start()
+    os.killpg(killed.pid, signal.SIGKILL)
+    killed.wait()
+    running, used = start()
+    try:
+        assert stale not in left() and used in left()
+        third, own = start()
+        os.killpg(third.pid, signal.SIGINT)
+        third.wait()
+        assert used in left() and own not in left() and running.poll() is None
+    finally:
+        os.killpg(running.pid, signal.SIGKILL)
+        running.wait()
+    assert foreign.is_dir() and (folder / "lock").exists()
+
+
 def _ended(group):
     for _ in range(50):
         try:

@@ -171,6 +171,57 @@ def test_documents_of_one_name_in_two_folders_have_two_info_files(tmp_path):
                           "b/part.step.thinpart.json": "normal"}
 
 
+def test_two_calls_for_one_name_do_not_share_an_info_file(tmp_path):
+    for folder, sample in (("a", "wedge"), ("b", "block")):
+        (tmp_path / folder).mkdir()
+        shutil.copy(SAMPLES / f"{sample}.step", tmp_path / folder / "part.step")
+    arguments = ("--info-dir", "info", "--json")
+    assert thinpart("classify", "a/part.step", *arguments, cwd=tmp_path).returncode == 0
+    info = tmp_path / "info" / "part.step.thinpart.json"
+    content = json.loads(info.read_text(encoding="utf-8"))
+    jsonschema.validate(content, SCHEMA)
+    content["parts"][0]["notes"] = "three layers"
+    info.write_text(json.dumps(content))
+    before = info.read_bytes()
+    for _ in range(2):
+        run = thinpart("classify", "b/part.step", *arguments, cwd=tmp_path)
+        good, bad = records(run)
+        assert run.returncode == 1 and (good["category"], good["notes"]) == ("normal", "")
+        assert bad["error"]["kind"] == "info_write" and "a/part.step" in bad["error"]["message"]
+        assert info.read_bytes() == before
+    again, = records(thinpart("classify", "a/part.step", *arguments, cwd=tmp_path))
+    assert again["notes"] == "three layers" and info.read_bytes() == before
+    both = thinpart("classify", "a", "b", *arguments, cwd=tmp_path)
+    assert both.returncode == 0 and len(list((tmp_path / "info").rglob("*.json"))) == 3
+
+
+def test_rows_of_files_of_one_name_can_be_told_apart(tmp_path):
+    for folder in ("a", "b/deep"):
+        (tmp_path / "parts" / folder).mkdir(parents=True)
+        shutil.copy(SAMPLES / "wedge.step", tmp_path / "parts" / folder / "part.step")
+    (tmp_path / "parts" / "b" / "part.step").write_bytes(b"")
+    table = tmp_path / "table.csv"
+    run = thinpart("classify", tmp_path / "parts", "--no-info", "--csv", table)
+    expected = ["a/part.step", "b/deep/part.step", "b/part.step"]
+    assert [line.split()[0] for line in run.stdout.splitlines()[1:4]] == expected
+    with open(table, newline="", encoding="utf-8") as file:
+        assert [row["file"] for row in csv.DictReader(file)] == expected
+
+
+def test_one_file_is_measured_once_however_many_ways_lead_to_it(tmp_path):
+    real = tmp_path / "real"
+    real.mkdir()
+    shutil.copy(SAMPLES / "wedge.step", real)
+    (tmp_path / "also").symlink_to(real)
+    (tmp_path / "link.step").symlink_to(real / "wedge.step")
+    run = thinpart("classify", tmp_path / "also", tmp_path / "link.step", real, tmp_path, "--json")
+    record, = records(run)
+    assert record["file"] == str(real / "wedge.step")
+    assert [each.name for each in tmp_path.rglob("*.json")] == ["wedge.step.thinpart.json"]
+    record, = records(thinpart("classify", tmp_path / "link.step", "--json", "--no-info"))
+    assert record["file"] == str(tmp_path / "link.step")
+
+
 def test_folders_offer_what_can_be_read():
     from thinpart_workbench.freecad_adapter.part_files import READERS
     from thinpart_workbench.workflow.find_documents import ENDINGS
@@ -217,6 +268,19 @@ def test_own_profile_and_the_papers_verdict_beside_it(tmp_path):
 def test_wrong_usage_is_two(arguments):
     run = thinpart(*arguments)
     assert run.returncode == 2 and run.stderr and "Traceback" not in run.stderr
+
+
+@pytest.mark.parametrize("option, value, allowed", [
+    ("--jobs", "0", "a whole number from 1"), ("--jobs", "two", "a whole number from 1"),
+    ("--timeout", "-1", "a number of seconds from"), ("--timeout", "nan", "a number of seconds from"),
+    ("--timeout", "inf", "to 1000000000"), ("--memory", "50", "megabytes from 600"),
+    ("--memory", "6 GB", "a whole number of megabytes"), ("--memory", "9" * 30, "to 1000000000"),
+])
+def test_a_value_that_is_not_allowed_is_answered_with_a_sentence(option, value, allowed):
+    run = thinpart("classify", "x", option, value)
+    last = run.stderr.splitlines()[-1]
+    assert run.returncode == 2 and f"'{value}' is not allowed: {option} takes " in last
+    assert allowed in last and "_" not in last and last.endswith(".")
 
 
 def test_paths_with_odd_names(tmp_path):

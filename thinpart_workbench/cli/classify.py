@@ -36,11 +36,14 @@ def add_arguments(parser):
                         help="how thickness is measured: rays (default), or the paper's pair rule")
     parser.add_argument("--box", choices=BOXES, default=BOXES[0],
                         help="bounding box: minimal (default), or the paper's principal axes")
-    parser.add_argument("--jobs", type=_positive(int), metavar="N", default=os.cpu_count() or 1,
+    parser.add_argument("--jobs", metavar="N", default=os.cpu_count() or 1,
+                        type=_number("--jobs", int, "a whole number", 1),
                         help="files at once (default: one per processor)")
-    parser.add_argument("--timeout", type=_positive(float), metavar="S", default=default["seconds"],
+    parser.add_argument("--timeout", metavar="S", default=default["seconds"],
+                        type=_number("--timeout", float, "a number of seconds", 0.001),
                         help="seconds that one file may take (default: %(default)g)")
-    parser.add_argument("--memory", type=_megabytes, metavar="MB", default=default["megabytes"],
+    parser.add_argument("--memory", metavar="MB", default=default["megabytes"],
+                        type=_number("--memory", int, "a whole number of megabytes", LEAST_MEGABYTES),
                         help="memory that one file may take (default: %(default)s)")
 
 
@@ -66,9 +69,9 @@ def run(options):
         # Also after Ctrl-C: what was done is shown and kept.
         outcomes.sort(key=lambda outcome: outcome["file"])
         if not options.json and outcomes:
-            print_table(outcomes, sys.stdout)
+            print_table(outcomes, sys.stdout, tree)
         if options.csv:
-            write_csv(outcomes, options.csv)
+            write_csv(outcomes, options.csv, tree)
     return 1 if any("error" in each or each["failures"] for each in outcomes) else 0
 
 
@@ -105,7 +108,8 @@ def json_lines(outcome):
     lines = [{"file": file, **part} for part in outcome["parts"]]
     for each in outcome["failures"]:
         error = {"kind": each["kind"], "message": each["message"]}
-        lines.append({"file": file, "name": each["part"], "error": error})
+        lines.append({"file": file, "name": each["part"], "label": each.get("label"),
+                      "error": error})
     return lines
 
 
@@ -145,18 +149,20 @@ def _check_table(path, documents):
         ) from None
 
 
-def _megabytes(text):
-    if int(text) < LEAST_MEGABYTES:
-        raise argparse.ArgumentTypeError(f"FreeCAD itself needs {LEAST_MEGABYTES} MB")
-    return int(text)
+_MOST = 10 ** 9
+"""No machine has so much of anything; what lies above could not be handed on as a number."""
 
 
-def _positive(number):
+def _number(option, kind, what, least):
+    """A parser of an option's value; what it does not take it answers with a sentence."""
     def parse(text):
-        value = number(text)
-        if not value > 0:
-            raise ValueError(text)
+        try:
+            value = kind(text)
+        except ValueError:
+            value = None
+        if value is None or not least <= value <= _MOST:
+            raise argparse.ArgumentTypeError(
+                f"'{text}' is not allowed: {option} takes {what} from {least:g} to {_MOST}.")
         return value
 
-    parse.__name__ = f"positive {number.__name__}"
     return parse

@@ -86,7 +86,7 @@ FIRST_COLUMNS = b"file,part,label"
 """How every table that was written starts; what starts otherwise is not overwritten."""
 
 
-def print_table(outcomes, stream):
+def print_table(outcomes, stream, tree):
     """Print a row per part and per failure.
 
     Parameters
@@ -94,6 +94,8 @@ def print_table(outcomes, stream):
     outcomes : list of dict
         From `analyse_files`.
     stream : text stream
+    tree : str or Path
+        Folder that holds all files: they are named by their places in it.
     """
     from rich.console import Console
     from rich.markup import escape
@@ -111,40 +113,45 @@ def print_table(outcomes, stream):
         table.add_column(column.title, justify="right" if column.right else "left",
                          overflow="fold")
     for outcome in outcomes:
-        start = [escape(os.path.basename(outcome["file"]))] if several else []
+        start = [escape(_place(outcome, tree))] if several else []
         for part in outcome.get("parts", ()):
             colour = _COLOURS.get(part["category"], "cyan")
             cells = [escape(column.value(part)) for column in TABLE]
             cells[1] = f"[{colour}]{cells[1]}[/{colour}]"
             table.add_row(*start, *cells)
         for error in _errors(outcome):
-            name = error.get("part") or ("" if several else os.path.basename(outcome["file"]))
+            name = error.get("label") or ("" if several else _place(outcome, tree))
             table.add_row(*start, escape(name), f"[bold red]failed: {error['kind']}[/bold red]")
     console.print(table)
     for outcome in outcomes:
         for part in outcome.get("parts", ()):
+            whose = f"{_place(outcome, tree)}: {part['label']}" if several else part["label"]
             for text in [part["reason"], *part["warnings"]]:
                 if text:
-                    console.print(f"{escape(part['label'])}: {escape(text)}", style="dim")
+                    console.print(f"{escape(whose)}: {escape(text)}", style="dim")
+
+
+def _place(outcome, tree):
+    return os.path.relpath(outcome["file"], tree)
 
 
 def _errors(outcome):
     return [outcome["error"]] if "error" in outcome else outcome["failures"]
 
 
-def write_csv(outcomes, path):
-    """Write a row per part and per failure to a CSV file."""
+def write_csv(outcomes, path, tree):
+    """Write a row per part and per failure to a CSV file; files are named as in `print_table`."""
     text = io.StringIO(newline="")
     writer = csv.writer(text)
     writer.writerow(["file", *CSV_COLUMNS, "error_kind", "error"])
     for outcome in outcomes:
+        place = _place(outcome, tree)
         for part in outcome.get("parts", ()):
             writer.writerow(
-                [outcome["file"], *(value(part) for value in CSV_COLUMNS.values()), "", ""]
+                [place, *(value(part) for value in CSV_COLUMNS.values()), "", ""]
             )
         for error in _errors(outcome):
-            blank = [""] * (len(CSV_COLUMNS) - 1)
-            writer.writerow(
-                [outcome["file"], error.get("part") or "", *blank, error["kind"], error["message"]]
-            )
+            named = [error.get("part") or "", error.get("label") or ""]
+            blank = [""] * (len(CSV_COLUMNS) - len(named))
+            writer.writerow([place, *named, *blank, error["kind"], error["message"]])
     write_atomically(path, text.getvalue().encode("utf-8", "backslashreplace"))

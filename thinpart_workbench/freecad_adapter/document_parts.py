@@ -1,11 +1,14 @@
 """The distinct parts of an open FreeCAD document."""
 
 import re
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from .bootstrap import load_freecad
+from .broken_parts import BrokenPart, defect_of, mesh_defect, recompute_warning
 from .part import MeshedPart, Occurrence, SolidPart
+from .solids import loose_faces_warning
 
 # A mirror image or a copy stands beside its source; the source is consumed only where it is hidden.
 _STANDS_BESIDE_SOURCE = ("Part::Mirroring", "Part::FeaturePython")
@@ -14,7 +17,27 @@ _STANDS_BESIDE_SOURCE = ("Part::Mirroring", "Part::FeaturePython")
 _PLACING_PROPERTIES = ("Support", "AttachmentSupport")
 
 
+@dataclass
+class DocumentContent:
+    """What a document holds.
+
+    Attributes
+    ----------
+    parts : list of SolidPart or MeshedPart
+    broken : list of BrokenPart
+        What should be a part as well and has no solid.
+    """
+
+    parts: list = field(default_factory=list)
+    broken: list = field(default_factory=list)
+
+
 def document_parts(document):
+    """The parts alone of `document_content`."""
+    return document_content(document).parts
+
+
+def document_content(document):
     """Distinct solids and meshes of a document, each with the places where it stands.
 
     Parameters
@@ -23,7 +46,7 @@ def document_parts(document):
 
     Returns
     -------
-    list of SolidPart or MeshedPart
+    DocumentContent
         In the order of the document. Placements of containers and links are applied.
 
     Notes
@@ -35,16 +58,28 @@ def document_parts(document):
     load_freecad()
     roots = [root for root in document.Objects if _stands_alone(root)]
     leftovers = [root for root in roots if _is_leftover(root)]
-    parts = _parts_under([root for root in roots if root not in leftovers])
-    return parts or _parts_under(leftovers)
+    content = _content_under([root for root in roots if root not in leftovers])
+    if content.parts:
+        return content
+    hidden = _content_under(leftovers, with_hidden=True)
+    return DocumentContent(hidden.parts, content.broken or hidden.broken)
 
 
-def _parts_under(roots):
-    parts = []
+def _content_under(roots, with_hidden=False):
+    content, known = DocumentContent(), set()
     for root in roots:
         for path in _leaf_paths(root):
-            _add_leaf(parts, root, path)
-    return parts
+            leaf = root.getSubObject(path, retType=1) if path else root
+            defect = _add_leaf(content.parts, root, path, leaf)
+            if defect is None or (_is_leftover(leaf) and not with_hidden):
+                continue
+            source = leaf.getLinkedObject(True) or leaf
+            key = source.Document.Name, source.Name
+            if key not in known:  # a broken thing is told once, however often it is linked
+                known.add(key)
+                name = _unique(content.parts + content.broken, leaf.Name)
+                content.broken.append(BrokenPart(name, leaf.Label, *defect))
+    return content
 
 
 def _is_leftover(root):
@@ -156,6 +191,8 @@ def _has_links(candidate):
 
 def _holds_others(candidate):
     if _is_link(candidate):
+        if "LinkedObject" in candidate.PropertiesList and candidate.LinkedObject is None:
+            return False  # an array of what is gone
         if getattr(candidate, "ElementCount", 0) > 0:
             return True
         target = candidate.getLinkedObject(True)
@@ -163,22 +200,27 @@ def _holds_others(candidate):
     return _is_container(candidate)
 
 
-def _add_leaf(parts, root, path):
-    leaf = root.getSubObject(path, retType=1) if path else root
+def _add_leaf(parts, root, path, leaf):
+    """Add what stands at a place to the parts; kind and message where that is a broken part."""
     source = leaf.getLinkedObject(True) or leaf
     if source.isDerivedFrom("Mesh::Feature"):
-        _add_mesh(parts, root, path, leaf, source)
-    elif hasattr(source, "Shape") or _is_link(leaf):
-        _add_solids(parts, root, path, leaf)
+        return _add_mesh(parts, root, path, leaf, source)
+    if hasattr(source, "Shape") or _is_link(leaf):
+        return _add_solids(parts, root, path, leaf)
+    return None
 
 
 def _add_solids(parts, root, path, leaf):
     import Part
 
     shape = Part.getShape(root, path, needSubElement=False, transform=True)
-    if shape.isNull() or leaf.isDerivedFrom("Part::Part2DObject"):
-        return
-    solids = shape.Solids
+    if leaf.isDerivedFrom("Part::Part2DObject"):
+        return None
+    solids = [] if shape.isNull() else shape.Solids
+    if not solids:
+        return defect_of(leaf, shape)
+    warnings = tuple(filter(None, (recompute_warning(leaf),
+                                   loose_faces_warning(shape, f"'{leaf.Label}'"))))
     alike = all(solid.isPartner(solids[0]) for solid in solids)
     for index, solid in enumerate(solids):
         known = next(
@@ -189,15 +231,16 @@ def _add_solids(parts, root, path, leaf):
             name, label = leaf.Name, leaf.Label
             if not alike:
                 name, label = f"{name}.Solid{index + 1}", f"{label} ({index + 1})"
-            known = SolidPart(_unique(parts, name), label, shape=solid)
+            known = SolidPart(_unique(parts, name), label, warnings=warnings, shape=solid)
             parts.append(known)
         known.occurrences.append(Occurrence(root.Name, path, index))
+    return None
 
 
 def _add_mesh(parts, root, path, leaf, source):
     points, triangles = source.Mesh.Topology
     if not triangles:
-        return
+        return mesh_defect(leaf)
     # The points are placed as the mesh itself is; containers and links come on top of that.
     placed = root.getSubObject(path, retType=4) * source.Placement.toMatrix().inverse()
     matrix = np.array(placed.A).reshape(4, 4)
@@ -206,6 +249,7 @@ def _add_mesh(parts, root, path, leaf, source):
                       triangles=np.array(triangles))
     part.occurrences.append(Occurrence(root.Name, path, 0))
     parts.append(part)
+    return None
 
 
 def _unique(parts, name):

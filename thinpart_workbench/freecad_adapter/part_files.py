@@ -12,7 +12,7 @@ import numpy as np
 
 from ..core.errors import ThinPartError
 from .bootstrap import load_freecad
-from .document_parts import document_parts
+from .document_parts import DocumentContent, document_content
 from .mesh_file_check import check_mesh_file
 from .part import MeshedPart, Occurrence, SolidPart
 from .solids import solids_of
@@ -28,8 +28,8 @@ def read_parts(path):
 
     Returns
     -------
-    list of SolidPart or MeshedPart
-        At least one.
+    DocumentContent
+        At least one part, or one that is broken.
 
     Raises
     ------
@@ -44,13 +44,13 @@ def read_parts(path):
             "unsupported",
         )
     load_freecad()
-    parts = reader(path)
-    if not parts:
+    content = reader(path)
+    if not content.parts and not content.broken:
         raise ThinPartError(
             f"{path.name} holds no closed solid, only surfaces, wires or points: "
             "close or thicken it first.", "no_solid",
         )
-    return parts
+    return content
 
 
 def _read_document(path):
@@ -83,7 +83,7 @@ def _read_document(path):
         # In memory only: without its window FreeCAD does not read what older files hid.
         document.getObject(name).Visibility = False
     # The document stays open while its shapes are in use; the worker drops it afterwards.
-    return document_parts(document)
+    return document_content(document)
 
 
 def _proxy_modules(archive):
@@ -132,7 +132,7 @@ def _read_shape(path):
             known = SolidPart(f"Solid{number}", label, warnings=warnings, shape=solid)
             parts.append(known)
         known.occurrences.append(Occurrence("", "", index))
-    return parts
+    return DocumentContent(parts)
 
 
 def _read_mesh(path):
@@ -149,8 +149,8 @@ def _read_mesh(path):
         raise ThinPartError(f"{path.name} is damaged, or its faces are no triangles: "
                             "triangulate it first.", "unreadable")
     points = np.array([(p.x, p.y, p.z) for p in points], dtype=np.float64)
-    return [MeshedPart("Mesh", path.stem, points=points,
-                       triangles=np.array(triangles, dtype=np.int64))]
+    return DocumentContent([MeshedPart("Mesh", path.stem, points=points,
+                                       triangles=np.array(triangles, dtype=np.int64))])
 
 
 READERS = {

@@ -22,7 +22,8 @@ def solids_of(shape):
     IGES brings faces without solids; they are sewn first.
     """
     if shape.Solids:
-        return shape.Solids, ()
+        warning = loose_faces_warning(shape, "The file")
+        return shape.Solids, (warning,) if warning else ()
     if not shape.Faces:
         return [], ()
     diagonal = shape.BoundBox.DiagonalLength
@@ -41,3 +42,23 @@ def _closed_solids(shape):
     import Part
 
     return [Part.Solid(shell) for shell in shape.Shells if shell.isClosed()]
+
+
+def loose_faces_warning(shape, whose):
+    """A sentence about faces that lie beside the solids of a shape; None where there are none.
+
+    Parameters
+    ----------
+    shape : Part.Shape
+        With solids.
+    whose : str
+        What the shape belongs to, as the start of the sentence.
+    """
+    import Part
+
+    # Neighbouring solids may share a face, so that it does not do to add up their numbers.
+    loose = len(shape.Faces) - len(Part.Compound(shape.Solids).Faces)
+    if loose <= 0:
+        return None
+    return (f"{whose} holds {loose} {'faces' if loose > 1 else 'face'} beside its solids, which "
+            "were left out: close or thicken them if they are a part.")

@@ -7,7 +7,7 @@ from ..core.analysis_settings import AnalysisSettings
 from ..core.criteria import load_profile
 from ..core.errors import ThinPartError
 from ..freecad_adapter.active_part import parts_meant
-from ..freecad_adapter.document_parts import document_parts
+from ..freecad_adapter.document_parts import document_content, document_parts
 from ..freecad_adapter.face_owners import face_owners
 from ..freecad_adapter.same_parts import same_parts
 from ..freecad_adapter.settings import preference
@@ -101,7 +101,8 @@ class ClassificationSession(QtCore.QObject):
 
     def _new_analysis(self):
         document = self._document
-        parts = document_parts(document)
+        content = document_content(document)
+        parts = content.parts
         candidates = parts_meant(document, parts, selected_places(document),
                                  active_place(document))
         chosen = candidates[0]
@@ -110,7 +111,8 @@ class ClassificationSession(QtCore.QObject):
         if chosen is None:
             return None
         profile = load_profile(preference("Profile"))
-        return DocumentAnalysis(parts, chosen, AnalysisSettings(), profile.content)
+        return DocumentAnalysis(parts, chosen, AnalysisSettings(), profile.content,
+                                content.broken)
 
     def _measure(self, analysis):
         self._analysis = analysis

@@ -15,6 +15,9 @@ SUFFIX = ".thinpart.json"
 LARGEST = 256 * 1024 * 1024
 """Bytes beyond which a file is taken for something else than an info file."""
 
+_LASTING = ("empty", "no_solid", "not_finite", "unreadable", "unsupported", "zero_volume")
+"""Kinds of failures that an unchanged document has again; others may have passed by."""
+
 
 def info_path(document, info_folder=None, root=None):
     """Where the info file of a document lies.
@@ -41,14 +44,37 @@ def info_path(document, info_folder=None, root=None):
     return Path(info_folder) / inner / name
 
 
-def new_source(document):
+def new_source(document, links=(), info_file=None):
     """The ``source`` entry: name, hash, size and time of a document as it is now.
+
+    Parameters
+    ----------
+    document : str or Path
+    links : list of Path, optional
+        Other documents from which it takes shapes; those that are not there count as well.
+    info_file : str or Path, optional
+        Where the info file is going to lie; beside the document when left out.
 
     Raises
     ------
     ThinPartError
         kind ``missing``, ``permission``, ``unreadable``, or ``empty`` for a file of 0 bytes.
     """
+    document = Path(document)
+    state = _state(document)
+    if state["bytes"] == 0:
+        raise ThinPartError(f"{document.name} is empty (0 bytes).", "empty")
+    source = {"file": document.name}
+    folder = _folder_seen_from(info_file, document)
+    if folder is not None:
+        source["folder"] = folder
+    source.update(state)
+    if links:
+        source["links"] = [_link(link, document) for link in links]
+    return source
+
+
+def _state(document):
     digest = hashlib.sha256()
     try:
         with open(document, "rb") as file:
@@ -59,29 +85,64 @@ def new_source(document):
         raise ThinPartError(f"There is no file {os.fspath(document)}.", "missing") from None
     except PermissionError:
         raise ThinPartError(
-            f"{Path(document).name} may not be read: check its permissions.", "permission"
+            f"{document.name} may not be read: check its permissions.", "permission"
         ) from None
     except OSError as error:
         raise ThinPartError(
-            f"{Path(document).name} cannot be read ({error.strerror}).", "unreadable"
+            f"{document.name} cannot be read ({error.strerror}).", "unreadable"
         ) from None
-    if status.st_size == 0:
-        raise ThinPartError(f"{Path(document).name} is empty (0 bytes).", "empty")
-    return {
-        "file": Path(document).name,
-        "sha256": digest.hexdigest(),
-        "bytes": status.st_size,
-        "modified": _time(status.st_mtime),
-    }
+    return {"sha256": digest.hexdigest(), "bytes": status.st_size,
+            "modified": _time(status.st_mtime)}
+
+
+def _link(link, document):
+    try:
+        state = _state(link)
+    except ThinPartError:
+        state = {"sha256": None, "bytes": None, "modified": None}
+    return {"file": os.path.relpath(link, os.path.abspath(document.parent)), **state}
+
+
+def _folder_seen_from(info_file, document):
+    """The document's folder as seen from its info file's; None where they are the same."""
+    if info_file is None:
+        return None
+    folder = os.path.relpath(os.path.realpath(document.parent),
+                             os.path.realpath(Path(info_file).parent))
+    return None if folder == os.curdir else folder
 
 
 def source_is_unchanged(source, document):
-    """Whether size and time of a document are still those of its ``source`` entry."""
+    """Whether sizes and times of a document and its links are still those of its ``source``."""
+    return all(_looks_unchanged(entry, path) for entry, path in _entries(source, document))
+
+
+def _entries(source, document):
+    """The document and all that it links into: what was recorded, and where that is now."""
+    yield source, document
+    for link in source.get("links", ()):
+        yield link, os.path.join(os.path.dirname(os.path.abspath(document)), link["file"])
+
+
+def _looks_unchanged(entry, path):
     try:
-        status = os.stat(document)
+        status = os.stat(path)
     except OSError:
+        return entry["bytes"] is None
+    return entry["bytes"] == status.st_size and entry["modified"] == _time(status.st_mtime)
+
+
+def _is_unchanged(entry, path):
+    """As above, but where the time alone differs (a copied file), the hash decides."""
+    if entry["bytes"] is None or not os.path.exists(path):
+        return False  # a link that leads nowhere may lead somewhere by now
+    if _looks_unchanged(entry, path):
+        return True
+    try:
+        return os.stat(path).st_size == entry["bytes"] and (
+            _state(Path(path))["sha256"] == entry["sha256"])
+    except (OSError, ThinPartError):
         return False
-    return source["bytes"] == status.st_size and source["modified"] == _time(status.st_mtime)
 
 
 def info_content(source, settings, profile, parts, failures=()):
@@ -113,24 +174,32 @@ def info_content(source, settings, profile, parts, failures=()):
     }
 
 
-def is_current(content, document, settings, profile):
+def is_current(content, document, settings, profile, info_file=None):
     """Whether an info file still says all about its document that a new analysis would.
 
-    Size and time decide; where the time alone differs (a copied file), the hash does.
+    Size and time decide, of the document and of those that it links into; where the time alone
+    differs (a copied file), the hash does.
+
+    Parameters
+    ----------
+    content : dict
+        From `read_info`.
+    document : str or Path
+    settings, profile : dict
+        What a new analysis would have.
+    info_file : str or Path, optional
+        Where the info file lies; beside the document when left out.
     """
     if content["settings"] != settings or content["profile"] != profile:
         return False
-    if content["software"].get("version") != __version__ or content.get("failures"):
+    if content["software"].get("version") != __version__:
+        return False
+    if any(each.get("kind") not in _LASTING for each in content.get("failures", ())):
         return False
     source = content["source"]
-    if source_is_unchanged(source, document):
-        return True
-    try:
-        if os.stat(document).st_size != source["bytes"]:
-            return False
-        return new_source(document)["sha256"] == source["sha256"]
-    except (OSError, ThinPartError):
+    if source.get("folder") != _folder_seen_from(info_file, Path(document)):
         return False
+    return all(_is_unchanged(entry, path) for entry, path in _entries(source, document))
 
 
 def read_info(path):
@@ -190,12 +259,13 @@ def write_info(path, content, keep=None):
     Raises
     ------
     ThinPartError
-        kind ``info_write``. Nothing half-written is left, and a file that is no info file of a
-        version that is understood is not overwritten.
+        kind ``info_write``. Nothing half-written is left. A file that is no info file of a version
+        that is understood is not overwritten, nor is that of another document, still there, which
+        has the same name (two calls with one info folder).
     """
     path = Path(path)
-    if keep is None and os.path.lexists(path):
-        _refuse_foreign(path)
+    if os.path.lexists(path):
+        _refuse_another(path, keep or _refuse_foreign(path), content)
     _carry_notes(content, keep)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -216,11 +286,30 @@ def dumps(content):
 
 def _refuse_foreign(path):
     try:
-        read_info(path)
+        return read_info(path)
     except ThinPartError as error:
         raise ThinPartError(
             f"{error} It was left as it is: move it away to have it written anew.", "info_write"
         ) from None
+
+
+def _refuse_another(path, there, content):
+    theirs, ours = _document_of(path, there), _document_of(path, content)
+    try:
+        another = not os.path.samefile(theirs, ours)
+    except OSError:
+        return  # the other one is gone: moved, most likely, and this is where it is now
+    if another:
+        raise ThinPartError(
+            f"The info file {path} belongs to {theirs} and was left as it is: choose another "
+            f"folder for the info file of {ours}.", "info_write",
+        )
+
+
+def _document_of(path, content):
+    source = content["source"]
+    folder = os.path.join(os.path.realpath(path.parent), source.get("folder", ""))
+    return os.path.normpath(os.path.join(folder, source["file"]))
 
 
 def _carry_notes(content, keep):

@@ -7,6 +7,7 @@ from pathlib import Path
 from ..core.analysis_settings import AnalysisSettings
 from ..core.criteria import load_profile, profile_from
 from ..core.errors import ThinPartError
+from ..freecad_adapter.linked_files import linked_files
 from ..storage.info_file import (
     info_content, is_current, new_source, source_is_unchanged, stored_info, write_info,
 )
@@ -47,39 +48,40 @@ def analyse_file(task, report=None):
     Returns
     -------
     dict
-        ``file``, ``parts`` (part records), ``failures`` (``{"part", "kind", "message"}``),
-        ``reused`` (bool), ``seconds``.
+        ``file``, ``parts`` (part records), ``failures`` (``{"part", "label", "kind",
+        "message"}``), ``reused`` (bool), ``seconds``. Without any part nothing is kept.
 
     Raises
     ------
     ThinPartError
-        When nothing of the file could be analysed.
+        When nothing of the file could be analysed, for one reason.
     """
     started = time.perf_counter()
     stored = stored_info(task.info_file) if task.info_file is not None else None
     if stored is not None and not task.force and is_current(
-        stored, task.file, task.settings.content(), task.profile
+        stored, task.file, task.settings.content(), task.profile, task.info_file
     ):
-        return _outcome(task, stored["parts"], [], True, started)
+        return _outcome(task, stored["parts"], stored.get("failures", []), True, started)
     # The adapter loads FreeCAD; what is unchanged never needs it.
     from ..freecad_adapter.part_files import read_parts
 
-    source = new_source(task.file)
-    parts = read_parts(task.file)
+    source = new_source(task.file, linked_files(task.file), task.info_file)
+    found = read_parts(task.file)
     read_seconds = time.perf_counter() - started
-    records, failures = _analyse_parts(parts, task, read_seconds, report)
-    if not records:
+    records, failures = _analyse_parts(found.parts, task, read_seconds, report)
+    failures += [broken.failure() for broken in found.broken]
+    if not records and len(failures) == 1:
         raise ThinPartError(failures[0]["message"], failures[0]["kind"])
     if not source_is_unchanged(source, task.file):
         raise ThinPartError(
             f"{Path(task.file).name} changed while it was read: classify it again.", "unreadable"
         )
     content = info_content(source, task.settings.content(), task.profile, records, failures)
-    if task.info_file is not None:
+    if task.info_file is not None and records:
         try:
             write_info(task.info_file, content, keep=stored)
         except ThinPartError as error:
-            failures = [*failures, {"part": None, "kind": error.kind, "message": str(error)}]
+            failures = [*failures, _failure(None, None, error.kind, str(error))]
     return _outcome(task, content["parts"], failures, False, started)
 
 
@@ -97,14 +99,17 @@ def _analyse_parts(parts, task, read_seconds, report):
         except ThinPartError as error:
             if error.kind == "cancelled":
                 raise
-            failures.append({
-                "part": part.name, "kind": error.kind, "message": f"{part.label}: {error}",
-            })
+            failures.append(
+                _failure(part.name, part.label, error.kind, f"{part.label}: {error}"))
             continue
         record["seconds"] = {"read": read_seconds / len(parts), **record["seconds"]}
         record["seconds"] = {key: round(value, 4) for key, value in record["seconds"].items()}
         records.append(record)
     return records, failures
+
+
+def _failure(part, label, kind, message):
+    return {"part": part, "label": label, "kind": kind, "message": message}
 
 
 def _outcome(task, records, failures, reused, started):

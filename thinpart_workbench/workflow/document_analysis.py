@@ -1,10 +1,8 @@
 """All that is found out about an open document, as the worker tells it, and its info file."""
 
-import os
-
 from ..core.criteria import profile_from
-from ..core.errors import ThinPartError
-from ..storage.info_file import info_content, info_path, new_source, read_info, write_info
+from ..freecad_adapter.linked_files import linked_files
+from ..storage.info_file import info_content, info_path, new_source, stored_info, write_info
 
 
 class DocumentAnalysis:
@@ -19,6 +17,8 @@ class DocumentAnalysis:
     settings : AnalysisSettings
     profile : dict
         Content of a profile.
+    broken : list of BrokenPart, optional
+        What is no part although it should be one: it is told in the info file.
 
     Attributes
     ----------
@@ -26,9 +26,10 @@ class DocumentAnalysis:
         By the name of the part.
     """
 
-    def __init__(self, parts, chosen, settings, profile):
+    def __init__(self, parts, chosen, settings, profile, broken=()):
         self.parts = parts
         self.chosen = chosen
+        self.broken = broken
         self.settings = settings
         self.profile_content = profile
         self.profile = profile_from(profile)
@@ -95,19 +96,11 @@ class DocumentAnalysis:
         path = info_path(document_file)
         names = [part.name for part in self.parts]
         content = info_content(
-            new_source(document_file), self.settings.content(), self.profile_content,
+            new_source(document_file, linked_files(document_file)),
+            self.settings.content(), self.profile_content,
             [self.records[name] for name in names if name in self.records],
-            [self.failures[name] for name in names if name in self.failures],
+            [self.failures[name] for name in names if name in self.failures]
+            + [each.failure() for each in self.broken],
         )
-        write_info(path, content, keep=_stored(path))
+        write_info(path, content, keep=stored_info(path))
         return path
-
-
-def _stored(path):
-    """What the info file says so far, for the notes in it; None where it cannot be read."""
-    if not os.path.lexists(path):
-        return None
-    try:
-        return read_info(path)
-    except ThinPartError:
-        return None  # what is no info file is refused when it is written to

@@ -9,7 +9,7 @@ ENDINGS = (".fcstd", ".step", ".stp", ".iges", ".igs", ".brep", ".brp",
 
 
 def find_documents(paths):
-    """Documents named or lying under folders, sorted, each once.
+    """Documents named or lying under folders, sorted, each real file once.
 
     Parameters
     ----------
@@ -20,12 +20,15 @@ def find_documents(paths):
     Returns
     -------
     list of Path
+        Of several ways to a file, the one without links if it is among them, else the first.
     """
     found = {}
     for path in map(Path, paths):
         for file in _under(path) if path.is_dir() else [path]:
-            found.setdefault(os.path.abspath(file), file)
-    return [found[key] for key in sorted(found)]
+            real = os.path.realpath(file)
+            if real not in found or os.path.abspath(file) == real:
+                found[real] = file
+    return sorted(found.values(), key=os.path.abspath)
 
 
 def common_folder(paths):

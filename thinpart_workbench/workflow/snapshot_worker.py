@@ -1,7 +1,7 @@
 """The process that measures a snapshot: ``python -m thinpart_workbench.workflow.snapshot_worker``.
 
 It prints one JSON object per line: ``{"progress": {"part", "stage", "fraction"}}``,
-``{"record": ...}``, ``{"failure": {"part", "kind", "message"}}`` and at last ``{"done": true}``.
+``{"record": ...}``, ``{"failure": {"part", "label", "kind", "message"}}`` and at last ``{"done": true}``.
 Whoever started it stops it by killing it; it writes nothing but these lines.
 """
 
@@ -38,12 +38,16 @@ def main(arguments):
         try:
             say(record=_record(entry, read, settings, profile, say))
         except ThinPartError as error:
-            say(failure={"part": entry["name"], "kind": error.kind, "message": str(error)})
+            say(failure=_failure(entry, error.kind, str(error)))
         except MemoryError:
-            say(failure={"part": entry["name"], "kind": "memory",
-                         "message": f"{entry['label']} needs more than {megabytes} MB of memory: "
-                                    "raise the limit in the preferences."})
+            say(failure=_failure(
+                entry, "memory", f"{entry['label']} needs more than {megabytes} MB of memory: "
+                                 "raise the limit in the preferences."))
     say(done=True)
+
+
+def _failure(entry, kind, message):
+    return {"part": entry["name"], "label": entry["label"], "kind": kind, "message": message}
 
 
 def _record(entry, read, settings, profile, say):

@@ -5,7 +5,6 @@ import multiprocessing
 import os
 import resource
 import signal
-import tempfile
 from concurrent.futures import as_completed
 from contextlib import suppress
 from dataclasses import dataclass
@@ -13,6 +12,7 @@ from pathlib import Path
 
 from ..core.errors import ThinPartError
 from ..freecad_adapter.bootstrap import has_home
+from .temporary_folder import temporary_folder
 
 _OUT_OF_MEMORY = (b"bad_alloc", b"MemoryError", b"Unable to allocate", b"OutOfMemory",
                   b"out of memory", b"length_error", b"failed to map segment", b"pthread_create failed")
@@ -63,7 +63,7 @@ def analyse_files(tasks, limits):
 
     if not tasks:
         return
-    with tempfile.TemporaryDirectory(prefix="thinpart-", ignore_cleanup_errors=True) as logs:
+    with temporary_folder() as logs:
         pool = ProcessPool(
             max_workers=max(1, min(limits.jobs, len(tasks))),
             context=multiprocessing.get_context("spawn"),
