@@ -73,9 +73,12 @@ def test_one_module_of_gui_imports_qt():
     assert [path.name for path in files("gui") if {m for _, m in imports(path)} & QT] == ["qt.py"]
 
 
-MEASURING = ("surface_mesh", "edge_balance", "ray_packets", "tree_descent", "nonparallel", "convex_clipping", "mass_properties", "bounds", "sampling", "box_tree", "ray_casting",
-             "thickness", "inward_rays", "smooth_normals", "pair_rule", "distribution", "measurement", "face_thickness",
-             "descriptors", "chord_error")
+MEASURING = (
+    "surface_mesh", "edge_balance", "flat_regions", "smooth_normals", "mass_properties", "bounds",
+    "sampling", "box_tree", "ray_packets", "tree_descent", "ray_casting", "inward_rays", "thickness",
+    "convex_clipping", "nonparallel", "pair_rule", "distribution", "measurement", "face_thickness",
+    "descriptors", "chord_error",
+)
 JUDGING = ("criteria", "classification")
 
 

@@ -93,6 +93,21 @@ def box_tree(corners, normals, areas, gap=0.0):
     return BoxTree(order, levels[::-1], leaf_normals, rows, coarse, extent, gap)
 
 
+def children_of_nodes(values):
+    """Values at the places of the curve as the last level has them: row is child, column is node.
+
+    Parameters
+    ----------
+    values : ndarray of shape (n,)
+
+    Returns
+    -------
+    ndarray of shape (8, p), float32
+        Zero where there is no child.
+    """
+    return _children_of(_fill_up(values[None].astype(np.float32), 0.0))
+
+
 def _fill_up(columns, filler):
     """Pad to a multiple of eight columns; a box that lies at infinity is met by no ray."""
     missing = -columns.shape[1] % WIDTH

@@ -10,7 +10,7 @@ from .ray_packets import side_of_cube
 from .space_filling_curve import hilbert_index
 from .tolerances import TOLERANCES
 
-ENTRY_SAMPLES = 1000
+ENTRY_SAMPLES = 400
 """Samples that are tried for a surface that passes through itself."""
 
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import brentq
 
+from .box_tree import children_of_nodes
 from .convex_clipping import areas, clip
 from .ray_packets import PACKET, coherent_order, thick_rays
 from .sampling import SurfaceSamples
@@ -151,15 +152,16 @@ def _pairs_ahead(mesh, rays, limit, report):
     first, second : ndarray of shape (k,), int64
     """
     order = coherent_order(mesh.corners.mean(axis=1), mesh.normals)
+    bend = children_of_nodes(mesh.bend[rays.tree.order])
     packets = -(-len(order) // PACKET)
     for start in range(0, packets, _PACKETS_AT_ONCE):
         rows = np.arange(start, min(start + _PACKETS_AT_ONCE, packets)) * PACKET
         members = order[np.minimum(rows + np.arange(PACKET)[:, None], len(order) - 1)]
         thick = _thick(rays, members, limit)
-        yield _pairs_of(mesh, rays, members, thick, ~thick.divergent, limit)
+        yield _pairs_of(mesh, rays, bend, members, thick, ~thick.divergent, limit)
         if thick.divergent.any():
             members = np.unique(members[:, thick.divergent])[None]
-            yield _pairs_of(mesh, rays, members, _thick(rays, members, limit), None, limit)
+            yield _pairs_of(mesh, rays, bend, members, _thick(rays, members, limit), None, limit)
         if report is not None:
             report((start + rows.size) / packets)
 
@@ -175,16 +177,16 @@ def _thick(rays, members, limit):
     return thick_rays(origins, directions, limits, rays.tree.extent)
 
 
-def _pairs_of(mesh, rays, members, thick, chosen, limit):
+def _pairs_of(mesh, rays, bend, members, thick, chosen, limit):
     from_angle, to_angle = np.radians(STATED_ANGLES)
-    most_bent = mesh.bend.max()
     tree = rays.tree
+    from_cosine, to_cosine = np.float32(np.cos(to_angle)), np.float32(np.cos(from_angle))
+    own_bend = mesh.bend[members].max(axis=0).astype(np.float32)
 
     def is_wanted(packet, node):
-        allowance = np.take(thick.spread, packet) + np.float32(2.0 * most_bent)
+        allowance = np.take(thick.spread + own_bend, packet) + np.take(bend, node, axis=1)
         facing = cosines(tree, thick, packet, node)
-        wanted = facing > np.float32(np.cos(to_angle)) - allowance
-        wanted &= facing < np.float32(np.cos(from_angle)) + allowance
+        wanted = (facing > from_cosine - allowance) & (facing < to_cosine + allowance)
         if chosen is not None:
             wanted &= np.take(chosen, packet)
         return wanted

@@ -138,10 +138,12 @@ def _solve_in_stages(rays):
 
 def _solve(rays, ray, limit, whole):
     """Find the first hits of some rays, widening the limit where one met nothing."""
+    size = PACKET
     while len(ray):
-        _cast(rays, ray, limit, PACKET)
+        _cast(rays, ray, limit, size)
         open_end = (rays.place[ray] < 0) & (limit < whole)
         ray, limit = ray[open_end], np.minimum(limit[open_end] * _GUESS_GROWTH, whole)
+        size = 1  # those that are left lie apart: a packet of them would be fat
 
 
 def _cast(rays, ray, limit, size):

@@ -10,6 +10,7 @@ from scipy.spatial import cKDTree
 
 from .edge_balance import closes_at_t_junctions, edge_balance
 from .errors import MeshError
+from .flat_regions import flattened
 from .smooth_normals import corner_normals, smooth_patches
 from .tolerances import TOLERANCES
 
@@ -152,6 +153,7 @@ def surface_mesh(points, triangles, face_of_triangle=None):
     triangles, face_of_triangle = triangles[~flat], face_of_triangle[~flat]
     if len(triangles) == 0:
         raise MeshError("All its triangles have zero area.", "zero_volume")
+    vertices = flattened(vertices, triangles, extent)
     inside_out = _signed_volume(vertices, triangles) < 0.0
     if inside_out:
         triangles = triangles[:, ::-1]

@@ -13,6 +13,9 @@ class Tolerances:
     zero_height: float = 1e-10
     """A triangle lower than this has no usable normal and is dropped as degenerate."""
 
+    flat: float = 3e-7
+    """Points no farther than this from a plane are meant to lie in it: float32 keeps them no better."""
+
     self_hit: float = 1e-6
     """A hit nearer than this is the ray's own surface, or a second solid that touches it there."""
 

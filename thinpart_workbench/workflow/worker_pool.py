@@ -18,7 +18,7 @@ _OUT_OF_MEMORY = (b"bad_alloc", b"MemoryError", b"Unable to allocate", b"OutOfMe
                   b"out of memory", b"length_error", b"failed to map segment", b"pthread_create failed")
 
 
-LEAST_MEGABYTES = 600
+LEAST_MEGABYTES = 700
 """What FreeCAD and numpy need before they have read anything."""
 
 
