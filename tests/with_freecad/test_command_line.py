@@ -273,7 +273,7 @@ def test_wrong_usage_is_two(arguments):
 @pytest.mark.parametrize("option, value, allowed", [
     ("--jobs", "0", "a whole number from 1"), ("--jobs", "two", "a whole number from 1"),
     ("--timeout", "-1", "a number of seconds from"), ("--timeout", "nan", "a number of seconds from"),
-    ("--timeout", "inf", "to 1000000000"), ("--memory", "50", "megabytes from 600"),
+    ("--timeout", "inf", "to 1000000000"), ("--memory", "50", "megabytes from 700"),
     ("--memory", "6 GB", "a whole number of megabytes"), ("--memory", "9" * 30, "to 1000000000"),
 ])
 def test_a_value_that_is_not_allowed_is_answered_with_a_sentence(option, value, allowed):

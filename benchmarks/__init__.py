@@ -1,0 +1,1 @@
+"""How fast ThinPart is, beside FreeCAD's tessellation and other programs that cast rays."""
