@@ -8,8 +8,8 @@ from thinpart_workbench.core.bounds import OrientedBox
 from thinpart_workbench.core.classification import classify
 from thinpart_workbench.core.criteria import PROFILES, load_profile, profile_from
 from thinpart_workbench.core.descriptors import QUANTITIES, Descriptors, quantity_named
+from thinpart_workbench.core.descriptors import STATED_ANGLES, STATED_FLOOR
 from thinpart_workbench.core.distribution import Distribution
-from thinpart_workbench.core.nonparallel import STATED_ANGLES, STATED_FLOOR
 from thinpart_workbench.core.errors import ProfileError
 
 PAPER = load_profile("paper")

@@ -7,7 +7,8 @@ from thinpart_workbench.core.analysis_settings import AnalysisSettings
 from thinpart_workbench.core.convex_clipping import areas, clip
 from thinpart_workbench.core.inward_rays import InwardRays
 from thinpart_workbench.core.measurement import measure
-from thinpart_workbench.core.nonparallel import STATED_FLOOR, _regions, nonparallel_minimum
+from thinpart_workbench.core.descriptors import STATED_FLOOR
+from thinpart_workbench.core.nonparallel import _regions, nonparallel_minimum
 from thinpart_workbench.core.sampling import surface_samples
 from thinpart_workbench.core.surface_mesh import surface_mesh
 from thinpart_workbench.core.thickness import measure_rays

@@ -6,12 +6,12 @@ from functools import cached_property
 import numpy as np
 
 from .bounds import minimal_box, principal_box
-from .descriptors import Descriptors
+from .descriptors import STATED_ANGLES, STATED_FLOOR, Descriptors
 from .distribution import distribution
 from .dominant_directions import dominant_directions
 from .inward_rays import InwardRays
 from .mass_properties import area, volume
-from .nonparallel import STATED_ANGLES, STATED_FLOOR, nonparallel_minimum
+from .nonparallel import nonparallel_minimum
 from .pair_rule import measure_pairs
 from .progress import portion, tell
 from .sampling import centroid_samples, surface_samples

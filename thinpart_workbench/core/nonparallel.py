@@ -7,17 +7,12 @@ from scipy.optimize import brentq
 
 from .box_tree import children_of_nodes
 from .convex_clipping import areas, clip
+from .descriptors import STATED_ANGLES, STATED_FLOOR
 from .ray_packets import PACKET, coherent_order, thick_rays
 from .sampling import SurfaceSamples
 from .smooth_normals import normals_at
 from .tolerances import TOLERANCES
 from .tree_descent import cosines, descend
-
-STATED_FLOOR = 0.0001
-"""Share of the area under which a finding is a stray ray."""
-
-STATED_ANGLES = (10, 55)
-"""Wedge angles, degrees, between which faces count (Giannini et al. 2012, 5.2)."""
 
 SEARCHED = 0.05
 """Share of the diagonal within which is searched where samples alone do not reach the floor."""

@@ -4,7 +4,7 @@ import io
 import re
 import zipfile
 from dataclasses import dataclass
-from xml.sax.saxutils import unescape
+from html import unescape
 
 
 @dataclass(frozen=True)
@@ -120,7 +120,7 @@ def _link_target(link):
         text = archive.read("Persistence.xml").decode("utf-8", "replace")
     values = dict(re.findall(r'\b(file|name|value)="([^"]*)"', text))
     file, name = values.get("file", ""), values.get("name", "") or values.get("value", "")
-    return tuple(unescape(each, {"&quot;": '"', "&apos;": "'"}) for each in (file, name))
+    return tuple(unescape(each) for each in (file, name))
 
 
 def _is_construction(source):

@@ -4,10 +4,8 @@ import os
 import re
 import zipfile
 import zlib
+from html import unescape
 from pathlib import Path
-from xml.sax.saxutils import unescape
-
-_QUOTES = {"&quot;": '"', "&apos;": "'"}
 
 
 def linked_files(document):
@@ -44,7 +42,7 @@ def _links_of(file):
     except (OSError, EOFError, KeyError, ValueError, RuntimeError, NotImplementedError,
             zipfile.BadZipFile, zlib.error):
         return []
-    links = (unescape(file, _QUOTES)
+    links = (unescape(file)
              for file in re.findall(r'<XLink\b[^>]*?\bfile="([^"]+)"', text))
     # What lies on a server is none of the files that can be looked at.
     return [file for file in links if "://" not in file]
