@@ -8,6 +8,7 @@ from scipy.optimize import brentq
 from .box_tree import children_of_nodes
 from .convex_clipping import areas, clip
 from .descriptors import STATED_ANGLES, STATED_FLOOR
+from .progress import portion
 from .ray_packets import PACKET, coherent_order, thick_rays
 from .sampling import SurfaceSamples
 from .smooth_normals import normals_at
@@ -54,8 +55,10 @@ def nonparallel_minimum(mesh, rays, field, diagonal, report=None):
     that something else hides, as seen from their middle, are left out.
     """
     target = STATED_FLOOR * field.area.sum()
-    for limit in _limits(field, target, diagonal):
-        regions = _regions(mesh, rays, limit, report)
+    for attempt, limit in enumerate(_limits(field, target, diagonal)):
+        # How many attempts there will be is not known; most often it is one.
+        attempt_report = portion(report, 1.0 - 0.1 ** attempt, 1.0 - 0.1 ** (attempt + 1))
+        regions = _regions(mesh, rays, limit, attempt_report)
         if regions.area.sum() >= target:
             return regions.distance_of(target) / diagonal
     return _of_samples(field, target, diagonal)
@@ -153,10 +156,12 @@ def _pairs_ahead(mesh, rays, limit, report):
         rows = np.arange(start, min(start + _PACKETS_AT_ONCE, packets)) * PACKET
         members = order[np.minimum(rows + np.arange(PACKET)[:, None], len(order) - 1)]
         thick = _thick(rays, members, limit)
-        yield _pairs_of(mesh, rays, bend, members, thick, ~thick.divergent, limit)
+        yield from _pairs_of(mesh, rays, bend, members, thick, ~thick.divergent, limit)
         if thick.divergent.any():
             members = np.unique(members[:, thick.divergent])[None]
-            yield _pairs_of(mesh, rays, bend, members, _thick(rays, members, limit), None, limit)
+            alone = _thick(rays, members, limit)
+            every = np.ones(members.size, dtype=bool)
+            yield from _pairs_of(mesh, rays, bend, members, alone, every, limit)
         if report is not None:
             report((start + rows.size) / packets)
 
@@ -182,11 +187,17 @@ def _pairs_of(mesh, rays, bend, members, thick, chosen, limit):
         allowance = np.take(thick.spread + own_bend, packet) + np.take(bend, node, axis=1)
         facing = cosines(tree, thick, packet, node)
         wanted = (facing > from_cosine - allowance) & (facing < to_cosine + allowance)
-        if chosen is not None:
-            wanted &= np.take(chosen, packet)
-        return wanted
+        return wanted & np.take(chosen, packet)
 
     packet, place = descend(tree, thick, is_wanted)
+    for start in range(0, len(packet), _PAIRS_AT_ONCE):
+        part = slice(start, start + _PAIRS_AT_ONCE)
+        yield _pairs_of_triangles(mesh, tree, members, packet[part], place[part], limit)
+
+
+def _pairs_of_triangles(mesh, tree, members, packet, place, limit):
+    """Of pairs of a packet and a triangle, the pairs of triangles that may count."""
+    from_angle, to_angle = np.radians(STATED_ANGLES)
     first = members[:, packet].ravel()
     second = np.tile(tree.order[place], len(members))
     # Bent triangles stand for a surface whose normals differ from their own.
