@@ -6,7 +6,7 @@ from pathlib import Path
 from .child_process import Child, ChildError
 
 PACKAGES = {
-    "trimesh": ("trimesh", "embreex", "rtree", "scipy"),
+    "trimesh": ("trimesh", "embreex", "rtree", "networkx", "scipy"),
     "open3d": ("open3d",),
     "pymeshlab": ("pymeshlab",),
 }

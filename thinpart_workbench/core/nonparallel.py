@@ -131,15 +131,27 @@ class _Regions:
 
 
 def _regions(mesh, rays, limit, report):
-    parts = []
-    for first, second in _pairs_ahead(mesh, rays, limit, report):
-        for start in range(0, len(first), _PAIRS_AT_ONCE):
-            part = slice(start, start + _PAIRS_AT_ONCE)
-            parts.append(_regions_of(mesh, rays, first[part], second[part], limit))
+    parts = [
+        _regions_of(mesh, rays, first, second, limit)
+        for first, second in _gathered(_pairs_ahead(mesh, rays, limit, report))
+    ]
     corners = 3 + 3 + 2 + 2
     if not parts:
         return _Regions(np.empty((0, corners, 2)), np.empty((0, corners)), np.empty(0))
     return _Regions(*(np.concatenate(each) for each in zip(*parts)))
+
+
+def _gathered(pairs):
+    """The same pairs, as many together as are worth the calls to numpy and no more."""
+    waiting, count = [], 0
+    for each in pairs:
+        waiting.append(each)
+        count += len(each[0])
+        if count >= _PAIRS_AT_ONCE:
+            yield tuple(np.concatenate(column) for column in zip(*waiting))
+            waiting, count = [], 0
+    if count:
+        yield tuple(np.concatenate(column) for column in zip(*waiting))
 
 
 def _pairs_ahead(mesh, rays, limit, report):
@@ -200,10 +212,13 @@ def _pairs_of_triangles(mesh, tree, members, packet, place, limit):
     from_angle, to_angle = np.radians(STATED_ANGLES)
     first = members[:, packet].ravel()
     second = np.tile(tree.order[place], len(members))
-    # Bent triangles stand for a surface whose normals differ from their own.
+    # Most pairs are at no such angle; the arc cosine is for the others.
     facing = -np.einsum("ij,ij->i", mesh.normals[first], mesh.normals[second])
-    angle = np.arccos(np.clip(facing, -1.0, 1.0))
     allowance = mesh.bend[first] + mesh.bend[second] + TOLERANCES.angle
+    near = (facing > np.cos(to_angle) - allowance) & (facing < np.cos(from_angle) + allowance)
+    first, second, facing, allowance = first[near], second[near], facing[near], allowance[near]
+    # Bent triangles stand for a surface whose normals differ from their own.
+    angle = np.arccos(np.clip(facing, -1.0, 1.0))
     kept = (angle >= from_angle - allowance) & (angle < to_angle + allowance)
     first, second = first[kept], second[kept]
     # The last packet repeats a triangle.

@@ -157,8 +157,8 @@ def _cast(rays, ray, limit, size):
         members = ray[rows]
         limits = limit[rows].max(axis=0).astype(np.float32) * np.float32(1.0 + 1e-6)
         shape = (3,) + members.shape
-        origins = np.take(rays.coarse_origins, members.ravel(), axis=1).reshape(shape)
-        directions = np.take(rays.coarse_directions, members.ravel(), axis=1).reshape(shape)
+        origins = np.take(rays.coarse_origins, members.ravel(), axis=1, mode="clip").reshape(shape)
+        directions = np.take(rays.coarse_directions, members.ravel(), axis=1, mode="clip").reshape(shape)
         thick = thick_rays(origins, directions, limits, rays.tree.extent)
         if size > 1 and thick.divergent.any():
             alone.append(rows[:, thick.divergent].T.ravel())
@@ -181,7 +181,7 @@ def _met(rays, thick, packet, node):
     """Whether each triangle can be met from the wanted side; generous."""
     facing = cosines(rays.tree, thick, packet, node)
     facing *= np.float32(rays.side)
-    return facing > -np.take(thick.spread, packet)
+    return facing > -np.take(thick.spread, packet, mode="clip")
 
 
 def _candidates(rays, origins, directions, limit, packet, place):
@@ -215,7 +215,7 @@ def _candidates(rays, origins, directions, limit, packet, place):
         met &= v >= 0.0
         u += v
         met &= u <= row[12]
-        met &= hit <= np.take(limit, part) + slack
+        met &= hit <= np.take(limit, part, mode="clip") + slack
         met &= hit > -slack
         met |= grazing
         met &= facing > np.float32(0.5 * TOLERANCES.grazing)
@@ -242,7 +242,7 @@ def _decide(rays, ray, place, limit):
     """Test pairs of ray and triangle in float64 and keep the nearest hit of each ray."""
     rays.work.exact += len(ray)
     tree, side = rays.tree, rays.side
-    row = np.take(tree.triangle_rows, place, axis=1)
+    row = np.take(tree.triangle_rows, place, axis=1, mode="clip")
     origin, direction = rays.origins[ray].T, rays.directions[ray].T
     facing = _dot(row[0:3], direction) * side
     hit = (row[3] - _dot(row[0:3], origin)) * side / np.maximum(facing, TOLERANCES.grazing)

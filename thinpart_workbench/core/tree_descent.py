@@ -85,7 +85,7 @@ def cosines(tree, thick, packet, node):
     ndarray of shape (8, k), float32
     """
     normals = np.take(tree.leaf_normals, node, axis=1, mode="clip").reshape(3, WIDTH, len(node))
-    normals *= np.take(thick.axis, packet, axis=1)[:, None]
+    normals *= np.take(thick.axis, packet, axis=1, mode="clip")[:, None]
     cosine = np.add(normals[0], normals[1], out=normals[0])
     cosine += normals[2]
     return cosine
