@@ -10,9 +10,8 @@ from .ray_packets import side_of_cube
 from .space_filling_curve import hilbert_index
 from .tolerances import TOLERANCES
 
-ENTRY_SAMPLES = 400
+ENTRY_SAMPLES = 1000
 """Samples that are tried for a surface that passes through itself."""
-
 
 BLOCK = 65536
 """Rays that are cast together: it bounds the memory that casting takes."""

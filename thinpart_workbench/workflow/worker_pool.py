@@ -100,6 +100,15 @@ def _start_worker(megabytes, folder):
     resource.setrlimit(resource.RLIMIT_AS, (limit, hard))
     # A crash is reported as a row; a core file of several GB in the user's folder helps nobody.
     resource.setrlimit(resource.RLIMIT_CORE, (0, resource.getrlimit(resource.RLIMIT_CORE)[1]))
+    _reserve_for_linear_algebra()
+
+
+def _reserve_for_linear_algebra():
+    # OpenBLAS takes its buffer when it is first used, and tries without end where there is no memory
+    # left for it. It keeps what it has taken.
+    import numpy as np
+
+    np.linalg.eigh(np.eye(64) @ np.eye(64))
 
 
 def _work(task, log):
