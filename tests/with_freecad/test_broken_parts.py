@@ -7,7 +7,10 @@ import jsonschema
 import pytest
 
 from program import SCHEMA, records, thinpart
+from thinpart_workbench.core.analysis_settings import AnalysisSettings
+from thinpart_workbench.core.criteria import load_profile
 from thinpart_workbench.freecad_adapter.document_parts import document_content
+from thinpart_workbench.workflow.analyse_part import analyse_part
 
 
 def box(document, name, size=10):
@@ -146,7 +149,15 @@ def test_a_body_that_is_an_open_shell(document):
     surface.Shape = Part.makeShell(Part.makeBox(9, 9, 9).Faces[:4])
     body = document.addObject("PartDesign::Body", "Body")
     body.BaseFeature = surface
-    assert found(document)[0] == {"Good"} and "Body" in found(document)[1]
+    parts, broken = found(document)
+    if not body.Shape.Solids:
+        assert parts == {"Good"} and "Body" in broken
+        return
+    # FreeCAD 1.0 makes a solid of an open shell: it is measured, and not taken for a good one.
+    assert parts == {"Good", "Body"}
+    part = next(part for part in document_content(document).parts if part.name == "Body")
+    record = analyse_part(part, AnalysisSettings(), load_profile("paper"))
+    assert record["category"] == "unknown" and not record["descriptors"]["watertight"]
 
 
 def test_only_what_is_hidden_is_left_and_broken(document):
