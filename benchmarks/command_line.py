@@ -11,7 +11,7 @@ from pathlib import Path
 from .child_process import ROOT, ChildError
 
 SAMPLES = ROOT / "resources" / "samples"
-SMALL_PART = SAMPLES / "block.step"
+SMALL_PART = SAMPLES / "tube.step"
 FOLDER_PARTS = 40
 FOLDER_TURNS = 3
 """A folder takes long enough that few turns do."""
