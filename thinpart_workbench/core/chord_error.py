@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from .edge_balance import shared_sides
+
 
 def chord_error(mesh, planar_faces, linear_deflection):
     """Upper estimate of the chord error of a tessellated B-Rep.
@@ -45,14 +47,9 @@ def chord_error(mesh, planar_faces, linear_deflection):
 
 def _inner_edges(mesh):
     """Edges with the same B-Rep face on both sides: two triangles and the length, mm."""
-    triangles, count = mesh.triangles, mesh.count
-    edges = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
-    owner = np.tile(np.arange(count), 3)
-    key = edges.min(axis=1) * (triangles.max() + 1) + edges.max(axis=1)
-    order = np.argsort(key, kind="stable")
-    twice = np.flatnonzero(key[order][1:] == key[order][:-1])
-    first, second = owner[order[twice]], owner[order[twice + 1]]
+    side, other = shared_sides(mesh.triangles)
+    first, second = side // 3, other // 3
     same = mesh.face_of_triangle[first] == mesh.face_of_triangle[second]
-    start, end = edges[order[twice]].T
-    length = np.linalg.norm(mesh.vertices[start] - mesh.vertices[end], axis=1)
-    return first[same], second[same], length[same]
+    side, first, second = side[same], first[same], second[same]
+    start, end = mesh.corners[first, side % 3], mesh.corners[first, (side + 1) % 3]
+    return first, second, np.linalg.norm(start - end, axis=1)

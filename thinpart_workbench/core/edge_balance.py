@@ -1,4 +1,4 @@
-"""Whether triangles close: every edge is used as often one way as the other."""
+"""Edges of triangles: which sides share one, and whether all are used as often one way as the other."""
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -22,6 +22,25 @@ def edge_balance(triangles):
     return _balance(
         np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
     )
+
+
+def shared_sides(triangles):
+    """Sides of triangles that stand for one edge, in pairs.
+
+    Parameters
+    ----------
+    triangles : ndarray of shape (n, 3), int64
+
+    Returns
+    -------
+    first, second : ndarray of shape (e,), int64
+        Side ``3 t + k`` runs from corner k of triangle t to the next.
+    """
+    edges = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+    key = edges[:, 0] * (int(triangles.max()) + 1) + edges[:, 1]
+    order = np.argsort(key, kind="stable")
+    twice = np.flatnonzero(key[order][1:] == key[order][:-1])
+    return order[twice], order[twice + 1]
 
 
 def _balance(directed, weight=1):

@@ -4,6 +4,7 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
+from .edge_balance import shared_sides
 from .tolerances import TOLERANCES
 
 _PLANES_APART = 1e-3
@@ -58,19 +59,14 @@ def flattened(vertices, triangles, extent):
 
 def _regions(vertices, triangles, tolerance):
     """Region of each triangle, and how many there are."""
-    edges = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
-    key = edges[:, 0] * len(vertices) + edges[:, 1]
-    order = np.argsort(key, kind="stable")
-    twice = np.flatnonzero(key[order][1:] == key[order][:-1])
-    first, second = order[twice], order[twice + 1]
+    first, second = shared_sides(triangles)
     # Corner k + 2 lies opposite the side from corner k to k + 1.
-    flat = np.zeros(len(twice), dtype=bool)
     corners = vertices[triangles]
     vectors = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     doubled = np.linalg.norm(vectors, axis=1)
     larger = np.where(doubled[first // 3] >= doubled[second // 3], first, second)
     smaller = first + second - larger
-    apex = corners[smaller // 3, (smaller + 2 - smaller // 3 * 3) % 3]
+    apex = corners[smaller // 3, (smaller % 3 + 2) % 3]
     away = apex - corners[larger // 3, 0]
     off = np.einsum("ij,ij->i", away, vectors[larger // 3])
     flat = np.abs(off) <= tolerance * doubled[larger // 3]

@@ -4,6 +4,7 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
+from .edge_balance import shared_sides
 from .tolerances import TOLERANCES
 
 _AT_ONCE = 16384
@@ -29,12 +30,7 @@ def smooth_patches(vertices, triangles):
     corners = vertices[triangles]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     normals /= np.linalg.norm(normals, axis=1)[:, None]
-    edges = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
-    owner = np.repeat(np.arange(len(triangles)), 3)
-    key = edges[:, 0] * (triangles.max() + 1) + edges[:, 1]
-    order = np.argsort(key, kind="stable")
-    twice = np.flatnonzero(key[order][1:] == key[order][:-1])
-    first, second = owner[order[twice]], owner[order[twice + 1]]
+    first, second = (side // 3 for side in shared_sides(triangles))
     smooth = np.einsum("ij,ij->i", normals[first], normals[second]) > np.cos(CREASE)
     links = coo_matrix(
         (np.ones(smooth.sum()), (first[smooth], second[smooth])), shape=(len(triangles),) * 2
