@@ -133,7 +133,7 @@ def _rows(contestants, python, solid, wanted, mesh, repeat, folder, paces):
             row = {
                 "solid": solid, "wanted": wanted, "placement": placement, **answer,
                 "linear_deflection_mm": mesh["linear_deflection"],
-                "angular_deflection_rad": mesh["angular_deflection"],
+                "angular_deflection_rad": mesh["angular_deflection"], "splits": mesh["splits"],
                 "seconds": {}, "found": {}, "bytes_per_triangle": {}, "failures": {},
             }
             rows.append(row)
@@ -160,7 +160,9 @@ def _turns(contestants, row, product, mesh, file, arrays, paces):
     """Everybody who has a turn on this mesh."""
     deflections = {key: mesh[key] for key in ("linear_deflection", "angular_deflection")}
     shape = {"solid": row["solid"], "placement": row["placement"], **deflections}
-    everybody = [Turns("tessellation", row, contestants.freecad, "time", shape)]
+    everybody = []
+    if not mesh["splits"]:
+        everybody.append(Turns("tessellation", row, contestants.freecad, "time", shape))
     for task in ("core", "whole", "box", "nonparallel"):
         everybody.append(Turns(task, row, product, task, {"file": file}))
     for name, child in contestants.peers.items():

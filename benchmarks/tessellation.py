@@ -22,7 +22,11 @@ GREATEST_STEP = math.log(4.0)
 """Per try the number of triangles is meant to grow by no more: far too fine costs minutes."""
 
 SLOPE = -0.5
-"""Of log triangles over log deflection, on cylinders: on spheres the same deflection goes farther."""
+"""Of log triangles over log deflection, on cylinders; until two tries tell it of this solid."""
+
+FINEST = 300_000
+"""Triangles to which FreeCAD tessellates; beyond it takes minutes to an hour, as large plane faces cost
+more than their share. Finer meshes are these with each triangle split into four."""
 
 COARSER_STEP = math.log(2.0)
 """Towards fewer triangles: coarse tries are quick, and beyond a hole's radius the number rises again."""
@@ -30,6 +34,8 @@ COARSER_STEP = math.log(2.0)
 SMALLEST_STEP = 0.02
 
 _shapes = {}
+_tries = {}
+"""By solid: log of the deflection to log of the triangles that it gave."""
 
 
 def freecad_version():
@@ -54,21 +60,25 @@ def make_meshes(solid, wanted, folder):
     -------
     dict
         ``files`` by placement, ``triangles``, ``linear_deflection`` (mm), ``angular_deflection``
-        (radians).
+        (radians), ``splits``: how often each triangle was split into four after that.
     """
     folder = Path(folder)
     facts_file = folder / f"{solid}_{wanted}.json"
     files = {place: folder / f"{solid}_{wanted}_{place}.npz" for place in PLACEMENTS}
     if not all(file.is_file() for file in (facts_file, *files.values())):
         folder.mkdir(parents=True, exist_ok=True)
-        deflection = _deflection_for(solid, wanted)
+        splits = max(0, math.ceil(math.log(wanted / FINEST, 4)))
+        deflection = _deflection_for(solid, wanted / 4 ** splits)
         facts = {"linear_deflection": deflection, "angular_deflection": ANGULAR_DEFLECTION}
         for place, file in files.items():
             mesh = _tessellated(_fresh(solid, place), **facts)
             points, triangles = mesh.Topology
-            np.savez(file, points=np.array([tuple(point) for point in points]),
-                     triangles=np.array(triangles, dtype=np.int64))
-        facts["triangles"] = mesh.CountFacets
+            points = np.array([tuple(point) for point in points])
+            triangles = np.array(triangles, dtype=np.int64)
+            for _ in range(splits):
+                points, triangles = _split(points, triangles)
+            np.savez(file, points=points, triangles=triangles)
+        facts.update(triangles=len(triangles), splits=splits)
         facts_file.write_text(json.dumps(facts), encoding="utf-8")
     facts = json.loads(facts_file.read_text(encoding="utf-8"))
     return {"files": {place: str(file) for place, file in files.items()}, **facts}
@@ -99,13 +109,24 @@ def _tessellated(shape, linear_deflection, angular_deflection):
     )
 
 
+def _split(points, triangles):
+    """Split each triangle into four by the middles of its sides."""
+    sides = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+    sides, middle = np.unique(sides, axis=0, return_inverse=True)
+    middle = middle.reshape(-1, 3) + len(points)
+    corners = [np.column_stack([triangles[:, k], middle[:, k], middle[:, k - 1]]) for k in range(3)]
+    return np.concatenate([points, points[sides].mean(axis=1)]), np.concatenate([*corners, middle])
+
+
 def _deflection_for(solid, wanted):
     """The linear deflection, mm, that gives nearly so many triangles, or the nearest that can be had."""
     goal = math.log(wanted)
     diagonal = _fresh(solid, "aligned").BoundBox.DiagonalLength
-    level = math.log(0.005 * diagonal)
-    tries = {}
-    while level is not None and len(tries) < MOST_TRIES and level < math.log(diagonal):
+    tries = _tries.setdefault(solid, {})
+    level = _next_level(tries, goal) if tries else math.log(0.005 * diagonal)
+    for _ in range(MOST_TRIES):
+        if level is None or level >= math.log(diagonal):
+            break
         mesh = _tessellated(_fresh(solid, "aligned"), math.exp(level), ANGULAR_DEFLECTION)
         tries[level] = math.log(mesh.CountFacets)
         if abs(tries[level] - goal) < CLOSE_ENOUGH:
@@ -129,11 +150,20 @@ def _next_level(tries, goal):
     if too_few is None:
         return too_many + COARSER_STEP
     if too_many is None:
-        return too_few - min(goal - tries[too_few], GREATEST_STEP) / -SLOPE
+        return too_few - min(goal - tries[too_few], GREATEST_STEP) / -_slope(tries)
     if too_few - too_many < SMALLEST_STEP:
         return None
     share = (goal - tries[too_few]) / (tries[too_many] - tries[too_few])
     return too_few + min(max(share, 0.1), 0.9) * (too_many - too_few)
+
+
+def _slope(tries):
+    """Of log triangles over log deflection between the two finest tries that differ."""
+    finest = sorted(tries)
+    for level in finest[1:]:
+        if tries[level] < tries[finest[0]] - SMALLEST_STEP:
+            return min(-0.2, (tries[level] - tries[finest[0]]) / (level - finest[0]))
+    return SLOPE
 
 
 if __name__ == "__main__":

@@ -29,11 +29,14 @@ def clip(points, value):
     crossing = inside != (beyond >= 0.0)
     share = value / np.where(crossing, value - beyond, 1.0)
     slots = np.stack([points, points + share[:, :, None] * (ahead - points)], axis=2)
+    slots = slots.reshape(count, 2 * corners, 2)
     used = np.stack([inside, crossing], axis=2).reshape(count, 2 * corners)
-    order = np.argsort(~used, axis=1, kind="stable")[:, :corners + 1]
-    clipped = np.take_along_axis(slots.reshape(count, 2 * corners, 2), order[:, :, None], axis=1)
-    kept = np.take_along_axis(used, order, axis=1)
-    return np.where(kept[:, :, None], clipped, clipped[:, :1])
+    place = np.cumsum(used, axis=1)
+    left = np.minimum(place[:, -1:], corners + 1)
+    used &= place <= corners + 1
+    clipped = np.zeros((count, corners + 1, 2))
+    clipped[np.arange(corners + 1) < left] = slots[used]
+    return np.where((np.arange(corners + 1) < left)[:, :, None], clipped, clipped[:, :1])
 
 
 def areas(points):

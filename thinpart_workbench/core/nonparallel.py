@@ -5,15 +5,13 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import brentq
 
-from .box_tree import children_of_nodes
 from .convex_clipping import areas, clip
 from .descriptors import STATED_ANGLES, STATED_FLOOR
 from .progress import portion
-from .ray_packets import PACKET, coherent_order, thick_rays
 from .sampling import SurfaceSamples
+from .slanted_pairs import slanted_pairs
 from .smooth_normals import normals_at
 from .tolerances import TOLERANCES
-from .tree_descent import cosines, descend
 
 SEARCHED = 0.05
 """Share of the diagonal within which is searched where samples alone do not reach the floor."""
@@ -21,7 +19,6 @@ SEARCHED = 0.05
 _TIMES_THE_AREA = (2, 16)
 _MARGIN = 1.0 + 1e-6
 _FARTHEST = 4.0
-_PACKETS_AT_ONCE = 96
 _PAIRS_AT_ONCE = 8192
 _BANDS = 4
 
@@ -133,7 +130,7 @@ class _Regions:
 def _regions(mesh, rays, limit, report):
     parts = [
         _regions_of(mesh, rays, first, second, limit)
-        for first, second in _gathered(_pairs_ahead(mesh, rays, limit, report))
+        for first, second in _gathered(slanted_pairs(mesh, rays, limit, report))
     ]
     corners = 3 + 3 + 2 + 2
     if not parts:
@@ -154,81 +151,6 @@ def _gathered(pairs):
         yield tuple(np.concatenate(column) for column in zip(*waiting))
 
 
-def _pairs_ahead(mesh, rays, limit, report):
-    """Pairs of triangles of which the second may lie before the first, within a limit.
-
-    Yields
-    ------
-    first, second : ndarray of shape (k,), int64
-    """
-    order = coherent_order(mesh.corners.mean(axis=1), mesh.normals)
-    bend = children_of_nodes(mesh.bend[rays.tree.order])
-    packets = -(-len(order) // PACKET)
-    for start in range(0, packets, _PACKETS_AT_ONCE):
-        rows = np.arange(start, min(start + _PACKETS_AT_ONCE, packets)) * PACKET
-        members = order[np.minimum(rows + np.arange(PACKET)[:, None], len(order) - 1)]
-        thick = _thick(rays, members, limit)
-        yield from _pairs_of(mesh, rays, bend, members, thick, ~thick.divergent, limit)
-        if thick.divergent.any():
-            members = np.unique(members[:, thick.divergent])[None]
-            alone = _thick(rays, members, limit)
-            every = np.ones(members.size, dtype=bool)
-            yield from _pairs_of(mesh, rays, bend, members, alone, every, limit)
-        if report is not None:
-            report((start + rows.size) / packets)
-
-
-def _thick(rays, members, limit):
-    """Thick rays from whole triangles: every ray from a triangle runs between those of its corners."""
-    size, count = members.shape
-    origins = rays.corners(members).astype(np.float32)  # member, packet, corner, coordinate
-    origins = origins.transpose(3, 0, 2, 1).reshape(3, 3 * size, count)
-    directions = -rays.normals[members].astype(np.float32).transpose(2, 0, 1)
-    directions = np.repeat(directions, 3, axis=1)
-    limits = np.full(count, limit * (1.0 + 1e-6), dtype=np.float32)
-    return thick_rays(origins, directions, limits, rays.tree.extent)
-
-
-def _pairs_of(mesh, rays, bend, members, thick, chosen, limit):
-    from_angle, to_angle = np.radians(STATED_ANGLES)
-    tree = rays.tree
-    from_cosine, to_cosine = np.float32(np.cos(to_angle)), np.float32(np.cos(from_angle))
-    own_bend = mesh.bend[members].max(axis=0).astype(np.float32)
-
-    def is_wanted(packet, node):
-        allowance = np.take(thick.spread + own_bend, packet) + np.take(bend, node, axis=1)
-        facing = cosines(tree, thick, packet, node)
-        wanted = (facing > from_cosine - allowance) & (facing < to_cosine + allowance)
-        return wanted & np.take(chosen, packet)
-
-    packet, place = descend(tree, thick, is_wanted)
-    for start in range(0, len(packet), _PAIRS_AT_ONCE):
-        part = slice(start, start + _PAIRS_AT_ONCE)
-        yield _pairs_of_triangles(mesh, tree, members, packet[part], place[part], limit)
-
-
-def _pairs_of_triangles(mesh, tree, members, packet, place, limit):
-    """Of pairs of a packet and a triangle, the pairs of triangles that may count."""
-    from_angle, to_angle = np.radians(STATED_ANGLES)
-    first = members[:, packet].ravel()
-    second = np.tile(tree.order[place], len(members))
-    # Most pairs are at no such angle; the arc cosine is for the others.
-    facing = -np.einsum("ij,ij->i", mesh.normals[first], mesh.normals[second])
-    allowance = mesh.bend[first] + mesh.bend[second] + TOLERANCES.angle
-    near = (facing > np.cos(to_angle) - allowance) & (facing < np.cos(from_angle) + allowance)
-    first, second, facing, allowance = first[near], second[near], facing[near], allowance[near]
-    # Bent triangles stand for a surface whose normals differ from their own.
-    angle = np.arccos(np.clip(facing, -1.0, 1.0))
-    kept = (angle >= from_angle - allowance) & (angle < to_angle + allowance)
-    first, second = first[kept], second[kept]
-    # The last packet repeats a triangle.
-    key = np.unique(first * mesh.count + second)
-    first, second = np.divmod(key, mesh.count)
-    depth = _depths(mesh, first, second)
-    near = (depth.min(axis=1) < limit) & (depth.max(axis=1) > 0.0)
-    return first[near], second[near]
-
-
 def _depths(mesh, first, second):
     """How far the corners of the second lie under the plane of the first, ndarray of shape (k, 3)."""
     away = mesh.corners[second] - mesh.corners[first, :1]
@@ -243,7 +165,9 @@ def _regions_of(mesh, rays, first, second, limit):
     slope, level = _linear(other, _depths(mesh, first, second))
     points, over = _overlaps(own, other)
     distance = _evaluate(slope[over], level[over], points)
-    near = (distance.min(axis=1) < limit) & (distance.max(axis=1) > 0.0)
+    # What only touches lies over nothing, but for rounding.
+    touching = TOLERANCES.self_hit * mesh.extent
+    near = (distance.min(axis=1) < limit) & (distance.max(axis=1) > touching)
     points, over = points[near], over[near]
     first, second, slope, level = first[over], second[over], slope[over], level[over]
     corner, along, across = corner[over], along[over], across[over]
