@@ -24,7 +24,7 @@ GREATEST_STEP = math.log(4.0)
 SLOPE = -0.5
 """Of log triangles over log deflection, on cylinders; until two tries tell it of this solid."""
 
-FINEST = 300_000
+FINEST = 150_000
 """Triangles to which FreeCAD tessellates; beyond it takes minutes to an hour, as large plane faces cost
 more than their share. Finer meshes are these with each triangle split into four."""
 

@@ -3,10 +3,9 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import minimize
 from scipy.spatial import ConvexHull, QhullError
-from scipy.spatial.transform import Rotation
 
+from .box_refinement import refined_axes
 from .progress import tell
 from .tolerances import TOLERANCES
 
@@ -107,9 +106,8 @@ def minimal_box(points, flat_directions=(), report=None):
     boxes = [_box_along(corners, axes) for axes in completed if axes is not None]
     boxes.sort(key=lambda box: box.volume)
     # Nelder and Mead gains on curved hulls only; candidates that lie far above the best never win.
-    for box in boxes[:REFINED_CANDIDATES]:
-        tell(report, 0.5)
-        boxes.append(_refined(corners, box))
+    tell(report, 0.5)
+    boxes += _refined(corners, boxes[:REFINED_CANDIDATES])
     boxes.sort(key=lambda box: box.volume)
     # On a round part the extreme points let a box through that all points would not.
     preferred = _preferred(boxes)
@@ -131,7 +129,7 @@ def _polished(points, corners, box, report):
             break
         tell(report, 0.8)
         corners = np.concatenate([corners, points[_extreme(points, _around(box.axes))]])
-        box = _refined(corners, _box_along(corners, best.axes))
+        box, = _refined(corners, [_box_along(corners, best.axes)])
         best = min(best, _box_along(points, box.axes), key=lambda each: each.volume)
     return best
 
@@ -146,7 +144,8 @@ def _around(axes):
 
 
 def _box_along(points, axes):
-    extents = np.ptp(points @ axes.T, axis=0)
+    along = points @ axes.T
+    extents = along.max(axis=0) - along.min(axis=0)
     order = np.argsort(-extents, kind="stable")
     return OrientedBox(extents[order], axes[order])
 
@@ -261,33 +260,16 @@ def _rectangle_direction(flat):
     edges = np.roll(polygon, -1, axis=0) - polygon
     length = np.hypot(edges[:, 0], edges[:, 1])
     edges = edges[length > 1e-9 * length.max()] / length[length > 1e-9 * length.max()][:, None]
-    width = np.ptp(polygon @ edges.T, axis=0)
-    height = np.ptp(polygon @ np.stack([-edges[:, 1], edges[:, 0]]), axis=0)
-    return edges[(width * height).argmin()]
+    width = polygon @ edges.T
+    height = polygon @ np.stack([-edges[:, 1], edges[:, 0]])
+    area = (width.max(axis=0) - width.min(axis=0)) * (height.max(axis=0) - height.min(axis=0))
+    return edges[area.argmin()]
 
 
-def _refined(points, box):
-    best, spread = box, 0.15
-
-    def volume(turn):
-        return float(np.prod(np.ptp(points @ (box.axes @ _matrix(turn)).T, axis=0)))
-
-    turn = np.zeros(3)
-    for _ in range(2):
-        simplex = np.vstack([turn, turn + spread * np.eye(3)])
-        result = minimize(
-            volume, turn, method="Nelder-Mead",
-            options={"initial_simplex": simplex, "maxfev": 160, "xatol": 1e-8,
-                     "fatol": 1e-11 * box.volume},
-        )
-        turn, spread = result.x, spread / 30.0
-        if result.fun < best.volume:
-            best = _box_along(points, box.axes @ _matrix(turn))
-    return best
-
-
-def _matrix(turn):
-    return Rotation.from_rotvec(turn).as_matrix()
+def _refined(points, boxes):
+    """Boxes that are no larger, near these: list of OrientedBox."""
+    axes = refined_axes(points, np.array([box.axes for box in boxes]))
+    return [_box_along(points, each) for each in axes]
 
 
 def _flat_box(points):

@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import brentq
 
 from .convex_clipping import areas, clip
 from .descriptors import STATED_ANGLES, STATED_FLOOR
@@ -124,6 +123,8 @@ class _Regions:
         low, high = float(self.distance.min()), float(self.distance.max())
         if self.area_below(low) >= target or low == high:
             return low
+        from scipy.optimize import brentq  # takes as long to load as a small part to measure
+
         return brentq(lambda level: self.area_below(level) - target, low, high, rtol=1e-9)
 
 

@@ -80,7 +80,7 @@ def analyse_files(tasks, limits):
                 yield _outcome(future, task, log, limits)
                 with suppress(FileNotFoundError):
                     os.unlink(log)
-            pool.close()
+            pool.stop()
         except BaseException:
             pool.stop()
             raise
