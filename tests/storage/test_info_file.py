@@ -32,7 +32,7 @@ def test_round_trip_and_stable_bytes(document):
     assert path.name == "part.step.thinpart.json"
     assert info_file.read_info(path) == content_of(document)
     first = path.read_bytes()
-    info_file.write_info(path, content_of(document), keep=info_file.read_info(path))
+    info_file.write_info(path, content_of(document))
     assert path.read_bytes() == first and first.decode("utf-8").endswith("\n")
 
 
@@ -53,7 +53,7 @@ def test_current_as_long_as_document_settings_and_profile_are_the_same(document)
 def test_notes_survive(document):
     path = info_file.info_path(document)
     info_file.write_info(path, content_of(document, notes="meshed with 3 layers"))
-    info_file.write_info(path, content_of(document), keep=info_file.read_info(path))
+    info_file.write_info(path, content_of(document))
     assert info_file.read_info(path)["parts"][0]["notes"] == "meshed with 3 layers"
 
 
@@ -102,10 +102,9 @@ def test_an_info_file_of_another_document_is_not_overwritten(tmp_path):
     assert contents["a"]["source"]["folder"] == "../a"
     info_file.write_info(path, contents["a"])
     before = path.read_bytes()
-    for keep in (None, info_file.read_info(path)):
-        with pytest.raises(ThinPartError, match="belongs to .*a/part.step") as failure:
-            info_file.write_info(path, contents["b"], keep=keep)
-        assert failure.value.kind == "info_write" and path.read_bytes() == before
+    with pytest.raises(ThinPartError, match="belongs to .*a/part.step") as failure:
+        info_file.write_info(path, contents["b"])
+    assert failure.value.kind == "info_write" and path.read_bytes() == before
     (tmp_path / "link").symlink_to(tmp_path / "a")
     linked = info_file.new_source(tmp_path / "link" / "part.step", info_file=path)
     assert linked == contents["a"]["source"]
@@ -115,7 +114,7 @@ def test_an_info_file_of_another_document_is_not_overwritten(tmp_path):
         [{"name": "Solid1", "notes": ""}])
     assert not info_file.is_current(info_file.read_info(path), tmp_path / "c" / "part.step",
                                     SETTINGS, PROFILE, path)
-    info_file.write_info(path, moved, keep=info_file.read_info(path))
+    info_file.write_info(path, moved)
     assert info_file.read_info(path)["parts"][0]["notes"] == "a"
     assert info_file.read_info(path)["source"]["folder"] == "../c"
 

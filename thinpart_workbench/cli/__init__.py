@@ -10,6 +10,10 @@ from ..core.errors import ThinPartError
 
 COMMANDS = {
     "classify": ("classify", "classify parts and folders of parts"),
+    "find": ("find", "find stored parts by category, thickness, size, words and conditions"),
+    "similar": ("similar", "find parts with similar walls, fill and box"),
+    "note": ("note", "show or set what is kept with a part"),
+    "reclassify": ("reclassify", "judge stored parts by another profile, without geometry"),
     "demo": ("demo", "classify the bundled samples"),
     "gui": ("gui", "start FreeCAD with the workbench from this folder"),
     "install": ("install", "make the workbench appear in your FreeCAD"),

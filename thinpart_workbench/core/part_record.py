@@ -37,10 +37,7 @@ def part_record(part, mesh, measurement, classification, paper, faces, error_bou
         "name": part.name,
         "label": part.label,
         "instances": part.instances,
-        "category": classification.category,
-        "criteria": list(classification.criteria),
-        "margin": classification.margin,
-        "borderline": classification.borderline,
+        **verdict(classification),
         "reason": classification.reason,
         "evidence": evidence(classification),
         "paper": {"category": paper.category, "criteria": list(paper.criteria)},
@@ -53,6 +50,39 @@ def part_record(part, mesh, measurement, classification, paper, faces, error_bou
         "samples": len(measurement.field.distance),
         "deflection_mm": deflection,
     })
+
+
+def verdict(classification):
+    """What a profile decides of a part: the first keys of its record, without the evidence.
+
+    Parameters
+    ----------
+    classification : Classification
+
+    Returns
+    -------
+    dict
+    """
+    return {
+        "category": classification.category,
+        "criteria": list(classification.criteria),
+        "margin": _rounded(classification.margin),
+        "borderline": classification.borderline,
+    }
+
+
+def judge_again(record, classification):
+    """Put another verdict into a stored record; what was measured stays.
+
+    Parameters
+    ----------
+    record : dict
+        Changed.
+    classification : Classification
+    """
+    record.update(verdict(classification))
+    record["reason"] = classification.reason
+    record["evidence"] = _rounded(evidence(classification))
 
 
 def evidence(classification):

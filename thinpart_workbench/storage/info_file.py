@@ -3,17 +3,22 @@
 import hashlib
 import json
 import os
+from contextlib import contextmanager
 from datetime import datetime, timezone
 from pathlib import Path
 
 from .. import __version__
 from ..core.errors import ThinPartError
 from .atomic_file import write_atomically
+from .folder_lock import folder_lock
+from .kept_content import carry_kept
 
 FORMAT, VERSION = "thinpart-info", 1
 SUFFIX = ".thinpart.json"
 LARGEST = 256 * 1024 * 1024
 """Bytes beyond which a file is taken for something else than an info file."""
+
+_ENCODE = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
 
 _LASTING = ("empty", "no_solid", "not_finite", "unreadable", "unsupported", "zero_volume")
 """Kinds of failures that an unchanged document has again; others may have passed by."""
@@ -245,16 +250,14 @@ def stored_info(path):
         return None
 
 
-def write_info(path, content, keep=None):
-    """Write an info file atomically.
+def write_info(path, content):
+    """Write an info file atomically; what people keep with its parts is carried over.
 
     Parameters
     ----------
     path : str or Path
     content : dict
-        From `info_content`.
-    keep : dict, optional
-        The info file's content so far: notes that people attached to its parts are carried over.
+        From `info_content`. Takes what was kept from the file that is there.
 
     Raises
     ------
@@ -264,12 +267,48 @@ def write_info(path, content, keep=None):
         has the same name (two calls with one info folder).
     """
     path = Path(path)
-    if os.path.lexists(path):
-        _refuse_another(path, keep or _refuse_foreign(path), content)
-    _carry_notes(content, keep)
-    try:
+    with _writing(path):
         path.parent.mkdir(parents=True, exist_ok=True)
-        write_atomically(path, dumps(content))
+        # Under the lock: a note that was written while the document was measured is there by now.
+        with folder_lock(path.parent):
+            if os.path.lexists(path):
+                there = _refuse_foreign(path)
+                _refuse_another(path, there, content)
+                carry_kept(content, there)
+            write_atomically(path, dumps(content))
+
+
+def change_info(path, change):
+    """Change an info file atomically, with no other program writing it meanwhile.
+
+    Parameters
+    ----------
+    path : str or Path
+    change : callable
+        Is given the content and changes it in place; returns whether it did.
+
+    Returns
+    -------
+    dict
+        The content as it is now.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``info_file`` or ``info_write``.
+    """
+    path = Path(path)
+    with _writing(path), folder_lock(path.parent):
+        content = read_info(path)
+        if change(content):
+            write_atomically(path, dumps(content))
+    return content
+
+
+@contextmanager
+def _writing(path):
+    try:
+        yield
     except OSError as error:
         raise ThinPartError(
             f"The info file {path} could not be written ({error.strerror}): "
@@ -278,10 +317,31 @@ def write_info(path, content, keep=None):
 
 
 def dumps(content):
-    """The bytes of an info file: UTF-8, keys in their order, one line per part."""
-    return (json.dumps(content, ensure_ascii=False, indent=1, allow_nan=False) + "\n").encode(
-        "utf-8", "backslashreplace"  # bytes of a file name that are no text become JSON escapes
-    )
+    """The bytes of an info file: UTF-8, keys in their order, a line each, lists of numbers on one line."""
+    text = "".join(_lines(content, "\n")) + "\n"
+    # Bytes of a file name that are no text become JSON escapes.
+    return text.encode("utf-8", "backslashreplace")
+
+
+def _lines(value, line):
+    """Pieces of JSON text; `line` is a line break and the indentation."""
+    inner = line + " "
+    if isinstance(value, dict) and value:
+        separator = "{"
+        for key, each in value.items():
+            yield f"{separator}{inner}{_ENCODE(key)}: "
+            yield from _lines(each, inner)
+            separator = ","
+        yield line + "}"
+    elif isinstance(value, list) and any(isinstance(each, (dict, list)) for each in value):
+        separator = "["
+        for each in value:
+            yield separator + inner
+            yield from _lines(each, inner)
+            separator = ","
+        yield line + "]"
+    else:
+        yield _ENCODE(value)
 
 
 def _refuse_foreign(path):
@@ -310,14 +370,6 @@ def _document_of(path, content):
     source = content["source"]
     folder = os.path.join(os.path.realpath(path.parent), source.get("folder", ""))
     return os.path.normpath(os.path.join(folder, source["file"]))
-
-
-def _carry_notes(content, keep):
-    notes = {part["name"]: part["notes"] for part in (keep or {}).get("parts", ())
-             if part.get("notes")}
-    for part in content["parts"]:
-        if part["name"] in notes:
-            part["notes"] = notes[part["name"]]
 
 
 def _time(seconds):

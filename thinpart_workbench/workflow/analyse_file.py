@@ -79,7 +79,7 @@ def analyse_file(task, report=None):
     content = info_content(source, task.settings.content(), task.profile, records, failures)
     if task.info_file is not None and records:
         try:
-            write_info(task.info_file, content, keep=stored)
+            write_info(task.info_file, content)
         except ThinPartError as error:
             failures = [*failures, _failure(None, None, error.kind, str(error))]
     return _outcome(task, content["parts"], failures, False, started)

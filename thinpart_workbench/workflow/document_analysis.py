@@ -2,7 +2,7 @@
 
 from ..core.criteria import profile_from
 from ..freecad_adapter.linked_files import linked_files
-from ..storage.info_file import info_content, info_path, new_source, stored_info, write_info
+from ..storage.info_file import info_content, info_path, new_source, write_info
 
 
 class DocumentAnalysis:
@@ -102,5 +102,5 @@ class DocumentAnalysis:
             [self.failures[name] for name in names if name in self.failures]
             + [each.failure() for each in self.broken],
         )
-        write_info(path, content, keep=stored_info(path))
+        write_info(path, content)
         return path

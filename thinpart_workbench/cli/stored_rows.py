@@ -1,0 +1,68 @@
+"""Parts from the index as rows of a table for people."""
+
+import os
+
+from .terminal_table import CATEGORY_STYLES, FAILURE, OTHER_CATEGORY, print_rows
+
+
+def print_stored(parts, stream, folder, more_columns=()):
+    """Print a row per part or failure.
+
+    Parameters
+    ----------
+    parts : list of StoredPart
+    stream : text stream
+    folder : str or Path
+        Documents are named by their places in it.
+    more_columns : sequence, optional
+        Columns of `terminal_table.print_rows` that come first.
+    """
+    if parts:
+        place = ("File", False, lambda part: os.path.relpath(part.file, folder), None)
+        print_rows(stream, [*more_columns, place, *_COLUMNS], parts)
+
+
+def _category(part):
+    if part.error_kind:
+        return f"failed: {part.error_kind}"
+    return part.category + (" (borderline)" if part.borderline else "")
+
+
+def _style(part):
+    return FAILURE if part.error_kind else CATEGORY_STYLES.get(part.category, OTHER_CATEGORY)
+
+
+def _number(name, digits):
+    def text(part):
+        value = getattr(part, name)
+        return "-" if value is None else f"{value:.{digits}g}"
+
+    return text
+
+
+def _label(part):
+    count = f" ({part.instances}x)" if part.instances and part.instances > 1 else ""
+    return (part.label or "") + count
+
+
+def _box(part):
+    if part.d1_mm is None:
+        return "-"
+    return " x ".join(f"{side:.4g}" for side in (part.d1_mm, part.d2_mm, part.d3_mm))
+
+
+def _notes(part):
+    kept = [part.notes, "mesh settings" if part.mesh else "", part.link or ""]
+    text = part.error_message or "; ".join(each for each in kept if each)
+    return " ".join(text.split())
+
+
+_COLUMNS = (
+    ("Part", False, _label, None),
+    ("Category", False, _category, _style),
+    ("Criteria", False, lambda part: ", ".join(part.criteria) or "none", None),
+    ("D1 x D2 x D3 mm", True, _box, None),
+    ("V/VBB", True, _number("volume_ratio", 3), None),
+    ("Thinnest mm", True, _number("thinnest_mm", 4), None),
+    ("Notes", False, _notes, None),
+)

@@ -1,0 +1,66 @@
+"""All info files under a folder."""
+
+import os
+from collections import namedtuple
+
+from .info_file import SUFFIX
+
+Stamp = namedtuple("Stamp", "bytes modified inode")
+"""What changes with a file: size, time in ns, and its number on the disk."""
+
+_SUFFIX = os.fsencode(SUFFIX)
+
+
+def scan(root, report=None):
+    """Find the info files below a folder; links to folders are followed, loops of them once.
+
+    Parameters
+    ----------
+    root : str or bytes
+    report : callable, optional
+        Called with the number of files found so far; may raise to stop.
+
+    Returns
+    -------
+    found : dict of bytes to Stamp
+        By path below the root.
+    unreachable : dict of bytes to OSError
+        Folders below the root, ``b""`` for the root itself, that could not be listed.
+    """
+    root = os.fsencode(root)
+    found, unreachable, seen, waiting = {}, {}, set(), [b""]
+    while waiting:
+        folder = waiting.pop()
+        path = os.path.join(root, folder) if folder else root
+        try:
+            status = os.stat(path)
+            if (status.st_dev, status.st_ino) in seen:
+                continue
+            seen.add((status.st_dev, status.st_ino))
+            with os.scandir(path) as entries:
+                _list(folder, entries, found, waiting)
+        except OSError as error:
+            unreachable[folder] = error
+        if report is not None:
+            report(len(found))
+    return found, unreachable
+
+
+def _list(folder, entries, found, waiting):
+    for entry in entries:
+        name = entry.name
+        inner = os.path.join(folder, name)
+        if name.endswith(_SUFFIX):
+            stamp = _stamp(entry)
+            if stamp is not None:
+                found[inner] = stamp
+        elif not name.startswith(b".") and entry.is_dir():
+            waiting.append(inner)
+
+
+def _stamp(entry):
+    try:
+        status = entry.stat()
+    except OSError:
+        return None  # it has gone since the folder was listed, or is a link to nowhere
+    return Stamp(status.st_size, status.st_mtime_ns, status.st_ino)
