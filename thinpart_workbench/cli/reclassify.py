@@ -10,7 +10,7 @@ from ..core.errors import ThinPartError
 from ..storage.info_file import SUFFIX
 from ..storage.info_tree import scan
 from ..workflow.kept_notes import info_file_of
-from ..workflow.reclassify import reclassify_files
+from ..workflow.reclassify import is_another, reclassify_files
 from .terminal_table import CATEGORY_STYLES, OTHER_CATEGORY, print_rows
 
 MOST_ROWS = 200
@@ -71,7 +71,7 @@ def _info_files(paths):
 
 def _line(file, part):
     return {"file": file.document, "info_file": file.info_file, "name": part.name, "label": part.label,
-            "before": part.before, **part.after, "changed": part.before["category"] != part.after["category"]}
+            "before": part.before, **part.after, "changed": is_another(part)}
 
 
 def _print_changes(changed, changes, counts, profile, written):

@@ -25,6 +25,11 @@ _TOLD = ("category", "criteria", "margin", "borderline")
 """What `part_record.verdict` gives."""
 
 
+def is_another(verdict):
+    """Whether a `Verdict` differs. Margins alone do not: stored numbers have nine digits."""
+    return any(verdict.before[key] != verdict.after[key] for key in ("category", "criteria"))
+
+
 def reclassify_file(info_file, profile_content, write=False):
     """Judge the parts of one info file.
 
@@ -44,8 +49,7 @@ def reclassify_file(info_file, profile_content, write=False):
     def judge(content):
         for part in content["parts"]:
             verdicts.append(_judged(part, profile, write))
-        changed = content["profile"] != profile_content or any(
-            each.before != each.after for each in verdicts)
+        changed = content["profile"] != profile_content or any(map(is_another, verdicts))
         content["profile"] = profile_content
         return changed
 

@@ -1,0 +1,247 @@
+"""The index says what the info files say, whatever happens to them or to it."""
+
+import json
+import os
+import signal
+import sqlite3
+import subprocess
+import sys
+import time
+
+import pytest
+
+import made_library
+from thinpart_workbench.core.errors import ThinPartError
+from thinpart_workbench.storage import info_tree, library_index
+from thinpart_workbench.storage.info_file import SUFFIX
+from thinpart_workbench.storage.library_index import LibraryIndex
+from thinpart_workbench.workflow.find_parts import PartQuery, find_parts
+
+PARTS = len(made_library.SHAPES) + 2
+
+
+@pytest.fixture
+def library(tmp_path):
+    return made_library.make_library(tmp_path / "library")
+
+
+@pytest.fixture
+def index(library, tmp_path):
+    with LibraryIndex(library, tmp_path / "cache") as index:
+        index.refresh()
+        yield index
+
+
+def labels(index):
+    return sorted(part.label for part in find_parts(index))
+
+
+def failures(index):
+    return {os.path.basename(part.info_file): part.error_message
+            for part in find_parts(index, PartQuery(failed=True)) if part.error_kind == "info_file"}
+
+
+def test_every_part_and_failure_is_there_and_a_second_refresh_reads_nothing(index, library):
+    assert len(labels(index)) == PARTS and "Deckel Süd" in labels(index)
+    found = {part.label: part for part in find_parts(index)}
+    plate = found["plate"]
+    assert plate.file == str(library / "group 0" / "plate.step") and plate.category == "thin"
+    assert (plate.d1_mm, plate.d2_mm, plate.d3_mm) == pytest.approx((100, 100, 2))
+    assert plate.thinnest_mm == pytest.approx(2) and "1" in plate.criteria
+    assert found["Deckel Süd"].instances == 4 and found["open_box"].volume_ratio is None
+    broken, = find_parts(index, PartQuery(failed=True))
+    assert (broken.error_kind, broken.error_message) == ("no_solid", "broken bounds no solid.")
+    again = index.refresh()
+    assert (again.files, again.changed, again.removed, again.unreachable) == (PARTS - 1, 0, 0, [])
+
+
+def test_what_changed_moved_or_went_is_followed(index, library, monkeypatch):
+    made_library.store(library, "new.step", [made_library.record_of("cube", label="new one")])
+    changed = made_library.store(library / "group 0", "plate.step", [made_library.record_of("tube", label="tube 2")])
+    (library / "group 0" / f"cube.step{SUFFIX}").unlink()
+    (library / "moved").mkdir()
+    moved = library / "group 1" / f"ribbed_block.step{SUFFIX}"
+    moved.rename(library / "moved" / moved.name)
+    read = []
+    monkeypatch.setattr(library_index, "_read", _spy(library_index._read, read))
+    refreshed = index.refresh()
+    assert refreshed.removed == 1  # the cube; what moved did not go
+    assert sorted(os.fsdecode(path) for _, path in read) == [
+        os.path.relpath(changed, library), f"new.step{SUFFIX}"]
+    assert {"new one", "tube 2"} <= set(labels(index)) and not {"plate", "cube"} & set(labels(index))
+    there, = (part for part in find_parts(index) if part.label == "ribbed_block")
+    assert there.info_file == str(library / "moved" / moved.name)
+    assert [part.label for part in find_parts(index, PartQuery(words="moved"))] == ["ribbed_block"]
+
+
+def _spy(function, calls):
+    def spied(*arguments):
+        calls.append(arguments)
+        return function(*arguments)
+
+    return spied
+
+
+DAMAGED = {
+    "truncated": lambda text: text[:len(text) // 2],
+    "foreign": lambda text: '{"format": "something else"}',
+    "newer": lambda text: text.replace('"version": 1', '"version": 2', 1),
+    "list": lambda text: "[1, 2]",
+    "binary": lambda text: "\x00\x01\x02",
+    "no parts": lambda text: json.dumps({**json.loads(text), "parts": 7}),
+    "label is a list": lambda text: _with(text, label=["a"]),
+    "number too large": lambda text: _with(text, instances=10 ** 40),
+    "no descriptors": lambda text: _with(text, descriptors={}),
+    "bin out of range": lambda text: text.replace('"bins": [', '"bins": [99999999, ', 1),
+    "source is a text": lambda text: json.dumps({**json.loads(text), "source": "x"}),
+    "surrogates": lambda text: json.dumps({**json.loads(text), "source": {"file": "\ud800"}}),
+    "deep": lambda text: "[" * 100_000,
+}
+
+
+def _with(text, **changes):
+    content = json.loads(text)
+    content["parts"][0].update(changes)
+    return json.dumps(content)
+
+
+@pytest.mark.parametrize("damage", DAMAGED)
+def test_an_info_file_that_cannot_be_used_is_one_row_and_the_rest_goes_on(index, library, damage):
+    info = library / "group 0" / f"plate.step{SUFFIX}"
+    info.write_text(DAMAGED[damage](info.read_text(encoding="utf-8")), encoding="utf-8")
+    before = info.read_bytes()
+    index.refresh()
+    assert len(labels(index)) == PARTS - 1
+    message, = failures(index).values()
+    assert info.name in message and message.endswith(".")
+    assert info.read_bytes() == before
+    assert index.refresh().changed == 0  # not read again as long as it stays as it is
+
+
+def test_a_huge_file_is_no_info_file(index, library):
+    with open(library / f"huge.step{SUFFIX}", "wb") as file:
+        file.truncate(300 * 1024 * 1024)
+    index.refresh()
+    assert "too large" in failures(index)[f"huge.step{SUFFIX}"]
+
+
+def test_odd_names_and_loops_of_links(tmp_path):
+    library = tmp_path / "library"
+    names = ["with space.step", "quo'te\".step", "new\nline.step", os.fsdecode(b"caf\xe9.step"), "x" * 230 + ".step"]
+    for name in names:
+        made_library.store(library / "a", name, [made_library.record_of("cube", label=name[:9])])
+    (library / "a" / "loop").symlink_to(library)
+    (library / "nowhere").symlink_to(tmp_path / "gone")
+    (library / f"gone.step{SUFFIX}").symlink_to(tmp_path / "gone")
+    with LibraryIndex(library, tmp_path / "cache") as index:
+        refreshed = index.refresh()
+        assert (refreshed.files, refreshed.unreachable) == (len(names), [])
+        assert sorted(os.path.basename(part.file) for part in find_parts(index)) == sorted(names)
+
+
+@pytest.mark.parametrize("damage", ["garbage", "truncated", "empty"])
+def test_a_damaged_index_is_made_anew(library, tmp_path, damage):
+    with LibraryIndex(library, tmp_path / "cache") as index:
+        index.refresh()
+    content = open(index.path, "rb").read()
+    damaged = {"garbage": b"no database" * 1000, "truncated": content[:4096 + 17], "empty": b""}[damage]
+    with open(index.path, "wb") as file:
+        file.write(damaged)
+    with LibraryIndex(library, tmp_path / "cache") as index:
+        index.refresh()
+        assert len(labels(index)) == PARTS and index.warning is None
+
+
+def test_pages_damaged_in_the_middle_are_noticed_and_made_anew(library, tmp_path):
+    with LibraryIndex(library, tmp_path / "cache") as index:
+        index.refresh()
+    with open(index.path, "r+b") as file:
+        for page in range(1, os.path.getsize(index.path) // 4096):
+            file.seek(page * 4096)
+            file.write(b"\xff" * 64)
+    with LibraryIndex(library, tmp_path / "cache") as index:
+        index.refresh()
+        assert len(labels(index)) == PARTS
+
+
+def test_without_a_place_for_it_the_index_lives_in_memory(library, tmp_path):
+    (tmp_path / "file").write_text("in the way")
+    with LibraryIndex(library, tmp_path / "file" / "cache") as index:
+        refreshed = index.refresh()
+        assert "cannot be kept" in refreshed.warning and len(labels(index)) == PARTS
+        assert index.refresh().changed == 0
+
+
+def test_a_full_disk_keeps_the_index_in_memory(library, tmp_path, monkeypatch):
+    # SQLite answers with the same error where it may have no more pages than it has.
+    def connected(path, original=library_index._connected):
+        database = original(path)
+        if path != ":memory:":
+            database.execute("PRAGMA max_page_count = 1")
+        return database
+
+    monkeypatch.setattr(library_index, "_connected", connected)
+    with LibraryIndex(library, tmp_path / "cache") as index:
+        refreshed = index.refresh()
+        assert "full" in refreshed.warning and len(labels(index)) == PARTS
+
+
+def test_a_folder_that_cannot_be_listed_keeps_what_was_known_of_it(index, library, monkeypatch):
+    real = os.scandir
+
+    def scandir(path):
+        if os.fsencode(path).endswith(b"group 1"):
+            raise OSError(116, "Stale file handle")  # an unreachable share cannot be provoked here
+        return real(path)
+
+    monkeypatch.setattr(info_tree.os, "scandir", scandir)
+    refreshed = index.refresh()
+    sentence, = refreshed.unreachable
+    assert "group 1" in sentence and "Stale file handle" in sentence and refreshed.removed == 0
+    assert len(labels(index)) == PARTS
+
+
+def test_a_library_that_is_gone(index, library, tmp_path):
+    library.rename(tmp_path / "elsewhere")
+    refreshed = index.refresh()
+    assert len(refreshed.unreachable) == 1 and len(labels(index)) == PARTS
+    with LibraryIndex(tmp_path / "never seen", tmp_path / "cache") as other:
+        with pytest.raises(ThinPartError, match="cannot be reached"):
+            other.refresh()
+
+
+REFRESH = """
+import sys
+from thinpart_workbench.storage import library_index
+library_index.FILES_AT_ONCE = 5
+index = library_index.LibraryIndex(sys.argv[1], sys.argv[2])
+print(index.refresh(lambda done, total: print(done, flush=True)).files)
+"""
+
+
+def test_two_refreshes_at_once_and_one_that_is_killed(tmp_path):
+    library = tmp_path / "library"
+    for number in range(60):
+        made_library.store(library, f"{number}.step", [made_library.record_of("cube", label=str(number))])
+    command = [sys.executable, "-c", REFRESH, str(library), str(tmp_path / "cache")]
+    environment = dict(os.environ, PYTHONPATH=os.pathsep.join(sys.path))
+    killed = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE)
+    assert killed.stdout.readline().strip() == b"5"
+    killed.send_signal(signal.SIGKILL)
+    killed.wait()
+    both = [subprocess.Popen(command, env=environment, stdout=subprocess.PIPE) for _ in range(2)]
+    assert [each.communicate(timeout=60)[0].split()[-1] for each in both] == [b"60", b"60"]
+    with LibraryIndex(library, tmp_path / "cache") as index:
+        assert index.refresh().changed == 0
+        assert sorted(map(int, labels(index))) == list(range(60))
+
+
+def test_others_read_while_one_writes(index, library, tmp_path):
+    with LibraryIndex(library, tmp_path / "cache") as reader:
+        writer = sqlite3.connect(index.path)
+        writer.execute("BEGIN IMMEDIATE")
+        writer.execute("DELETE FROM parts")
+        started = time.monotonic()
+        assert len(labels(reader)) == PARTS and time.monotonic() - started < library_index.BUSY_SECONDS
+        writer.rollback()
+        writer.close()

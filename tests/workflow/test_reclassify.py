@@ -1,0 +1,98 @@
+"""Judging again gives what a new analysis by that profile would give, and touches nothing else."""
+
+import copy
+import json
+import os
+
+import pytest
+
+import made_library
+from thinpart_workbench.core.classification import classify
+from thinpart_workbench.core.criteria import load_profile, profile_from
+from thinpart_workbench.core.part_record import descriptors_of
+from thinpart_workbench.storage.info_file import SUFFIX, read_info
+from thinpart_workbench.workflow.kept_notes import keep_with_part
+from thinpart_workbench.workflow.reclassify import is_another, reclassify_files
+
+PAPER = load_profile("paper").content
+
+
+@pytest.fixture
+def info_files(tmp_path):
+    library = made_library.make_library(tmp_path / "library")
+    return sorted(str(path) for path in library.rglob(f"*{SUFFIX}"))
+
+
+@pytest.fixture
+def strict():
+    """No part is thin by it, whatever could not be measured."""
+    profile = copy.deepcopy(PAPER)
+    profile["name"] = "strict"
+    for category in profile["categories"]:
+        for criterion in category["criteria"]:
+            criterion["conditions"].append({"quantity": "D1", "comparison": ">", "value": 1e9})
+    return profile
+
+
+def categories(info_files):
+    return {(path, part["name"]): part["category"] for path in info_files for part in read_info(path)["parts"]}
+
+
+def test_the_same_profile_changes_nothing_not_even_a_byte(info_files):
+    before = [open(path, "rb").read() for path in info_files]
+    for file in reclassify_files(info_files, PAPER, write=True):
+        assert file.error is None and not any(map(is_another, file.parts))
+    assert [open(path, "rb").read() for path in info_files] == before
+
+
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_another_profile(info_files, strict, jobs, monkeypatch):
+    from thinpart_workbench.workflow import reclassify
+
+    monkeypatch.setattr(reclassify, "FILES_AT_ONCE", 2)
+    before = categories(info_files)
+    told = list(reclassify_files(info_files, strict, jobs=jobs))
+    assert [file.info_file for file in told] == info_files and categories(info_files) == before
+    for file in told:
+        for part in file.parts:
+            record, = (each for each in read_info(file.info_file)["parts"] if each["name"] == part.name)
+            expected = classify(descriptors_of(record), profile_from(strict))
+            assert part.before["category"] == before[file.info_file, part.name]
+            assert part.after["category"] == expected.category == "normal"
+
+
+def test_written_atomically_with_everything_else_as_it_was(info_files, strict):
+    keep_with_part(info_files[0], "Solid1", notes="stays")
+    before = [read_info(path) for path in info_files]
+    list(reclassify_files(info_files, strict, write=True))
+    for path, old in zip(info_files, before):
+        new = read_info(path)
+        assert new["profile"] == strict
+        changed = {"category", "criteria", "margin", "borderline", "reason", "evidence"}
+        for part, was in zip(new["parts"], old["parts"]):
+            assert {key: part[key] for key in part if key not in changed} == {
+                key: was[key] for key in was if key not in changed}
+        assert {key: new[key] for key in new if key not in ("profile", "parts")} == {
+            key: old[key] for key in old if key not in ("profile", "parts")}
+    assert set(categories(info_files).values()) == {"normal"}
+    assert not [name for path in info_files for name in os.listdir(os.path.dirname(path)) if name.endswith(".tmp")]
+    list(reclassify_files(info_files, PAPER, write=True))
+    for path, old in zip(info_files, before):
+        new = read_info(path)
+        assert new["profile"] == old["profile"]
+        for part, was in zip(new["parts"], old["parts"]):
+            assert part["margin"] == pytest.approx(was["margin"], rel=1e-6)
+            assert (part["category"], part["criteria"], part["reason"]) == (
+                was["category"], was["criteria"], was["reason"])
+
+
+def test_a_damaged_info_file_is_one_sentence_and_the_rest_goes_on(info_files, strict):
+    damaged = {info_files[0]: "{", info_files[2]: json.dumps({**read_info(info_files[2]), "parts": [{}]})}
+    for path, text in damaged.items():
+        open(path, "w").write(text)
+    for write in (False, True):
+        told = {file.info_file: file for file in reclassify_files(info_files, strict, write)}
+        assert set(told) == set(info_files)
+        assert {path for path in told if told[path].error} == set(damaged)
+        assert all(told[path].error.endswith(".") for path in damaged)
+        assert {path: open(path).read() for path in damaged} == damaged
