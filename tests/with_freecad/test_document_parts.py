@@ -36,7 +36,7 @@ def test_a_body_is_one_part_and_its_features_are_none(document):
 
 
 def test_a_sketch_on_a_face_and_a_binder_use_nothing_up(document):
-    base = box(document, "Base")
+    base = box(document, "Base", 20)
     document.recompute()
     sketch = document.addObject("Sketcher::SketchObject", "Sketch")
     attachment = "AttachmentSupport" if hasattr(sketch, "AttachmentSupport") else "Support"

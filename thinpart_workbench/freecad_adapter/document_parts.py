@@ -7,6 +7,7 @@ import numpy as np
 
 from .bootstrap import load_freecad
 from .broken_parts import BrokenPart, defect_of, mesh_defect, recompute_warning
+from .equal_solids import equal_part
 from .part import MeshedPart, Occurrence, SolidPart
 from .solids import loose_faces_warning
 
@@ -51,7 +52,7 @@ def document_content(document):
 
     Notes
     -----
-    Copies of one shape by links or by placement are one part. What another shape was made from is
+    Copies of one shape are one part, made by links, by placement or drawn twice. What another shape was made from is
     not a part, nor are the features of a body, nor is a hidden object of which links are shown. A
     hidden shape that is no body is a leftover of modelling unless nothing else is there.
     """
@@ -223,10 +224,7 @@ def _add_solids(parts, root, path, leaf):
                                    loose_faces_warning(shape, f"'{leaf.Label}'"))))
     alike = all(solid.isPartner(solids[0]) for solid in solids)
     for index, solid in enumerate(solids):
-        known = next(
-            (part for part in parts if isinstance(part, SolidPart) and part.shape.isPartner(solid)),
-            None,
-        )
+        known = equal_part(parts, solid)
         if known is None:
             name, label = leaf.Name, leaf.Label
             if not alike:

@@ -13,6 +13,7 @@ import numpy as np
 from ..core.errors import ThinPartError
 from .bootstrap import load_freecad
 from .document_parts import DocumentContent, document_content
+from .equal_solids import equal_part
 from .mesh_file_check import check_mesh_file
 from .part import MeshedPart, Occurrence, SolidPart
 from .solids import solids_of
@@ -125,7 +126,7 @@ def _read_shape(path):
     solids, warnings = solids_of(shape)
     parts = []
     for index, solid in enumerate(solids):
-        known = next((part for part in parts if part.shape.isPartner(solid)), None)
+        known = equal_part(parts, solid)
         if known is None:
             number = len(parts) + 1
             label = path.stem if len(solids) == 1 else f"{path.stem} ({number})"

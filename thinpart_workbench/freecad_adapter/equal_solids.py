@@ -1,0 +1,75 @@
+"""Solids that are one part: copies of one shape, or equal shapes that stand elsewhere."""
+
+import math
+
+import numpy as np
+
+from .part import SolidPart
+
+_EQUAL_MEASURES = 1e-7
+"""Relative difference of volumes and areas of one solid that was written and read twice."""
+
+_SAME_PLACE = 1e-6
+"""Share of the diagonal that corresponding points may lie apart."""
+
+
+def equal_part(parts, solid):
+    """The part whose shape a solid has, in whatever place, or None.
+
+    Parameters
+    ----------
+    parts : list of SolidPart or MeshedPart
+    solid : Part.Shape
+
+    Returns
+    -------
+    SolidPart or None
+
+    Notes
+    -----
+    Exchange files write each copy of a part as a solid of its own. Two solids are equal when all faces,
+    edges and corners correspond in their order and a rotation carries the points of one to those of the
+    other; a mirror image is another part.
+    """
+    solids = [part for part in parts if isinstance(part, SolidPart)]
+    shared = (part for part in solids if part.shape.isPartner(solid))
+    return next(shared, None) or next((part for part in solids if _is_equal(part.shape, solid)), None)
+
+
+def _is_equal(one, other):
+    if any(len(getattr(one, kind)) != len(getattr(other, kind)) for kind in ("Faces", "Edges", "Vertexes")):
+        return False
+    if not (_agree(one.Volume, other.Volume) and _agree(one.Area, other.Area)):
+        return False
+    if not all(_agree(mine.Area, its.Area) for mine, its in zip(one.Faces, other.Faces)):
+        return False
+    points, others = _points(one), _points(other)
+    diagonal = float(np.linalg.norm(np.ptp(points, axis=0)))
+    return len(points) == len(others) and _distance_when_turned(points, others) <= _SAME_PLACE * diagonal
+
+
+def _agree(one, other):
+    return math.isclose(one, other, rel_tol=_EQUAL_MEASURES, abs_tol=1e-300)
+
+
+def _points(shape):
+    """Points of a shape in the order of what they lie on, ndarray of shape (k, 3)."""
+    points = [corner.Point for corner in shape.Vertexes]
+    for edge in shape.Edges:
+        if not edge.Degenerated:
+            first, last = edge.ParameterRange
+            points += [edge.valueAt(first + share * (last - first)) for share in (0.3, 0.7)]
+    for face in shape.Faces:
+        left, right, low, high = face.ParameterRange
+        points += [face.valueAt(left + share * (right - left), low + share * (high - low))
+                   for share in (0.4, 0.7)]
+    return np.array([tuple(point) for point in points]).reshape(-1, 3)
+
+
+def _distance_when_turned(points, others):
+    """Greatest distance of corresponding points after the best rotation (Kabsch 1976,
+    doi:10.1107/S0567739476001873)."""
+    points, others = points - points.mean(axis=0), others - others.mean(axis=0)
+    left, _, right = np.linalg.svd(points.T @ others)
+    left[:, 2] *= np.sign(np.linalg.det(left @ right))
+    return float(np.linalg.norm(points @ left @ right - others, axis=1).max())
