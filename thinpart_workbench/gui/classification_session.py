@@ -11,6 +11,7 @@ from ..freecad_adapter.document_parts import document_content, document_parts
 from ..freecad_adapter.face_owners import face_owners
 from ..freecad_adapter.same_parts import same_parts
 from ..freecad_adapter.settings import preference
+from ..freecad_adapter.thin_colours import preferred_colours
 from ..workflow.document_analysis import DocumentAnalysis
 from .chosen_in_window import active_place, selected_places
 from .document_observer import OBSERVER
@@ -19,7 +20,6 @@ from .face_colours import FACE_COLOURS
 from .part_dialog import ask_for_part
 from .qt import QtCore, translate
 from .task_panel import TaskPanel
-from .thin_faces import thin_face_colours
 
 
 class ClassificationSession(QtCore.QObject):
@@ -165,7 +165,7 @@ class ClassificationSession(QtCore.QObject):
         """Colour the thin faces; whether there are any."""
         if not self._is_as_measured():
             return False
-        document, colours = self._document, thin_face_colours(record)
+        document, colours = self._document, preferred_colours(record)
         FACE_COLOURS.show(document, [
             (owner, {indices[face]: rgb for face, rgb in colours.items()})
             for owner, indices in face_owners(document, self._analysis.chosen)
