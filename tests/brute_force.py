@@ -102,3 +102,22 @@ def box_volume(points, starts=400, keep=12, seed=0):
             turn = result.x
         best = min(best, result.fun)
     return best
+
+
+def nearest_depth(corners, width, height):
+    """Third coordinate of the nearest triangle at every sample, by trying each on all samples.
+
+    Returns
+    -------
+    ndarray of shape (height, width); -inf for none
+    """
+    x, y = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
+    nearest = np.full((height, width), -np.inf)
+    for a, b, c in corners:
+        area = np.linalg.det([b[:2] - a[:2], c[:2] - a[:2]])
+        v = ((x - a[0]) * (c[1] - a[1]) - (y - a[1]) * (c[0] - a[0])) / area
+        w = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area
+        inside = (v >= -1e-9) & (w >= -1e-9) & (v + w <= 1 + 1e-9)
+        depth = a[2] + v * (b[2] - a[2]) + w * (c[2] - a[2])
+        nearest = np.where(inside, np.maximum(nearest, depth), nearest)
+    return nearest

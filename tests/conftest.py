@@ -7,6 +7,14 @@ import pytest
 ROOT = Path(__file__).resolve().parents[1]
 
 
+@pytest.fixture(scope="session", autouse=True)
+def own_cache(tmp_path_factory):
+    """What is kept in the user's cache goes elsewhere, also from processes that tests start."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("THINPART_CACHE", str(tmp_path_factory.mktemp("cache")))
+        yield
+
+
 @pytest.fixture
 def rng():
     """Random numbers that are the same in every run."""

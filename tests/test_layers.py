@@ -78,7 +78,7 @@ MEASURING = (
     "box_refinement", "sampling", "box_tree", "ray_packets", "tree_descent", "ray_casting",
     "inward_rays", "thickness", "convex_clipping", "nonparallel", "slanted_pairs", "pair_rule",
     "distribution", "measurement", "face_thickness", "descriptors", "chord_error",
-    "similarity",
+    "similarity", "rasterizer", "picture",
 )
 JUDGING = ("criteria", "classification")
 

@@ -28,6 +28,8 @@ def add_arguments(parser):
     parser.add_argument("--no-info", action="store_true", help="write no info files")
     parser.add_argument("--info-dir", metavar="DIR",
                         help="keep the info files in this folder instead of beside the parts")
+    parser.add_argument("--no-thumbnails", action="store_true",
+                        help="keep no pictures of the parts in the cache")
     parser.add_argument("--force", action="store_true",
                         help="measure again even what has not changed")
     parser.add_argument("--profile", default="paper", metavar="NAME-or-FILE",
@@ -81,7 +83,8 @@ def _task(document, tree, options):
     if not options.no_info:
         info = os.fspath(info_path(document, options.info_dir, tree))
     return FileTask(os.fspath(document), info, settings,
-                    load_profile(options.profile).content, options.force)
+                    load_profile(options.profile).content, options.force,
+                    not (options.no_info or options.no_thumbnails))
 
 
 def _report(outcome, done, total, as_json):

@@ -4,13 +4,16 @@ import os
 import tempfile
 
 
-def write_atomically(path, content):
+def write_atomically(path, content, lasting=True):
     """Write bytes to a temporary file beside `path`, flush them to disk, and rename it.
 
     Parameters
     ----------
     path : str or Path
     content : bytes
+    lasting : bool
+        Whether it has to outlast a power failure. What can be made again need not, and is written
+        without waiting for the disk.
 
     Raises
     ------
@@ -24,13 +27,15 @@ def write_atomically(path, content):
         with os.fdopen(handle, "wb") as file:
             file.write(content)
             file.flush()
-            os.fsync(file.fileno())
+            if lasting:
+                os.fsync(file.fileno())
         os.chmod(temporary, _mode(path))
         os.replace(temporary, path)
     except BaseException:
         _remove(temporary)
         raise
-    _sync_folder(folder)
+    if lasting:
+        _sync_folder(folder)
 
 
 def _mode(path):

@@ -27,6 +27,8 @@ class FileTask:
         Content of the profile.
     force : bool
         Measure again even when the info file is current.
+    thumbnails : bool
+        Keep a picture of every part that is measured in the user's cache.
     """
 
     file: str
@@ -34,6 +36,7 @@ class FileTask:
     settings: AnalysisSettings = field(default_factory=AnalysisSettings)
     profile: dict = field(default_factory=lambda: load_profile("paper").content)
     force: bool = False
+    thumbnails: bool = False
 
 
 def analyse_file(task, report=None):
@@ -68,7 +71,7 @@ def analyse_file(task, report=None):
     source = new_source(task.file, linked_files(task.file), task.info_file)
     found = read_parts(task.file)
     read_seconds = time.perf_counter() - started
-    records, failures = _analyse_parts(found.parts, task, read_seconds, report)
+    records, failures = _analyse_parts(found.parts, task, source["sha256"], read_seconds, report)
     failures += [broken.failure() for broken in found.broken]
     if not records and len(failures) == 1:
         raise ThinPartError(failures[0]["message"], failures[0]["kind"])
@@ -85,8 +88,12 @@ def analyse_file(task, report=None):
     return _outcome(task, content["parts"], failures, False, started)
 
 
-def _analyse_parts(parts, task, read_seconds, report):
+def _analyse_parts(parts, task, sha256, read_seconds, report):
     from .analyse_part import analyse_part
+    from .part_thumbnail import keep_thumbnail
+
+    def show(mesh, record):
+        keep_thumbnail(mesh, record, sha256)
 
     profile = profile_from(task.profile)
     records, failures = [], []
@@ -95,7 +102,8 @@ def _analyse_parts(parts, task, read_seconds, report):
             report(stage, (number + fraction) / len(parts))
 
         try:
-            record = analyse_part(part, task.settings, profile, report and part_report)
+            record = analyse_part(part, task.settings, profile, report and part_report,
+                                  show if task.thumbnails else None)
         except ThinPartError as error:
             if error.kind == "cancelled":
                 raise

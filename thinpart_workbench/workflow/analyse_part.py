@@ -18,7 +18,7 @@ _ROUNDING = 2e-7
 """FreeCAD's meshes are float32: each side of a wall may lie this share of the diagonal off."""
 
 
-def analyse_part(part, settings, profile, report=None):
+def analyse_part(part, settings, profile, report=None, show=None):
     """Analyse one part.
 
     Parameters
@@ -28,6 +28,8 @@ def analyse_part(part, settings, profile, report=None):
     profile : Profile
     report : callable, optional
         Called with a stage and the fraction of it that is done; may raise to stop.
+    show : callable, optional
+        Called at the end with the surface mesh that was measured and the record.
 
     Returns
     -------
@@ -49,6 +51,8 @@ def analyse_part(part, settings, profile, report=None):
     )
     record["warnings"] += warnings + _plausibility(part, mesh, measurement.field, diagonal)
     record["seconds"] = seconds
+    if show is not None:
+        show(mesh, record)
     return record
 
 

@@ -1,0 +1,106 @@
+"""Pictures of parts by the real worker, and runs that can keep none."""
+
+import json
+import os
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from program import SAMPLES, records, thinpart
+from read_png import read_png
+from thinpart_workbench.freecad_adapter.settings import PREFERENCES
+from thinpart_workbench.storage.thumbnails import thumbnail_path
+from thinpart_workbench.workflow.analyse_file import FileTask, analyse_file
+
+
+@pytest.fixture(autouse=True)
+def cache(tmp_path, monkeypatch):
+    monkeypatch.setenv("THINPART_CACHE", str(tmp_path / "cache"))
+    return tmp_path / "cache"
+
+
+def pictures(folder):
+    """Of every part in the info files of a folder: its category and its picture."""
+    found = {}
+    for info_file in folder.rglob("*.thinpart.json"):
+        content = json.loads(info_file.read_text(encoding="utf-8"))
+        for part in content["parts"]:
+            path = thumbnail_path(content["source"]["sha256"], part["name"])
+            found[content["source"]["file"], part["label"]] = part["category"], read_png(path)
+    return found
+
+
+def of_hue(image, preference):
+    """Share of what is shown that has a colour, whatever its brightness."""
+    colour = np.array(PREFERENCES[preference].default)
+    pixels = image[image[..., 3] == 255][:, :3].astype(float)
+    brightness = pixels[:, :1] / colour[0]
+    return (abs(pixels - brightness * colour) < 3).all(axis=1).mean()
+
+
+def test_every_part_has_a_picture_with_its_thin_faces_red(tmp_path, cache):
+    files = [SAMPLES / name for name in ("plate.step", "block.step", "tube.FCStd", "tapered_plug.step",
+                                         "ribbed_block.FCStd", "assembly_of_three.FCStd")]
+    run = thinpart("classify", *files, "--info-dir", tmp_path / "info", "--json")
+    assert run.returncode == 0, run.stderr
+    found = pictures(tmp_path / "info")
+    assert len(found) == len(records(run)) == 8
+    assert len([path for path in cache.rglob("*") if path.is_file()]) == 8
+    for part, (category, image) in found.items():
+        assert image.shape == (120, 160, 4), part
+        assert 0.1 < (image[..., 3] == 255).mean() < 0.9 and (image[0] == 0).all(), part
+        red = of_hue(image, "ThinColour")
+        assert red > 0.5 if category == "thin" else red < 0.2, part
+    for part in (("block.step", "block"), ("assembly_of_three.FCStd", "Dowel pin")):
+        assert found[part][0] == "normal" and of_hue(found[part][1], "ThinColour") == 0
+    assert found["ribbed_block.FCStd", "Ribbed block"][0] == "thin_features"
+    assert of_hue(found["ribbed_block.FCStd", "Ribbed block"][1], "ThinColour") > 0.02
+
+
+def test_the_same_part_gives_the_same_bytes(tmp_path, cache):
+    for name in ("first", "second"):
+        (tmp_path / name).mkdir()
+        shutil.copy(SAMPLES / "thin_walled_casting.step", tmp_path / name / f"{name}.step")
+    contents = []
+    for name in ("first", "second"):
+        thinpart("classify", tmp_path / name)
+        path, = (path for path in cache.rglob("*") if path.is_file())
+        contents.append(path.read_bytes())
+        path.unlink()
+    assert contents[0] == contents[1]
+
+
+def test_a_part_from_its_info_file_is_not_measured_again_for_its_picture(tmp_path, cache):
+    task = FileTask(os.fspath(SAMPLES / "block.step"), os.fspath(tmp_path / "block.step.thinpart.json"),
+                    thumbnails=True)
+    assert not analyse_file(task)["reused"]
+    path, = (path for path in cache.rglob("*") if path.is_file())
+    path.unlink()
+    assert analyse_file(task)["reused"] and not path.exists()
+
+
+@pytest.mark.parametrize("option", ["--no-thumbnails", "--no-info"])
+def test_no_pictures_when_not_wanted(tmp_path, cache, option):
+    run = thinpart("classify", SAMPLES / "block.step", option, "--info-dir", tmp_path / "info")
+    assert run.returncode == 0 and not cache.exists()
+
+
+@pytest.mark.parametrize("place", ["under a file", "read-only", "in /proc", "no such user", "relative"])
+def test_no_room_for_pictures_is_no_failure(tmp_path, monkeypatch, place):
+    (tmp_path / "file").write_text("")
+    (tmp_path / "closed").mkdir(mode=0o555)
+    if place == "read-only" and os.geteuid() == 0:
+        pytest.skip("root may write into any folder")
+    (tmp_path / "here").mkdir()
+    cache = {"under a file": tmp_path / "file" / "cache", "read-only": tmp_path / "closed" / "cache",
+             "in /proc": "/proc/thinpart", "no such user": "~nobody-of-that-name/cache",
+             "relative": "cache"}[place]
+    monkeypatch.setenv("THINPART_CACHE", str(cache))
+    run = thinpart("classify", SAMPLES / "block.step", "--info-dir", tmp_path / "info",
+                   cwd=tmp_path / "here")
+    assert run.returncode == 0 and run.stderr == ""
+    assert (tmp_path / "info" / "block.step.thinpart.json").is_file()
+    assert not Path(cache).exists()
+    assert [path.name for path in (tmp_path / "here").iterdir()] == ["cache"] * (place == "relative")
