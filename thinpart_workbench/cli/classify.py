@@ -2,20 +2,27 @@
 
 import argparse
 import errno
-import json
 import os
 import sys
+import tempfile
+from contextlib import closing
 from dataclasses import fields
 from pathlib import Path
 
 from ..core.analysis_settings import BOXES, MEASURES, AnalysisSettings
 from ..core.criteria import load_profile
 from ..core.errors import ThinPartError
-from ..storage.info_file import SUFFIX, info_path
+from ..storage.info_file import SUFFIX
 from ..workflow.analyse_file import FileTask
-from ..workflow.find_documents import ENDINGS, common_folder, find_documents
-from ..workflow.worker_pool import LEAST_MEGABYTES, Limits, analyse_files
-from .part_rows import FIRST_COLUMNS, print_table, write_csv
+from ..workflow.find_documents import ENDINGS, NameFilter, common_folder, find_documents
+from ..workflow.run_control import RunControl
+from ..workflow.run_plan import info_place, plan_run
+from ..workflow.run_progress import RunProgress
+from ..workflow.worker_pool import LEAST_MEGABYTES, Limits, analyse_files, failure
+from .control_input import listen
+from .part_rows import FIRST_COLUMNS, PartRows
+from .run_report import new_report
+from .stop_signals import stop_signals
 
 
 def add_arguments(parser):
@@ -25,6 +32,16 @@ def add_arguments(parser):
     parser.add_argument("--json", action="store_true",
                         help="print one JSON record per part or failure, progress on stderr")
     parser.add_argument("--csv", metavar="FILE", help="write the table to a CSV file as well")
+    parser.add_argument("--include", metavar="GLOB", action="append", default=[],
+                        help="of folders, take only files whose name it matches; with a slash in it, "
+                             "whose path below the folder it matches; may be given several times")
+    parser.add_argument("--exclude", metavar="GLOB", action="append", default=[],
+                        help="of folders, leave out what it matches, in the same way")
+    parser.add_argument("--only", metavar="LIST",
+                        help="classify only the files that LIST names (absolute paths, each ended by a "
+                             "NUL byte); the PATHs then only say which tree --info-dir mirrors")
+    parser.add_argument("--control", action="store_true",
+                        help="obey the lines pause, resume and stop on standard input; its end stops")
     parser.add_argument("--no-info", action="store_true", help="write no info files")
     parser.add_argument("--info-dir", metavar="DIR",
                         help="keep the info files in this folder instead of beside the parts")
@@ -51,85 +68,139 @@ def add_arguments(parser):
 
 def run(options):
     """Classify and return the exit status."""
-    documents = find_documents(options.paths)
-    if not documents:
+    report = new_report(options.json)
+    control = RunControl(report.state)
+    rows = PartRows(common_folder(options.paths), table=not options.json, csv=bool(options.csv))
+    try:
+        with stop_signals(control) as undisturbed, report:
+            if options.control:
+                listen(control)
+            try:
+                failed = _classify(options, control, report, rows)
+            finally:
+                # Also after Ctrl-C: what was done is kept.
+                if options.csv and rows:
+                    with undisturbed():
+                        rows.write_csv(options.csv)
+    finally:
+        if not options.json and rows:
+            rows.print_table(sys.stdout)
+    return 1 if failed else 0
+
+
+def _classify(options, control, report, rows):
+    """Find the documents and analyse them; the number of those that failed."""
+    new_task = _new_task(options)
+    documents, failures = _search(options, control, report)
+    if options.csv:
+        _check_table(options.csv, documents)
+    if options.info_dir is not None and not options.no_info:
+        _check_info_folder(options.info_dir)
+    planned = plan_run(documents, new_task, _info_place(options), options.jobs)
+    progress = RunProgress({each.task.file: (each.bytes, each.unchanged) for each in planned},
+                           options.jobs)
+    unkept = {each.task.file: each.problem for each in planned if each.problem is not None}
+    control.enter("paused" if control.paused else "running")
+    report.started(progress)
+    for outcome in failures:
+        rows.add(outcome)
+        report.failures(outcome)
+    tasks = [each.task for each in planned]
+    with closing(_outcomes(tasks, options, control)) as outcomes:
+        for outcome in outcomes:
+            if outcome["file"] in unkept and "error" not in outcome:
+                error = unkept[outcome["file"]]
+                outcome["failures"] = [*outcome["failures"], {
+                    "part": None, "label": None, "kind": error.kind, "message": str(error)}]
+            rows.add(outcome)
+            progress.add(outcome)
+            report.ended(outcome, progress)
+    return progress.failed + len(failures)
+
+
+def _outcomes(tasks, options, control):
+    """What analyses the files: worker processes of this machine."""
+    return analyse_files(tasks, Limits(options.timeout, options.memory, options.jobs), control)
+
+
+def _search(options, control, report):
+    """The documents, and outcomes for what could not be searched."""
+    def searched(count):
+        control.check()
+        report.found(count)
+
+    control.enter("searching")
+    names = NameFilter(tuple(options.include), tuple(options.exclude))
+    paths = options.paths if options.only is None else _listed(options)
+    found = find_documents(paths, names, searched)
+    control.check()
+    if not found.documents and not found.failures:
         raise ThinPartError(
             f"There are no parts in {', '.join(options.paths)}: name a CAD file or a folder "
             "that holds some.", "empty",
         )
-    tree = common_folder(options.paths)
-    tasks = [_task(document, tree, options) for document in documents]
-    if options.csv:
-        _check_table(options.csv, documents)
-    limits = Limits(options.timeout, options.memory, options.jobs)
-    outcomes = []
+    return found.documents, [failure(path, error.kind, str(error)) for path, error in found.failures]
+
+
+def _listed(options):
+    """The files that the list after --only names."""
     try:
-        for outcome in analyse_files(tasks, limits):
-            outcomes.append(outcome)
-            _report(outcome, len(outcomes), len(tasks), options.json)
-    finally:
-        # Also after Ctrl-C: what was done is shown and kept.
-        outcomes.sort(key=lambda outcome: outcome["file"])
-        if not options.json and outcomes:
-            print_table(outcomes, sys.stdout, tree)
-        if options.csv:
-            write_csv(outcomes, options.csv, tree)
-    return 1 if any("error" in each or each["failures"] for each in outcomes) else 0
+        content = Path(options.only).read_bytes()
+    except OSError as error:
+        raise ThinPartError(
+            f"The list {options.only} cannot be read ({error.strerror}): give a file to --only that "
+            "names the parts.", "usage",
+        ) from None
+    paths = [os.fsdecode(each) for each in content.split(b"\0") if each]
+    tree = os.path.join(common_folder(options.paths), "")
+    for path in paths:
+        if not os.path.isabs(path):
+            raise ThinPartError(
+                f"The list {options.only} names {path!r}, which is no absolute path: write whole "
+                "paths, each ended by a NUL byte.", "usage")
+        if options.info_dir is not None and not os.path.abspath(path).startswith(tree):
+            # Its info file would lie outside of the folder that is meant for info files.
+            raise ThinPartError(
+                f"The list {options.only} names {path}, which does not lie below {tree}: name a PATH "
+                "that holds it, or leave out --info-dir.", "usage")
+    return paths
 
 
-def _task(document, tree, options):
+def _new_task(options):
     settings = AnalysisSettings(measure=options.measure, box=options.box)
-    info = None
-    if not options.no_info:
-        info = os.fspath(info_path(document, options.info_dir, tree))
-    return FileTask(os.fspath(document), info, settings,
-                    load_profile(options.profile).content, options.force,
-                    not (options.no_info or options.no_thumbnails))
+    profile = load_profile(options.profile).content
+    thumbnails = not (options.no_info or options.no_thumbnails)
+    return lambda file, info: FileTask(file, info, settings, profile, options.force, thumbnails)
 
 
-def _report(outcome, done, total, as_json):
-    """One file has ended: its failures to stderr, its records to stdout."""
-    if "error" in outcome:
-        _print_failure(outcome["file"], outcome["error"])
-    for each in outcome.get("failures", ()):
-        _print_failure(outcome["file"], each)
-    if not as_json:
-        if total > 1 and sys.stderr.isatty():
-            print(f"{done} of {total}: {outcome['file']}", file=sys.stderr)
-        return
-    for line in json_lines(outcome):
-        print(json.dumps(line, ensure_ascii=False), flush=True)
-    print(json.dumps({"progress": {"done": done, "total": total, "file": outcome["file"]}}),
-          file=sys.stderr, flush=True)
+def _info_place(options):
+    if options.no_info:
+        return lambda file: None
+    return info_place(options.info_dir, common_folder(options.paths))
 
 
-def json_lines(outcome):
-    """The records that ``--json`` prints for one file: parts, then failures."""
-    file = outcome["file"]
-    if "error" in outcome:
-        return [{"file": file, "error": outcome["error"]}]
-    lines = [{"file": file, **part} for part in outcome["parts"]]
-    for each in outcome["failures"]:
-        error = {"kind": each["kind"], "message": each["message"]}
-        lines.append({"file": file, "name": each["part"], "label": each.get("label"),
-                      "error": error})
-    return lines
-
-
-_OPTION_FOR = {"info_write": "--info-dir", "timeout": "--timeout", "memory": "--memory"}
-
-
-def _print_failure(file, error):
-    option = f" See {_OPTION_FOR[error['kind']]}." if error["kind"] in _OPTION_FOR else ""
-    print(f"thinpart: {file}: {error['message']}{option} [{error['kind']}]", file=sys.stderr,
-          flush=True)
+def _check_info_folder(folder):
+    """Refuse a folder for info files before 100,000 files were measured for it."""
+    try:
+        if os.path.lexists(folder) and not os.path.isdir(folder):
+            raise NotADirectoryError(errno.ENOTDIR, os.strerror(errno.ENOTDIR))
+        os.makedirs(folder, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            pass
+    except OSError as error:
+        raise ThinPartError(
+            f"Info files cannot be written into {folder} ({error.strerror}): give another folder to "
+            "--info-dir.", "usage",
+        ) from None
 
 
 def _check_table(path, documents):
     """Refuse a place for the table that cannot be written or that holds something else."""
-    path = Path(path)
-    same = any(os.path.realpath(path) == os.path.realpath(each) for each in documents)
-    if same or path.name.lower().endswith((*ENDINGS, SUFFIX)):
+    path, place = Path(path), os.path.realpath(path)
+    names = (*ENDINGS, SUFFIX)
+    same = any(place == os.path.realpath(each.path) for each in documents
+               if not each.path.lower().endswith(names))
+    if same or path.name.lower().endswith(names) or place.lower().endswith(names):
         raise ThinPartError(
             f"{path} is a part, not a table, and was left as it is: name a .csv file after --csv.",
             "usage",

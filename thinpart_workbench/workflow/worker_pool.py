@@ -1,18 +1,22 @@
 """Files analysed in worker processes, so that a file which kills its reader is one failed row."""
 
 import faulthandler
-import multiprocessing
 import os
 import resource
 import signal
-from concurrent.futures import as_completed
-from contextlib import suppress
+import time
+from collections import deque
+from concurrent.futures import TimeoutError as TaskTimeout
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
 from ..core.errors import ThinPartError
 from ..freecad_adapter.bootstrap import has_home
+from .parent_death import end_with_parent
+from .run_control import RunControl
 from .temporary_folder import temporary_folder
+from .workers import Workers
 
 _OUT_OF_MEMORY = (b"bad_alloc", b"MemoryError", b"Unable to allocate", b"OutOfMemory",
                   b"out of memory", b"length_error", b"failed to map segment", b"pthread_create failed")
@@ -40,56 +44,86 @@ class Limits:
     jobs: int = 1
 
 
-def analyse_files(tasks, limits):
+def analyse_files(tasks, limits, control=None):
     """Analyse files, each in a worker process with time and memory limits.
 
     Parameters
     ----------
     tasks : list of FileTask
     limits : Limits
+    control : RunControl, optional
+        Pauses and stops the run.
 
     Yields
     ------
     dict
         Per file, as they end: the outcome of `analyse_file`, or ``{"file", "error": {"kind",
-        "message"}}``.
+        "message"}}``, with ``seconds`` where they are known.
+
+    Raises
+    ------
+    ThinPartError
+        When no worker can be started, or there is no place for temporary files.
+    KeyboardInterrupt
+        When `control` was asked to stop.
 
     Notes
     -----
     A damaged STEP file ends the process that reads it, and some run for ever; one worker is then
-    lost and replaced, and the next file goes on.
+    lost and replaced, and the next file goes on. Tasks are handed over a few per worker at a time:
+    the pool looks at all that it has ten times a second.
     """
-    from pebble import ProcessPool
-
     if not tasks:
         return
-    with temporary_folder() as logs:
-        pool = ProcessPool(
-            max_workers=max(1, min(limits.jobs, len(tasks))),
-            context=multiprocessing.get_context("spawn"),
-            initializer=_start_worker, initargs=(limits.megabytes, logs),
-        )
+    control = control or RunControl()
+    with _folder_for_logs() as folder:
+        workers = Workers(max(1, min(limits.jobs, len(tasks))), limits.seconds, folder, _work,
+                          _start_worker, (limits.megabytes, folder, os.getpid()))
         try:
-            futures = {}
-            for number, task in enumerate(tasks):
-                log = os.path.join(logs, f"{number}.log")
-                future = pool.schedule(_work, args=(task, log), timeout=limits.seconds)
-                futures[future] = task, log
-            for future in as_completed(futures):
-                task, log = futures.pop(future)
-                yield _outcome(future, task, log, limits)
-                with suppress(FileNotFoundError):
-                    os.unlink(log)
-            pool.stop()
-        except BaseException:
-            pool.stop()
-            raise
+            yield from _outcomes(deque(tasks), workers, limits, control)
         finally:
-            pool.join()
+            workers.stop()
 
 
-def _start_worker(megabytes, folder):
-    """Once per worker: Ctrl-C is the parent's business, memory is limited, there is a home."""
+@contextmanager
+def _folder_for_logs():
+    with ExitStack() as stack:
+        try:
+            folder = stack.enter_context(temporary_folder())
+        except OSError as error:
+            raise ThinPartError(
+                f"There is no place for temporary files ({error.strerror}): make room, or name "
+                "another folder in TMPDIR.", "failed",
+            ) from None
+        yield folder
+
+
+def _outcomes(waiting, workers, limits, control):
+    """Hand over tasks and take results until nothing is left."""
+    while waiting or workers.busy:
+        control.check()
+        workers.hold(control.paused)
+        control.enter("paused" if control.paused else "running")
+        while waiting and not control.paused and workers.has_room:
+            workers.begin(waiting.popleft())
+        ended = workers.next_ended()
+        if ended is None:
+            waiting.extendleft(reversed(workers.lost_tasks()))
+            continue
+        future, task, log = ended
+        outcome = _outcome(future, task, log, limits)
+        if outcome is None:  # taken by a worker after the run was paused
+            waiting.appendleft(task)
+            continue
+        control.check()
+        yield outcome
+        with suppress(FileNotFoundError):
+            os.unlink(log)
+
+
+def _start_worker(megabytes, folder, parent):
+    """Once per worker: it ends with its parent, Ctrl-C is the parent's business, memory is limited."""
+    end_with_parent(parent)
     if not has_home():
         os.environ["FREECAD_USER_HOME"] = folder
     signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -111,13 +145,22 @@ def _reserve_for_linear_algebra():
     np.linalg.eigh(np.eye(64) @ np.eye(64))
 
 
-def _work(task, log):
+def _work(task, log, hold):
     """Analyse one file; what FreeCAD prints goes to the log, where the parent looks on a crash."""
+    if os.path.exists(hold):
+        return None  # the run was paused after the task was handed over
+    started = time.perf_counter()
     handle = os.open(log, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
     os.dup2(handle, 1)
     os.dup2(handle, 2)
     os.close(handle)
     faulthandler.enable()
+    outcome = _analysed(task)
+    outcome.setdefault("seconds", round(time.perf_counter() - started, 4))
+    return outcome
+
+
+def _analysed(task):
     from .analyse_file import analyse_file
 
     try:
@@ -155,14 +198,16 @@ def _outcome(future, task, log, limits):
     name = Path(task.file).name
     try:
         return future.result()
-    except TimeoutError:
-        return failure(task.file, "timeout",
-                       f"{name} took longer than {limits.seconds:g} s, the limit for one file.")
+    except TaskTimeout:
+        message = f"{name} took longer than {limits.seconds:g} s, the limit for one file."
+        return {**failure(task.file, "timeout", message), "seconds": limits.seconds}
     except ProcessExpired:
         if any(sign in _tail(log) for sign in _OUT_OF_MEMORY):
             return failure(task.file, "memory", _memory_message(task, limits))
         return failure(task.file, "crash",
                        f"{name} ended the process that read it: the file is likely damaged.")
+    except Exception as error:  # of the worker around the analysis: no room for its log, for one
+        return failure(task.file, "failed", f"{name} failed ({type(error).__name__}: {error}).")
 
 
 def _memory_message(task, limits=None):

@@ -1,0 +1,507 @@
+"""Runs over whole folders: progress, pausing, interruption, going on, two at once, odd names."""
+
+import csv
+import io
+import json
+import os
+import pty
+import queue
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import jsonschema
+import pytest
+
+from program import ROOT, SAMPLES, SCHEMA, failures, records, thinpart
+
+TUBE = SAMPLES / "tube.step"
+PROGRESS_KEYS = ["done", "total", "failed", "reused", "seconds", "seconds_left", "file"]
+
+
+def tubes(folder, *names):
+    folder.mkdir(exist_ok=True)
+    for name in names:
+        shutil.copy(TUBE, folder / name)
+    return folder
+
+
+def messages(text):
+    """The JSON lines on stderr, and the sentences among them."""
+    lines = text.splitlines()
+    return ([json.loads(line) for line in lines if line.startswith("{")],
+            [line for line in lines if not line.startswith("{")])
+
+
+def infos(folder):
+    """The info files of a folder by name, each checked to be whole."""
+    found = {}
+    for path in folder.rglob("*.thinpart.json"):
+        found[path.name.removesuffix(".thinpart.json")] = content = json.loads(path.read_bytes())
+        jsonschema.validate(content, SCHEMA)
+    return found
+
+
+class Run:
+    """The program under way, with what it says on stderr as it says it."""
+
+    def __init__(self, *arguments, first=b"", **options):
+        self.process = subprocess.Popen(
+            [sys.executable, "-m", "thinpart_workbench", "classify", *map(str, arguments)],
+            env=dict(os.environ, PYTHONPATH=str(ROOT)), stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True, **options)
+        self.lines, self.output, self.said = queue.Queue(), [], []
+        self.tell(first)
+        self.threads = [threading.Thread(target=target, daemon=True)
+                        for target in (self._read_errors, self._read_output)]
+        for thread in self.threads:
+            thread.start()
+
+    def _read_errors(self):
+        for line in self.process.stderr:
+            self.lines.put(line.decode())
+
+    def _read_output(self):
+        for line in self.process.stdout:
+            self.output.append(line.decode())
+
+    def tell(self, command):
+        self.process.stdin.write(command)
+        self.process.stdin.flush()
+
+    def until(self, wanted):
+        """Read on to the line that holds this; return it."""
+        while True:
+            line = self.lines.get(timeout=120)
+            self.said.append(line)
+            if wanted in line:
+                return line
+
+    def end(self):
+        """(exit status, records, JSON lines of stderr, sentences) once it has ended."""
+        status = self.process.wait(timeout=120)
+        for thread in self.threads:
+            thread.join(timeout=60)
+        while not self.lines.empty():
+            self.said.append(self.lines.get())
+        self.process.stdin.close()
+        return (status, [json.loads(line) for line in self.output], *messages("".join(self.said)))
+
+    def done(self):
+        """Numbers of done files that were told so far."""
+        while not self.lines.empty():
+            self.said.append(self.lines.get())
+        return [each["progress"]["done"] for each in messages("".join(self.said))[0]
+                if "progress" in each]
+
+
+@pytest.fixture
+def start():
+    runs = []
+
+    def new(*arguments, **options):
+        runs.append(Run(*arguments, **options))
+        return runs[-1]
+
+    yield new
+    for run in runs:
+        if run.process.poll() is None:
+            os.killpg(run.process.pid, signal.SIGKILL)
+            run.process.wait()
+
+
+def ended(group):
+    """Whether no process of the group is left."""
+    for _ in range(100):
+        try:
+            os.killpg(group, 0)
+        except ProcessLookupError:
+            return True
+        time.sleep(0.1)
+    return False
+
+
+# -- progress
+
+
+def test_progress_lines_and_a_second_run_that_does_only_the_rest(tmp_path):
+    folder = tubes(tmp_path / "parts", "a.step", "b.step")
+    (folder / "empty.step").write_bytes(b"")
+    for reused in (0, 2):
+        run = thinpart("classify", folder, "--json", "--jobs", "1")
+        told, sentences = messages(run.stderr)
+        assert [each["state"] for each in told if "state" in each] == ["searching", "running"]
+        lines = [each["progress"] for each in told if "progress" in each]
+        assert all(list(line) == PROGRESS_KEYS for line in lines)
+        assert [(line["done"], line["total"]) for line in lines] == [(0, 3), (1, 3), (2, 3), (3, 3)]
+        assert (lines[0]["file"], lines[0]["seconds_left"]) == (None, None)
+        assert {line["file"] for line in lines[1:]} == {
+            str(folder / name) for name in ("a.step", "b.step", "empty.step")}
+        assert (lines[-1]["failed"], lines[-1]["reused"]) == (1, reused)
+        assert lines[-1]["seconds_left"] == 0 and lines[-1]["seconds"] >= lines[1]["seconds"]
+        assert run.returncode == 1 and len(sentences) == 1 and "empty.step" in sentences[0]
+    tubes(folder, "c.step")
+    run = thinpart("classify", folder, "--json", "--jobs", "1")
+    lines = [each["progress"] for each in messages(run.stderr)[0] if "progress" in each]
+    assert (lines[-1]["total"], lines[-1]["reused"]) == (4, 2)
+    # What is only looked up comes first.
+    assert [Path(line["file"]).name for line in lines[1:3]] == ["a.step", "b.step"]
+
+
+def test_time_left_is_told_once_something_was_measured(tmp_path):
+    folder = tubes(tmp_path / "parts", *(f"{number}.step" for number in range(4)))
+    run = thinpart("classify", folder, "--json", "--jobs", "1", "--no-info")
+    left = [each["progress"]["seconds_left"] for each in messages(run.stderr)[0] if "progress" in each]
+    assert left[0] is None and left[1] > left[3] > left[4] == 0
+
+
+def test_a_terminal_has_a_bar_and_the_table_is_alone_on_stdout(tmp_path):
+    folder = tubes(tmp_path / "parts", "a.step", "b.step")
+    (folder / "empty.step").write_bytes(b"")
+    ours, theirs = pty.openpty()
+    process = subprocess.Popen(
+        [sys.executable, "-m", "thinpart_workbench", "classify", str(folder), "--no-info"],
+        env=dict(os.environ, PYTHONPATH=str(ROOT), COLUMNS="150", TERM="xterm"),
+        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=theirs, text=True)
+    os.close(theirs)
+    shown = []
+
+    def read():
+        while True:
+            try:
+                content = os.read(ours, 65536)
+            except OSError:  # how a terminal says that nobody writes any more
+                return
+            shown.append(content)
+
+    reader = threading.Thread(target=read)
+    reader.start()
+    table = process.communicate(timeout=120)[0]
+    reader.join(timeout=60)
+    os.close(ours)
+    text = re.sub(r"\x1b\[[\d;?]*[A-Za-z]", "", b"".join(shown).decode())
+    assert "3 of 3 files, 1 failed" in text and "in all" in text and "━" in text
+    assert "empty.step is empty (0 bytes). [empty]" in text.replace("\r\n", " ")
+    assert [line.split()[0] for line in table.splitlines()] == ["File", "a.step", "b.step", "empty.step"]
+
+
+def test_without_a_terminal_only_failures_are_told(tmp_path):
+    run = thinpart("classify", tubes(tmp_path / "parts", "a.step", "b.step"), "--no-info")
+    assert run.returncode == 0 and run.stderr == ""
+
+
+# -- control
+
+
+def test_pause_before_the_first_file_and_resume(tmp_path, start):
+    folder = tubes(tmp_path / "parts", "a.step", "b.step", "gone.step")
+    run = start(folder, "--json", "--control", first=b"pause\n")
+    run.until('"done": 0')
+    time.sleep(2)  # more than a file takes
+    assert run.done() == [0] and not infos(folder)
+    (folder / "gone.step").unlink()  # vanishes between listing and reading
+    run.tell(b"what\nresume\n")
+    status, lines, told, sentences = run.end()
+    assert status == 1 and len(lines) == 3 and set(infos(folder)) == {"a.step", "b.step"}
+    assert [line["error"]["kind"] for line in lines if "error" in line] == ["missing"]
+    assert [each["state"] for each in told if "state" in each][-2:] == ["paused", "running"]
+    assert any("no command 'what'" in sentence for sentence in sentences)
+
+
+def test_pause_in_the_middle_lets_those_at_work_end(tmp_path, start):
+    folder = tubes(tmp_path / "parts", *(f"{number:02}.step" for number in range(20)))
+    run = start(folder, "--json", "--control", "--jobs", "1")
+    run.until('"done": 1')
+    run.tell(b"pause\n")
+    run.until('"paused"')
+    before = max(run.done())
+    time.sleep(2)
+    assert before <= max(run.done()) <= before + 1 < 20
+    assert len(infos(folder)) == max(run.done())
+    run.tell(b"resume\n")
+    status, lines, told, _ = run.end()
+    assert status == 0 and len({line["file"] for line in lines}) == len(lines) == 20
+    assert [each["state"] for each in told if "state" in each] == [
+        "searching", "running", "paused", "running"]
+    assert run.done() == list(range(21))
+
+
+@pytest.mark.parametrize("how", ["stop", "end of input", "SIGTERM", "SIGINT", "SIGHUP", "stop in a pause"])
+def test_a_run_that_is_stopped_keeps_what_was_done(tmp_path, start, how):
+    folder = tubes(tmp_path / "parts", *(f"{number:02}.step" for number in range(3)))
+    os.mkfifo(folder / "zzz.step")  # its reader never ends
+    table = tmp_path / "table.csv"
+    run = start(folder, "--json", "--control", "--jobs", "1", "--csv", table)
+    run.until('"done": 3')
+    if how == "end of input":
+        run.process.stdin.close()
+    elif how.startswith("SIG"):
+        os.kill(run.process.pid, getattr(signal, how))
+    else:
+        if how == "stop in a pause":
+            run.tell(b"pause\n")
+            run.until('"paused"')
+        run.tell(b"stop\n")
+    status, lines, _, sentences = run.end()
+    assert status == 130 and "Traceback" not in "".join(sentences) and ended(run.process.pid)
+    assert len(lines) == len(infos(folder)) == 3
+    with open(table, newline="", encoding="utf-8") as file:
+        assert [row["file"] for row in csv.DictReader(file)] == ["00.step", "01.step", "02.step"]
+    (folder / "zzz.step").unlink()
+    tubes(folder, "zzz.step")
+    second = thinpart("classify", folder, "--json", "--csv", table)
+    last = messages(second.stderr)[0][-1]["progress"]
+    assert (second.returncode, last["done"], last["reused"]) == (0, 4, 3)
+    assert len(table.read_text().splitlines()) == 5
+
+
+def test_a_run_is_stopped_while_it_searches_too(tmp_path, start):
+    folder = tubes(tmp_path / "parts", "a.step")
+    run = start(folder, "--json", "--control", first=b"stop\n")
+    assert run.end()[0] == 130
+
+
+# -- killed
+
+
+@pytest.mark.parametrize("jobs", ["1", "2"])
+def test_after_kill_9_of_the_command_no_worker_lives_on(tmp_path, start, jobs):
+    folder = tubes(tmp_path / "parts", "a.step", "b.step", "c.step")
+    (folder / "bad.step").write_bytes(b"")
+    os.mkfifo(folder / "zzz.step")
+    run = start(folder, "--json", "--jobs", jobs)
+    run.until('"done": 4')
+    os.kill(run.process.pid, signal.SIGKILL)  # not its group: it is the system that ends the workers
+    run.process.wait()
+    assert ended(run.process.pid)
+    assert set(infos(folder)) == {"a.step", "b.step", "c.step"}
+    (folder / "zzz.step").unlink()
+    tubes(folder, "zzz.step")
+    second = thinpart("classify", folder, "--json")
+    last = messages(second.stderr)[0][-1]["progress"]
+    assert (last["done"], last["reused"], last["failed"]) == (5, 3, 1)
+
+
+# -- two at once
+
+
+def test_two_runs_on_one_folder_do_not_harm_each_other(tmp_path, start):
+    names = [f"{number}.step" for number in range(6)]
+    folder = tubes(tmp_path / "parts", *names)
+    runs = [start(folder, "--json", "--jobs", "1") for _ in range(2)]
+    for run in runs:
+        status, lines, _, _ = run.end()
+        assert status == 0 and [line["category"] for line in lines] == ["thin"] * len(names)
+    assert sorted(infos(folder)) == names
+    assert sorted(os.listdir(folder)) == sorted([*names, *(f"{name}.thinpart.json" for name in names)])
+
+
+# -- which files, in which order
+
+
+def test_only_the_files_of_a_list_and_the_tree_of_the_paths(tmp_path):
+    top = tmp_path / "parts"
+    for place in ("a/1.step", "a/2.step", "b/new\nline.step", "b/4.step"):
+        (top / place).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(TUBE, top / place)
+    wanted = tmp_path / "list"
+    wanted.write_bytes(b"".join(os.fsencode(top / place) + b"\0" for place in
+                                ("b/new\nline.step", "a/2.step", "a/2.step", "gone.step")))
+    run = thinpart("classify", top, "--only", wanted, "--info-dir", tmp_path / "info", "--json")
+    assert run.returncode == 1 and failures(run) == {"gone.step": "missing"}
+    assert {line["file"] for line in records(run)} == {
+        str(top / place) for place in ("b/new\nline.step", "a/2.step", "gone.step")}
+    assert sorted(str(path.relative_to(tmp_path / "info")) for path in
+                  (tmp_path / "info").rglob("*.json")) == [
+        "a/2.step.thinpart.json", "b/new\nline.step.thinpart.json"]
+
+
+def test_a_list_that_cannot_be_used_is_answered_with_a_sentence(tmp_path):
+    folder = tubes(tmp_path / "parts", "a.step")
+    wanted = tmp_path / "list"
+    run = thinpart("classify", folder, "--only", wanted)
+    assert run.returncode == 2 and "cannot be read (No such file" in run.stderr
+    wanted.write_bytes(b"a.step\0")
+    run = thinpart("classify", folder, "--only", wanted, cwd=folder)
+    assert run.returncode == 2 and "no absolute path" in run.stderr
+    wanted.write_bytes(os.fsencode(TUBE) + b"\0")
+    run = thinpart("classify", folder, "--only", wanted, "--info-dir", tmp_path / "info")
+    assert run.returncode == 2 and "does not lie below" in run.stderr
+    assert thinpart("classify", folder, "--only", wanted, "--no-info").returncode == 0
+    wanted.write_bytes(b"")
+    assert "no parts" in thinpart("classify", folder, "--only", wanted).stderr
+
+
+def test_include_and_exclude(tmp_path):
+    top = tubes(tmp_path / "parts", "keep.STEP", "other.step")
+    tubes(top / "old", "keep.step")
+    run = thinpart("classify", top, "--json", "--no-info", "--include", "keep*", "--include", "x*",
+                   "--exclude", "OLD/*")
+    record, = records(run)
+    assert run.returncode == 0 and record["file"] == str(top / "keep.STEP")
+
+
+def test_several_workers_give_the_same_as_one(tmp_path):
+    folder = tubes(tmp_path / "parts", "b.step", "a.step", "d.step")
+    shutil.copy(SAMPLES / "assembly_of_three.FCStd", folder / "c.FCStd")
+    (folder / "e.step").write_bytes(b"")
+    tables, printed, lines = [], [], []
+    for jobs in ("1", "2", "4"):
+        table = tmp_path / f"{jobs}.csv"
+        run = thinpart("classify", folder, "--no-info", "--jobs", jobs, "--csv", table)
+        tables.append(table.read_bytes())
+        printed.append(run.stdout)
+        run = thinpart("classify", folder, "--no-info", "--jobs", jobs, "--json")
+        found = records(run)
+        for line in found:
+            line.pop("seconds", None)
+        lines.append(sorted(json.dumps(line) for line in found))
+    assert tables[0] == tables[1] == tables[2] and tables[0].count(b"\n") == 8
+    assert printed[0] == printed[1] == printed[2] and lines[0] == lines[1] == lines[2]
+    rows = list(csv.DictReader(io.StringIO(tables[0].decode())))
+    assert [row["file"] for row in rows] == ["a.step", "b.step", *["c.FCStd"] * 3, "d.step", "e.step"]
+
+
+# -- odd names and places
+
+
+def test_every_name_that_a_file_may_have(tmp_path):
+    names = [b"with space.step", b"quote'\".step", b"new\nline.step", b"[red]x.step", b"-dash.step",
+             b"colour\x1b[31m.step", b"latin\xe9.step", "üñí.step".encode(), b"a" * 236 + b".step"]
+    folder = tmp_path / "parts"
+    folder.mkdir()
+    for name in names:
+        shutil.copy(TUBE, os.fsencode(folder) + b"/" + name)
+    table = tmp_path / "table.csv"
+    run = thinpart("classify", folder, "--json")
+    assert run.returncode == 0, run.stderr
+    assert {os.fsencode(Path(line["file"]).name) for line in records(run)} == set(names)
+    assert len(infos(folder)) == len(names)
+    run = thinpart("classify", folder, "--csv", table)
+    assert run.returncode == 0 and len(run.stdout.splitlines()) >= 1 + len(names)
+    assert "new\\nline.step" in run.stdout and "[red]x.step" in run.stdout
+    assert "\x1b" not in run.stdout and "latin\\udce9.step" in run.stdout
+    with open(table, newline="", encoding="utf-8") as file:
+        assert "new\nline.step" in [row["file"] for row in csv.DictReader(file)]
+
+
+def test_failures_of_odd_names_are_one_line_each(tmp_path):
+    (tmp_path / "new\nline\x1b[31m.step").write_bytes(b"")
+    run = thinpart("classify", tmp_path)
+    assert len(run.stderr.splitlines()) == 1 and "new\\nline\\x1b[31m.step is empty" in run.stderr
+    assert "new\\nline\\x1b[31m.step" in run.stdout and "\x1b" not in run.stdout + run.stderr
+
+
+def test_a_name_too_long_for_an_info_file_is_told_and_the_part_classified(tmp_path):
+    name = "a" * 237 + ".step"
+    folder = tubes(tmp_path / "parts", name, "b.step")
+    run = thinpart("classify", folder, "--json")
+    assert run.returncode == 1 and set(infos(folder)) == {"b.step"}
+    part, error = [line for line in records(run) if Path(line["file"]).name == name]
+    assert part["category"] == "thin" and error["error"]["kind"] == "info_write"
+    assert "may have 241 bytes and has 242" in error["error"]["message"]
+    assert "--info-dir" not in run.stderr and messages(run.stderr)[0][-1]["progress"]["failed"] == 1
+    assert thinpart("classify", folder, "--no-info").returncode == 0
+
+
+def test_dangling_and_looping_links_are_rows(tmp_path):
+    folder = tubes(tmp_path / "parts", "a.step")
+    (folder / "gone.step").symlink_to("nothing")
+    (folder / "self.step").symlink_to("self.step")
+    (folder / "folder").symlink_to(".")
+    table = tmp_path / "table.csv"
+    run = thinpart("classify", folder, "--json", "--no-info", "--csv", table)
+    assert run.returncode == 1 and failures(run) == {"gone.step": "missing", "self.step": "missing"}
+    assert len(records(run)) == 3 and len(table.read_text().splitlines()) == 4
+    assert messages(run.stderr)[0][-1]["progress"]["total"] == 1
+
+
+def test_info_files_that_a_shell_names_are_no_parts(tmp_path):
+    folder = tubes(tmp_path / "parts", "a.step")
+    assert thinpart("classify", folder).returncode == 0
+    assert len(list(folder.iterdir())) == 2
+    run = thinpart("classify", *folder.iterdir(), "--json")
+    assert run.returncode == 0 and len(records(run)) == 1
+
+
+@pytest.fixture
+def nobody(tmp_path):
+    """As a user who may do nothing, in a place that he may enter: root may read everything."""
+    if os.geteuid() != 0:
+        return {}
+    for parent in [tmp_path, *tmp_path.parents]:
+        if parent.stat().st_uid == os.geteuid() and parent != Path("/"):
+            parent.chmod(parent.stat().st_mode | 0o755)
+    return {"user": 65534, "group": 65534, "extra_groups": []}
+
+
+def test_a_folder_without_permission_is_named(tmp_path, nobody):
+    folder = tubes(tmp_path / "parts", "a.step")
+    tubes(folder / "locked", "b.step").chmod(0)
+    (folder / "half").mkdir()
+    tubes(folder / "half", "c.step").chmod(0o444)  # may be listed; what lies in it may not be opened
+    try:
+        run = thinpart("classify", folder, "--json", "--no-info", **nobody)
+        assert run.returncode == 1
+        assert failures(run) == {"locked": "permission", "c.step": "permission"}
+        assert "The folder locked may not be searched" in run.stderr
+        assert [line["category"] for line in records(run) if "category" in line] == ["thin"]
+        inner = thinpart("classify", folder / "locked" / "b.step", "--no-info", "--json", **nobody)
+        assert inner.returncode == 1 and failures(inner) == {"b.step": "permission"}
+        alone = thinpart("classify", folder / "locked", "--no-info", **nobody)
+        assert alone.returncode == 1 and "may not be searched" in alone.stderr
+        assert "failed: permission" in alone.stdout
+    finally:
+        (folder / "locked").chmod(0o755)
+        (folder / "half").chmod(0o755)
+
+
+def test_an_info_folder_that_cannot_be_is_one_sentence(tmp_path, nobody):
+    folder = tubes(tmp_path / "parts", "a.step", "b.step")
+    (tmp_path / "file").write_text("mine")
+    for place in (tmp_path / "file", tmp_path / "file" / "inner"):
+        run = thinpart("classify", folder, "--info-dir", place)
+        assert run.returncode == 2 and len(run.stderr.splitlines()) == 1
+        assert "cannot be written into" in run.stderr and "--info-dir" in run.stderr
+    closed = tmp_path / "closed"
+    closed.mkdir(mode=0o555)
+    for place in (closed, closed / "new"):
+        run = thinpart("classify", folder, "--info-dir", place, **nobody)
+        assert run.returncode == 2 and "Permission denied" in run.stderr
+    assert (tmp_path / "file").read_text() == "mine" and not list(closed.iterdir())
+
+
+def test_a_file_that_changes_while_it_is_read_is_told(tmp_path):
+    folder = tubes(tmp_path / "parts", "a.step", "steady.step")
+    over = threading.Event()
+
+    def touch():
+        number = 0
+        while not over.is_set():
+            number += 1
+            os.utime(folder / "a.step", (number, number))
+            time.sleep(0.002)
+
+    thread = threading.Thread(target=touch)
+    thread.start()
+    try:
+        run = thinpart("classify", folder, "--json")
+    finally:
+        over.set()
+        thread.join()
+    assert run.returncode == 1 and failures(run) == {"a.step": "unreadable"}
+    assert "changed while it was read" in run.stderr and set(infos(folder)) == {"steady.step"}
+
+
+def test_no_place_for_temporary_files_is_one_sentence(tmp_path):
+    def write_nothing():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (0, 0))
+
+    run = thinpart("classify", TUBE, "--no-info", cwd=tmp_path, preexec_fn=write_nothing)
+    assert run.returncode == 1 and "TMPDIR" in run.stderr and "Traceback" not in run.stderr

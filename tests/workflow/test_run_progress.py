@@ -1,0 +1,73 @@
+"""Time left: from the bytes that were measured, not from what was only looked up."""
+
+import pytest
+
+from thinpart_workbench.workflow.run_progress import RunProgress
+
+LARGE = 10_000_000
+
+
+def files(**sizes):
+    return {name: (size, name.startswith("old")) for name, size in sizes.items()}
+
+
+def measured(file, seconds):
+    return {"file": file, "parts": [], "failures": [], "reused": False, "seconds": seconds}
+
+
+def reused(file):
+    return {**measured(file, 0.001), "reused": True}
+
+
+def test_there_is_no_time_left_before_there_is_a_basis():
+    progress = RunProgress(files(a=LARGE, b=LARGE, c=LARGE, d=3 * LARGE, old1=1, old2=1), 2)
+    assert progress.content() == {"done": 0, "total": 6, "failed": 0, "reused": 0, "seconds": 0.0,
+                                  "seconds_left": None, "file": None}
+    progress.add(reused("old1"))
+    progress.add(reused("old2"))
+    assert progress.seconds_left() is None
+    progress.add(measured("a", 10.0))
+    assert progress.seconds_left() == pytest.approx(25.0, rel=0.02)
+    progress.add({"file": "b", "error": {"kind": "crash", "message": ""}})
+    progress.add(measured("c", 10.0))
+    content = progress.content("c")
+    assert content["seconds_left"] == pytest.approx(30.0, rel=0.02)
+    assert (content["done"], content["failed"], content["reused"], content["file"]) == (5, 1, 2, "c")
+    progress.add(measured("d", 30.0))
+    assert progress.seconds_left() == 0.0
+
+
+def test_one_small_file_of_many_is_no_basis_for_all_workers():
+    many = {f"{number}": (1000, False) for number in range(100)}
+    progress = RunProgress(many, 4)
+    for number in range(3):
+        progress.add(measured(f"{number}", 1.0))
+        assert progress.seconds_left() is None
+    progress.add(measured("3", 1.0))
+    assert progress.seconds_left() == pytest.approx(96 / 4)
+
+
+def test_small_files_cost_something_too():
+    progress = RunProgress({"large": (LARGE, False), **{f"{k}": (0, False) for k in range(1000)}}, 1)
+    progress.add(measured("large", 10.0))
+    assert 10 < progress.seconds_left() < 100
+
+
+def test_info_files_of_other_settings_are_counted_as_measured_once_that_shows():
+    progress = RunProgress({f"old{k}": (LARGE, True) for k in range(10)}, 1)
+    assert progress.seconds_left() is None
+    for number in range(2):
+        progress.add(measured(f"old{number}", 5.0))
+    assert progress.seconds_left() == pytest.approx(40.0)
+
+
+def test_where_everything_is_looked_up_the_pace_of_that_counts():
+    progress = RunProgress({f"old{k}": (LARGE, True) for k in range(10)}, 1)
+    progress.add(reused("old0"))
+    assert 0 <= progress.seconds_left() < 9
+
+
+def test_failures_of_a_part_count_once_by_file():
+    progress = RunProgress(files(a=1), 1)
+    progress.add({**measured("a", 1.0), "failures": [{}, {}]})
+    assert progress.failed == 1

@@ -1,0 +1,162 @@
+"""What a run says while it goes on: lines for programs, or a bar for people, on stderr."""
+
+import json
+import sys
+
+
+def new_report(as_json):
+    """The report for whoever reads: JSON lines, a bar on a terminal, else failures alone."""
+    if as_json:
+        return JsonReport()
+    return BarReport() if sys.stderr.isatty() else Report()
+
+
+class Report:
+    """Failures, one sentence each; the rest of what a run tells is for the other reports.
+
+    A ``with`` block lasts as long as the run.
+    """
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *reason):
+        return None
+
+    def state(self, name):
+        """The run is ``searching``, ``running`` or ``paused`` now."""
+
+    def found(self, count):
+        """So many documents were found so far."""
+
+    def started(self, progress):
+        """All documents are known."""
+
+    def ended(self, outcome, progress):
+        """One file has ended."""
+        self.failures(outcome)
+
+    def failures(self, outcome):
+        """What could not be analysed, one sentence each."""
+        errors = [outcome["error"]] if "error" in outcome else outcome["failures"]
+        for error in errors:
+            option = _OPTION_FOR.get(error["kind"])
+            hint = f" See {option}." if option and "--" not in error["message"] else ""
+            _say(f"thinpart: {printable(outcome['file'])}: {printable(error['message'])}{hint} "
+                 f"[{error['kind']}]")
+
+
+class JsonReport(Report):
+    """Records on stdout and progress on stderr, a JSON object a line."""
+
+    def state(self, name):
+        _say(json.dumps({"state": name}))
+
+    def started(self, progress):
+        self._progress(progress, None)
+
+    def ended(self, outcome, progress):
+        self.failures(outcome)
+        self._progress(progress, outcome["file"])
+
+    def failures(self, outcome):
+        super().failures(outcome)
+        for line in json_lines(outcome):
+            # In one piece: a reader that looks at any time finds whole lines.
+            sys.stdout.write(json.dumps(line, ensure_ascii=False) + "\n")
+        sys.stdout.flush()
+
+    @staticmethod
+    def _progress(progress, file):
+        _say(json.dumps({"progress": progress.content(file)}))
+
+
+class BarReport(Report):
+    """A bar with the pace and the time left."""
+
+    def __enter__(self):
+        from rich.console import Console
+        from rich.progress import BarColumn, Progress, TextColumn
+
+        self._bar = Progress(TextColumn("{task.description}", markup=False),
+                             BarColumn(bar_width=None), TextColumn("{task.fields[told]}", markup=False),
+                             console=Console(stderr=True, highlight=False), expand=True)
+        self._bar.start()
+        self._task = self._bar.add_task("Starting", total=None, told="")
+        self._name = None
+        return self
+
+    def __exit__(self, *reason):
+        self._bar.stop()
+
+    def state(self, name):
+        self._name = name.capitalize()
+        self._bar.update(self._task, description=self._name)
+
+    def found(self, count):
+        self._bar.update(self._task, told=f"{count:,} parts")
+
+    def started(self, progress):
+        self._show(progress)
+
+    def ended(self, outcome, progress):
+        self.failures(outcome)
+        self._show(progress)
+
+    def _show(self, progress):
+        is_over = progress.done == progress.total
+        self._bar.update(self._task, total=progress.total, completed=progress.done,
+                         told=_told(progress.content()), description="Done" if is_over else self._name)
+
+
+def _told(content):
+    words = [f"{content['done']:,} of {content['total']:,} files"]
+    for count, what in ((content["failed"], "failed"), (content["reused"], "unchanged")):
+        if count:
+            words.append(f"{count:,} {what}")
+    if content["done"] and content["seconds"] > 0:
+        words.append(_pace(content["done"] / content["seconds"]))
+    if content["done"] == content["total"]:
+        words.append(f"{_duration(content['seconds'])} in all")
+    elif content["seconds_left"] is not None:
+        words.append(f"{_duration(content['seconds_left'])} left")
+    return ", ".join(words)
+
+
+def _pace(per_second):
+    return f"{per_second:.1f} a second" if per_second >= 1 else f"{60 * per_second:.1f} a minute"
+
+
+def _duration(seconds):
+    minutes, seconds = divmod(round(seconds), 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours}:{minutes:02}:{seconds:02}" if hours else f"{minutes}:{seconds:02}"
+
+
+def json_lines(outcome):
+    """The records that ``--json`` prints for one file: parts, then failures."""
+    file = outcome["file"]
+    if "error" in outcome:
+        return [{"file": file, "error": outcome["error"]}]
+    lines = [{"file": file, **part} for part in outcome["parts"]]
+    for each in outcome["failures"]:
+        error = {"kind": each["kind"], "message": each["message"]}
+        lines.append({"file": file, "name": each["part"], "label": each.get("label"),
+                      "error": error})
+    return lines
+
+
+def printable(text):
+    """A text for a line on a terminal: a file's name may hold line breaks and terminal commands."""
+    if text.isprintable():
+        return text
+    return "".join(each if each.isprintable() else each.encode("unicode_escape").decode()
+                   for each in text)
+
+
+_OPTION_FOR = {"info_write": "--info-dir", "timeout": "--timeout", "memory": "--memory"}
+
+
+def _say(line):
+    sys.stderr.write(line + "\n")
+    sys.stderr.flush()
