@@ -391,6 +391,30 @@ def test_every_name_that_a_file_may_have(tmp_path):
         assert "new\nline.step" in [row["file"] for row in csv.DictReader(file)]
 
 
+@pytest.mark.parametrize("ending", ["step", "brep", "stl", "FCStd"])
+def test_bytes_of_a_folder_that_are_no_text(tmp_path, ending):
+    import Mesh
+    import Part
+
+    folder = tmp_path / os.fsdecode(b"caf\xe9")
+    folder.mkdir()
+    made = tmp_path / f"made.{ending}"
+    if ending == "stl":
+        Mesh.createBox(10, 10, 10).write(str(made))
+    elif ending == "brep":
+        Part.makeBox(10, 10, 10).exportBrep(str(made))
+    else:
+        shutil.copy(SAMPLES / f"block.{ending}", made)
+    made.rename(folder / made.name)
+    run = thinpart("classify", folder, "--json")
+    if ending == "FCStd":
+        assert run.returncode == 1 and failures(run) == {"made.FCStd": "unsupported"}
+        assert "no UTF-8 text" in run.stderr
+    else:
+        record, = records(run)
+        assert (record["category"], record["label"]) == ("normal", "made") and infos(folder)
+
+
 def test_failures_of_odd_names_are_one_line_each(tmp_path):
     (tmp_path / "new\nline\x1b[31m.step").write_bytes(b"")
     run = thinpart("classify", tmp_path)

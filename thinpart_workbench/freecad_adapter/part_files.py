@@ -3,8 +3,9 @@
 import importlib
 import os
 import re
+import tempfile
 import zipfile
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -54,9 +55,35 @@ def read_parts(path):
     return content
 
 
+@contextmanager
+def _name_for_freecad(path):
+    """A path to a file that FreeCAD takes: text, which the bytes of old file names are not always."""
+    if _is_text(path):
+        yield os.fspath(path)
+        return
+    with tempfile.TemporaryDirectory(prefix="thinpart-name-") as folder:
+        link = os.path.join(folder, "part" + path.suffix)
+        os.symlink(path.absolute(), link)
+        yield link
+
+
+def _is_text(path):
+    try:
+        os.fspath(path).encode()
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
 def _read_document(path):
     import FreeCAD
 
+    if not _is_text(path):
+        # By another name it would not find the documents that it links into.
+        raise ThinPartError(
+            f"FreeCAD opens no document whose path is no UTF-8 text: rename {path.name} or the folder "
+            "that it lies in.", "unsupported",
+        )
     try:
         with zipfile.ZipFile(path) as archive:
             damaged = archive.testzip()
@@ -117,7 +144,8 @@ def _read_shape(path):
     import Part
 
     try:
-        shape = Part.read(os.fspath(path))
+        with _name_for_freecad(path) as name:
+            shape = Part.read(name)
     except Exception as error:  # as above
         raise ThinPartError(f"{path.name} is damaged or not what its ending says ({error}).",
                             "unreadable") from None
@@ -141,7 +169,8 @@ def _read_mesh(path):
 
     check_mesh_file(path)
     try:
-        mesh = Mesh.Mesh(os.fspath(path))
+        with _name_for_freecad(path) as name:
+            mesh = Mesh.Mesh(name)
         points, triangles = mesh.Topology
     except Exception as error:  # as above
         kind = "unsupported" if path.suffix.lower() == ".3mf" else "unreadable"

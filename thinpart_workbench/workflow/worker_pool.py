@@ -4,6 +4,7 @@ import faulthandler
 import os
 import resource
 import signal
+import tempfile
 import time
 from collections import deque
 from concurrent.futures import TimeoutError as TaskTimeout
@@ -124,6 +125,7 @@ def _outcomes(waiting, workers, limits, control):
 def _start_worker(megabytes, folder, parent):
     """Once per worker: it ends with its parent, Ctrl-C is the parent's business, memory is limited."""
     end_with_parent(parent)
+    tempfile.tempdir = folder  # what a killed worker leaves behind goes with the run's own folder
     if not has_home():
         os.environ["FREECAD_USER_HOME"] = folder
     signal.signal(signal.SIGINT, signal.SIG_IGN)
