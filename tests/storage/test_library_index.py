@@ -172,6 +172,14 @@ def test_without_a_place_for_it_the_index_lives_in_memory(library, tmp_path):
         assert index.refresh().changed == 0
 
 
+def test_without_a_home_the_index_lives_in_memory(library, tmp_path, monkeypatch):
+    monkeypatch.setenv("THINPART_CACHE", "~nobody of this name/cache")
+    monkeypatch.chdir(tmp_path)
+    with LibraryIndex(library) as index:
+        assert "no home" in index.refresh().warning and len(labels(index)) == PARTS
+    assert os.listdir(tmp_path) == ["library"]
+
+
 def test_a_full_disk_keeps_the_index_in_memory(library, tmp_path, monkeypatch):
     # SQLite answers with the same error where it may have no more pages than it has.
     def connected(path, original=library_index._connected):

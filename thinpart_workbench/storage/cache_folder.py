@@ -1,5 +1,6 @@
 """The folder for what can be made again: the search index and pictures of parts."""
 
+import errno
 import os
 from pathlib import Path
 
@@ -10,9 +11,14 @@ def cache_folder():
     Returns
     -------
     Path
+
+    Raises
+    ------
+    OSError
+        Where there is no home, as for some services.
     """
-    chosen = os.environ.get("THINPART_CACHE")
-    if chosen:
-        return Path(chosen).expanduser()
-    base = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
-    return Path(base, "thinpart")
+    base = os.environ.get("XDG_CACHE_HOME") or os.path.join("~", ".cache")
+    chosen = os.path.expanduser(os.environ.get("THINPART_CACHE") or os.path.join(base, "thinpart"))
+    if chosen.startswith("~"):
+        raise FileNotFoundError(errno.ENOENT, "There is no home folder", chosen)
+    return Path(chosen)

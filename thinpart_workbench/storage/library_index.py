@@ -56,10 +56,13 @@ class LibraryIndex:
     def __init__(self, root, folder=None):
         self.root = os.path.realpath(root)
         name = hashlib.sha256(os.fsencode(self.root)).hexdigest()[:20]
-        folder = os.fspath(folder or cache_folder() / "index")
-        self.path = os.path.join(folder, f"{name}-v{VERSION}.sqlite")
+        self.path = f"{name}-v{VERSION}.sqlite"
         self.warning = None
         self._connection = None
+        try:
+            self.path = os.path.join(os.fspath(folder or cache_folder() / "index"), self.path)
+        except OSError as error:
+            self._move_to_memory(error)
 
     def close(self):
         """Close the file; the index can be used again after."""

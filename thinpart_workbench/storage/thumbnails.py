@@ -21,6 +21,11 @@ def thumbnail_path(sha256, part_name):
     -------
     Path
         A PNG file of 160 x 120 pixels. The same document in two places has one picture.
+
+    Raises
+    ------
+    OSError
+        Where there is no cache folder.
     """
     # A name may hold what no file name may.
     name = hashlib.sha256(part_name.encode("utf-8", "surrogatepass")).hexdigest()[:16]
@@ -41,11 +46,6 @@ def write_thumbnail(sha256, part_name, pixels):
     OSError
         Nothing half-written is left; a picture that was there still is.
     """
-    try:
-        path = thumbnail_path(sha256, part_name)
-    except RuntimeError as error:  # so says Path.expanduser that there is no home
-        raise FileNotFoundError(str(error)) from None
-    if path.parts[0] == "~":  # and so os.path.expanduser
-        raise FileNotFoundError(f"There is no home folder for {path}.")
+    path = thumbnail_path(sha256, part_name)
     path.parent.mkdir(parents=True, exist_ok=True)
     write_atomically(path, png_bytes(pixels), lasting=False)
