@@ -54,17 +54,23 @@ def test_small_files_cost_something_too():
 
 
 def test_info_files_of_other_settings_are_counted_as_measured_once_that_shows():
-    progress = RunProgress({f"old{k}": (LARGE, True) for k in range(10)}, 1)
-    assert progress.seconds_left() is None
-    for number in range(2):
+    progress = RunProgress({f"old{k}": (LARGE, True) for k in range(40)}, 1)
+    for number in range(30):
         progress.add(measured(f"old{number}", 5.0))
-    assert progress.seconds_left() == pytest.approx(40.0)
+    assert progress.seconds_left() == pytest.approx(50.0)
 
 
 def test_where_everything_is_looked_up_the_pace_of_that_counts():
-    progress = RunProgress({f"old{k}": (LARGE, True) for k in range(10)}, 1)
-    progress.add(reused("old0"))
-    assert 0 <= progress.seconds_left() < 9
+    progress = RunProgress({f"old{k}": (LARGE, True) for k in range(1000)}, 1)
+    for number in range(20):
+        assert progress.seconds_left() is None
+        progress.add(reused(f"old{number}"))
+    assert 0 < progress.seconds_left() < 900
+    few = RunProgress({f"old{k}": (LARGE, True) for k in range(3)}, 1)
+    few.add(reused("old0"))
+    assert few.seconds_left() is None
+    few.add(reused("old1"))
+    assert few.seconds_left() >= 0
 
 
 def test_failures_of_a_part_count_once_by_file():

@@ -82,6 +82,15 @@ def test_a_task_that_takes_too_long_is_ended_and_the_rest_goes_on(started):
     assert ended == {"sleep 60": "TimeoutError", "sleep 0 a": "sleep 0 a", "sleep 0 b": "sleep 0 b"}
 
 
+def test_workers_end_although_their_pipe_is_full(started):
+    workers = started(1, 60.0)
+    for number in range(4):
+        workers.begin(FileTask(f"sleep 60 {number}", profile={"large": "x" * 10 ** 6}))
+    time.sleep(1)
+    workers.stop()
+    assert not multiprocessing.active_children()
+
+
 def test_only_a_few_tasks_are_handed_over_at_once(started):
     workers = started(2, 60.0)
     for number in range(100):

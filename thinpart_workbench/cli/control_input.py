@@ -1,6 +1,7 @@
 """``--control``: another program pauses and stops a run through its standard input."""
 
 import os
+import select
 import sys
 import threading
 
@@ -36,6 +37,7 @@ def listen(control, handle=0):
 
 def _read(handle):
     try:
+        select.select([handle], [], [])  # whoever made it may have made it non-blocking
         return os.read(handle, 4096)
     except OSError:
         return b""  # a terminal that is gone, or no input at all

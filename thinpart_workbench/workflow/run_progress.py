@@ -8,6 +8,9 @@ _FILE_COST = 40_000
 _LONGEST_GAP = 1.0
 """Seconds; what lies longer between two files that were only looked up was a pause."""
 
+_LOOKED_UP_AT_LEAST = 20
+"""Files that were only looked up, from which their pace is known; the first ones wait for a worker."""
+
 
 class RunProgress:
     """Counts of files, and the time left.
@@ -48,7 +51,8 @@ class RunProgress:
         self._left[unchanged][0] -= 1
         self._left[unchanged][1] -= cost
         now = time.monotonic()
-        gap, self._last = min(now - self._last, _LONGEST_GAP), now
+        gap = 0.0 if self.done < self._jobs else min(now - self._last, _LONGEST_GAP)
+        self._last = now
         reused = bool(outcome.get("reused"))
         self.done += 1
         self.failed += bool("error" in outcome or outcome["failures"])
@@ -73,7 +77,7 @@ class RunProgress:
         files += share * looked_up
         seconds = 0.0
         if looked_up:
-            if not self._seen:
+            if self._seen < min(_LOOKED_UP_AT_LEAST, self._seen + looked_up - 1):
                 return None
             if self.reused:
                 seconds += (1 - share) * looked_up * self._reused_seconds / self.reused
