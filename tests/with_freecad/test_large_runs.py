@@ -529,3 +529,16 @@ def test_no_place_for_temporary_files_is_one_sentence(tmp_path):
 
     run = thinpart("classify", TUBE, "--no-info", cwd=tmp_path, preexec_fn=write_nothing)
     assert run.returncode == 1 and "TMPDIR" in run.stderr and "Traceback" not in run.stderr
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="there is no full device here")
+@pytest.mark.parametrize("arguments", [[], ["--json"]])
+def test_output_without_room_is_one_sentence(tmp_path, arguments):
+    folder = tubes(tmp_path / "parts", "a.step")
+    with open("/dev/full", "w") as full:
+        run = subprocess.run(
+            [sys.executable, "-m", "thinpart_workbench", "classify", str(folder), *arguments],
+            env=dict(os.environ, PYTHONPATH=str(ROOT)), stdin=subprocess.DEVNULL, stdout=full,
+            stderr=subprocess.PIPE, text=True, timeout=120)
+    sentence, = messages(run.stderr)[1]
+    assert run.returncode == 1 and "No space left on device" in sentence and infos(folder)

@@ -3,7 +3,6 @@
 import argparse
 import errno
 import os
-import sys
 import tempfile
 from contextlib import closing
 from dataclasses import fields
@@ -21,7 +20,7 @@ from ..workflow.run_progress import RunProgress
 from ..workflow.worker_pool import LEAST_MEGABYTES, Limits, analyse_files, failure
 from .control_input import listen
 from .part_rows import FIRST_COLUMNS, PartRows
-from .run_report import new_report
+from .run_report import new_report, standard_output
 from .stop_signals import stop_signals
 
 
@@ -84,7 +83,8 @@ def run(options):
                         rows.write_csv(options.csv)
     finally:
         if not options.json and rows:
-            rows.print_table(sys.stdout)
+            with standard_output() as stream:
+                rows.print_table(stream)
     return 1 if failed else 0
 
 

@@ -178,7 +178,7 @@ class PartRows:
         except OSError as error:
             raise ThinPartError(
                 f"The table {path} could not be written ({error.strerror}): make room, or give another "
-                "file to --csv; what was classified is in the info files.", "failed",
+                "file to --csv.", "failed",
             ) from None
 
 

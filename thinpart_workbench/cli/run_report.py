@@ -1,7 +1,11 @@
 """What a run says while it goes on: lines for programs, or a bar for people, on stderr."""
 
 import json
+import os
 import sys
+from contextlib import contextmanager
+
+from ..core.errors import ThinPartError
 
 
 def new_report(as_json):
@@ -61,10 +65,10 @@ class JsonReport(Report):
 
     def failures(self, outcome):
         super().failures(outcome)
-        for line in json_lines(outcome):
-            # In one piece: a reader that looks at any time finds whole lines.
-            sys.stdout.write(json.dumps(line, ensure_ascii=False) + "\n")
-        sys.stdout.flush()
+        with standard_output() as stream:
+            for line in json_lines(outcome):
+                # In one piece: a reader that looks at any time finds whole lines.
+                stream.write(json.dumps(line, ensure_ascii=False) + "\n")
 
     @staticmethod
     def _progress(progress, file):
@@ -144,6 +148,27 @@ def json_lines(outcome):
         lines.append({"file": file, "name": each["part"], "label": each.get("label"),
                       "error": error})
     return lines
+
+
+@contextmanager
+def standard_output():
+    """The stream for what was asked for; flushed at the end of the block.
+
+    Raises
+    ------
+    ThinPartError
+        When there is no room where it goes. A reader that has seen enough is another matter.
+    """
+    try:
+        yield sys.stdout
+        sys.stdout.flush()
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        # What is still in the buffer would fail again when the process ends.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        raise ThinPartError(f"The output cannot be written ({error.strerror}): make room for it.",
+                            "failed") from None
 
 
 def printable(text):
