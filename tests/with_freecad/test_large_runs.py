@@ -542,3 +542,20 @@ def test_output_without_room_is_one_sentence(tmp_path, arguments):
             stderr=subprocess.PIPE, text=True, timeout=120)
     sentence, = messages(run.stderr)[1]
     assert run.returncode == 1 and "No space left on device" in sentence and infos(folder)
+
+
+def test_a_table_without_room_is_one_sentence_and_the_old_one_stays(tmp_path):
+    folder = tmp_path / "parts"
+    folder.mkdir()
+    for number in range(40):
+        (folder / f"{number}.step").write_bytes(b"")
+    table = tmp_path / "table.csv"
+    table.write_text("file,part,label\n")
+
+    def write_little():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (2048, 2048))
+
+    run = thinpart("classify", folder, "--no-info", "--csv", table, preexec_fn=write_little)
+    assert run.returncode == 1 and run.stdout.count("failed: empty") == 40
+    assert "table.csv could not be written (File too large)" in run.stderr.splitlines()[-1]
+    assert table.read_text() == "file,part,label\n" and sorted(os.listdir(tmp_path)) == ["parts", "table.csv"]
