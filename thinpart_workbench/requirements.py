@@ -80,7 +80,7 @@ TABLE = (
     Requirement("python3-rich", "prints the tables and the progress", _module("rich"), CAD + STORED),
     Requirement("python3-pebble", "keeps a damaged file from ending the run", _module("pebble"), CAD),
     Requirement("gmsh", "makes the volume meshes that --check compares", _program("gmsh"), ("size --check",)),
-    Requirement("python3-distributed", "spreads the work over a cluster", _module("distributed"), ("classify --dask",)),
+    Requirement("python3-distributed", "spreads the work over a cluster", _module("distributed"), ("classify --dask", "test")),
     Requirement("python3-pytest", "runs the tests", _module("pytest"), ("test",)),
     Requirement("python3-hypothesis", "makes up cases for the tests", _module("hypothesis"), ("test",)),
     Requirement("python3-jsonschema", "checks info files against their schema", _module("jsonschema"), ("test",)),

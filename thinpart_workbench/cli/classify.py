@@ -13,6 +13,7 @@ from ..core.criteria import load_profile
 from ..core.errors import ThinPartError
 from ..storage.info_file import SUFFIX
 from ..workflow.analyse_file import FileTask
+from ..workflow.cluster import analyse_files_on_cluster, cluster_address
 from ..workflow.find_documents import ENDINGS, NameFilter, common_folder, find_documents
 from ..workflow.run_control import RunControl
 from ..workflow.run_plan import info_place, plan_run
@@ -57,6 +58,9 @@ def add_arguments(parser):
     parser.add_argument("--jobs", metavar="N", default=os.cpu_count() or 1,
                         type=_number("--jobs", int, "a whole number", 1),
                         help="files at once (default: one per processor)")
+    parser.add_argument("--dask", metavar="ADDRESS", type=_cluster,
+                        help="have it done by the workers of a Dask cluster that see the same files, as "
+                             "many at once as they have threads; tcp://HOST:PORT of its scheduler")
     parser.add_argument("--timeout", metavar="S", default=default["seconds"],
                         type=_number("--timeout", float, "a number of seconds", 0.001),
                         help="seconds that one file may take (default: %(default)g)")
@@ -106,7 +110,7 @@ def _classify(options, control, report, rows):
         rows.add(outcome)
         report.failures(outcome)
     tasks = [each.task for each in planned]
-    with closing(_outcomes(tasks, options, control)) as outcomes:
+    with closing(_outcomes(tasks, options, control, progress)) as outcomes:
         for outcome in outcomes:
             if outcome["file"] in unkept and "error" not in outcome:
                 error = unkept[outcome["file"]]
@@ -118,9 +122,16 @@ def _classify(options, control, report, rows):
     return progress.failed + len(failures)
 
 
-def _outcomes(tasks, options, control):
-    """What analyses the files: worker processes of this machine."""
-    return analyse_files(tasks, Limits(options.timeout, options.memory, options.jobs), control)
+def _outcomes(tasks, options, control, progress):
+    """What analyses the files: worker processes of this machine, or a cluster."""
+    limits = Limits(options.timeout, options.memory, options.jobs)
+    if options.dask is None:
+        return analyse_files(tasks, limits, control)
+
+    def threads_seen(threads):
+        progress.jobs = threads
+
+    return analyse_files_on_cluster(options.dask, tasks, limits, control, threads_seen)
 
 
 def _search(options, control, report):
@@ -221,6 +232,13 @@ def _check_table(path, documents):
             f"The table {path} cannot be written ({error.strerror}): give another file to --csv.",
             "usage",
         ) from None
+
+
+def _cluster(text):
+    try:
+        return cluster_address(text)
+    except ThinPartError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
 
 
 _MOST = 10 ** 9

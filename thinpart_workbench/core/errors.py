@@ -45,6 +45,7 @@ class Cancelled(ThinPartError):
 
 KINDS = {
     "cancelled": "stopped as asked",
+    "cluster": "the cluster cannot be used",
     "crash": "the reading process died",
     "empty": "the file or document holds nothing",
     "failed": "an unforeseen failure",

@@ -20,7 +20,7 @@ class RunProgress:
     files : dict
         Path to (bytes, whether the file will likely be taken from its info file).
     jobs : int
-        Files at once.
+        Files at once; may be set anew while a cluster grows and shrinks.
 
     Notes
     -----
@@ -31,7 +31,7 @@ class RunProgress:
 
     def __init__(self, files, jobs):
         self._files = dict(files)
-        self._jobs = jobs
+        self.jobs = jobs
         self._started = self._last = time.monotonic()
         self.total = len(self._files)
         self.done = self.failed = self.reused = 0
@@ -82,11 +82,11 @@ class RunProgress:
             if self.reused:
                 seconds += (1 - share) * looked_up * self._reused_seconds / self.reused
         if files > 0:
-            enough = self._measured >= self._jobs or 10 * self._measured_cost >= self._all > 0
+            enough = self._measured >= self.jobs or 10 * self._measured_cost >= self._all > 0
             if not self._measured or not enough:
                 return None
             pace = self._measured_seconds / self._measured_cost
-            seconds += cost * pace / max(1.0, min(self._jobs, files))
+            seconds += cost * pace / max(1.0, min(self.jobs, files))
         return seconds
 
     def content(self, file=None):

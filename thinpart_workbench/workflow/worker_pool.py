@@ -76,12 +76,39 @@ def analyse_files(tasks, limits, control=None):
     """
     if not tasks:
         return
-    control = control or RunControl()
+    with _workers(min(limits.jobs, len(tasks)), limits) as workers:
+        yield from _outcomes(deque(tasks), workers, limits, control or RunControl())
+
+
+@contextmanager
+def file_analyser(limits):
+    """For a ``with`` block: a function that analyses the files of one request after the other.
+
+    Parameters
+    ----------
+    limits : Limits
+        `jobs` does not count: there is one worker process.
+
+    Yields
+    ------
+    callable
+        ``analyse(task, control)``, with the outcome that `analyse_files` has.
+    """
+    with _workers(1, limits) as workers:
+        def analyse(task, control):
+            outcome, = _outcomes(deque([task]), workers, limits, control)
+            return outcome
+
+        yield analyse
+
+
+@contextmanager
+def _workers(count, limits):
     with _folder_for_logs() as folder:
-        workers = Workers(max(1, min(limits.jobs, len(tasks))), limits.seconds, folder, _work,
-                          _start_worker, (limits.megabytes, folder, os.getpid()))
+        workers = Workers(max(1, count), limits.seconds, folder, _work, _start_worker,
+                          (limits.megabytes, folder, os.getpid()))
         try:
-            yield from _outcomes(deque(tasks), workers, limits, control)
+            yield workers
         finally:
             workers.stop()
 

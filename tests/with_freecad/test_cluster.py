@@ -1,0 +1,264 @@
+"""``classify --dask`` on a real scheduler and real workers, which know nothing of ThinPart at first."""
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import jsonschema
+import pytest
+
+from program import ROOT, SAMPLES, SCHEMA, failures, records, thinpart
+from thinpart_workbench.core.errors import ThinPartError
+from thinpart_workbench.requirements import FREECAD_LIBS
+from thinpart_workbench.workflow.analyse_file import FileTask
+from thinpart_workbench.workflow.cluster import analyse_files_on_cluster
+from thinpart_workbench.workflow.worker_pool import Limits
+
+SMALL = ("wedge", "vee_block", "ribbed_block", "tube")
+
+
+class Cluster:
+    """A scheduler on a free port of this machine, and its workers."""
+
+    def __init__(self, folder):
+        self.folder, self.processes = folder, []
+        self.file = folder / "scheduler.json"
+        self.scheduler = self._start("scheduler", "--host", "127.0.0.1", "--port", "0", "--no-show",
+                                     "--scheduler-file", self.file)
+        wait_for(self.file.is_file)
+        self.address = json.loads(self.file.read_text())["address"]
+
+    def worker(self, *options, before=()):
+        return self._start("worker", self.address, "--nthreads", "1", "--memory-limit", "0",
+                           "--host", "127.0.0.1", "--local-directory", self.folder, *options,
+                           before=before)
+
+    def _start(self, *arguments, before=()):
+        # Nothing of ThinPart may be found by accident.
+        environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+        with open(self.folder / f"{len(self.processes)}.log", "wb") as log:
+            process = subprocess.Popen(
+                [*before, sys.executable, "-m", "dask", *map(str, arguments), "--no-dashboard"],
+                cwd=self.folder, env=environment, stdin=subprocess.DEVNULL, stdout=log, stderr=log,
+                start_new_session=True)
+        self.processes.append(process)
+        return process
+
+    def servers(self):
+        """Processes that analyse files for these workers."""
+        return [pid for pid in processes() if str(self.folder) in folder_of(pid)
+                and b"analysis_server" in command_of(pid)]
+
+    def stop(self):
+        for process in self.processes:
+            if process.poll() is None:
+                os.killpg(process.pid, signal.SIGTERM)
+        for process in self.processes:
+            try:
+                process.wait(10)
+            except subprocess.TimeoutExpired:
+                os.killpg(process.pid, signal.SIGKILL)
+                process.wait()
+
+
+def wait_for(condition, seconds=30):
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end
+        time.sleep(0.05)
+
+
+def processes():
+    return [int(name) for name in os.listdir("/proc") if name.isdigit()]
+
+
+def command_of(pid):
+    try:
+        return Path(f"/proc/{pid}/cmdline").read_bytes()
+    except OSError:
+        return b""
+
+
+def folder_of(pid):
+    try:
+        return os.readlink(f"/proc/{pid}/cwd")
+    except OSError:
+        return ""
+
+
+def readers_of(file):
+    for pid in processes():
+        try:
+            if any(os.readlink(link) == str(file) for link in Path(f"/proc/{pid}/fd").iterdir()):
+                yield pid
+        except OSError:
+            continue
+
+
+@pytest.fixture(scope="module")
+def cluster(tmp_path_factory):
+    """Two workers, one with the process that Dask lets watch over it, one without."""
+    cluster = Cluster(tmp_path_factory.mktemp("cluster"))
+    try:
+        cluster.worker()
+        cluster.worker("--no-nanny")
+        yield cluster
+    finally:
+        cluster.stop()
+
+
+@pytest.fixture
+def bare(tmp_path_factory):
+    """A scheduler without workers."""
+    cluster = Cluster(tmp_path_factory.mktemp("bare"))
+    try:
+        yield cluster
+    finally:
+        cluster.stop()
+
+
+def copies(folder, number, names=SMALL):
+    folder.mkdir(exist_ok=True)
+    for each in range(number):
+        shutil.copy(SAMPLES / f"{names[each % len(names)]}.step", folder / f"{each}.step")
+    return folder
+
+
+def without_times(lines):
+    return sorted(json.dumps({key: value for key, value in line.items() if key != "seconds"})
+                  for line in lines)
+
+
+def start(*arguments):
+    return subprocess.Popen(
+        [sys.executable, "-m", "thinpart_workbench", "classify", *map(str, arguments), "--json"],
+        env=dict(os.environ, PYTHONPATH=str(ROOT)), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE, text=True, start_new_session=True)
+
+
+def test_records_and_info_files_are_those_of_this_machine(cluster, tmp_path):
+    parts = copies(tmp_path / "parts", 7)
+    (parts / "6.step").write_bytes(b"")
+    arguments = ("classify", "parts", "--json", "--info-dir")
+    there = thinpart(*arguments, "there", "--dask", cluster.address, cwd=tmp_path)
+    here = thinpart(*arguments, "here", cwd=tmp_path)
+    assert there.returncode == here.returncode == 1
+    assert len(records(there)) == 7 and failures(there) == {"6.step": "empty"}
+    assert without_times(records(there)) == without_times(records(here))
+    for info in (tmp_path / "here").iterdir():
+        written = [json.loads((tmp_path / folder / info.name).read_text()) for folder in ("here", "there")]
+        for content in written:
+            content["parts"] = without_times(content["parts"])
+        assert written[0] == written[1]
+    assert len(list((tmp_path / "there").iterdir())) == 6
+    again = thinpart(*arguments, "there", "--dask", cluster.address, cwd=tmp_path)
+    assert sorted(again.stdout.splitlines()) == sorted(there.stdout.splitlines())
+    # The workers are left as they were.
+    wait_for(lambda: not cluster.servers())
+    assert not list(cluster.folder.rglob("thinpart_workbench"))
+
+
+def test_the_files_of_a_worker_that_is_lost_are_done_by_others(cluster, tmp_path):
+    parts = copies(tmp_path / "parts", 14, ["bent_sheet_bracket", "plate"])
+    doomed = cluster.worker("--no-nanny")
+    run = start(parts, "--dask", cluster.address)
+    first = run.stdout.readline()
+    wait_for(lambda: len(cluster.servers()) == 3)
+    doomed.kill()
+    rest, errors = run.communicate(timeout=100)
+    assert run.returncode == 0, errors
+    assert len({json.loads(line)["file"] for line in (first + rest).splitlines()}) == 14
+    assert len(list(parts.glob("*.thinpart.json"))) == 14
+    # Also that of the lost worker.
+    wait_for(lambda: not cluster.servers())
+
+
+def test_a_file_that_ends_its_reader_is_one_row(cluster, tmp_path):
+    parts = copies(tmp_path / "parts", 3)
+    os.mkfifo(parts / "deadly.step")
+    run = start(parts, "--no-info", "--dask", cluster.address)
+    with open(parts / "deadly.step", "wb"):
+        for reader in set(readers_of(parts / "deadly.step")) - {os.getpid()}:
+            os.kill(reader, signal.SIGKILL)
+        output, errors = run.communicate(timeout=100)
+    lines = [json.loads(line) for line in output.splitlines()]
+    assert run.returncode == 1 and len(lines) == 4 and "Traceback" not in errors
+    assert [line["error"]["kind"] for line in lines if "error" in line] == ["crash"]
+    assert all(process.poll() is None for process in cluster.processes[:3])
+
+
+def test_ctrl_c_cancels_what_runs_and_leaves_nothing_behind(cluster, tmp_path):
+    parts = copies(tmp_path / "parts", 10, ["flange"])
+    run = start(parts, "--dask", cluster.address)
+    first = run.stdout.readline()
+    os.killpg(run.pid, signal.SIGINT)
+    rest, errors = run.communicate(timeout=60)
+    assert run.returncode == 130 and "Traceback" not in errors
+    wait_for(lambda: not cluster.servers())
+    infos = list(parts.glob("*.thinpart.json"))
+    assert 1 <= len((first + rest).splitlines()) <= len(infos) < 10
+    for info in infos:
+        jsonschema.validate(json.loads(info.read_text(encoding="utf-8")), SCHEMA)
+    assert len(list(parts.iterdir())) == 10 + len(infos)
+    assert thinpart("classify", parts / "0.step", "--dask", cluster.address).returncode == 0
+
+
+def test_a_wrong_address_is_said_at_once(tmp_path):
+    shutil.copy(SAMPLES / "wedge.step", tmp_path)
+    for address in ("", "here", "tcp://here", "tcp://here:port", "http://here:8786", "tcp://a:1/b"):
+        run = thinpart("classify", tmp_path, "--dask", address)
+        assert run.returncode == 2 and "is no address of a Dask scheduler" in run.stderr
+        assert "Traceback" not in run.stderr
+
+
+def test_nobody_at_the_address(tmp_path):
+    task = FileTask(str(SAMPLES / "wedge.step"))
+    with pytest.raises(ThinPartError, match="There is no Dask scheduler at tcp://127.0.0.1:1 ") as raised:
+        list(analyse_files_on_cluster("tcp://127.0.0.1:1", [task], Limits(), patience=1))
+    assert raised.value.kind == "cluster"
+
+
+def test_a_scheduler_without_workers_and_one_that_is_lost(bare, tmp_path):
+    parts = copies(tmp_path / "parts", 6, ["flange"])
+    tasks = [FileTask(str(file)) for file in sorted(parts.iterdir())]
+    with pytest.raises(ThinPartError, match="has no workers: start some with 'dask worker tcp://"):
+        next(analyse_files_on_cluster(bare.address, tasks, Limits(), patience=1))
+    bare.worker("--no-nanny")
+    threads = []
+    outcomes = analyse_files_on_cluster(bare.address, tasks, Limits(), threads_seen=threads.append)
+    assert next(outcomes)["parts"] and threads == [1]
+    bare.scheduler.kill()
+    with pytest.raises(ThinPartError, match="what was done is kept: start again") as raised:
+        list(outcomes)
+    assert raised.value.kind == "cluster"
+
+
+def mounts_allowed():
+    return subprocess.run(["unshare", "--mount", "mount", "-t", "tmpfs", "none", "/mnt"],
+                          capture_output=True).returncode == 0
+
+
+@pytest.mark.skipif(not mounts_allowed(), reason="nothing may be hidden from a worker here")
+def test_workers_that_lack_freecad_or_do_not_see_a_file(bare, tmp_path):
+    parts = copies(tmp_path / "parts", 1)
+    tasks = [FileTask(str(parts / "0.step"))]
+
+    def hiding(*folders):
+        script = ('while [ "$1" != -- ]; do [ ! -d "$1" ] || mount -t tmpfs none "$1" || exit; shift; done; '
+                  'shift; exec "$@"')
+        return "unshare", "--mount", "sh", "-c", script, "sh", *folders, "--"
+
+    without = bare.worker("--no-nanny", before=hiding(*FREECAD_LIBS))
+    with pytest.raises(ThinPartError, match="cannot analyse files: it lacks freecad"):
+        next(analyse_files_on_cluster(bare.address, tasks, Limits()))
+    without.terminate()
+    without.wait(20)
+    bare.worker("--no-nanny", before=hiding(str(parts)))
+    outcome, = analyse_files_on_cluster(bare.address, tasks, Limits())
+    assert outcome["file"] == tasks[0].file and outcome["error"]["kind"] == "missing"
+    assert f"does not see {tasks[0].file}" in outcome["error"]["message"]
