@@ -6,6 +6,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 
@@ -17,6 +18,7 @@ from thinpart_workbench.core.errors import ThinPartError
 from thinpart_workbench.requirements import FREECAD_LIBS
 from thinpart_workbench.workflow.analyse_file import FileTask
 from thinpart_workbench.workflow.cluster import analyse_files_on_cluster
+from thinpart_workbench.workflow.run_control import RunControl
 from thinpart_workbench.workflow.worker_pool import Limits
 
 SMALL = ("wedge", "vee_block", "ribbed_block", "tube")
@@ -25,8 +27,8 @@ SMALL = ("wedge", "vee_block", "ribbed_block", "tube")
 class Cluster:
     """A scheduler on a free port of this machine, and its workers."""
 
-    def __init__(self, folder):
-        self.folder, self.processes = folder, []
+    def __init__(self, folder, **environment):
+        self.folder, self.processes, self.environment = folder, [], environment
         self.file = folder / "scheduler.json"
         self.scheduler = self._start("scheduler", "--host", "127.0.0.1", "--port", "0", "--no-show",
                                      "--scheduler-file", self.file)
@@ -40,7 +42,7 @@ class Cluster:
 
     def _start(self, *arguments, before=()):
         # Nothing of ThinPart may be found by accident.
-        environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+        environment = dict(os.environ, PYTHONPATH="", **self.environment)
         with open(self.folder / f"{len(self.processes)}.log", "wb") as log:
             process = subprocess.Popen(
                 [*before, sys.executable, "-m", "dask", *map(str, arguments), "--no-dashboard"],
@@ -91,6 +93,10 @@ def folder_of(pid):
         return ""
 
 
+def parent_of(pid):
+    return int(Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[1])
+
+
 def readers_of(file):
     for pid in processes():
         try:
@@ -114,8 +120,9 @@ def cluster(tmp_path_factory):
 
 @pytest.fixture
 def bare(tmp_path_factory):
-    """A scheduler without workers."""
-    cluster = Cluster(tmp_path_factory.mktemp("bare"))
+    """A scheduler without workers, which gives a file up when one worker was lost with it."""
+    cluster = Cluster(tmp_path_factory.mktemp("bare"),
+                      DASK_DISTRIBUTED__SCHEDULER__ALLOWED_FAILURES="0")
     try:
         yield cluster
     finally:
@@ -190,6 +197,35 @@ def test_a_file_that_ends_its_reader_is_one_row(cluster, tmp_path):
     assert run.returncode == 1 and len(lines) == 4 and "Traceback" not in errors
     assert [line["error"]["kind"] for line in lines if "error" in line] == ["crash"]
     assert all(process.poll() is None for process in cluster.processes[:3])
+
+
+def test_a_file_that_ends_dask_workers_is_one_row(bare, tmp_path):
+    parts = copies(tmp_path / "parts", 1)
+    os.mkfifo(parts / "deadly.step")
+    watched = bare.worker()
+    run = start(parts, "--no-info", "--dask", bare.address)
+    with open(parts / "deadly.step", "wb"):
+        server, = bare.servers()
+        os.kill(parent_of(server), signal.SIGKILL)
+        output, errors = run.communicate(timeout=100)
+    assert run.returncode == 1 and "given up by Dask" in errors and watched.poll() is None
+    kinds = {Path(line["file"]).name: line.get("error", {}).get("kind")
+             for line in map(json.loads, output.splitlines())}
+    assert kinds["deadly.step"] == "crash" and len(kinds) == 2
+
+
+def test_a_paused_run_hands_out_nothing_more(cluster, tmp_path):
+    tasks = [FileTask(str(file)) for file in sorted(copies(tmp_path / "parts", 16).iterdir())]
+    control, seen = RunControl(), []
+    resume = threading.Timer(2, control.resume)
+    for outcome in analyse_files_on_cluster(cluster.address, tasks, Limits(), control):
+        if not seen:
+            control.pause()
+            resume.start()
+        seen.append((resume.finished.is_set(), outcome["file"]))
+    assert len({file for _, file in seen}) == 16
+    # Both workers had a few at hand.
+    assert 1 <= sum(not resumed for resumed, _ in seen) <= 8
 
 
 def test_ctrl_c_cancels_what_runs_and_leaves_nothing_behind(cluster, tmp_path):
