@@ -18,7 +18,7 @@ PEER_LIMIT = 120.0
 OWN_LIMIT = 3600.0
 """Seconds that one turn of the product, or of FreeCAD, may take."""
 
-TURNS_LIMIT = 30.0
+TURNS_LIMIT = 10.0
 """Seconds after which a contestant has had enough turns on a mesh."""
 
 SHORT_TURN = 0.05

@@ -13,6 +13,7 @@ if IN_FREECAD:
 
     import window_actions as window
     from thinpart_workbench.gui.classify import end_session
+    from thinpart_workbench.gui.classify_folder import end_folder_dialog
 
     @pytest.fixture(autouse=True)
     def clean_window():
@@ -25,6 +26,7 @@ if IN_FREECAD:
 
     def _clean():
         end_session()
+        end_folder_dialog()
         Gui.Control.closeDialog()
         for name in list(App.listDocuments()):
             App.closeDocument(name)

@@ -4,7 +4,8 @@
     python3 tests/gui/run_in_freecad.py --screenshots docs/screenshots
 
 The status is pytest's; a FreeCAD that crashes, hangs or ends without a complete report is a
-failure. After all tests of the window, FreeCAD is also closed while it measures.
+failure. After all tests of the window, FreeCAD is also closed while it measures a part, and while it
+classifies a folder.
 """
 
 import json
@@ -63,9 +64,10 @@ def main(arguments):
     """Run the tests, or make the screenshots, and return the status."""
     with tempfile.TemporaryDirectory(prefix="thinpart-gui-", ignore_cleanup_errors=True) as home:
         status = _main(arguments, Path(home))
-    if status == 0 and not arguments:
-        with tempfile.TemporaryDirectory(prefix="thinpart-gui-") as home:
-            status = _closes_cleanly(Path(home))
+    for what in ("part", "folder"):
+        if status == 0 and not arguments:
+            with tempfile.TemporaryDirectory(prefix="thinpart-gui-") as home:
+                status = _closes_cleanly(Path(home), what)
     return status
 
 
@@ -84,17 +86,35 @@ def _main(arguments, home):
     return status
 
 
-def _closes_cleanly(home):
-    """0 where a FreeCAD that is closed while it measures ends and leaves nothing behind, or 1."""
-    status = _shown(run(HERE / "close_while_measuring.py", [os.fspath(HERE)], home, 60), home)
+def _closes_cleanly(home, what):
+    """0 where a FreeCAD that is closed while it works ends and leaves nothing behind, or 1."""
+    status = _shown(run(HERE / "close_while_working.py", [os.fspath(HERE), what], home, 60), home)
     left = [each.name for each in (home / "temporary").glob("thinpart-*")]
-    # The screen's own server names this folder too, and takes a moment to end.
-    commands = map(_text, Path("/proc").glob("[0-9]*/cmdline"))
-    left += [each.replace("\0", " ") for each in commands
-             if os.fspath(home) in each and "snapshot_worker" in each]
-    print("Closed while measuring: " + ("left behind " + ", ".join(left) if left else
-                                        f"status {status}, nothing left behind."))
+    left += _working(os.fspath(home))
+    if what == "folder" and not _some_are_done(home / "parts"):
+        left.append("no info files, or unfinished ones")
+    print(f"Closed while measuring a {what}: " + (
+        "left behind " + ", ".join(left) if left else f"status {status}, nothing left behind."))
     return 1 if status or left else 0
+
+
+def _working(home):
+    """Command lines of processes of this home that measure.
+
+    The screen's own server has this home too, and takes a moment to end.
+    """
+    for process in Path("/proc").glob("[0-9]*"):
+        command = _text(process / "cmdline").replace("\0", " ")
+        if home in _text(process / "environ") and any(
+                each in command for each in ("snapshot_worker", "classify", "multiprocessing")):
+            yield command
+
+
+def _some_are_done(parts):
+    """Whether some of the documents, and not all, have an info file, each of them whole."""
+    files = list(parts.glob("*.thinpart.json"))
+    whole = [json.loads(each.read_text(encoding="utf-8"))["parts"] for each in files]
+    return 0 < len(whole) < len(list(parts.glob("*.FCStd"))) and all(whole)
 
 
 def _text(file):

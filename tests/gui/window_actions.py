@@ -135,6 +135,9 @@ def answer(dialog_name, act, seconds=20.0):
     QtCore.QTimer.singleShot(20, look)
 
 
+WORKERS = ("thinpart_workbench.workflow.snapshot_worker", "thinpart_workbench\0classify")
+
+
 def workers():
     """Process ids of measuring processes that this FreeCAD started and that still run."""
     found = []
@@ -144,7 +147,8 @@ def workers():
             command = (stat.parent / "cmdline").read_text()
         except OSError:
             continue  # it ended while being looked at
-        if int(fields[1]) == os.getpid() and fields[0] != "Z" and "snapshot_worker" in command:
+        if int(fields[1]) == os.getpid() and fields[0] != "Z" and any(
+                each in command for each in WORKERS):
             found.append(int(stat.parent.name))
     return found
 

@@ -12,6 +12,7 @@ from ..core.analysis_settings import BOXES, MEASURES, AnalysisSettings
 from ..core.criteria import load_profile
 from ..core.errors import ThinPartError
 from ..storage.info_file import SUFFIX
+from ..storage.part_table import FIRST_COLUMNS
 from ..workflow.analyse_file import FileTask
 from ..workflow.cluster import analyse_files_on_cluster, cluster_address
 from ..workflow.find_documents import ENDINGS, NameFilter, common_folder, find_documents
@@ -20,7 +21,7 @@ from ..workflow.run_plan import info_place, plan_run
 from ..workflow.run_progress import RunProgress
 from ..workflow.worker_pool import LEAST_MEGABYTES, Limits, analyse_files, failure
 from .control_input import listen
-from .part_rows import FIRST_COLUMNS, PartRows
+from .part_rows import PartRows
 from .run_report import new_report, standard_output
 from .stop_signals import stop_signals
 

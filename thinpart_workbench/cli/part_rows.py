@@ -1,36 +1,14 @@
 """Part records as rows of a table for people, and of a CSV file."""
 
-import csv
-import io
 import json
 import os
 from collections import namedtuple
-from dataclasses import dataclass
 
 from ..core.errors import ThinPartError
-from ..storage.atomic_file import write_atomically
-from .run_report import printable
-
-_COLOURS = {"thin": "red", "thin_features": "yellow", "normal": "green", "unknown": "magenta"}
-
-
-@dataclass(frozen=True)
-class Column:
-    """A column of the table.
-
-    Attributes
-    ----------
-    title : str
-    value : callable
-        From a part record to a text.
-    right : bool
-        Whether numbers line up on the right.
-    """
-
-    title: str
-    value: object
-    right: bool = False
-
+from ..storage.part_table import csv_text, failed_row, measured_row, write_part_table
+from .terminal_table import (
+    CATEGORY_STYLES, FAILURE, OTHER_CATEGORY, TableColumn, print_table, printable, terminal_console,
+)
 
 def _box(part):
     return " x ".join(f"{side:.4g}" for side in part["descriptors"]["box_mm"])
@@ -56,45 +34,17 @@ def _category(part):
 
 
 TABLE = (
-    Column("Part", _name),
-    Column("Category", _category),
-    Column("Criteria", lambda part: ", ".join(map(str, part["criteria"])) or "none"),
-    Column("D1 x D2 x D3 mm", _box, right=True),
-    Column("V/VBB", _ratio, right=True),
-    Column("Thinnest mm", _thinnest, right=True),
+    ("Part", _name, False),
+    ("Category", _category, False),
+    ("Criteria", lambda part: ", ".join(map(str, part["criteria"])) or "none", False),
+    ("D1 x D2 x D3 mm", _box, True),
+    ("V/VBB", _ratio, True),
+    ("Thinnest mm", _thinnest, True),
 )
+"""Title, function from a part record to a text, whether it lines up on the right."""
 
-CSV_COLUMNS = {
-    "part": lambda part: part["name"],
-    "label": lambda part: part["label"],
-    "instances": lambda part: part["instances"],
-    "category": lambda part: part["category"],
-    "criteria": lambda part: " ".join(map(str, part["criteria"])),
-    "margin": lambda part: part["margin"],
-    "borderline": lambda part: int(part["borderline"]),
-    "d1_mm": lambda part: part["descriptors"]["box_mm"][0],
-    "d2_mm": lambda part: part["descriptors"]["box_mm"][1],
-    "d3_mm": lambda part: part["descriptors"]["box_mm"][2],
-    "volume_mm3": lambda part: part["descriptors"]["volume_mm3"],
-    "area_mm2": lambda part: part["descriptors"]["area_mm2"],
-    "volume_ratio": lambda part: part["descriptors"]["volume_ratio"],
-    "thinnest_mm": lambda part: part["descriptors"]["thickness_mm"]["min"],
-    "median_mm": lambda part: part["descriptors"]["thickness_mm"]["median"],
-    "error_bound_mm": lambda part: part["descriptors"]["thickness_mm"]["error_bound"],
-    "triangles": lambda part: part["triangles"],
-    "warnings": lambda part: " ".join(part["warnings"]),
-}
-
-
-FIRST_COLUMNS = b"file,part,label"
-"""How every table that was written starts; what starts otherwise is not overwritten."""
-
-
-_LINES_AT_ONCE = 1000
-"""Rows that are laid out together: a table keeps some kilobytes for each until it is printed."""
-
-_NARROWEST = 8
-"""Characters that a column keeps on a terminal that is too narrow for all."""
+_CATEGORY = 1
+"""Place of the category in `TABLE`, which has a colour."""
 
 _Row = namedtuple("_Row", "file table csv")
 
@@ -132,35 +82,17 @@ class PartRows:
 
     def print_table(self, stream):
         """Print a row per part and per failure, and what there is to say about parts below."""
-        from rich.console import Console
-
-        console = Console(file=stream, highlight=False)
-        if not console.is_terminal:
-            # A file or a pipe has no width to fit into; cut cells would lose what was asked for.
-            console = Console(file=stream, highlight=False, width=220)
         self._rows.sort(key=lambda row: row.file)
         several = len({row.file for row in self._rows}) > 1
-        columns = [Column("File", None), *TABLE] if several else TABLE
-        _print_rows(console, columns, self._shown(several))
-        for row in self._rows:
-            for cells in json.loads(row.table):
-                whose = f"{cells['place']}: {cells['cells'][0]}" if several else cells["cells"][0]
-                for text in cells["remarks"]:
-                    console.print(printable(f"{whose}: {text}"), style="dim", markup=False)
+        print_table(stream, list(_columns(several)), self._shown)
+        console = terminal_console(stream)
+        for row in self._shown():
+            whose = f"{row['place']}: {row['cells'][0]}" if several else row["cells"][0]
+            for text in row["remarks"]:
+                console.print(printable(f"{whose}: {text}"), style="dim", markup=False)
 
-    def _shown(self, several):
-        """A function that goes through all (cells, colour) again: they are read more than once."""
-        def rows():
-            for row in self._rows:
-                for each in json.loads(row.table):
-                    cells = list(map(printable, each["cells"]))
-                    if several:
-                        cells.insert(0, printable(each["place"]))
-                    elif each["failed"] and not cells[0]:
-                        cells[0] = printable(each["place"])
-                    yield cells, each["colour"]
-
-        return rows
+    def _shown(self):
+        return (each for row in self._rows for each in json.loads(row.table))
 
     def write_csv(self, path):
         """Write a row per part and per failure to a CSV file.
@@ -171,10 +103,8 @@ class PartRows:
             When there is no room for it. The table that was there is then still whole.
         """
         self._rows.sort(key=lambda row: row.file)
-        text = _csv_text([["file", *CSV_COLUMNS, "error_kind", "error"]])
-        text += "".join(row.csv for row in self._rows)
         try:
-            write_atomically(path, text.encode("utf-8", "backslashreplace"))
+            write_part_table(path, (row.csv for row in self._rows))
         except OSError as error:
             raise ThinPartError(
                 f"The table {path} could not be written ({error.strerror}): make room, or give another "
@@ -186,68 +116,35 @@ def _table_rows(outcome, place):
     rows = []
     for part in outcome.get("parts", ()):
         rows.append({
-            "place": place, "cells": [column.value(part) for column in TABLE], "failed": False,
-            "colour": _COLOURS.get(part["category"], "cyan"),
+            "place": place, "cells": [value(part) for _, value, _ in TABLE], "failed": False,
+            "style": CATEGORY_STYLES.get(part["category"], OTHER_CATEGORY),
             "remarks": [text for text in [part["reason"], *part["warnings"]] if text],
         })
     for error in _errors(outcome):
-        rows.append({"place": place, "failed": True, "colour": "bold red", "remarks": [],
+        rows.append({"place": place, "failed": True, "style": FAILURE, "remarks": [],
                      "cells": [error.get("label") or "", f"failed: {error['kind']}"]})
     return rows
 
 
-def _print_rows(console, columns, rows):
-    """Lay out rows a thousand at a time, all in the same columns."""
-    from itertools import islice
+def _columns(several):
+    """Columns of the rows that `_table_rows` makes."""
+    if several:
+        yield TableColumn("File", lambda row: row["place"])
+    for number, (title, _, is_right) in enumerate(TABLE):
+        def value(row, number=number):
+            if row["failed"] and number == 0 and not several:
+                return row["cells"][0] or row["place"]
+            return row["cells"][number] if number < len(row["cells"]) else ""
 
-    from rich.cells import cell_len
-    from rich.table import Table
-
-    widths = [len(column.title) for column in columns]
-    for cells, _ in rows():
-        for number, cell in enumerate(cells):
-            widths[number] = max(widths[number], cell_len(cell))
-    _fit(widths, console.width - 2 * (len(widths) - 1))
-    category = [column.title for column in columns].index("Category")
-    left, is_first = rows(), True
-    while block := list(islice(left, _LINES_AT_ONCE)):
-        table = Table(box=None, pad_edge=False, header_style="bold", show_header=is_first)
-        for column, width in zip(columns, widths):
-            table.add_column(column.title, justify="right" if column.right else "left",
-                             overflow="fold", width=width)
-        for cells, colour in block:
-            table.add_row(*(_cell(cell, colour if number == category else "")
-                            for number, cell in enumerate(cells)))
-        console.print(table)
-        is_first = False
-
-
-def _cell(text, style):
-    from rich.text import Text
-
-    return Text(text, style)
-
-
-def _fit(widths, room):
-    """Narrow the widest columns until all fit."""
-    while sum(widths) > room and max(widths) > _NARROWEST:
-        widths[widths.index(max(widths))] -= 1
+        style = (lambda row: row["style"]) if number == _CATEGORY else None
+        yield TableColumn(title, value, is_right, style)
 
 
 def _csv_rows(outcome, place):
-    rows = [[place, *(value(part) for value in CSV_COLUMNS.values()), "", ""]
-            for part in outcome.get("parts", ())]
-    for error in _errors(outcome):
-        named = [error.get("part") or "", error.get("label") or ""]
-        blank = [""] * (len(CSV_COLUMNS) - len(named))
-        rows.append([place, *named, *blank, error["kind"], error["message"]])
-    return _csv_text(rows)
-
-
-def _csv_text(rows):
-    text = io.StringIO(newline="")
-    csv.writer(text).writerows(rows)
-    return text.getvalue()
+    rows = [measured_row(place, part) for part in outcome.get("parts", ())]
+    rows += [failed_row(place, error.get("part"), error.get("label"), error)
+             for error in _errors(outcome)]
+    return csv_text(rows)
 
 
 def _errors(outcome):

@@ -11,7 +11,7 @@ from ..storage.info_file import SUFFIX
 from ..storage.info_tree import scan
 from ..workflow.kept_notes import info_file_of
 from ..workflow.reclassify import is_another, reclassify_files
-from .terminal_table import CATEGORY_STYLES, OTHER_CATEGORY, print_rows
+from .terminal_table import CATEGORY_STYLES, OTHER_CATEGORY, TableColumn, print_table
 
 MOST_ROWS = 200
 """Changed parts that are listed for people; --json has all."""
@@ -76,7 +76,7 @@ def _line(file, part):
 
 def _print_changes(changed, changes, counts, profile, written):
     if changed:
-        print_rows(sys.stdout, _COLUMNS, changed)
+        print_table(sys.stdout, _COLUMNS, lambda: changed)
     moved = {pair: count for pair, count in changes.items() if pair[0] != pair[1]}
     total = sum(moved.values())
     if total > len(changed):
@@ -94,9 +94,9 @@ def _category(which):
 
 
 _COLUMNS = (
-    ("File", False, lambda row: row[0].document, None),
-    ("Part", False, lambda row: row[1].label, None),
-    ("Was", False, lambda row: row[1].before["category"], _category("before")),
-    ("Is", False, lambda row: row[1].after["category"], _category("after")),
-    ("Criteria", False, lambda row: ", ".join(map(str, row[1].after["criteria"])) or "none", None),
+    TableColumn("File", lambda row: row[0].document),
+    TableColumn("Part", lambda row: row[1].label),
+    TableColumn("Was", lambda row: row[1].before["category"], style=_category("before")),
+    TableColumn("Is", lambda row: row[1].after["category"], style=_category("after")),
+    TableColumn("Criteria", lambda row: ", ".join(map(str, row[1].after["criteria"])) or "none"),
 )

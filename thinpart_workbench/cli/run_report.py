@@ -6,6 +6,7 @@ import sys
 from contextlib import contextmanager
 
 from ..core.errors import ThinPartError
+from .terminal_table import printable
 
 
 def new_report(as_json):
@@ -169,14 +170,6 @@ def standard_output():
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         raise ThinPartError(f"The output cannot be written ({error.strerror}): make room for it.",
                             "failed") from None
-
-
-def printable(text):
-    """A text for a line on a terminal: a file's name may hold line breaks and terminal commands."""
-    if text.isprintable():
-        return text
-    return "".join(each if each.isprintable() else each.encode("unicode_escape").decode()
-                   for each in text)
 
 
 _OPTION_FOR = {"info_write": "--info-dir", "timeout": "--timeout", "memory": "--memory"}

@@ -11,6 +11,7 @@ from ..workflow.kept_notes import info_file_of, the_record
 from ..workflow.similar_parts import similar_parts
 from .library import libraries
 from .stored_rows import print_stored
+from .terminal_table import TableColumn
 
 
 def add_arguments(parser):
@@ -39,8 +40,8 @@ def run(options):
         elif found:
             by_part = {each.part: each for each in found}
             print_stored([each.part for each in found], sys.stdout, opened.folder, (
-                ("Score", True, lambda part: f"{by_part[part].score:.0f} %", None),
-                ("Why", False, lambda part: by_part[part].reasons, None),
+                TableColumn("Score", lambda part: f"{by_part[part].score:.0f} %", True),
+                TableColumn("Why", lambda part: by_part[part].reasons),
             ))
         else:
             print("There is no other part in these folders.", file=sys.stderr)

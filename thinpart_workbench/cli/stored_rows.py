@@ -2,7 +2,7 @@
 
 import os
 
-from .terminal_table import CATEGORY_STYLES, FAILURE, OTHER_CATEGORY, print_rows
+from .terminal_table import CATEGORY_STYLES, FAILURE, OTHER_CATEGORY, TableColumn, print_table
 
 
 def print_stored(parts, stream, folder, more_columns=()):
@@ -14,12 +14,12 @@ def print_stored(parts, stream, folder, more_columns=()):
     stream : text stream
     folder : str or Path
         Documents are named by their places in it.
-    more_columns : sequence, optional
-        Columns of `terminal_table.print_rows` that come first.
+    more_columns : sequence of TableColumn, optional
+        Come first.
     """
     if parts:
-        place = ("File", False, lambda part: os.path.relpath(part.file, folder), None)
-        print_rows(stream, [*more_columns, place, *_COLUMNS], parts)
+        place = TableColumn("File", lambda part: os.path.relpath(part.file, folder))
+        print_table(stream, [*more_columns, place, *_COLUMNS], lambda: parts)
 
 
 def _category(part):
@@ -58,11 +58,11 @@ def _notes(part):
 
 
 _COLUMNS = (
-    ("Part", False, _label, None),
-    ("Category", False, _category, _style),
-    ("Criteria", False, lambda part: ", ".join(part.criteria) or "none", None),
-    ("D1 x D2 x D3 mm", True, _box, None),
-    ("V/VBB", True, _number("volume_ratio", 3), None),
-    ("Thinnest mm", True, _number("thinnest_mm", 4), None),
-    ("Notes", False, _notes, None),
+    TableColumn("Part", _label),
+    TableColumn("Category", _category, style=_style),
+    TableColumn("Criteria", lambda part: ", ".join(part.criteria) or "none"),
+    TableColumn("D1 x D2 x D3 mm", _box, True),
+    TableColumn("V/VBB", _number("volume_ratio", 3), True),
+    TableColumn("Thinnest mm", _number("thinnest_mm", 4), True),
+    TableColumn("Notes", _notes),
 )

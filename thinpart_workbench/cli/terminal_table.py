@@ -1,10 +1,23 @@
 """Tables as they are printed for people."""
 
+from collections import namedtuple
+from itertools import islice
+
 CATEGORY_STYLES = {"thin": "red", "thin_features": "yellow", "normal": "green", "unknown": "magenta"}
 OTHER_CATEGORY, FAILURE = "cyan", "bold red"
 
 WIDTH_WITHOUT_TERMINAL = 220
 """A file or a pipe has no width to fit into; cut cells would lose what was asked for."""
+
+_ROWS_AT_ONCE = 1000
+"""Rows that are laid out together: a table keeps some kilobytes for each until it is printed."""
+
+_NARROWEST = 8
+"""Characters that a column keeps on a terminal that is too narrow for all."""
+
+TableColumn = namedtuple("TableColumn", "title value is_right style", defaults=(False, None))
+"""Title; a function from a row to its text; whether it lines up on the right; a function from a row to a
+rich style, or None."""
 
 
 def terminal_console(stream):
@@ -17,24 +30,52 @@ def terminal_console(stream):
     return console
 
 
-def print_rows(stream, columns, rows):
-    """Print a table.
+def print_table(stream, columns, rows):
+    """Print a table of any length.
 
     Parameters
     ----------
     stream : text stream
-    columns : list of (title, is_right, value, style)
-        Title; whether it lines up on the right; functions from a row to its text and to a rich style or
-        None, the latter may be None for all.
-    rows : iterable
+    columns : list of TableColumn
+    rows : callable
+        Goes through all rows; is called twice, so that not all cells are kept at once.
     """
+    from rich.cells import cell_len
     from rich.table import Table
     from rich.text import Text
 
-    table = Table(box=None, pad_edge=False, header_style="bold")
-    for title, is_right, _, _ in columns:
-        table.add_column(title, justify="right" if is_right else "left", overflow="fold")
-    for row in rows:
-        table.add_row(*(Text(str(value(row)), style=(style and style(row)) or "")
-                        for _, _, value, style in columns))
-    terminal_console(stream).print(table)
+    console = terminal_console(stream)
+    widths = [len(column.title) for column in columns]
+    for row in rows():
+        for number, column in enumerate(columns):
+            widths[number] = max(widths[number], cell_len(_text(column, row)))
+    _fit(widths, console.width - 2 * (len(widths) - 1))
+    left, is_first = iter(rows()), True
+    while block := list(islice(left, _ROWS_AT_ONCE)):
+        table = Table(box=None, pad_edge=False, header_style="bold", show_header=is_first)
+        for column, width in zip(columns, widths):
+            table.add_column(column.title, justify="right" if column.is_right else "left",
+                             overflow="fold", width=width)
+        for row in block:
+            table.add_row(*(Text(_text(column, row), (column.style and column.style(row)) or "")
+                            for column in columns))
+        console.print(table)
+        is_first = False
+
+
+def printable(text):
+    """A text for a line on a terminal: a file's name may hold line breaks and terminal commands."""
+    if text.isprintable():
+        return text
+    return "".join(each if each.isprintable() else each.encode("unicode_escape").decode()
+                   for each in text)
+
+
+def _text(column, row):
+    return printable(str(column.value(row)))
+
+
+def _fit(widths, room):
+    """Narrow the widest columns until all fit."""
+    while sum(widths) > room and max(widths) > _NARROWEST:
+        widths[widths.index(max(widths))] -= 1

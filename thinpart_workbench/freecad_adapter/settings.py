@@ -32,6 +32,15 @@ PREFERENCES = {each.name: each for each in (
     Preference("MemoryMegabytes", 6144, "Memory that measuring a document may take"),
     Preference("ThinColour", (0.84, 0.15, 0.12), "Faces that are thin on at least half their area"),
     Preference("PartlyThinColour", (0.96, 0.60, 0.11), "Faces that are thin on less of their area"),
+    Preference("FolderHistory", "[]", "Folders that were classified, the last one first, as JSON"),
+    Preference("FolderFormats", "FreeCAD STEP IGES BREP Mesh", "Formats taken from a folder"),
+    Preference("FolderInclude", "", "Patterns of the names taken from a folder; empty: all"),
+    Preference("FolderExclude", "", "Patterns of the names left out of a folder"),
+    Preference("FolderUsesInfoFolder", 0, "1: info files of a folder go into FolderInfoFolder"),
+    Preference("FolderInfoFolder", "", "Where info files of a folder go, if not beside documents"),
+    Preference("FolderProfile", "", "Thresholds to judge a folder by; empty: those of Profile"),
+    Preference("FolderJobs", 0, "Files of a folder that are measured at once; 0: one per processor"),
+    Preference("FolderSeconds", 600, "Seconds that one file of a folder may take"),
 )}
 
 

@@ -4,6 +4,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from .classify import can_classify, classify_active_document
+from .classify_folder import show_folder_dialog
 from .face_colours import FACE_COLOURS
 
 # Marks a text for translation; FreeCAD translates it by the command's name.
@@ -32,6 +33,28 @@ class Classify:
         classify_active_document()
 
 
+class ClassifyFolder:
+    """Classify all parts of a folder."""
+
+    def GetResources(self):
+        """Icon, text and tool tip."""
+        return {
+            "Pixmap": "ThinPart_ClassifyFolder",
+            "MenuText": QT_TRANSLATE_NOOP("ThinPart_ClassifyFolder", "Classify folder\u2026"),
+            "ToolTip": QT_TRANSLATE_NOOP(
+                "ThinPart_ClassifyFolder", "Classifies all parts of a folder in the background and "
+                "shows them in a table"),
+        }
+
+    def IsActive(self):
+        """Always."""
+        return True
+
+    def Activated(self):
+        """Show the dialog."""
+        show_folder_dialog()
+
+
 class ClearColours:
     """Take the analysis colours away."""
 
@@ -54,7 +77,11 @@ class ClearColours:
         FACE_COLOURS.clear(App.ActiveDocument)
 
 
-COMMANDS = {"ThinPart_Classify": Classify, "ThinPart_ClearColours": ClearColours}
+COMMANDS = {
+    "ThinPart_Classify": Classify,
+    "ThinPart_ClassifyFolder": ClassifyFolder,
+    "ThinPart_ClearColours": ClearColours,
+}
 
 
 def add_commands():

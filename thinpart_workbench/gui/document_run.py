@@ -1,7 +1,6 @@
 """A document that is being measured: its snapshot, and the process that works on it."""
 
 import json
-import os
 import shutil
 import tempfile
 
@@ -10,7 +9,7 @@ import FreeCAD as App
 from ..core.errors import ThinPartError
 from ..freecad_adapter.snapshot import write_snapshot
 from .qt import QtCore, QtWidgets, Signal, translate
-from .worker_python import python_environment, python_program
+from .worker_python import new_process, python_program
 
 WORKER = "thinpart_workbench.workflow.snapshot_worker"
 _OUT_OF_MEMORY = ("bad_alloc", "MemoryError", "Unable to allocate", "OutOfMemory", "length_error")
@@ -66,11 +65,7 @@ class DocumentRun(QtCore.QObject):
                 f"There is no room for temporary files ({error.strerror}): nothing was measured.",
                 "failed",
             ) from None
-        process = QtCore.QProcess(self)
-        environment = QtCore.QProcessEnvironment()
-        for name, value in python_environment().items():
-            environment.insert(name, value)
-        process.setProcessEnvironment(environment)
+        process = new_process(self)
         process.setWorkingDirectory(self._folder)
         process.readyReadStandardOutput.connect(self._read)
         process.readyReadStandardError.connect(self._read_errors)
@@ -78,17 +73,8 @@ class DocumentRun(QtCore.QObject):
         process.errorOccurred.connect(self._failed_to_start)
         QtWidgets.QApplication.instance().aboutToQuit.connect(self.stop)
         self._process = process
-        process.started.connect(self._step_back)
         process.start(program, ["-m", WORKER, self._folder, str(self._megabytes)])
         process.closeWriteChannel()
-
-    def _step_back(self):
-        """The window goes first where there are few processors."""
-        if hasattr(os, "setpriority"):
-            try:
-                os.setpriority(os.PRIO_PROCESS, self._process.processId(), 10)
-            except ProcessLookupError:
-                return  # it has ended already, which is told elsewhere
 
     def stop(self):
         """End the process, if it runs, and remove what was written for it."""

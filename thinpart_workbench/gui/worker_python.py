@@ -1,4 +1,4 @@
-"""The Python that measures beside FreeCAD, and the environment in which it can import FreeCAD."""
+"""The Python that measures beside FreeCAD, and processes in which it can import FreeCAD."""
 
 import os
 import sys
@@ -7,6 +7,7 @@ from pathlib import Path
 import FreeCAD as App
 
 from ..core.errors import ThinPartError
+from .qt import QtCore
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 
@@ -56,3 +57,30 @@ def python_environment():
     # Under a memory limit, OpenBLAS waits for ever for threads whose stacks it cannot have.
     environment.update(OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
     return environment
+
+
+def new_process(parent):
+    """QProcess, not yet started, for `python_program`, which steps back behind the window.
+
+    Parameters
+    ----------
+    parent : QObject
+    """
+    process = QtCore.QProcess(parent)
+    environment = QtCore.QProcessEnvironment()
+    for name, value in python_environment().items():
+        environment.insert(name, value)
+    process.setProcessEnvironment(environment)
+    process.started.connect(lambda: _step_back(process))
+    return process
+
+
+def _step_back(process):
+    """The window goes first where there are few processors."""
+    number = process.processId()
+    # 0 where it has ended already, and then it would be FreeCAD itself that steps back.
+    if number and hasattr(os, "setpriority"):
+        try:
+            os.setpriority(os.PRIO_PROCESS, number, 10)
+        except ProcessLookupError:
+            return  # it has ended meanwhile, which is told elsewhere

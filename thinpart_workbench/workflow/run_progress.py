@@ -51,7 +51,7 @@ class RunProgress:
         self._left[unchanged][0] -= 1
         self._left[unchanged][1] -= cost
         now = time.monotonic()
-        gap = 0.0 if self.done < self._jobs else min(now - self._last, _LONGEST_GAP)
+        gap = 0.0 if self.done < self.jobs else min(now - self._last, _LONGEST_GAP)
         self._last = now
         reused = bool(outcome.get("reused"))
         self.done += 1

@@ -1,0 +1,191 @@
+"""The widgets in which a folder, and how it is classified, is chosen."""
+
+import os
+
+from ..core.criteria import PROFILES, load_profile
+from ..core.errors import ThinPartError
+from .flow_layout import FlowLayout
+from .folder_settings import FORMATS, FolderSettings, folder_history
+from .qt import QtCore, QtWidgets, Signal, translate
+
+
+class FolderForm(QtWidgets.QWidget):
+    """Shows `FolderSettings` and gives them back as the user has changed them.
+
+    Signals
+    -------
+    profile_changed
+        Another profile was chosen.
+    """
+
+    profile_changed = Signal()
+
+    def __init__(self, parent=None):
+        super().__init__(parent)
+        self._grid = QtWidgets.QGridLayout(self)
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setColumnStretch(1, 1)
+        self._grid.setColumnStretch(3, 1)
+        self._add_folder()
+        self._add_names()
+        self._add_info_place()
+        self._add_profile()
+        self._add_limits()
+        self.show_settings(FolderSettings())
+
+    def show_settings(self, settings):
+        """Fill the widgets."""
+        self._folder.clear()
+        self._folder.addItems(folder_history())
+        self._folder.setCurrentText(settings.folder)
+        for name, box in self._formats.items():
+            box.setChecked(name in settings.formats)
+        self._include.setText(settings.include)
+        self._exclude.setText(settings.exclude)
+        (self._beside if settings.beside else self._in_folder).setChecked(True)
+        self._info_folder.setText(settings.info_folder)
+        self._choose_profile(settings.profile)
+        self._jobs.setValue(settings.jobs)
+        self._seconds.setValue(settings.seconds)
+        self._force.setChecked(settings.force)
+
+    def settings(self):
+        """FolderSettings as they are chosen; nothing is checked yet."""
+        return FolderSettings(
+            folder=_absolute(self._folder.currentText()),
+            formats=tuple(name for name, box in self._formats.items() if box.isChecked()),
+            include=self._include.text().strip(), exclude=self._exclude.text().strip(),
+            beside=self._beside.isChecked(), info_folder=_absolute(self._info_folder.text()),
+            profile=self._profile.currentData(), jobs=self._jobs.value(),
+            seconds=self._seconds.value(), force=self._force.isChecked(),
+        )
+
+    def _add_folder(self):
+        self._folder = self._named(QtWidgets.QComboBox(self), "Folder")
+        self._folder.setEditable(True)
+        self._folder.setInsertPolicy(QtWidgets.QComboBox.NoInsert)
+        # A long path must not widen the window.
+        self._folder.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+        self._folder.setMinimumContentsLength(20)
+        self._folder.lineEdit().setPlaceholderText(
+            translate("ThinPart", "The folder with your parts; the folders in it count as well"))
+        choose = self._button("ChooseFolder", translate("ThinPart", "C&hoose\u2026"))
+        choose.clicked.connect(lambda: self._ask_for_folder(
+            self._folder.currentText(), self._folder.setCurrentText))
+        self._row(0, translate("ThinPart", "&Folder"), self._folder, choose)
+
+    def _add_names(self):
+        place = QtWidgets.QWidget(self)
+        flow = FlowLayout(place)
+        self._formats = {}
+        for name, endings in FORMATS.items():
+            title = translate("ThinPart", "Meshes") if name == "Mesh" else name
+            box = self._named(QtWidgets.QCheckBox(title, place), f"Format{name}")
+            box.setToolTip(", ".join(endings))
+            flow.addWidget(box)
+            self._formats[name] = box
+        self._row(1, translate("ThinPart", "Formats"), place)
+        pattern = translate(
+            "ThinPart", "Patterns of file names, separated by semicolons; one with a slash is "
+            "compared with the path below the folder")
+        self._include = self._named(QtWidgets.QLineEdit(self), "Include")
+        self._include.setPlaceholderText(translate("ThinPart", "all, or such as: bracket*; *_v2*"))
+        self._exclude = self._named(QtWidgets.QLineEdit(self), "Exclude")
+        self._exclude.setPlaceholderText(translate("ThinPart", "such as: old/*; *draft*"))
+        for field in (self._include, self._exclude):
+            field.setToolTip(pattern)
+        self._row(2, translate("ThinPart", "&Names"), self._include)
+        self._row(2, translate("ThinPart", "E&xcept"), self._exclude, column=2)
+
+    def _add_info_place(self):
+        place = QtWidgets.QWidget(self)
+        row = QtWidgets.QHBoxLayout(place)
+        row.setContentsMargins(0, 0, 0, 0)
+        self._beside = self._named(QtWidgets.QRadioButton(
+            translate("ThinPart", "&beside each document"), place), "InfoBeside")
+        self._in_folder = self._named(QtWidgets.QRadioButton(
+            translate("ThinPart", "&in the folder"), place), "InfoInFolder")
+        self._info_folder = self._named(QtWidgets.QLineEdit(place), "InfoFolder")
+        row.addWidget(self._beside)
+        row.addWidget(self._in_folder)
+        row.addWidget(self._info_folder, 1)
+        choose = self._button("ChooseInfoFolder", translate("ThinPart", "Choose\u2026"))
+        choose.clicked.connect(lambda: self._ask_for_folder(
+            self._info_folder.text(), self._info_folder.setText))
+        for each in (self._info_folder, choose):
+            each.setEnabled(False)
+            self._in_folder.toggled.connect(each.setEnabled)
+        self._row(3, translate("ThinPart", "Info files"), place, choose)
+
+    def _add_profile(self):
+        self._profile = self._named(QtWidgets.QComboBox(self), "Profile")
+        self._profile.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+        self._profile.setMinimumContentsLength(16)
+        for path in sorted(PROFILES.glob("*.json")):
+            self._profile.addItem(_profile_title(path.stem), path.stem)
+        self._profile.currentIndexChanged.connect(lambda _: self.profile_changed.emit())
+        choose = self._button("ChooseProfile", translate("ThinPart", "From file\u2026"))
+        choose.clicked.connect(self._ask_for_profile)
+        self._row(4, translate("ThinPart", "&Thresholds"), self._profile, choose)
+
+    def _add_limits(self):
+        self._jobs = self._named(QtWidgets.QSpinBox(self), "Jobs")
+        self._jobs.setRange(0, 1024)
+        self._jobs.setSpecialValueText(translate("ThinPart", "one per processor"))
+        self._row(5, translate("ThinPart", "Files at &once"), self._jobs)
+        self._seconds = self._named(QtWidgets.QSpinBox(self), "Seconds")
+        self._seconds.setRange(1, 7 * 24 * 3600)
+        self._seconds.setSuffix(translate("ThinPart", " s"))
+        self._row(5, translate("ThinPart", "Time &limit per file"), self._seconds, column=2)
+        self._force = self._named(QtWidgets.QCheckBox(
+            translate("ThinPart", "&Measure again what has not changed"), self), "Force")
+        self._grid.addWidget(self._force, 6, 1, 1, 4, QtCore.Qt.AlignLeft)
+
+    def _row(self, row, text, field, button=None, column=0):
+        """A label and its widget; without a partner in the row it takes the whole of it."""
+        label = QtWidgets.QLabel(text, self)
+        label.setBuddy(field)
+        self._grid.addWidget(label, row, column)
+        paired = row in (2, 5)
+        columns = 1 if paired and column == 0 else 2 if paired else 3 if button else 4
+        self._grid.addWidget(field, row, column + 1, 1, columns)
+        if button is not None:
+            self._grid.addWidget(button, row, 4)
+
+    def _named(self, widget, name):
+        widget.setObjectName(f"ThinPart_Folder{name}" if name != "Folder" else "ThinPart_Folder")
+        return widget
+
+    def _button(self, name, text):
+        button = self._named(QtWidgets.QPushButton(text, self), name)
+        button.setAutoDefault(False)
+        return button
+
+    def _ask_for_folder(self, now, take):
+        folder = QtWidgets.QFileDialog.getExistingDirectory(
+            self, translate("ThinPart", "Choose a folder"), now)
+        if folder:
+            take(folder)
+
+    def _ask_for_profile(self):
+        file, _ = QtWidgets.QFileDialog.getOpenFileName(
+            self, translate("ThinPart", "Choose a file with thresholds"), "",
+            translate("ThinPart", "Thresholds (*.json)"))
+        if file:
+            self._choose_profile(file)
+
+    def _choose_profile(self, name):
+        if self._profile.findData(name) < 0:
+            self._profile.addItem(_profile_title(name), name)
+        self._profile.setCurrentIndex(self._profile.findData(name))
+
+
+def _profile_title(name):
+    try:
+        return load_profile(name).title
+    except ThinPartError:
+        return os.path.basename(name)  # what is wrong with it is said when it is to be used
+
+
+def _absolute(text):
+    return os.path.abspath(os.path.expanduser(text.strip())) if text.strip() else ""

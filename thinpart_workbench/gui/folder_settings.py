@@ -1,0 +1,157 @@
+"""What is asked about a whole folder: what to classify, how, and where the results go."""
+
+import json
+import os
+from dataclasses import dataclass
+
+from ..core.criteria import load_profile
+from ..core.errors import ThinPartError
+from ..freecad_adapter.settings import preference, set_preference
+from .qt import translate
+
+FORMATS = {
+    "FreeCAD": (".fcstd",),
+    "STEP": (".step", ".stp"),
+    "IGES": (".iges", ".igs"),
+    "BREP": (".brep", ".brp"),
+    "Mesh": (".stl", ".obj", ".ply", ".off", ".3mf"),
+}
+"""Formats that can be chosen, and the endings that each stands for."""
+
+LONGEST_HISTORY = 12
+
+
+@dataclass(frozen=True)
+class FolderSettings:
+    """The choices for one run.
+
+    Attributes
+    ----------
+    folder : str
+        Absolute.
+    formats : tuple of str
+        Keys of `FORMATS`.
+    include, exclude : str
+        Patterns of names, separated by semicolons; empty stands for all and for none.
+    beside : bool
+        Whether info files go beside their documents, and not into `info_folder`.
+    info_folder : str
+    profile : str
+        A shipped profile's name, or a file.
+    jobs : int
+        Files at once; 0 stands for one per processor.
+    seconds : int
+        That one file may take.
+    force : bool
+        Measure again what has not changed.
+    """
+
+    folder: str = ""
+    formats: tuple = tuple(FORMATS)
+    include: str = ""
+    exclude: str = ""
+    beside: bool = True
+    info_folder: str = ""
+    profile: str = "paper"
+    jobs: int = 0
+    seconds: int = 600
+    force: bool = False
+
+    def check(self):
+        """Refuse what cannot be run.
+
+        Returns
+        -------
+        Profile
+
+        Raises
+        ------
+        ThinPartError
+            One sentence for the user.
+        """
+        if not self.folder:
+            raise _refused(translate("ThinPart", "Choose the folder that is to be classified."))
+        if not os.path.isdir(self.folder):
+            raise _refused(translate(
+                "ThinPart", "There is no folder {}: choose another one.").format(self.folder))
+        if not self.formats:
+            raise _refused(translate("ThinPart", "Choose at least one format."))
+        if not self.beside and not self.info_folder:
+            raise _refused(translate("ThinPart", "Choose the folder for the info files."))
+        if not _can_write(self.folder if self.beside else self.info_folder):
+            raise _refused(translate(
+                "ThinPart", "Info files cannot be written in {}: choose another folder for them."
+            ).format(self.folder if self.beside else self.info_folder))
+        return load_profile(self.profile)
+
+    def arguments(self):
+        """list of str: arguments of ``classify`` without those of the conversation with it."""
+        unwanted = [ending for name, endings in FORMATS.items() if name not in self.formats
+                    for ending in endings]
+        arguments = [self.folder, "--profile", self.profile, "--timeout", str(self.seconds),
+                     "--memory", str(preference("MemoryMegabytes"))]
+        # With '=': a pattern may start with a dash.
+        arguments += [f"--include={each}" for each in _patterns(self.include)]
+        arguments += [f"--exclude={each}" for each in _patterns(self.exclude)]
+        arguments += [f"--exclude=*{ending}" for ending in unwanted]
+        if not self.beside:
+            arguments += ["--info-dir", self.info_folder]
+        if self.jobs:
+            arguments += ["--jobs", str(self.jobs)]
+        return arguments + (["--force"] if self.force else [])
+
+
+def _patterns(text):
+    """Patterns of a list; a word without any wildcard stands for names that hold it."""
+    for each in filter(None, map(str.strip, text.split(";"))):
+        yield each if set(each) & set("*?[") else f"*{each}*"
+
+
+def _can_write(folder):
+    """Whether a folder, or what is missing of it, can be written."""
+    folder = os.path.abspath(folder)
+    while not os.path.lexists(folder):
+        folder = os.path.dirname(folder)
+    return os.path.isdir(folder) and os.access(folder, os.W_OK | os.X_OK)
+
+
+def _refused(sentence):
+    return ThinPartError(sentence, "usage")
+
+
+def kept_settings():
+    """The choices of the last time, from FreeCAD's parameters."""
+    formats = tuple(preference("FolderFormats").split())
+    return FolderSettings(
+        folder=(folder_history() or [""])[0],
+        formats=tuple(name for name in FORMATS if name in formats),
+        include=preference("FolderInclude"), exclude=preference("FolderExclude"),
+        beside=not preference("FolderUsesInfoFolder"), info_folder=preference("FolderInfoFolder"),
+        profile=preference("FolderProfile") or preference("Profile"),
+        jobs=preference("FolderJobs"), seconds=preference("FolderSeconds"),
+    )
+
+
+def keep_settings(settings):
+    """Keep choices for the next time. To measure everything again is asked for each time anew."""
+    history = [settings.folder] + [each for each in folder_history() if each != settings.folder]
+    set_preference("FolderHistory", json.dumps(history[:LONGEST_HISTORY]))
+    set_preference("FolderFormats", " ".join(settings.formats))
+    set_preference("FolderInclude", settings.include)
+    set_preference("FolderExclude", settings.exclude)
+    set_preference("FolderUsesInfoFolder", int(not settings.beside))
+    set_preference("FolderInfoFolder", settings.info_folder)
+    # What is the same as everywhere else follows when that is changed.
+    same = settings.profile == preference("Profile")
+    set_preference("FolderProfile", "" if same else settings.profile)
+    set_preference("FolderJobs", settings.jobs)
+    set_preference("FolderSeconds", settings.seconds)
+
+
+def folder_history():
+    """list of str: folders that were classified before, the last one first."""
+    try:
+        history = json.loads(preference("FolderHistory"))
+    except ValueError:
+        return []  # somebody has edited the parameter
+    return [each for each in history if isinstance(each, str)] if isinstance(history, list) else []

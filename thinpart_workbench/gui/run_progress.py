@@ -1,0 +1,76 @@
+"""How far the classification of a folder is."""
+
+from .qt import QtWidgets, translate
+from .result_view import text_line
+
+
+class RunProgress(QtWidgets.QWidget):
+    """A bar, and in words how many files are done, failed and unchanged, and how long it takes."""
+
+    def __init__(self, parent=None):
+        super().__init__(parent)
+        column = QtWidgets.QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(2)
+        self._bar = QtWidgets.QProgressBar(self)
+        self._bar.setObjectName("ThinPart_FolderBar")
+        self._bar.setTextVisible(False)
+        column.addWidget(self._bar)
+        self._words = text_line(self, column, "ThinPart_FolderProgress")
+        self._progress = None
+
+    @property
+    def text(self):
+        """What it says."""
+        return self._words.text()
+
+    def show_searching(self):
+        """Nobody knows yet how many files there are."""
+        self._progress = None
+        self._bar.setRange(0, 0)
+        self._words.setText(translate("ThinPart", "Looking for parts in the folder\u2026"))
+
+    def show_progress(self, progress):
+        """Show the command line's ``progress`` entry."""
+        self._progress = progress
+        self._bar.setRange(0, max(1, progress["total"]))
+        self._bar.setValue(progress["done"])
+        self._words.setText(", ".join(_counts(progress) + _time_left(progress)))
+
+    def show_waiting(self, sentence):
+        """Say why nothing goes on, or soon will not."""
+        words = _counts(self._progress) if self._progress else []
+        self._words.setText(", ".join([*words, sentence]))
+
+    def show_end(self, sentence):
+        """Show how many files were done, in which time, and a sentence on it."""
+        if self._progress is None:
+            self._bar.setRange(0, 1)
+            self._words.setText(sentence)
+            return
+        took = translate("ThinPart", "in {}").format(_duration(self._progress["seconds"]))
+        self._words.setText(", ".join([*_counts(self._progress), took, *filter(None, [sentence])]))
+
+
+def _counts(progress):
+    words = [translate("ThinPart", "{} of {} files").format(progress["done"], progress["total"])]
+    if progress["failed"]:
+        words.append(translate("ThinPart", "{} failed").format(progress["failed"]))
+    if progress["reused"]:
+        words.append(translate("ThinPart", "{} unchanged").format(progress["reused"]))
+    return words
+
+
+def _time_left(progress):
+    if progress["seconds_left"] is None or progress["done"] == progress["total"]:
+        return []
+    return [translate("ThinPart", "about {} left").format(_duration(progress["seconds_left"]))]
+
+
+def _duration(seconds):
+    if seconds < 99.5:
+        return translate("ThinPart", "{} s").format(max(1, round(seconds)))
+    minutes = round(seconds / 60.0)
+    if minutes < 100:
+        return translate("ThinPart", "{} min").format(minutes)
+    return translate("ThinPart", "{} h {} min").format(*divmod(minutes, 60))
