@@ -26,6 +26,7 @@ PATIENCE = 30.0
 """Seconds to wait for an answer, for a first worker, or for another when all have gone."""
 
 _SECONDS_TO_CONNECT = 10.0
+_SECONDS_TO_CLOSE = 5.0
 
 _PER_THREAD = 3
 """Files handed out per thread of the workers: each has its next one at hand, the others stay here."""
@@ -204,7 +205,8 @@ class _Cluster:
         with _told_as_lost(self.address):
             good = [future for future in ended if future.status == "finished"]
             # Where a worker is lost at this moment, Dask does its files again before it answers.
-            values = self._within(lambda: self.client.gather(good, errors="skip"), self.limits.seconds)
+            values = self._within(lambda: self.client.gather(good, errors="skip"),
+                                  self.limits.seconds + self.patience)
             answers = dict(zip(good, values))
             errors = {future: self._within(future.exception)
                       for future in ended if future.status == "error"}
@@ -223,11 +225,12 @@ class _Cluster:
 
     def close(self):
         """Cancel what still runs, end the workers' processes, and leave the cluster as it was."""
-        with suppress(*_DASK_ERRORS):
-            if self.client.status == "running":
-                if self.running:
-                    self._within(lambda: self.client.cancel(list(self.running)))
-                self._within(lambda: self.client.unregister_worker_plugin(self.name))
+        if self.client.status == "running":
+            for farewell in (lambda: self.client.cancel(list(self.running)),
+                             lambda: self.client.unregister_worker_plugin(self.name)):
+                # A worker that is just lost or coming would be waited for; it does not need this.
+                with suppress(*_DASK_ERRORS):
+                    self._within(farewell, _SECONDS_TO_CLOSE)
         with suppress(*_DASK_ERRORS):
             self.client.close(timeout=2)
 
@@ -260,13 +263,13 @@ class _Cluster:
                 f"{self.address} --nthreads 1'.", "cluster")
         return self._threads
 
-    def _within(self, question, more=0.0):
+    def _within(self, question, seconds=None):
         """Ask the cluster, but do not wait for ever for the answer."""
         async def ask():
             # Inside its event loop the client answers with something to wait for.
             return await question()
 
-        return self.client.sync(ask, callback_timeout=self.patience + more)
+        return self.client.sync(ask, callback_timeout=seconds or self.patience)
 
     def _refuse_other_python(self):
         # Code travels between Pythons of one minor version only.
@@ -342,7 +345,7 @@ def _lost(task, error):
     name = Path(task.file).name
     if isinstance(error, KilledWorker):
         return failure(task.file, "crash",
-                       f"{name} was given up by Dask: one worker after the other was lost while it was there.")
+                       f"{name} was given up by Dask: one worker after the other was lost with it.")
     return failure(task.file, "failed", f"{name} failed on the cluster ({_first_line(error)}).")
 
 
