@@ -217,23 +217,44 @@ def read_info(path):
     """
     path = Path(path)
     try:
-        if path.stat().st_size > LARGEST:
-            raise ThinPartError(f"{path.name} is too large for an info file.", "info_file")
-        content = json.loads(path.read_bytes())
-    except (OSError, ValueError, RecursionError) as error:
-        raise ThinPartError(f"The info file {path.name} cannot be read ({error}).",
+        with open(path, "rb") as file:
+            return read_open_info(file, path.name)
+    except OSError as error:
+        raise ThinPartError(f"The info file {path.name} cannot be read ({error.strerror}).",
                             "info_file") from None
+
+
+def read_open_info(file, name):
+    """As `read_info`, from a file that is open.
+
+    Parameters
+    ----------
+    file : binary file
+    name : str
+        For what is said.
+
+    Raises
+    ------
+    ThinPartError
+    OSError
+    """
+    if os.fstat(file.fileno()).st_size > LARGEST:
+        raise ThinPartError(f"{name} is too large for an info file.", "info_file")
+    try:
+        content = json.loads(file.read())
+    except (ValueError, RecursionError) as error:
+        raise ThinPartError(f"The info file {name} cannot be read ({error}).", "info_file") from None
     if not isinstance(content, dict) or content.get("format") != FORMAT:
-        raise ThinPartError(f"{path.name} is not a ThinPart info file.", "info_file")
+        raise ThinPartError(f"{name} is not a ThinPart info file.", "info_file")
     if content.get("version") != VERSION:
         raise ThinPartError(
-            f"{path.name} has version {content.get('version')!r}; this ThinPart reads version "
+            f"{name} has version {content.get('version')!r}; this ThinPart reads version "
             f"{VERSION}: use a newer one.", "info_file",
         )
     missing = [key for key in ("source", "settings", "profile", "parts", "software")
                if key not in content]
     if missing:
-        raise ThinPartError(f"The info file {path.name} lacks {', '.join(missing)}.", "info_file")
+        raise ThinPartError(f"The info file {name} lacks {', '.join(missing)}.", "info_file")
     return content
 
 

@@ -11,7 +11,7 @@ from ..core.errors import ThinPartError
 from ..core.packed_distribution import least_slanted, wall_share
 from .cache_folder import cache_folder
 from .index_columns import COLUMNS, LARGE_COLUMNS, large_values, small_values
-from .info_file import read_info
+from .info_file import read_open_info
 from .info_tree import Stamp, scan
 
 VERSION = 1
@@ -217,12 +217,12 @@ def _schema():
 def _read(root, path):
     """What the index keeps of one info file: its row, and its parts' or one failure's."""
     full = os.path.join(root, os.fsdecode(path))
-    stamp, content, failure = None, None, None
+    name, stamp, failure = os.path.basename(full), None, None
     try:
         with open(full, "rb") as file:
-            status = os.fstat(file.fileno())
-        stamp = Stamp(status.st_size, status.st_mtime_ns, status.st_ino)
-        content = read_info(full)
+            status = os.fstat(file.fileno())  # of just what is read
+            stamp = Stamp(status.st_size, status.st_mtime_ns, status.st_ino)
+            content = read_open_info(file, name)
         rows = [(small_values(part), large_values(part)) for part in content["parts"]]
         failures = [tuple(each.get(key) and str(each[key]) for key in ("part", "label", "kind", "message"))
                     for each in content.get("failures", ())]
@@ -232,10 +232,10 @@ def _read(root, path):
     except ThinPartError as error:
         failure = str(error)
     except OSError as error:
-        failure = f"The info file {os.path.basename(full)} cannot be read ({error.strerror})."
+        failure = f"The info file {name} cannot be read ({error.strerror})."
     except (KeyError, TypeError, ValueError, AttributeError, IndexError, struct.error) as error:
-        failure = (f"The info file {os.path.basename(full)} is damaged ({type(error).__name__}: {error}): "
-                   "classify its document again.")
+        failure = (f"The info file {name} is damaged ({type(error).__name__}: {error}): classify its document "
+                   "again.")
     if failure is not None:
         rows, failures, place = [], [(None, None, "info_file", failure)], (b"", None, None, None, None)
     return path, stamp, (*place, _words(path)), rows, failures
