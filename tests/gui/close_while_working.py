@@ -51,7 +51,7 @@ def _classify_a_folder():
     Gui.activateWorkbench("ThinPartWorkbench")
     parts = HOME / "parts"
     parts.mkdir()
-    for number in range(12):
+    for number in range(8):
         shutil.copyfile(window.SAMPLES / "flange.FCStd", parts / f"flange{number}.FCStd")
     window.press("ThinPart_ClassifyFolder")
     window.widget("ThinPart_Folder").setCurrentText(os.fspath(parts))

@@ -43,7 +43,8 @@ class FolderDialog(QtWidgets.QDialog):
         self._message = text_line(self, column, "ThinPart_FolderMessage")
         self._add_run_row(column)
         self._results = ResultPanel(load_profile("paper"), self)
-        self._results.told.connect(self._tell)
+        self._results.told.connect(lambda text: show_text(self._message, text))
+        self._results.failed.connect(self._tell)
         column.addWidget(self._results, 1)
         self._add_last_row(column)
         self._tell("")
@@ -216,6 +217,7 @@ class FolderDialog(QtWidgets.QDialog):
         self._retry.setEnabled(not at_work and bool(self._results.table.failed_files))
 
     def _tell(self, sentence):
+        """Say what went wrong; nothing takes it away again."""
         show_text(self._message, "\u26a0 " + sentence if sentence else "")
 
     def _ask_how_to_leave(self):

@@ -32,6 +32,8 @@ class FolderForm(QtWidgets.QWidget):
         self._add_profile()
         self._add_limits()
         self.show_settings(FolderSettings())
+        # Where the window is low, it is the table that gives way.
+        self.setMinimumHeight(self.sizeHint().height())
 
     def show_settings(self, settings):
         """Fill the widgets."""
@@ -106,6 +108,7 @@ class FolderForm(QtWidgets.QWidget):
         self._in_folder = self._named(QtWidgets.QRadioButton(
             translate("ThinPart", "&in the folder"), place), "InfoInFolder")
         self._info_folder = self._named(QtWidgets.QLineEdit(place), "InfoFolder")
+        self._info_folder.setMinimumWidth(16 * self.fontMetrics().averageCharWidth())
         row.addWidget(self._beside)
         row.addWidget(self._in_folder)
         row.addWidget(self._info_folder, 1)

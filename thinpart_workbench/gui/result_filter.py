@@ -4,7 +4,7 @@ from ..core.criteria import NORMAL, UNKNOWN
 from .flow_layout import FlowLayout
 from .qt import QtCore, QtGui, QtWidgets, colour, translate
 from .result_order import FAILED
-from .result_table import FAILED_COLOUR, group_title
+from .result_table import group_title
 from .verdict_text import category_colour
 
 _TYPING = 200
@@ -54,6 +54,11 @@ class ResultFilter(QtWidgets.QWidget):
             self._flow.takeAt(0).widget().deleteLater()
         names = [each.name for each in profile.categories] + [NORMAL, UNKNOWN, FAILED]
         self._boxes = {name: self._box(name, group_title(name, profile)) for name in names}
+        before = self._only
+        for box, _ in self._boxes.values():
+            # New ones would be the last that Tab comes to.
+            QtWidgets.QWidget.setTabOrder(before, box)
+            before = box
         self._only.setChecked(False)
         self._show_counts()
         self.apply()
@@ -68,7 +73,8 @@ class ResultFilter(QtWidgets.QWidget):
     def _box(self, name, title):
         box = QtWidgets.QCheckBox(self._boxes_place)
         box.setObjectName(f"ThinPart_Show_{name}")
-        box.setIcon(_icon(FAILED_COLOUR if name == FAILED else category_colour(name)))
+        if name != FAILED:
+            box.setIcon(_icon(category_colour(name)))
         box.setChecked(True)
         box.toggled.connect(lambda _: self.apply())
         self._flow.addWidget(box)

@@ -58,10 +58,14 @@ class ResultOrder:
 
     def remove_files(self, files):
         """Forget the rows of some files."""
-        kept = [row for row in self.rows if row.file not in files]
-        self.clear()
-        self.shown = self.add(kept)
-        self.arrange()
+        kept = [index for index, row in enumerate(self.rows) if row.file not in files]
+        self.counts.subtract(group_of(row) for row in self.rows if row.file in files)
+        place = {index: at for at, index in enumerate(kept)}
+        self.shown = [place[index] for index in self.shown if index in place]
+        self.rows = [self.rows[index] for index in kept]
+        self._texts = [self._texts[index] for index in kept]
+        if self._key is not None:
+            self._keys = [self._keys[index] for index in kept]
 
     def select(self, words, hidden):
         """Show only rows that hold all words and whose category is not hidden.
@@ -78,7 +82,7 @@ class ResultOrder:
         self.arrange()
 
     def sort(self, key, reverse=False):
-        """Sort by a key from now on.
+        """Sort by a key from now on; what is equal by it stays as it was sorted before.
 
         Parameters
         ----------
@@ -89,7 +93,8 @@ class ResultOrder:
         """
         self._key, self._reverse = key, reverse
         self._keys = [] if key is None else list(map(self._sorting_key, self.rows))
-        self.shown.sort()
+        if key is None:
+            self.shown.sort()
         self.arrange()
 
     @property

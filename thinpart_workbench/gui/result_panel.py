@@ -7,11 +7,11 @@ from ..storage.info_file import info_path
 from .open_part import DANGEROUS, open_part
 from .qt import QtCore, QtGui, QtWidgets, Signal, execute, translate
 from .result_filter import ResultFilter
-from .result_table import FILE, ResultTable
+from .result_table import CATEGORY, FILE, PART, ResultTable
 from .table_export import TableExport
 
-_WIDEST = 50
-"""Letters to which a column is widened by itself; a user may widen it further."""
+_WIDEST, _NARROWEST = 50, 26
+"""Letters to which columns of texts are sized by themselves; a user may go beyond."""
 
 
 class ResultPanel(QtWidgets.QWidget):
@@ -19,17 +19,19 @@ class ResultPanel(QtWidgets.QWidget):
 
     Signals
     -------
-    told(str)
-        A sentence on what a button did or why it could not.
+    told, failed : str
+        A sentence on what a button did, or why it could not; empty takes the last one away.
     """
 
     told = Signal(str)
+    failed = Signal(str)
 
     def __init__(self, profile, parent=None):
         super().__init__(parent)
         self._settings = None
         self._export = None
         self._is_fitting = self._user_has_fitted = False
+        self._fit_at = 1
         self.table = ResultTable(self)
         self.table.clear(profile)
         column = QtWidgets.QVBoxLayout(self)
@@ -60,14 +62,16 @@ class ResultPanel(QtWidgets.QWidget):
         profile : Profile
         """
         self._settings = settings
+        self._fit_at = 1
         self.table.clear(profile)
         self._filter.show_categories(profile)
 
     def add(self, rows):
         """Show more rows."""
         self.table.add(rows)
-        if len(rows) == self.table.rowCount():
-            self.fit_columns()  # these are the first ones
+        if self.table.rowCount() >= self._fit_at:
+            self._fit_at = 4 * self.table.rowCount()
+            self.fit_columns()
 
     def showEvent(self, event):
         """Give the columns the room that there is."""
@@ -80,10 +84,15 @@ class ResultPanel(QtWidgets.QWidget):
             return
         self._is_fitting = True
         self.view.resizeColumnsToContents()
-        header = self.view.horizontalHeader()
-        widest = _WIDEST * self.view.fontMetrics().averageCharWidth()
+        header, letter = self.view.horizontalHeader(), self.view.fontMetrics().averageCharWidth()
         for column in range(self.table.columnCount()):
-            header.resizeSection(column, min(header.sectionSize(column), widest))
+            header.resizeSection(column, min(header.sectionSize(column), _WIDEST * letter))
+        # A long failure, the longest first, must not push the numbers out of sight.
+        for column in (CATEGORY, FILE, PART):
+            room = self.view.viewport().width() - header.length()
+            size = header.sectionSize(column)
+            if room < 0 and size > _NARROWEST * letter:
+                header.resizeSection(column, max(size + room, _NARROWEST * letter))
         room = self.view.viewport().width() - header.length()
         if room > 0:
             header.resizeSection(FILE, header.sectionSize(FILE) + room)
@@ -98,7 +107,7 @@ class ResultPanel(QtWidgets.QWidget):
         try:
             open_part(self._path(row), row.part)
         except ThinPartError as error:
-            self.told.emit(str(error))
+            self.failed.emit(str(error))
         else:
             self.told.emit("")
         finally:
@@ -112,7 +121,7 @@ class ResultPanel(QtWidgets.QWidget):
         info_folder = None if self._settings.beside else self._settings.info_folder
         path = info_path(self._path(row), info_folder, self._settings.folder)
         if not path.is_file():
-            self.told.emit(translate("ThinPart", "{} has no info file.").format(row.file))
+            self.failed.emit(translate("ThinPart", "{} has no info file.").format(row.file))
         elif QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(os.fspath(path.parent))):
             self.told.emit("")
         else:
@@ -133,7 +142,7 @@ class ResultPanel(QtWidgets.QWidget):
         if not chosen:
             return
         if not chosen[0].lower().endswith(".csv"):
-            self.told.emit(translate(
+            self.failed.emit(translate(
                 "ThinPart", "Nothing was written to {}: give the table a name that ends with .csv."
             ).format(chosen[0]))
             return
@@ -144,7 +153,12 @@ class ResultPanel(QtWidgets.QWidget):
 
     def _exported(self):
         export, self._export = self._export, None
-        self.told.emit(export.sentence)
+        if export.error:
+            self.failed.emit(export.error)
+        else:
+            self.told.emit(translate(
+                "ThinPart", "The {} rows that are shown were written to {}."
+            ).format(len(export.rows), export.path))
         export.deleteLater()
         self._show_buttons()
 
@@ -165,6 +179,7 @@ class ResultPanel(QtWidgets.QWidget):
         rows.setSectionResizeMode(QtWidgets.QHeaderView.Fixed)
         rows.setDefaultSectionSize(round(1.5 * view.fontMetrics().height()))
         rows.hide()
+        view.setMinimumHeight(6 * rows.defaultSectionSize())
         header = view.horizontalHeader()
         header.setHighlightSections(False)
         header.setSortIndicator(-1, QtCore.Qt.AscendingOrder)

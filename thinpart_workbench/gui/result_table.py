@@ -196,7 +196,7 @@ FILE, PART, CATEGORY, CRITERIA, BOX, RATIO, THINNEST, INSTANCES = range(8)
 def group_title(group, profile):
     """A category, or `FAILED`, in plain words."""
     if group == FAILED:
-        return translate("ThinPart", "Failed")
+        return "\u2717 " + translate("ThinPart", "Failed")
     return category_title(group, profile)
 
 

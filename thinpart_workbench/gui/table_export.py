@@ -14,24 +14,26 @@ class TableExport(QtCore.QThread):
 
     Attributes
     ----------
-    sentence : str
-        What came of it.
+    error : str
+        Why it could not; empty otherwise.
     """
 
     def __init__(self, path, rows, parent=None):
         super().__init__(parent)
-        self._path, self._rows = path, rows
-        self.sentence = ""
+        self.path, self.rows = path, rows
+        self.error = ""
+        QtCore.QCoreApplication.instance().aboutToQuit.connect(self.wait_for_end)
+
+    def wait_for_end(self):
+        """FreeCAD ends, and a thread must not outlive it."""
+        self.wait()
 
     def run(self):
         """Called by Qt in the thread."""
         try:
             # Row by row, so that the window's thread has its turn between them.
-            write_part_table(self._path, (csv_text([row]) for row in self._rows))
+            write_part_table(self.path, (csv_text([row]) for row in self.rows))
         except OSError as error:
-            self.sentence = translate(
+            self.error = translate(
                 "ThinPart", "The table {} could not be written ({}): choose another place for it."
-            ).format(self._path, error.strerror)
-            return
-        self.sentence = translate("ThinPart", "{} rows, those shown, were written to {}.").format(
-            len(self._rows), self._path)
+            ).format(self.path, error.strerror)
