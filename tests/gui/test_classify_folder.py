@@ -222,6 +222,20 @@ def test_formats_and_patterns_choose_the_files(dialog, folder):
     assert set(column(FILE)) == {"block.FCStd"}
 
 
+def test_a_name_that_is_no_text_is_a_row_like_others(dialog, tmp_path):
+    strange = os.fsdecode(b"pl\xe4tte.step")
+    (tmp_path / strange).write_text("ISO-10303-21;\nthis is no STEP file\n")
+    run(tmp_path)
+    assert model().rowCount() == 1 and count_of("failed") == 1
+    window.widget("ThinPart_FolderTable").selectRow(0)
+    window.click("ThinPart_FolderOpen")
+    assert "cannot open" in message()
+    shutil.copyfile(window.SAMPLES / "plate.step", tmp_path / strange)
+    window.click("ThinPart_FolderRetry")
+    wait_for_end()
+    assert column(CATEGORY) == ["Thin part"]
+
+
 def test_info_files_go_into_another_folder(dialog, folder, tmp_path):
     window.click("ThinPart_FolderInfoInFolder")
     run(folder, InfoFolder=str(tmp_path / "info"))

@@ -74,9 +74,16 @@ class FolderDialog(QtWidgets.QDialog):
         """Classify the files again of which something failed, under the limits chosen now."""
         now = self._form.settings()
         settings = replace(self._settings, jobs=now.jobs, seconds=now.seconds, force=False)
-        failed = self._results.table.failed_files
-        self._results.table.remove_files(failed)
-        self._run_on(settings, [os.path.join(settings.folder, each) for each in sorted(failed)])
+        # A folder that could not be searched is a failure too, but no file to be tried again.
+        files = {each: os.path.join(settings.folder, each)
+                 for each in sorted(self._results.table.failed_files)}
+        files = {each: path for each, path in files.items() if not os.path.isdir(path)}
+        if not files:
+            self._tell(translate(
+                "ThinPart", "It is folders that could not be searched: see to them and start again."))
+            return
+        self._results.table.remove_files(set(files))
+        self._run_on(settings, files.values())
 
     def pause_or_resume(self):
         """What the button says."""

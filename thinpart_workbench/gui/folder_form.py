@@ -6,19 +6,11 @@ from ..core.criteria import PROFILES, load_profile
 from ..core.errors import ThinPartError
 from .flow_layout import FlowLayout
 from .folder_settings import FORMATS, FolderSettings, folder_history
-from .qt import QtCore, QtWidgets, Signal, translate
+from .qt import QtCore, QtWidgets, translate
 
 
 class FolderForm(QtWidgets.QWidget):
-    """Shows `FolderSettings` and gives them back as the user has changed them.
-
-    Signals
-    -------
-    profile_changed
-        Another profile was chosen.
-    """
-
-    profile_changed = Signal()
+    """Shows `FolderSettings` and gives them back as the user has changed them."""
 
     def __init__(self, parent=None):
         super().__init__(parent)
@@ -126,7 +118,6 @@ class FolderForm(QtWidgets.QWidget):
         self._profile.setMinimumContentsLength(16)
         for path in sorted(PROFILES.glob("*.json")):
             self._profile.addItem(_profile_title(path.stem), path.stem)
-        self._profile.currentIndexChanged.connect(lambda _: self.profile_changed.emit())
         choose = self._button("ChooseProfile", translate("ThinPart", "From file\u2026"))
         choose.clicked.connect(self._ask_for_profile)
         self._row(4, translate("ThinPart", "&Thresholds"), self._profile, choose)
