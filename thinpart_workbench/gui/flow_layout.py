@@ -30,7 +30,7 @@ class FlowLayout(QtWidgets.QLayout):
 
     def expandingDirections(self):
         """It takes what it needs and no more."""
-        return QtCore.Qt.Orientations()
+        return QtCore.Qt.Orientation(0)
 
     def hasHeightForWidth(self):
         """The narrower, the higher."""
