@@ -272,9 +272,10 @@ def test_pausing_and_going_on(dialog, many):
     window.click("ThinPart_FolderPause")
     window.wait_until(lambda: progress().endswith(", paused"))
     waiting = model().rowCount()
-    assert 0 < waiting < MANY
-    window.settle(1500)
-    assert model().rowCount() == waiting
+    window.settle(3000)
+    # The one file that was at work may have ended meanwhile, and no other.
+    assert waiting <= model().rowCount() <= waiting + 1 < MANY
+    assert progress().endswith(", paused")
     window.click("ThinPart_FolderPause")
     wait_for_end()
     assert model().rowCount() == MANY and progress().startswith(f"{MANY} of {MANY} files")

@@ -93,8 +93,7 @@ class FolderDialog(QtWidgets.QDialog):
             return
         self._run.pause()
         self._enter(PAUSING)
-        self._progress.show_waiting(
-            translate("ThinPart", "pausing as soon as the files at work are done"))
+        self._progress.show_waiting(translate("ThinPart", "pausing"))
 
     def cancel(self):
         """Stop; what was done is kept."""
