@@ -1,8 +1,10 @@
-"""FreeCAD's start-up script: closes FreeCAD as a user does, while it measures a part or a folder."""
+"""FreeCAD's start-up script: closes FreeCAD as a user does, while it measures a part or a folder,
+or reads a library."""
 
 import json
 import os
 import shutil
+import subprocess
 import sys
 import traceback
 from pathlib import Path
@@ -15,7 +17,7 @@ def _go():
         try:
             folder, what = json.loads(os.environ["THINPART_GUI_ARGUMENTS"])
             sys.path.insert(0, folder)
-            {"part": _measure_a_part, "folder": _classify_a_folder}[what]()
+            {"part": _measure_a_part, "folder": _classify_a_folder, "library": _read_a_library}[what]()
         except BaseException:  # whatever it was: FreeCAD must end, and tell
             traceback.print_exc(file=output)
             output.flush()
@@ -58,6 +60,36 @@ def _classify_a_folder():
     window.widget("ThinPart_FolderJobs").setValue(1)
     window.click("ThinPart_FolderStart")
     window.wait_until(lambda: window.widget("ThinPart_FolderTable").model().rowCount() > 0)
+    Gui.getMainWindow().close()
+
+
+def _read_a_library():
+    """Notes are written and not saved, and more parts are being read."""
+    import FreeCADGui as Gui
+    import window_actions as window
+
+    sys.path.insert(0, os.fspath(Path(__file__).resolve().parents[1]))
+    from made_libraries import make_library
+    from thinpart_workbench.freecad_adapter.settings import set_preference_list
+    from thinpart_workbench.gui.qt import QtWidgets
+    from thinpart_workbench.gui.worker_python import python_environment, python_program
+
+    Gui.activateWorkbench("ThinPartWorkbench")
+    parts, many = HOME / "parts", HOME / "many"
+    parts.mkdir()
+    shutil.copyfile(window.SAMPLES / "block.step", parts / "block.step")
+    subprocess.run([python_program(), "-m", "thinpart_workbench", "classify", os.fspath(parts)],
+                   env=python_environment(), check=True, stdin=subprocess.DEVNULL, capture_output=True)
+    make_library(many, [parts / "block.step.thinpart.json"], 8000)
+    set_preference_list("Libraries", [os.fspath(parts)])
+    window.press("ThinPart_FindParts")
+    table = window.widget("ThinPart_FoundTable")
+    window.wait_until(lambda: table.model().rowCount() == 1)
+    table.selectRow(0)
+    window.wait_until(window.widget("ThinPart_KeptNotes").isEnabled)
+    window.widget("ThinPart_KeptNotes").setPlainText("written last")
+    window.widget("ThinPart_FindParts", QtWidgets.QDockWidget)._libraries.add(os.fspath(many))
+    window.wait_until(lambda: "info files read" in window.widget("ThinPart_LibraryProgress").text())
     Gui.getMainWindow().close()
 
 

@@ -14,6 +14,7 @@ if IN_FREECAD:
     import window_actions as window
     from thinpart_workbench.gui.classify import end_session
     from thinpart_workbench.gui.classify_folder import end_folder_dialog
+    from thinpart_workbench.gui.find_parts import end_find_parts
 
     @pytest.fixture(autouse=True)
     def clean_window():
@@ -27,6 +28,7 @@ if IN_FREECAD:
     def _clean():
         end_session()
         end_folder_dialog()
+        end_find_parts()
         Gui.Control.closeDialog()
         for name in list(App.listDocuments()):
             App.closeDocument(name)

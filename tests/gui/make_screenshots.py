@@ -36,6 +36,58 @@ def _classify(sample, picture):
     window.settle(100)
 
 
+def _library():
+    """All samples, classified by the command line with pictures, as a library."""
+    from thinpart_workbench.freecad_adapter.settings import set_preference_list
+    from thinpart_workbench.gui.worker_python import python_environment, python_program
+
+    import window_actions as window
+
+    folder = HOME / "library"
+    folder.mkdir()
+    for file in [*window.SAMPLES.glob("*.FCStd"), *window.SAMPLES.glob("*.step")]:
+        shutil.copyfile(file, folder / file.name)
+    subprocess.run([python_program(), "-m", "thinpart_workbench", "classify", os.fspath(folder)],
+                   env=python_environment(), check=True, capture_output=True, stdin=subprocess.DEVNULL)
+    set_preference_list("Libraries", [os.fspath(folder)])
+
+
+def _find(main, folder):
+    """The panel at the side with a part's details, and wide with parts that are like it."""
+    import window_actions as window
+
+    from thinpart_workbench.gui.find_parts import show_find_parts
+    from thinpart_workbench.gui.qt import QtCore
+
+    _library()
+    dock = show_find_parts()
+    main.resizeDocks([dock], [560], QtCore.Qt.Horizontal)
+    _settle(dock)
+    table = window.widget("ThinPart_FoundTable")
+    names = [table.model().index(row, 1).data() for row in range(table.model().rowCount())]
+    table.selectRow(names.index("Ribbed block"))
+    _settle(dock)
+    _take(folder / "find.png")
+    dock.setFloating(True)
+    dock.resize(1340, 700)
+    dock.move(30, 100)
+    menu = table.menu()
+    next(each for each in menu.actions() if each.objectName() == "ThinPart_FoundSimilar").trigger()
+    _settle(dock)
+    table.selectRow(3)
+    _settle(dock)
+    _take(folder / "find_similar.png")
+    return dock
+
+
+def _settle(dock):
+    import window_actions as window
+
+    window.settle(300)
+    window.wait_until(lambda: not dock.is_refreshing and not dock.is_waiting)
+    window.settle(500)
+
+
 def _classify_folder(folder):
     """The dialog for whole folders: before, while and after it runs."""
     import FreeCADGui as Gui
@@ -100,6 +152,7 @@ def _go():
         _classify("ribbed_block", Path(arguments[1], "classify.png"))
         _classify("thin_walled_casting", Path(arguments[1], "classify_casting.png"))
         _classify_folder(Path(arguments[1]))
+        _find(Gui.getMainWindow(), Path(arguments[1]))
         status = 0
     except BaseException:  # whatever it was: FreeCAD must end, and tell
         traceback.print_exc(file=output)

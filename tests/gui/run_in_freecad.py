@@ -64,7 +64,7 @@ def main(arguments):
     """Run the tests, or make the screenshots, and return the status."""
     with tempfile.TemporaryDirectory(prefix="thinpart-gui-", ignore_cleanup_errors=True) as home:
         status = _main(arguments, Path(home))
-    for what in ("part", "folder"):
+    for what in ("part", "folder", "library"):
         if status == 0 and not arguments:
             with tempfile.TemporaryDirectory(prefix="thinpart-gui-") as home:
                 status = _closes_cleanly(Path(home), what)
@@ -93,7 +93,9 @@ def _closes_cleanly(home, what):
     left += _working(os.fspath(home))
     if what == "folder" and not _some_are_done(home / "parts"):
         left.append("no info files, or unfinished ones")
-    print(f"Closed while measuring a {what}: " + (
+    if what == "library" and "written last" not in _text(home / "parts" / "block.step.thinpart.json"):
+        left.append("notes that nobody has kept")
+    print(f"Closed while working on a {what}: " + (
         "left behind " + ", ".join(left) if left else f"status {status}, nothing left behind."))
     return 1 if status or left else 0
 
@@ -106,7 +108,8 @@ def _working(home):
     for process in Path("/proc").glob("[0-9]*"):
         command = _text(process / "cmdline").replace("\0", " ")
         if home in _text(process / "environ") and any(
-                each in command for each in ("snapshot_worker", "classify", "multiprocessing")):
+                each in command for each in (
+                    "snapshot_worker", "classify", "multiprocessing", "library_worker")):
             yield command
 
 

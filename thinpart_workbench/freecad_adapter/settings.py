@@ -1,5 +1,6 @@
 """The preferences of ThinPart in FreeCAD: one declared table, and reading and writing by its names."""
 
+import json
 from dataclasses import dataclass
 
 from ..core.errors import ThinPartError
@@ -40,6 +41,7 @@ PREFERENCES = {each.name: each for each in (
     Preference("FolderInfoFolder", "", "Where info files of a folder go, if not beside documents"),
     Preference("FolderProfile", "", "Thresholds to judge a folder by; empty: those of Profile"),
     Preference("FolderJobs", 0, "Files of a folder that are measured at once; 0: one per processor"),
+    Preference("Libraries", "[]", "Folders of classified parts that are searched, as JSON"),
     Preference("FolderSeconds", 600, "Seconds that one file of a folder may take"),
 )}
 
@@ -80,6 +82,20 @@ def set_preference(name, value):
         group.SetInt(name, value)
     else:
         group.SetString(name, value)
+
+
+def preference_list(name):
+    """list of str that a preference keeps as JSON; empty where somebody has spoilt it."""
+    try:
+        kept = json.loads(preference(name))
+    except ValueError:
+        return []
+    return [each for each in kept if isinstance(each, str)] if isinstance(kept, list) else []
+
+
+def set_preference_list(name, texts):
+    """Keep a list of str; see `preference_list`."""
+    set_preference(name, json.dumps(texts))
 
 
 def _packed(colour):

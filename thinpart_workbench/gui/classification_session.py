@@ -52,6 +52,12 @@ class ClassificationSession(QtCore.QObject):
         """Whether something is being measured."""
         return self._run is not None and self._run.is_running
 
+    def record_of(self, document_name, part_name):
+        """The record of a part of the document, None where it is another document or not measured."""
+        if self._analysis is None or document_name != self._name:
+            return None
+        return self._analysis.records.get(part_name)
+
     def start(self):
         """Find out which part is meant, open the panel and start to measure.
 

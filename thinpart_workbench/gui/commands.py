@@ -6,6 +6,7 @@ import FreeCADGui as Gui
 from .classify import can_classify, classify_active_document
 from .classify_folder import show_folder_dialog
 from .face_colours import FACE_COLOURS
+from .find_parts import toggle_find_parts
 
 # Marks a text for translation; FreeCAD translates it by the command's name.
 QT_TRANSLATE_NOOP = App.Qt.QT_TRANSLATE_NOOP
@@ -55,6 +56,28 @@ class ClassifyFolder:
         show_folder_dialog()
 
 
+class FindParts:
+    """Find parts in libraries."""
+
+    def GetResources(self):
+        """Icon, text and tool tip."""
+        return {
+            "Pixmap": "ThinPart_FindParts",
+            "MenuText": QT_TRANSLATE_NOOP("ThinPart_FindParts", "Find parts"),
+            "ToolTip": QT_TRANSLATE_NOOP(
+                "ThinPart_FindParts", "Shows or hides the panel that finds classified parts by their "
+                "category, walls, size and notes, and parts like another one"),
+        }
+
+    def IsActive(self):
+        """Always."""
+        return True
+
+    def Activated(self):
+        """Show or hide the panel."""
+        toggle_find_parts()
+
+
 class ClearColours:
     """Take the analysis colours away."""
 
@@ -80,6 +103,7 @@ class ClearColours:
 COMMANDS = {
     "ThinPart_Classify": Classify,
     "ThinPart_ClassifyFolder": ClassifyFolder,
+    "ThinPart_FindParts": FindParts,
     "ThinPart_ClearColours": ClearColours,
 }
 

@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass
 
 from ..core.distribution import BINS
+from .chart_axes import ChartAxes, round_up
 from .qt import QtCore, QtGui, QtWidgets, translate
 from .verdict_text import number, percent
 
@@ -53,14 +54,12 @@ def bars(bins, area, limit):
     return [Bar(place * width, (place + 1) * width, share) for place, share in enumerate(shares)]
 
 
-class DistributionChart(QtWidgets.QWidget):
+class DistributionChart(ChartAxes):
     """Share of the area over thickness, with the thin limit."""
 
     def __init__(self, parent=None):
         super().__init__(parent)
         self.setObjectName("ThinPart_DistributionChart")
-        self.setMinimumSize(180, 180)
-        self.setSizePolicy(QtWidgets.QSizePolicy.Expanding, QtWidgets.QSizePolicy.Fixed)
         self.setMouseTracking(True)
         self.bars, self._limit, self._diagonal = [], 0.0, 1.0
 
@@ -80,10 +79,6 @@ class DistributionChart(QtWidgets.QWidget):
         self.bars = bars(bins, area, limit)
         self.update()
 
-    def sizeHint(self):
-        """Wide rather than high."""
-        return QtCore.QSize(300, 180)
-
     def bar_text(self, bar):
         """What a bar says about itself."""
         low, high = bar.low / BINS, bar.high / BINS
@@ -93,7 +88,7 @@ class DistributionChart(QtWidgets.QWidget):
 
     def bar_at(self, x):
         """The bar at a place of the widget, or None."""
-        plot = self._plot()
+        plot = self.plot()
         if not self.bars or not plot.left() <= x <= plot.right():
             return None
         place = int((x - plot.left()) / plot.width() * len(self.bars))
@@ -112,21 +107,14 @@ class DistributionChart(QtWidgets.QWidget):
         if not self.bars:
             return
         painter = QtGui.QPainter(self)
-        plot = self._plot()
+        plot = self.plot()
         painter.fillRect(plot, self.palette().base())
-        top = _round_up(max(bar.area for bar in self.bars) or 1.0)
-        self._draw_heights(painter, plot, top)
+        top = round_up(max(bar.area for bar in self.bars) or 1.0)
+        self.draw_heights(painter, plot, top)
         self._draw_bars(painter, plot, top)
         self._draw_widths(painter, plot)
         self._draw_limit(painter, plot)
         painter.end()
-
-    def _plot(self):
-        line = self.fontMetrics().height()
-        left = self.fontMetrics().boundingRect("100 %").width() + 10
-        top = 1.5 * line + 4
-        return QtCore.QRectF(left, top, max(1, self.width() - left - 12),
-                             max(1, self.height() - top - 3 * line - 8))
 
     @property
     def _span(self):
@@ -144,42 +132,23 @@ class DistributionChart(QtWidgets.QWidget):
                 QtCore.QRectF(plot.left() + place * width, plot.bottom() - height,
                               max(1.0, width - 1.0), height), _THIN if thin else _THICK)
 
-    def _draw_heights(self, painter, plot, top):
-        text = self.palette().text().color()
-        faint = QtGui.QColor(text)
-        faint.setAlpha(50)
-        height = self.fontMetrics().height()
-        for share in (0.0, top / 2.0, top):
-            y = plot.bottom() - plot.height() * share / top
-            painter.setPen(faint)
-            painter.drawLine(QtCore.QPointF(plot.left(), y), QtCore.QPointF(plot.right(), y))
-            painter.setPen(text)
-            painter.drawText(QtCore.QRectF(0, y - height / 2, plot.left() - 5, height),
-                             QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter, f"{100 * share:.3g} %")
-
     def _draw_widths(self, painter, plot):
         """Two scales under the bars: thickness in mm, and as a share of the diagonal."""
         text = self.palette().text().color()
         painter.setPen(text)
         painter.drawLine(plot.bottomLeft(), plot.bottomRight())
         line = self.fontMetrics().height()
-        step = _round_up(self._span * self._diagonal / 4.0)
+        step = round_up(self._span * self._diagonal / 4.0)
         for count in range(int(self._span * self._diagonal / step) + 1):
             thickness = count * step
             x = plot.left() + plot.width() * thickness / (self._span * self._diagonal)
             painter.drawLine(QtCore.QPointF(x, plot.bottom()), QtCore.QPointF(x, plot.bottom() + 4))
-            self._centred(painter, plot, x, plot.bottom() + 5, number(thickness))
-            self._centred(painter, plot, x, plot.bottom() + 5 + line,
+            self.centred(painter, plot, x, plot.bottom() + 5, number(thickness))
+            self.centred(painter, plot, x, plot.bottom() + 5 + line,
                           f"{thickness / self._diagonal:.2f}")
         painter.drawText(QtCore.QRectF(0, plot.bottom() + 5 + 2 * line, self.width(), line + 2),
                          QtCore.Qt.AlignCenter,
                          translate("ThinPart", "thickness: mm, and share of the diagonal"))
-
-    def _centred(self, painter, plot, x, y, text):
-        width = self.fontMetrics().boundingRect(text).width() + 4
-        left = max(0.0, min(x - width / 2, self.width() - width))
-        painter.drawText(QtCore.QRectF(left, y, width, self.fontMetrics().height()),
-                         QtCore.Qt.AlignCenter, text)
 
     def _draw_limit(self, painter, plot):
         x = plot.left() + plot.width() * self._limit / self._span
@@ -188,11 +157,4 @@ class DistributionChart(QtWidgets.QWidget):
         painter.setPen(QtGui.QPen(_LIMIT))
         text = translate("ThinPart", "thin below {} mm").format(
             number(self._limit * self._diagonal))
-        self._centred(painter, plot, x, 1, text)
-
-
-def _round_up(value):
-    """The next of 1, 2, 2.5, 5 times a power of ten."""
-    power = 10.0 ** math.floor(math.log10(value))
-    return next(each * power for each in (1.0, 2.0, 2.5, 5.0, 10.0)
-                if each * power >= value * (1.0 - 1e-9))
+        self.centred(painter, plot, x, 1, text)

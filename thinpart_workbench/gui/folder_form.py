@@ -2,10 +2,9 @@
 
 import os
 
-from ..core.criteria import PROFILES, load_profile
-from ..core.errors import ThinPartError
 from .flow_layout import FlowLayout
 from .folder_settings import FORMATS, FolderSettings, folder_history
+from .profile_box import ProfileBox
 from .qt import QtCore, QtWidgets, translate
 
 
@@ -38,7 +37,7 @@ class FolderForm(QtWidgets.QWidget):
         self._exclude.setText(settings.exclude)
         (self._beside if settings.beside else self._in_folder).setChecked(True)
         self._info_folder.setText(settings.info_folder)
-        self._choose_profile(settings.profile)
+        self._profile.choose(settings.profile)
         self._jobs.setValue(settings.jobs)
         self._seconds.setValue(settings.seconds)
         self._force.setChecked(settings.force)
@@ -113,13 +112,9 @@ class FolderForm(QtWidgets.QWidget):
         self._row(3, translate("ThinPart", "Info files"), place, choose)
 
     def _add_profile(self):
-        self._profile = self._named(QtWidgets.QComboBox(self), "Profile")
-        self._profile.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
-        self._profile.setMinimumContentsLength(16)
-        for path in sorted(PROFILES.glob("*.json")):
-            self._profile.addItem(_profile_title(path.stem), path.stem)
+        self._profile = self._named(ProfileBox(self), "Profile")
         choose = self._button("ChooseProfile", translate("ThinPart", "From file\u2026"))
-        choose.clicked.connect(self._ask_for_profile)
+        choose.clicked.connect(lambda *_: self._profile.ask_for_file())
         self._row(4, translate("ThinPart", "&Thresholds"), self._profile, choose)
 
     def _add_limits(self):
@@ -160,25 +155,6 @@ class FolderForm(QtWidgets.QWidget):
             self, translate("ThinPart", "Choose a folder"), now)
         if folder:
             take(folder)
-
-    def _ask_for_profile(self):
-        file, _ = QtWidgets.QFileDialog.getOpenFileName(
-            self, translate("ThinPart", "Choose a file with thresholds"), "",
-            translate("ThinPart", "Thresholds (*.json)"))
-        if file:
-            self._choose_profile(file)
-
-    def _choose_profile(self, name):
-        if self._profile.findData(name) < 0:
-            self._profile.addItem(_profile_title(name), name)
-        self._profile.setCurrentIndex(self._profile.findData(name))
-
-
-def _profile_title(name):
-    try:
-        return load_profile(name).title
-    except ThinPartError:
-        return os.path.basename(name)  # what is wrong with it is said when it is to be used
 
 
 def _absolute(text):

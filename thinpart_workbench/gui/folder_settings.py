@@ -1,12 +1,11 @@
 """What is asked about a whole folder: what to classify, how, and where the results go."""
 
-import json
 import os
 from dataclasses import dataclass
 
 from ..core.criteria import load_profile
 from ..core.errors import ThinPartError
-from ..freecad_adapter.settings import preference, set_preference
+from ..freecad_adapter.settings import preference, preference_list, set_preference, set_preference_list
 from .qt import translate
 
 FORMATS = {
@@ -135,7 +134,7 @@ def kept_settings():
 def keep_settings(settings):
     """Keep choices for the next time. To measure everything again is asked for each time anew."""
     history = [settings.folder] + [each for each in folder_history() if each != settings.folder]
-    set_preference("FolderHistory", json.dumps(history[:LONGEST_HISTORY]))
+    set_preference_list("FolderHistory", history[:LONGEST_HISTORY])
     set_preference("FolderFormats", " ".join(settings.formats))
     set_preference("FolderInclude", settings.include)
     set_preference("FolderExclude", settings.exclude)
@@ -150,8 +149,4 @@ def keep_settings(settings):
 
 def folder_history():
     """list of str: folders that were classified before, the last one first."""
-    try:
-        history = json.loads(preference("FolderHistory"))
-    except ValueError:
-        return []  # somebody has edited the parameter
-    return [each for each in history if isinstance(each, str)] if isinstance(history, list) else []
+    return preference_list("FolderHistory")

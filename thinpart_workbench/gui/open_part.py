@@ -6,7 +6,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from ..core.errors import ThinPartError
-from .qt import translate
+from .qt import QtWidgets, execute, translate
 
 DANGEROUS = ("crash", "memory", "timeout")
 """Kinds of failures that FreeCAD would meet itself if it read the file."""
@@ -42,6 +42,29 @@ def open_part(file, name=None):
     part = document.getObject(name) if name else None
     if part is not None:
         Gui.Selection.addSelection(document.Name, part.Name)
+
+
+def ask_to_dare(sentence, parent):
+    """Whether the user wants a file opened that failed in one of the `DANGEROUS` ways.
+
+    Parameters
+    ----------
+    sentence : str
+        What happened when it was classified.
+    parent : QWidget
+    """
+    box = QtWidgets.QMessageBox(parent)
+    box.setObjectName("ThinPart_FolderDare")
+    box.setIcon(QtWidgets.QMessageBox.Warning)
+    box.setText(sentence)
+    box.setInformativeText(translate(
+        "ThinPart", "The same may happen to FreeCAD when it opens the file: save your documents "
+        "first. Open it nevertheless?"))
+    box.setStandardButtons(QtWidgets.QMessageBox.Open | QtWidgets.QMessageBox.Cancel)
+    box.setDefaultButton(QtWidgets.QMessageBox.Cancel)
+    answer = execute(box)
+    box.deleteLater()
+    return answer == QtWidgets.QMessageBox.Open
 
 
 def _document(file):

@@ -74,7 +74,7 @@ class ResultFilter(QtWidgets.QWidget):
         box = QtWidgets.QCheckBox(self._boxes_place)
         box.setObjectName(f"ThinPart_Show_{name}")
         if name != FAILED:
-            box.setIcon(_icon(category_colour(name)))
+            box.setIcon(colour_icon(category_colour(name)))
         box.setChecked(True)
         box.toggled.connect(lambda _: self.apply())
         self._flow.addWidget(box)
@@ -92,7 +92,13 @@ class ResultFilter(QtWidgets.QWidget):
         self.apply()
 
 
-def _icon(rgb):
+def colour_icon(rgb):
+    """A small square of a colour, as an icon."""
+    return QtGui.QIcon(colour_square(rgb))
+
+
+def colour_square(rgb):
+    """A small square of a colour."""
     picture = QtGui.QPixmap(12, 12)
     picture.fill(colour(rgb))
-    return QtGui.QIcon(picture)
+    return picture

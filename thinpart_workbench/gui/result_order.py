@@ -2,8 +2,7 @@
 
 from collections import Counter
 
-FAILED = "failed"
-"""Stands among the categories for rows that have none."""
+from ..storage.part_query import FAILED
 
 
 def group_of(row):

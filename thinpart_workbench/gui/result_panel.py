@@ -4,7 +4,7 @@ import os
 
 from ..core.errors import ThinPartError
 from ..storage.info_file import info_path
-from .open_part import DANGEROUS, open_part
+from .open_part import DANGEROUS, ask_to_dare, open_part
 from .qt import QtCore, QtGui, QtWidgets, Signal, execute, translate
 from .result_filter import ResultFilter
 from .result_table import CATEGORY, FILE, PART, ResultTable
@@ -101,7 +101,7 @@ class ResultPanel(QtWidgets.QWidget):
     def open_current(self):
         """Open the selected part's file in FreeCAD."""
         row = self._current_row()
-        if row is None or (row.error_kind in DANGEROUS and not self._dares(row)):
+        if row is None or (row.error_kind in DANGEROUS and not ask_to_dare(row.error, self)):
             return
         QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
         try:
@@ -209,20 +209,6 @@ class ResultPanel(QtWidgets.QWidget):
 
     def _path(self, row):
         return os.path.join(self._settings.folder, row.file)
-
-    def _dares(self, row):
-        box = QtWidgets.QMessageBox(self)
-        box.setObjectName("ThinPart_FolderDare")
-        box.setIcon(QtWidgets.QMessageBox.Warning)
-        box.setText(row.error)
-        box.setInformativeText(translate(
-            "ThinPart", "The same may happen to FreeCAD when it opens the file: save your documents "
-            "first. Open it nevertheless?"))
-        box.setStandardButtons(QtWidgets.QMessageBox.Open | QtWidgets.QMessageBox.Cancel)
-        box.setDefaultButton(QtWidgets.QMessageBox.Cancel)
-        answer = execute(box)
-        box.deleteLater()
-        return answer == QtWidgets.QMessageBox.Open
 
 
 class _PathDelegate(QtWidgets.QStyledItemDelegate):

@@ -82,7 +82,8 @@ class LibraryIndex:
         Parameters
         ----------
         report : callable, optional
-            Called with the numbers of info files read and to be read; may raise to stop.
+            Called with the numbers of info files read and to be read, while they are looked for with
+            0 and the number found so far; may raise to stop.
 
         Returns
         -------
@@ -93,7 +94,7 @@ class LibraryIndex:
         ThinPartError
             kind ``missing`` where the folder cannot be reached at all and nothing is known of it.
         """
-        found, unreachable = scan(self.root)
+        found, unreachable = scan(self.root, report and (lambda count: report(0, count)))
         if b"" in unreachable and not self.query("SELECT 1 FROM files LIMIT 1"):
             raise ThinPartError(
                 f"The folder {self.root} cannot be reached ({unreachable[b''].strerror}).", "missing")

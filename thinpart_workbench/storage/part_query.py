@@ -7,6 +7,9 @@ from typing import Optional
 from ..core.descriptors import STATED_ANGLES, STATED_FLOOR
 from .index_columns import COLUMNS
 
+FAILED = "failed"
+"""Stands among the categories for what could not be analysed."""
+
 _COLUMNS = {each.name for each in COLUMNS}
 
 
@@ -17,11 +20,13 @@ class PartQuery:
     Attributes
     ----------
     categories, criteria : tuple of str
-        One of them is enough.
+        One of them is enough; `FAILED` among the categories stands for failures.
     least_thickness, most_thickness : float or None, mm
         Of the thinnest wall.
     least_size, most_size : float or None, mm
         Of the longest side of the box.
+    least_ratio, most_ratio : float or None
+        Of V/VBB.
     conditions : tuple of SearchCondition
     words : str
         Each word must occur in the path, name, label, notes, mesh settings or link.
@@ -40,6 +45,8 @@ class PartQuery:
     most_thickness: Optional[float] = None
     least_size: Optional[float] = None
     most_size: Optional[float] = None
+    least_ratio: Optional[float] = None
+    most_ratio: Optional[float] = None
     conditions: tuple = ()
     words: str = ""
     has_notes: Optional[bool] = None
@@ -76,7 +83,8 @@ def _is(true, false):
 
 def _categories(names):
     if names:
-        yield f"category IN ({', '.join('?' * len(names))})", list(names)
+        failed = " OR error_kind IS NOT NULL" if FAILED in names else ""
+        yield f"(category IN ({', '.join('?' * len(names))}){failed})", list(names)
 
 
 def _criteria(names):
@@ -119,6 +127,8 @@ _TERMS = {
     "most_thickness": _at_most("thinnest_mm"),
     "least_size": _at_least("d1_mm"),
     "most_size": _at_most("d1_mm"),
+    "least_ratio": _at_least("volume_ratio"),
+    "most_ratio": _at_most("volume_ratio"),
     "conditions": _conditions,
     "words": _words,
     "has_notes": _is("(notes != '' OR mesh IS NOT NULL OR link IS NOT NULL)",

@@ -1,6 +1,7 @@
 """Judging stored parts by another profile, from their info files alone: no geometry, no FreeCAD."""
 
 import json
+import math
 import os
 from collections import namedtuple
 from concurrent.futures import ProcessPoolExecutor
@@ -18,16 +19,21 @@ FILES_AT_ONCE = 64
 Verdict = namedtuple("Verdict", "name label before after")
 """A part; ``before`` and ``after`` are dict with ``category``, ``criteria``, ``margin``, ``borderline``."""
 
-ReclassifiedFile = namedtuple("ReclassifiedFile", "info_file document parts error")
-"""An info file: a `Verdict` per part, and None; or no parts, and one sentence."""
+ReclassifiedFile = namedtuple("ReclassifiedFile", "info_file document parts error differs")
+"""An info file: a `Verdict` per part, None, and whether what it says of profile or verdicts is another now;
+or no parts, one sentence, and False."""
 
 _TOLD = ("category", "criteria", "margin", "borderline")
 """What `part_record.verdict` gives."""
 
 
-def is_another(verdict):
-    """Whether a `Verdict` differs. Margins alone do not: stored numbers have nine digits."""
-    return any(verdict.before[key] != verdict.after[key] for key in ("category", "criteria"))
+def is_another(part):
+    """Whether a `Verdict` is another one; a margin that was rounded when it was stored is the same."""
+    before, after = dict(part.before), dict(part.after)
+    margins = before.pop("margin"), after.pop("margin")
+    if before != after or None in margins:
+        return before != after or margins != (None, None)
+    return not math.isclose(*margins, rel_tol=1e-6, abs_tol=1e-9)
 
 
 def reclassify_file(info_file, profile_content, write=False):
@@ -44,14 +50,15 @@ def reclassify_file(info_file, profile_content, write=False):
     -------
     ReclassifiedFile
     """
-    profile, verdicts = _profile(profile_content), []
+    profile, verdicts, differs = _profile(profile_content), [], False
 
     def judge(content):
+        nonlocal differs
         for part in content["parts"]:
             verdicts.append(_judged(part, profile, write))
-        changed = content["profile"] != profile_content or any(map(is_another, verdicts))
+        differs = content["profile"] != profile_content or any(map(is_another, verdicts))
         content["profile"] = profile_content
-        return changed
+        return differs
 
     try:
         if write:
@@ -59,13 +66,13 @@ def reclassify_file(info_file, profile_content, write=False):
         else:
             content = read_info(info_file)
             judge(content)
-        return ReclassifiedFile(info_file, _document(info_file, content), verdicts, None)
+        return ReclassifiedFile(info_file, _document(info_file, content), verdicts, None, differs)
     except ThinPartError as error:
-        return ReclassifiedFile(info_file, info_file, [], str(error))
+        return ReclassifiedFile(info_file, info_file, [], str(error), False)
     except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
         return ReclassifiedFile(
             info_file, info_file, [], f"The info file {os.path.basename(info_file)} is damaged "
-            f"({type(error).__name__}: {error}): classify its document again.")
+            f"({type(error).__name__}: {error}): classify its document again.", False)
 
 
 def reclassify_files(info_files, profile_content, write=False, jobs=1):

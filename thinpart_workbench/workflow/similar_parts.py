@@ -12,7 +12,7 @@ SimilarPart = namedtuple("SimilarPart", "part score reasons")
 """A StoredPart, how like it is from 100 to 0, and why, in words."""
 
 
-def similar_parts(indexes, record, count, same_size=None, excluding=None):
+def similar_parts(indexes, record, count, same_size=None, excluding=None, among=None):
     """The parts most like one, best first.
 
     Parameters
@@ -27,17 +27,22 @@ def similar_parts(indexes, record, count, same_size=None, excluding=None):
         Factor, 1 or more, by which diagonals may differ; any size when left out.
     excluding : tuple of (str, str), optional
         Info file and name of the part itself, which is not told.
+    among : list of ndarray of int64, optional
+        For each index the ids of the parts that come into question; all when left out.
 
     Returns
     -------
     list of SimilarPart
     """
     wanted, found = signature(record), []
-    for index in indexes:
+    for place, index in enumerate(indexes):
         ids, signatures = _signatures(index)
+        if among is not None:
+            chosen = np.isin(ids, among[place])
+            ids, signatures = ids[chosen], signatures[chosen]
         # One more than wanted: the part itself is the most like.
         best = nearest(signatures, wanted, count + 1, same_size)
-        parts = FoundParts(index, [int(ids[place]) for place in best.indices])
+        parts = FoundParts(index, [int(ids[row]) for row in best.indices])
         found += zip(parts, best.distances, best.terms)
     found.sort(key=lambda each: each[1])
     distinct = {}

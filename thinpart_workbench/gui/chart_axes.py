@@ -1,0 +1,54 @@
+"""What charts of a thickness distribution have in common: their plot, its heights, and texts under it."""
+
+import math
+
+from .qt import QtCore, QtGui, QtWidgets
+
+
+class ChartAxes(QtWidgets.QWidget):
+    """A plot of shares of the area over thickness."""
+
+    def __init__(self, parent=None):
+        super().__init__(parent)
+        self.setMinimumSize(180, 180)
+        self.setSizePolicy(QtWidgets.QSizePolicy.Expanding, QtWidgets.QSizePolicy.Fixed)
+
+    def sizeHint(self):
+        """Wide rather than high."""
+        return QtCore.QSize(300, 180)
+
+    def plot(self):
+        """QRectF of the plot within the widget."""
+        line = self.fontMetrics().height()
+        left = self.fontMetrics().boundingRect("100 %").width() + 10
+        top = 1.5 * line + 4
+        return QtCore.QRectF(left, top, max(1, self.width() - left - 12),
+                             max(1, self.height() - top - 3 * line - 8))
+
+    def draw_heights(self, painter, plot, top):
+        """Draw lines at no, half and all of the height, which stands for a share of `top`."""
+        text = self.palette().text().color()
+        faint = QtGui.QColor(text)
+        faint.setAlpha(50)
+        height = self.fontMetrics().height()
+        for share in (0.0, top / 2.0, top):
+            y = plot.bottom() - plot.height() * share / top
+            painter.setPen(faint)
+            painter.drawLine(QtCore.QPointF(plot.left(), y), QtCore.QPointF(plot.right(), y))
+            painter.setPen(text)
+            painter.drawText(QtCore.QRectF(0, y - height / 2, plot.left() - 5, height),
+                             QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter, f"{100 * share:.3g} %")
+
+    def centred(self, painter, plot, x, y, text):
+        """Write a text under or over a place, within the widget."""
+        width = self.fontMetrics().boundingRect(text).width() + 4
+        left = max(0.0, min(x - width / 2, self.width() - width))
+        painter.drawText(QtCore.QRectF(left, y, width, self.fontMetrics().height()),
+                         QtCore.Qt.AlignCenter, text)
+
+
+def round_up(value):
+    """The next of 1, 2, 2.5, 5 times a power of ten."""
+    power = 10.0 ** math.floor(math.log10(value))
+    return next(each * power for each in (1.0, 2.0, 2.5, 5.0, 10.0)
+                if each * power >= value * (1.0 - 1e-9))

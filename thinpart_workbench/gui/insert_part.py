@@ -1,0 +1,89 @@
+"""Bringing a part of a library into the active document."""
+
+import importlib
+import os
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from ..core.errors import ThinPartError
+from .qt import translate
+
+
+def insert_part(file, name=None):
+    """Insert a file into the active document.
+
+    Parameters
+    ----------
+    file : str
+    name : str, optional
+        The part's unique name in a FreeCAD document.
+
+    Returns
+    -------
+    str
+        One sentence: what was done.
+
+    Raises
+    ------
+    ThinPartError
+        Where there is no active document, no file, or FreeCAD cannot read it.
+    """
+    document = App.ActiveDocument
+    if document is None:
+        raise ThinPartError(translate(
+            "ThinPart", "There is no document to insert into: open or create one first."), "usage")
+    if not os.path.isfile(file):
+        raise ThinPartError(translate("ThinPart", "There is no file {} any more.").format(file), "missing")
+    document.openTransaction(translate("ThinPart", "Insert part"))
+    try:
+        how = _insert(document, file, name)
+    except Exception as error:  # every importer of FreeCAD raises what it likes
+        document.abortTransaction()
+        raise ThinPartError(translate("ThinPart", "FreeCAD cannot insert {} ({}).").format(
+            os.path.basename(file), error), "unreadable") from None
+    document.recompute()
+    document.commitTransaction()
+    App.setActiveDocument(document.Name)
+    Gui.SendMsgToActiveView("ViewFit")
+    return how.format(os.path.basename(file), document.Label)
+
+
+def _insert(document, file, name):
+    if not file.lower().endswith(".fcstd"):
+        _importer(file).insert(file, document.Name)
+        return translate("ThinPart", "{} was imported into {}.")
+    if document.FileName and os.path.samefile(document.FileName, file):
+        raise ValueError(translate("ThinPart", "it is the active document itself"))
+    if document.FileName:
+        _link(document, file, name)
+        return translate("ThinPart", "A link to {} was put into {}.")
+    # Links between documents are kept by their files' names, and this one has none yet.
+    document.mergeProject(file)
+    return translate("ThinPart", "The content of {} was copied into {}, which has no file to link from yet.")
+
+
+def _importer(file):
+    modules = App.getImportType(os.path.splitext(file)[1][1:])
+    if not modules:
+        raise ValueError(translate("ThinPart", "there is no importer for such files"))
+    # Of several, the window's own keeps names and colours.
+    names = sorted(modules, key=lambda module: (module != "ImportGui", module != "Part"))
+    return importlib.import_module(names[0])
+
+
+def _link(document, file, name):
+    known = {each.FileName: each for each in App.listDocuments().values() if each.FileName}
+    source = next((each for path, each in known.items() if os.path.samefile(path, file)), None)
+    if source is None:
+        source = App.openDocument(file, hidden=True)
+        App.setActiveDocument(document.Name)
+    target = source.getObject(name) if name else None
+    if target is None:
+        roots = [each for each in source.RootObjects if each.isDerivedFrom("App::GeoFeature")]
+        if not roots:
+            raise ValueError(translate("ThinPart", "it holds nothing to link to"))
+        target = roots[0]
+    link = document.addObject("App::Link", target.Name)
+    link.LinkedObject = target
+    link.Label = target.Label
