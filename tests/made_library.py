@@ -1,8 +1,11 @@
 """A library of info files that no CAD program is needed for."""
 
 import copy
+import json
 import os
+import random
 from functools import lru_cache
+from pathlib import Path
 from types import SimpleNamespace
 
 import made_meshes
@@ -30,10 +33,15 @@ CATEGORIES = {"plate": "thin", "long_plate": "thin", "cube": "normal", "open_box
 
 @lru_cache(maxsize=None)
 def _record(shape):
-    mesh = surface_mesh(*SHAPES[shape]())
+    return measured_record(shape, SHAPES[shape]())
+
+
+def measured_record(label, shape):
+    """The part record of a shape of `made_meshes`."""
+    mesh = surface_mesh(*shape)
     measurement = measure(mesh, AnalysisSettings(minimum_samples=2000))
     verdict = classify(measurement.descriptors, PAPER)
-    part = SimpleNamespace(name="Solid1", label=shape, instances=1, warnings=())
+    part = SimpleNamespace(name="Solid1", label=label, instances=1, warnings=())
     record = part_record(part, mesh, measurement, verdict, verdict,
                          face_thicknesses(measurement.field, 5.0), 0.01, 0.0)
     return {**record, "seconds": {"read": 0.0, "tessellate": 0.0, "measure": 0.0}}
@@ -50,8 +58,8 @@ def store(folder, name, records, failures=(), info_folder=None):
     document = folder / name
     document.write_bytes(b"geometry of " + os.fsencode(name))
     info = info_path(document, info_folder)
-    content = info_content(new_source(document, info_file=info), AnalysisSettings().content(), PAPER.content,
-                           records, list(failures))
+    source = new_source(document, info_file=info)
+    content = info_content(source, AnalysisSettings().content(), PAPER.content, records, list(failures))
     write_info(info, content)
     return info
 
@@ -66,3 +74,44 @@ def make_library(folder):
         record_of("cube", name="Solid2", label="foot"),
     ], [failure])
     return folder
+
+
+def make_large_library(folder, info_files, count, files_per_folder=500):
+    """Write `count` info files without documents: the given ones in other sizes, under other names.
+
+    Parameters
+    ----------
+    folder : Path
+    info_files : list of Path
+    count : int
+    """
+    chance = random.Random(1)
+    models = [json.loads(Path(each).read_bytes()) for each in info_files]
+    for content in models:
+        for part in content["parts"]:
+            part["faces"] = []
+    for number in range(count):
+        content = copy.copy(models[number % len(models)])
+        name = f"part {number:06d}.step"
+        content["source"] = {**content["source"], "file": name, "sha256": f"{number:064x}",
+                             "modified": f"20{10 + number % 16}-03-01T10:00:00.000000+00:00"}
+        factor = 10.0 ** chance.uniform(-1.0, 1.0)
+        content["parts"] = [_varied(part, factor, number, chance) for part in content["parts"]]
+        place = Path(folder, f"{number // files_per_folder:04d}")
+        if number % files_per_folder == 0:
+            place.mkdir(parents=True)
+        (place / f"{name}.thinpart.json").write_text(json.dumps(content), encoding="utf-8")
+
+
+def _varied(part, factor, number, chance):
+    measured = dict(part["descriptors"])
+    measured["box_mm"] = [side * factor for side in measured["box_mm"]]
+    measured["diagonal_mm"] *= factor
+    measured["thickness_mm"] = {key: value and value * factor
+                                for key, value in measured["thickness_mm"].items()}
+    measured["box_axes"] = [list(axis) for axis in measured["box_axes"]]
+    if measured["volume_ratio"]:
+        measured["volume_ratio"] *= chance.uniform(0.5, 1.0)
+    return {**part, "descriptors": measured, "label": f"{part['label']} {number}",
+            "margin": chance.uniform(-0.2, 2.0), "borderline": chance.random() < 0.1,
+            "notes": f"order {number}" if number % 10 == 0 else ""}

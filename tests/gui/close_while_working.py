@@ -69,7 +69,7 @@ def _read_a_library():
     import window_actions as window
 
     sys.path.insert(0, os.fspath(Path(__file__).resolve().parents[1]))
-    from made_libraries import make_library
+    from made_library import make_large_library
     from thinpart_workbench.freecad_adapter.settings import set_preference_list
     from thinpart_workbench.gui.qt import QtWidgets
     from thinpart_workbench.gui.worker_python import python_environment, python_program
@@ -80,7 +80,7 @@ def _read_a_library():
     shutil.copyfile(window.SAMPLES / "block.step", parts / "block.step")
     subprocess.run([python_program(), "-m", "thinpart_workbench", "classify", os.fspath(parts)],
                    env=python_environment(), check=True, stdin=subprocess.DEVNULL, capture_output=True)
-    make_library(many, [parts / "block.step.thinpart.json"], 8000)
+    make_large_library(many, [parts / "block.step.thinpart.json"], 8000)
     set_preference_list("Libraries", [os.fspath(parts)])
     window.press("ThinPart_FindParts")
     table = window.widget("ThinPart_FoundTable")

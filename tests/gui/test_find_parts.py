@@ -12,7 +12,7 @@ import FreeCADGui as Gui
 import pytest
 import window_actions as window
 
-from made_libraries import make_library
+from made_library import make_large_library
 from thinpart_workbench.core.criteria import load_profile
 from thinpart_workbench.freecad_adapter.settings import preference_list, set_preference_list
 from thinpart_workbench.gui import find_parts
@@ -50,7 +50,7 @@ def library(classified, tmp_path, monkeypatch):
 @pytest.fixture(scope="session")
 def many(classified, tmp_path_factory):
     folder = tmp_path_factory.mktemp("many")
-    make_library(folder, sorted(classified.glob("*.step.thinpart.json")), MANY)
+    make_large_library(folder, sorted(classified.glob("*.step.thinpart.json")), MANY)
     return folder
 
 

@@ -57,7 +57,8 @@ def test_every_part_and_failure_is_there_and_a_second_refresh_reads_nothing(inde
 
 def test_what_changed_moved_or_went_is_followed(index, library, monkeypatch):
     made_library.store(library, "new.step", [made_library.record_of("cube", label="new one")])
-    changed = made_library.store(library / "group 0", "plate.step", [made_library.record_of("tube", label="tube 2")])
+    changed = made_library.store(library / "group 0", "plate.step",
+                                 [made_library.record_of("tube", label="tube 2")])
     (library / "group 0" / f"cube.step{SUFFIX}").unlink()
     (library / "moved").mkdir()
     moved = library / "group 1" / f"ribbed_block.step{SUFFIX}"
@@ -127,7 +128,8 @@ def test_a_huge_file_is_no_info_file(index, library):
 
 def test_odd_names_and_loops_of_links(tmp_path):
     library = tmp_path / "library"
-    names = ["with space.step", "quo'te\".step", "new\nline.step", os.fsdecode(b"caf\xe9.step"), "x" * 230 + ".step"]
+    names = ["with space.step", "quo'te\".step", "new\nline.step", os.fsdecode(b"caf\xe9.step"),
+             "x" * 230 + ".step"]
     for name in names:
         made_library.store(library / "a", name, [made_library.record_of("cube", label=name[:9])])
     (library / "a" / "loop").symlink_to(library)

@@ -52,7 +52,8 @@ def jsonschema_part(line):
     import jsonschema
 
     part = {key: value for key, value in line.items() if key not in ("file", "info_file")}
-    jsonschema.validate(part, {**SCHEMA["properties"]["parts"]["items"], "definitions": SCHEMA.get("definitions", {})})
+    schema = SCHEMA["properties"]["parts"]["items"]
+    jsonschema.validate(part, {**schema, "definitions": SCHEMA.get("definitions", {})})
 
 
 def test_the_table_is_for_people(library):
@@ -85,6 +86,17 @@ def test_folders_that_are_none(library, tmp_path):
     run = thinpart("find", library, tmp_path / "gone", library / "tube.step", "--json")
     assert run.returncode == 1 and len(labels(run)) == 7
     assert "There is no folder" in run.stderr and "is a file" in run.stderr
+
+
+def test_info_files_that_cannot_be_used_are_named(library):
+    (library / "block.FCStd.thinpart.json").write_text("{")
+    for number in range(6):
+        (library / f"{number}.step.thinpart.json").write_text('{"format": "another"}')
+    run = thinpart("find", library, "--json")
+    assert run.returncode == 0 and "Block" not in labels(run) and len(labels(run)) == 6
+    assert run.stderr.count("thinpart: ") == 6 and "2 more info files" in run.stderr
+    failed = records(thinpart("find", library, "--failed", "--json"))
+    assert {line["error"]["kind"] for line in failed} == {"info_file"} and len(failed) == 7
 
 
 def test_similar_says_why(library):

@@ -21,7 +21,8 @@ def document(tmp_path):
 
 
 def test_set_shown_found_and_removed(document, tmp_path):
-    keep_with_part(document, notes="three layers", mesh=mesh_settings('{"size": 2.5}'), link="https://intranet/42")
+    settings = mesh_settings('{"size": 2.5}')
+    keep_with_part(document, notes="three layers", mesh=settings, link="https://intranet/42")
     record, = stored_records(document)
     assert (record["notes"], record["mesh"], record["link"]) == (
         "three layers", {"settings": {"size": 2.5}}, "https://intranet/42")

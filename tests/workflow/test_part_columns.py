@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import made_meshes
-from made_libraries import make_library, measured_info
+from made_library import make_large_library, measured_record, store
 from thinpart_workbench.core.conditions import search_conditions
 from thinpart_workbench.storage.library_index import LibraryIndex
 from thinpart_workbench.storage.part_query import FAILED, PartQuery
@@ -48,9 +48,9 @@ def indexes(tmp_path_factory):
     folder = tmp_path_factory.mktemp("libraries")
     models = folder / "models"
     models.mkdir()
-    infos = [measured_info(models, name, shape) for name, shape in SHAPES.items()]
-    make_library(folder / "one", infos, 120)
-    make_library(folder / "two", infos, 50)
+    infos = [store(models, f"{name}.step", [measured_record(name, shape)]) for name, shape in SHAPES.items()]
+    make_large_library(folder / "one", infos, 120)
+    make_large_library(folder / "two", infos, 50)
     (folder / "two" / "broken.step.thinpart.json").write_text("{")
     opened = [LibraryIndex(folder / each, folder / "cache") for each in ("one", "two")]
     for index in opened:

@@ -75,7 +75,8 @@ def test_written_atomically_with_everything_else_as_it_was(info_files, strict):
         assert {key: new[key] for key in new if key not in ("profile", "parts")} == {
             key: old[key] for key in old if key not in ("profile", "parts")}
     assert set(categories(info_files).values()) == {"normal"}
-    assert not [name for path in info_files for name in os.listdir(os.path.dirname(path)) if name.endswith(".tmp")]
+    assert not [name for path in info_files for name in os.listdir(os.path.dirname(path))
+                if name.endswith(".tmp")]
     list(reclassify_files(info_files, PAPER, write=True))
     for path, old in zip(info_files, before):
         new = read_info(path)

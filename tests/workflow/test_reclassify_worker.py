@@ -7,7 +7,7 @@ import sys
 import pytest
 
 import made_meshes
-from made_libraries import PAPER, make_library, measured_info
+from made_library import PAPER, make_large_library, measured_record, store
 from thinpart_workbench.storage.info_file import read_info
 
 FILES = 400
@@ -18,9 +18,9 @@ FILES = 400
 def library(tmp_path):
     models = tmp_path / "models"
     models.mkdir()
-    infos = [measured_info(models, "Plate", made_meshes.box(100, 100, 2)),
-             measured_info(models, "Block", made_meshes.box(100, 80, 60))]
-    make_library(tmp_path / "library", infos, FILES)
+    infos = [store(models, "Plate.step", [measured_record("Plate", made_meshes.box(100, 100, 2))]),
+             store(models, "Block.step", [measured_record("Block", made_meshes.box(100, 80, 60))])]
+    make_large_library(tmp_path / "library", infos, FILES)
     (tmp_path / "library" / "broken.step.thinpart.json").write_text("{")
     return tmp_path / "library"
 

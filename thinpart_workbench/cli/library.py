@@ -12,6 +12,9 @@ from ..workflow.find_parts import open_library
 WORTH_TELLING = 2000
 """Info files to be read from which on a terminal is told how far it is."""
 
+MOST_SENTENCES = 5
+"""Info files that cannot be used, which are named one by one."""
+
 Libraries = namedtuple("Libraries", "indexes folder status")
 """Open `LibraryIndex` objects, the folder that holds them all, and the exit status so far."""
 
@@ -46,7 +49,19 @@ def libraries(roots):
                 status = 1
             if refreshed.warning:
                 print(f"thinpart: {refreshed.warning}", file=sys.stderr)
+            _tell_unreadable(index)
         yield Libraries(indexes, common_folder(roots), status)
+
+
+def _tell_unreadable(index):
+    """Info files that cannot be used hold parts that no search finds: that is said, not hidden."""
+    messages = [text for text, in index.query(
+        "SELECT error_message FROM parts WHERE error_kind = 'info_file'")]
+    for text in messages[:MOST_SENTENCES]:
+        print(f"thinpart: {text}", file=sys.stderr)
+    if len(messages) > MOST_SENTENCES:
+        print(f"thinpart: {len(messages) - MOST_SENTENCES} more info files cannot be used: "
+              "'thinpart find --failed' names them.", file=sys.stderr)
 
 
 def _check(root):

@@ -52,8 +52,8 @@ def document_content(document):
 
     Notes
     -----
-    Copies of one shape are one part, made by links, by placement or drawn twice. What another shape was made from is
-    not a part, nor are the features of a body, nor is a hidden object of which links are shown. A
+    Copies of one shape are one part, made by links, by placement or drawn twice. What another shape was
+    made from is not a part, nor are the features of a body, nor is a hidden object of which links are shown. A
     hidden shape that is no body is a leftover of modelling unless nothing else is there.
     """
     load_freecad()
