@@ -54,6 +54,7 @@ def _library():
 
 def _find(main, folder):
     """The panel at the side with a part's details, and wide with parts that are like it."""
+    import FreeCADGui as Gui
     import window_actions as window
 
     from thinpart_workbench.gui.find_parts import show_find_parts
@@ -66,6 +67,12 @@ def _find(main, folder):
     table = window.widget("ThinPart_FoundTable")
     names = [table.model().index(row, 1).data() for row in range(table.model().rowCount())]
     table.selectRow(names.index("Ribbed block"))
+    _settle(dock)
+    table.open_current()
+    Gui.Selection.clearSelection()
+    Gui.activeDocument().activeView().viewAxonometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    Gui.getMainWindow().statusBar().clearMessage()
     _settle(dock)
     _take(folder / "find.png")
     dock.setFloating(True)

@@ -446,7 +446,7 @@ def test_an_info_folder_that_cannot_be_written_is_told(dialog, folder, tmp_path)
 
 def test_no_format_and_a_damaged_profile_are_told(dialog, folder, tmp_path):
     (tmp_path / "mine.json").write_text("{}")
-    dialog._form._choose_profile(str(tmp_path / "mine.json"))
+    dialog._form._profile.choose(str(tmp_path / "mine.json"))
     run(folder)
     assert "is not a ThinPart profile" in message()
     for name in FORMATS:

@@ -39,7 +39,7 @@ class FoundColumn:
     is_number: bool = False
 
 
-SCORE, PART, CATEGORY, THINNEST, SIZE, FILE, REASONS = range(7)
+SCORE, PART, CATEGORY, REASONS, THINNEST, SIZE, FILE = range(7)
 
 
 class FoundTable(QtCore.QAbstractTableModel):
@@ -72,12 +72,12 @@ class FoundTable(QtCore.QAbstractTableModel):
             FoundColumn(translate("ThinPart", "Like"), "score", _score, True),
             FoundColumn(translate("ThinPart", "Part"), "label", _part),
             FoundColumn(translate("ThinPart", "Category"), "category", self._category_text),
+            FoundColumn(translate("ThinPart", "Why"), None, lambda part: getattr(part, "reasons", "")),
             FoundColumn(translate("ThinPart", "Thinnest mm"), "thinnest_mm",
                         lambda part: _number(part, part.thinnest_mm), True),
             FoundColumn(translate("ThinPart", "Longest mm"), "d1_mm",
                         lambda part: _number(part, part.d1_mm), True),
             FoundColumn(translate("ThinPart", "File"), "file", lambda part: part.place),
-            FoundColumn(translate("ThinPart", "Why"), None, lambda part: getattr(part, "reasons", "")),
         )
         pictures.came.connect(self._show_pictures)
 
@@ -174,6 +174,8 @@ class FoundTable(QtCore.QAbstractTableModel):
             return self._decoration(index.column(), part)
         if role == QtCore.Qt.ForegroundRole:
             return QtGui.QBrush(colour(FAILED_COLOUR)) if part.error_kind else None
+        if index.column() == REASONS:
+            return column.text(part)
         return part.error_message or "\n".join(filter(None, (part.file, part.notes)))
 
     def _missing(self, index, role):

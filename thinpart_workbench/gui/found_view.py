@@ -6,6 +6,7 @@ from ..core.errors import ThinPartError
 from .found_table import FILE, PART, REASONS, SCORE
 from .insert_part import insert_part
 from .open_part import DANGEROUS, ask_to_dare, open_part
+from .path_delegate import PathDelegate
 from .qt import QtCore, QtGui, QtWidgets, Signal, translate
 
 _WIDEST = 30
@@ -45,7 +46,7 @@ class FoundView(QtWidgets.QTableView):
         self.setAlternatingRowColors(True)
         self.setShowGrid(False)
         self.setWordWrap(False)
-        self.setTextElideMode(QtCore.Qt.ElideMiddle)
+        self.setItemDelegateForColumn(FILE, PathDelegate(self))
         self._set_row_height()
         header = self.horizontalHeader()
         header.setHighlightSections(False)
@@ -184,7 +185,7 @@ class FoundView(QtWidgets.QTableView):
         for column in (SCORE, REASONS):
             if self.isColumnHidden(column):
                 header.resizeSection(column, self.fontMetrics().averageCharWidth() * (
-                    8 if column == SCORE else 60))
+                    8 if column == SCORE else 45))
 
     def _tell_current(self, *_):
         part = self.current_part

@@ -5,6 +5,7 @@ import os
 from ..core.errors import ThinPartError
 from ..storage.info_file import info_path
 from .open_part import DANGEROUS, ask_to_dare, open_part
+from .path_delegate import PathDelegate
 from .qt import QtCore, QtGui, QtWidgets, Signal, execute, translate
 from .result_filter import ResultFilter
 from .result_table import CATEGORY, FILE, PART, ResultTable
@@ -173,7 +174,7 @@ class ResultPanel(QtWidgets.QWidget):
         view.setAlternatingRowColors(True)
         view.setShowGrid(False)
         view.setWordWrap(False)
-        view.setItemDelegateForColumn(FILE, _PathDelegate(view))
+        view.setItemDelegateForColumn(FILE, PathDelegate(view))
         # One height for all rows: with heights of their own, 100,000 rows would have to be measured.
         rows = view.verticalHeader()
         rows.setSectionResizeMode(QtWidgets.QHeaderView.Fixed)
@@ -209,11 +210,3 @@ class ResultPanel(QtWidgets.QWidget):
 
     def _path(self, row):
         return os.path.join(self._settings.folder, row.file)
-
-
-class _PathDelegate(QtWidgets.QStyledItemDelegate):
-    """Of a path that is too long, both ends say most."""
-
-    def initStyleOption(self, option, index):
-        super().initStyleOption(option, index)
-        option.textElideMode = QtCore.Qt.ElideMiddle
