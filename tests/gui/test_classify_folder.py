@@ -306,10 +306,13 @@ def test_failed_files_are_tried_again_alone(dialog, folder):
 
 
 def test_the_time_limit_can_be_raised_for_those_that_failed(dialog, tmp_path):
-    shutil.copyfile(window.SAMPLES / "worm_run_out.FCStd", tmp_path / "worm.FCStd")
+    endless = tmp_path / "tube.step"
+    os.mkfifo(endless)
     window.widget("ThinPart_FolderSeconds").setValue(1)
     run(tmp_path)
     assert count_of("failed") == 1
+    endless.unlink()
+    shutil.copyfile(window.SAMPLES / "tube.step", endless)
     window.widget("ThinPart_FolderSeconds").setValue(300)
     window.click("ThinPart_FolderRetry")
     wait_for_end()
