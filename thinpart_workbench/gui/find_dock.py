@@ -14,6 +14,7 @@ from .part_details import PartDetails
 from .part_filters import PartFilters, grouped
 from .part_pictures import PartPictures
 from .part_search import PartSearch
+from .push_button import add_button
 from .qt import QtCore, QtGui, QtWidgets, translate
 from .reclassify_panel import ReclassifyPanel
 from .result_view import show_text, text_line
@@ -127,17 +128,19 @@ class FindDock(QtWidgets.QDockWidget):
         self._words.setPlaceholderText(translate("ThinPart", "Words in names, paths, notes, links"))
         self._words.setClearButtonEnabled(True)
         row.addWidget(self._words, 1)
-        self._clear = self._button(row, "ThinPart_ClearFilters", translate("ThinPart", "Clear filters"),
-                                   self._clear_filters)
+        self._clear = add_button(
+            row, self, "ThinPart_ClearFilters", translate("ThinPart", "Clear filters"), self._clear_filters)
         column.addLayout(row)
         place = QtWidgets.QWidget(self)
         row = FlowLayout(place)
-        self._button(row, "ThinPart_LikeActive", translate("ThinPart", "Parts like the active one"),
-                     self.find_like_active)
+        add_button(
+            row, self, "ThinPart_LikeActive", translate("ThinPart", "Parts like the active one"),
+            self.find_like_active)
         self._same_size = QtWidgets.QCheckBox(translate("ThinPart", "Similar size"), self)
         self._same_size.setObjectName("ThinPart_SameSize")
         row.addWidget(self._same_size)
-        self._all = self._button(row, "ThinPart_EndLike", translate("ThinPart", "All parts"), self._end_like)
+        self._all = add_button(
+            row, self, "ThinPart_EndLike", translate("ThinPart", "All parts"), self._end_like)
         column.addWidget(place)
         self._typed = QtCore.QTimer(self, singleShot=True, interval=_TYPING)
 
@@ -194,13 +197,6 @@ class FindDock(QtWidgets.QDockWidget):
         self._details.kept.keep_asked.connect(search.keep)
         self._details.kept.told.connect(self._tell)
         self._show_like()
-
-    def _button(self, row, name, text, act):
-        button = QtWidgets.QPushButton(text, self)
-        button.setObjectName(name)
-        button.clicked.connect(lambda *_: act())
-        row.addWidget(button)
-        return button
 
     def _open(self):
         roots = self._libraries.roots

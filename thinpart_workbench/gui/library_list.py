@@ -4,6 +4,7 @@ import os
 
 from ..freecad_adapter.settings import preference_list, set_preference_list
 from .flow_layout import FlowLayout
+from .push_button import add_button
 from .qt import QtCore, QtWidgets, Signal, translate
 from .result_filter import colour_icon
 from .result_table import FAILED_COLOUR
@@ -39,13 +40,13 @@ class LibraryList(QtWidgets.QWidget):
         column.addWidget(self._list, 1)
         place = QtWidgets.QWidget(self)
         row = FlowLayout(place)
-        self._button(row, "ThinPart_AddLibrary", translate("ThinPart", "Add\u2026"), self._ask)
-        self._remove = self._button(
-            row, "ThinPart_RemoveLibrary", translate("ThinPart", "Remove"), self.remove_selected)
-        self._refresh = self._button(
-            row, "ThinPart_RefreshLibraries", translate("ThinPart", "Refresh"), self.refresh_asked.emit)
-        self._stop = self._button(
-            row, "ThinPart_StopRefresh", translate("ThinPart", "Stop"), self.stop_asked.emit)
+        add_button(row, self, "ThinPart_AddLibrary", translate("ThinPart", "Add\u2026"), self._ask)
+        self._remove = add_button(
+            row, self, "ThinPart_RemoveLibrary", translate("ThinPart", "Remove"), self.remove_selected)
+        self._refresh = add_button(
+            row, self, "ThinPart_RefreshLibraries", translate("ThinPart", "Refresh"), self.refresh_asked.emit)
+        self._stop = add_button(
+            row, self, "ThinPart_StopRefresh", translate("ThinPart", "Stop"), self.stop_asked.emit)
         column.addWidget(place)
         self._bar = QtWidgets.QProgressBar(self)
         self._bar.setObjectName("ThinPart_LibraryBar")
@@ -146,13 +147,6 @@ class LibraryList(QtWidgets.QWidget):
 
     def _show_buttons(self):
         self._remove.setEnabled(bool(self._list.selectedItems()))
-
-    def _button(self, row, name, text, act):
-        button = QtWidgets.QPushButton(text, self)
-        button.setObjectName(name)
-        button.clicked.connect(lambda *_: act())
-        row.addWidget(button)
-        return button
 
     def _ask(self):
         folder = QtWidgets.QFileDialog.getExistingDirectory(

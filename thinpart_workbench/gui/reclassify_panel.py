@@ -6,6 +6,7 @@ from .flow_layout import FlowLayout
 from .json_process import JsonProcess, started
 from .part_filters import grouped
 from .profile_box import ProfileBox
+from .push_button import add_button
 from .qt import QtCore, QtWidgets, Signal, execute, translate
 from .result_filter import colour_icon
 from .result_view import show_text, text_line
@@ -40,17 +41,18 @@ class ReclassifyPanel(QtWidgets.QWidget):
         self._profile.choose(profile_name)
         self._profile.currentIndexChanged.connect(lambda _: self._forget())
         row.addWidget(self._profile, 1)
-        self._file = self._button(row, "ThinPart_ReclassifyFile", translate("ThinPart", "From file\u2026"),
-                                  lambda: self._profile.ask_for_file())
+        self._file = add_button(
+            row, self, "ThinPart_ReclassifyFile", translate("ThinPart", "From file\u2026"),
+            self._profile.ask_for_file)
         column.addLayout(row)
         place = QtWidgets.QWidget(self)
         row = FlowLayout(place)
-        self._preview = self._button(row, "ThinPart_ReclassifyPreview", translate("ThinPart", "Preview"),
-                                     self.preview)
-        self._write = self._button(row, "ThinPart_ReclassifyWrite", translate("ThinPart", "Write\u2026"),
-                                   self.write)
-        self._cancel = self._button(row, "ThinPart_ReclassifyCancel", translate("ThinPart", "Cancel"),
-                                    self.cancel)
+        self._preview = add_button(
+            row, self, "ThinPart_ReclassifyPreview", translate("ThinPart", "Preview"), self.preview)
+        self._write = add_button(
+            row, self, "ThinPart_ReclassifyWrite", translate("ThinPart", "Write\u2026"), self.write)
+        self._cancel = add_button(
+            row, self, "ThinPart_ReclassifyCancel", translate("ThinPart", "Cancel"), self.cancel)
         column.addWidget(place)
         self._bar = QtWidgets.QProgressBar(self)
         self._bar.setObjectName("ThinPart_ReclassifyBar")
@@ -226,10 +228,3 @@ class ReclassifyPanel(QtWidgets.QWidget):
 
     def _say(self, sentence):
         show_text(self._message, sentence)
-
-    def _button(self, row, name, text, act):
-        button = QtWidgets.QPushButton(text, self)
-        button.setObjectName(name)
-        button.clicked.connect(lambda *_: act())
-        row.addWidget(button)
-        return button
