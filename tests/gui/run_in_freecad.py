@@ -19,7 +19,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-SECONDS = 900
+SECONDS = 1800
 SCREEN = "-screen 0 1400x900x24 -dpi 96"
 
 
