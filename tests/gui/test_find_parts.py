@@ -107,8 +107,15 @@ def table():
 
 
 def cells(column):
+    """The texts of a column; those of a short table once all of them are there."""
     model = table().model()
-    return [model.index(row, column).data() for row in range(model.rowCount())]
+
+    def texts(column):
+        return [model.index(row, column).data() for row in range(model.rowCount())]
+
+    if model.rowCount() < 100:
+        window.wait_until(lambda: WAITING not in texts(PART))
+    return texts(column)
 
 
 def status():
@@ -127,12 +134,22 @@ def write(dock, name, text):
     answered(dock)
 
 
+def row_of(label, place=None):
+    """The row of a part, by its label or its file or both; rows come a little after their number."""
+    found = []
+
+    def is_there():
+        found[:] = [row for row, (name, file) in enumerate(zip(cells(PART), cells(FILE)))
+                    if label in (None, name) and place in (None, file)]
+        return bool(found)
+
+    window.wait_until(is_there)
+    return found[0]
+
+
 def select(dock, label, place=None):
     """Select the row of a part and wait for its details."""
-    window.wait_until(lambda: WAITING not in cells(PART))
-    row = next(row for row, (name, file) in enumerate(zip(cells(PART), cells(FILE)))
-               if name == label and (place is None or file == place))
-    table().selectRow(row)
+    table().selectRow(row_of(label, place))
     window.wait_until(lambda: window.widget("ThinPart_KeptNotes").isEnabled() or (
         table().current_part.error_kind))
     window.settle(30)
@@ -184,7 +201,7 @@ def test_thumbnails_are_those_of_the_cache(library, classified, tmp_path):
     picture = QtGui.QImage(160, 120, QtGui.QImage.Format_ARGB32)
     picture.fill(QtGui.QColor(10, 200, 30))
     opened(library)
-    row = cells(FILE).index("block.step")
+    row = row_of(None, "block.step")
     index = table().model().index(row, PART)
     part = table().model().part_at(row)
     missing = index.data(QtCore.Qt.DecorationRole).toImage()
@@ -333,7 +350,7 @@ def test_details_say_why(library):
 
 def test_a_double_click_opens_the_document(library):
     opened(library)
-    row = cells(FILE).index("ribbed_block.FCStd")
+    row = row_of(None, "ribbed_block.FCStd")
     table().doubleClicked.emit(table().model().index(row, PART))  # where nothing is current nothing opens
     assert not App.listDocuments()
     table().selectRow(row)
@@ -341,7 +358,7 @@ def test_a_double_click_opens_the_document(library):
     table().doubleClicked.emit(table().model().index(row, PART))
     assert App.ActiveDocument.FileName == str(library / "ribbed_block.FCStd")
     assert [each.Name for each in Gui.Selection.getSelection()] == [table().current_part.name]
-    table().selectRow(cells(FILE).index("plate.step"))
+    table().selectRow(row_of(None, "plate.step"))
     window.settle(30)
     table().keyPressEvent(QtGui.QKeyEvent(
         QtCore.QEvent.KeyPress, QtCore.Qt.Key_Return, QtCore.Qt.NoModifier))
@@ -351,7 +368,7 @@ def test_a_double_click_opens_the_document(library):
 def test_a_document_that_has_gone_is_said_to_have(library):
     opened(library)
     (library / "plate.step").unlink()
-    table().selectRow(cells(FILE).index("plate.step"))
+    table().selectRow(row_of(None, "plate.step"))
     window.settle(30)
     table().open_current()
     assert window.text("ThinPart_FindMessage") == f"There is no file {library / 'plate.step'} any more."
@@ -585,8 +602,8 @@ def test_a_folder_that_is_gone_keeps_what_was_known_and_says_so(library):
     ready(dock)
     assert f"There is no folder {library} any more" in window.text("ThinPart_LibraryProblems")
     assert status() == "10 of 10 parts"
-    part = table().model().part_at(cells(FILE).index("plate.step"))
-    table().selectRow(cells(FILE).index("plate.step"))
+    part = table().model().part_at(row_of(None, "plate.step"))
+    table().selectRow(row_of(None, "plate.step"))
     window.wait_until(lambda: window.is_shown("ThinPart_PartSentence"))
     assert part.file == str(library / "plate.step")
     window.widget("ThinPart_LibraryList").item(0).setSelected(True)
