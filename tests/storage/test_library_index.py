@@ -1,6 +1,7 @@
 """The index says what the info files say, whatever happens to them or to it."""
 
 import json
+import multiprocessing
 import os
 import signal
 import sqlite3
@@ -244,6 +245,26 @@ def test_two_refreshes_at_once_and_one_that_is_killed(tmp_path):
     with LibraryIndex(library, tmp_path / "cache") as index:
         assert index.refresh().changed == 0
         assert sorted(map(int, labels(index))) == list(range(60))
+
+
+def _open_at_once(library, cache, barrier, answers):
+    barrier.wait()
+    with LibraryIndex(library, cache) as index:
+        index.query("SELECT 1 FROM files")
+        answers.put(index.warning)
+
+
+def test_many_that_open_a_new_index_at_once_all_get_it(library, tmp_path):
+    context = multiprocessing.get_context("fork")
+    for attempt in range(15):
+        barrier, answers = context.Barrier(6), context.Queue()
+        arguments = library, tmp_path / str(attempt), barrier, answers
+        others = [context.Process(target=_open_at_once, args=arguments) for _ in range(6)]
+        for each in others:
+            each.start()
+        assert [answers.get(timeout=60) for _ in others] == [None] * len(others)
+        for each in others:
+            each.join()
 
 
 def test_others_read_while_one_writes(index, library, tmp_path):

@@ -10,6 +10,7 @@ from contextlib import closing, suppress
 from ..core.errors import ThinPartError
 from ..core.packed_distribution import least_slanted, wall_share
 from .cache_folder import cache_folder
+from .folder_lock import folder_lock
 from .index_columns import COLUMNS, LARGE_COLUMNS, large_values, small_values
 from .info_file import read_open_info
 from .info_tree import Stamp, scan
@@ -113,7 +114,9 @@ class LibraryIndex:
         if self._connection is None:
             try:
                 os.makedirs(os.path.dirname(self.path), exist_ok=True)
-                self._connection = _connected(self.path)
+                # SQLite does not wait for others while it turns a new file to its write-ahead log.
+                with folder_lock(os.path.dirname(self.path)):
+                    self._connection = _connected(self.path)
             except (OSError, sqlite3.OperationalError) as error:
                 self._move_to_memory(error)
         return self._connection
