@@ -70,7 +70,9 @@ def box_tree(corners, normals, areas, gap=0.0):
     -------
     BoxTree
     """
-    low, high = corners.min(axis=1), corners.max(axis=1)
+    # Written out: numpy reduces a short axis in the middle ten times slower.
+    low = np.minimum(np.minimum(corners[:, 0], corners[:, 1]), corners[:, 2])
+    high = np.maximum(np.maximum(corners[:, 0], corners[:, 1]), corners[:, 2])
     extent = float(np.linalg.norm(high.max(axis=0) - low.min(axis=0)))
     order = hilbert_order(low + high)
     grown = _PADDING * extent + gap

@@ -41,7 +41,8 @@ class InwardRays:
         self._axes = dominant_axes(mesh.normals, mesh.areas)
         self.normals = mesh.normals @ self._axes.T
         corners = mesh.corners @ self._axes.T
-        low, high = corners.min(axis=(0, 1)), corners.max(axis=(0, 1))
+        vertices = corners.reshape(-1, 3)
+        low, high = vertices.min(axis=0), vertices.max(axis=0)
         self._middle, self._half = 0.5 * (low + high), 0.5 * (high - low)
         corners -= self._middle
         gap = TOLERANCES.gap * mesh.extent if mesh.cracked else 0.0

@@ -94,9 +94,7 @@ def corner_normals(mesh):
     mesh : SurfaceMesh
     """
     corners, normals = mesh.corners, mesh.normals
-    key = (mesh.triangles * (mesh.face_of_triangle.max() + 1) + mesh.face_of_triangle[:, None])
-    _, which = np.unique(key.ravel(), return_inverse=True)
-    which = which.ravel()
+    which = _vertex_of_face(mesh)
     weight = _corner_angles(corners).ravel()
     facet = np.repeat(normals, 3, axis=0)
     mean = np.stack([np.bincount(which, facet[:, k] * weight) for k in range(3)], axis=1)
@@ -109,10 +107,33 @@ def corner_normals(mesh):
     return mean.reshape(-1, 3, 3)
 
 
+def _vertex_of_face(mesh):
+    """A number for each corner of a triangle, the same for those at one vertex of one face.
+
+    Returns
+    -------
+    ndarray of shape (3 n,), int64
+    """
+    vertex = mesh.triangles.ravel()
+    face = np.repeat(mesh.face_of_triangle, 3)
+    count = len(mesh.vertices)
+    # Most vertices lie within a face: only those on its border have to be sorted by face.
+    some_face = np.empty(count, dtype=np.int64)
+    some_face[vertex] = face
+    on_border = np.zeros(count, dtype=bool)
+    on_border[vertex[some_face[vertex] != face]] = True
+    which = vertex.astype(np.int64)
+    border = np.flatnonzero(on_border[vertex])
+    key = vertex[border] * (mesh.face_of_triangle.max() + 1) + face[border]
+    which[border] = count + np.unique(key, return_inverse=True)[1].ravel()
+    return which
+
+
 def _corner_angles(corners):
     """ndarray of shape (n, 3), radians."""
-    ahead = np.roll(corners, -1, axis=1) - corners
-    back = np.roll(corners, 1, axis=1) - corners
-    cosine = np.einsum("ikj,ikj->ik", ahead, back)
-    cosine /= np.linalg.norm(ahead, axis=2) * np.linalg.norm(back, axis=2)
+    sides = [corners[:, (k + 1) % 3] - corners[:, k] for k in range(3)]
+    lengths = [np.sqrt(np.einsum("ij,ij->i", side, side)) for side in sides]
+    cosine = np.stack([
+        -np.einsum("ij,ij->i", sides[k], sides[k - 1]) / (lengths[k] * lengths[k - 1]) for k in range(3)
+    ], axis=1)
     return np.arccos(np.clip(cosine, -1.0, 1.0))
