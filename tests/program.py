@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -27,3 +28,14 @@ def records(run):
 def failures(run):
     return {Path(line["file"]).name: line["error"]["kind"] for line in records(run)
             if "error" in line}
+
+
+def group_ended(group):
+    """Whether no process of a group is left, within ten seconds."""
+    for _ in range(100):
+        try:
+            os.killpg(group, 0)
+        except ProcessLookupError:
+            return True
+        time.sleep(0.1)
+    return False

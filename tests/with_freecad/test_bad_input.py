@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 import made_meshes
-from program import ROOT, SAMPLES, SCHEMA, failures, records, thinpart
+from program import ROOT, SAMPLES, SCHEMA, failures, group_ended, records, thinpart
 from thinpart_workbench.freecad_adapter.mesh_file_check import check_mesh_file
 
 
@@ -310,7 +310,7 @@ def test_ctrl_c_keeps_what_was_done_and_leaves_nothing_running(tmp_path):
     assert 1 <= done < 6 and len(infos) >= done
     for info in infos:
         jsonschema.validate(json.loads(info.read_text(encoding="utf-8")), SCHEMA)
-    assert _ended(process.pid)
+    assert group_ended(process.pid)
 
 
 def test_kill_9_leaves_no_half_written_file(tmp_path):
@@ -372,12 +372,3 @@ def test_temporary_folders_of_killed_runs_are_removed_by_the_next(tmp_path):
         running.wait()
     assert foreign.is_dir() and (folder / "lock").exists()
 
-
-def _ended(group):
-    for _ in range(50):
-        try:
-            os.killpg(group, 0)
-        except ProcessLookupError:
-            return True
-        time.sleep(0.1)
-    return False

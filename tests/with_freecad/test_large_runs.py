@@ -19,7 +19,7 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from program import ROOT, SAMPLES, SCHEMA, failures, records, thinpart
+from program import ROOT, SAMPLES, SCHEMA, failures, group_ended, records, thinpart
 
 TUBE = SAMPLES / "tube.step"
 PROGRESS_KEYS = ["done", "total", "failed", "reused", "seconds", "seconds_left", "file"]
@@ -115,16 +115,6 @@ def start():
             os.killpg(run.process.pid, signal.SIGKILL)
             run.process.wait()
 
-
-def ended(group):
-    """Whether no process of the group is left."""
-    for _ in range(100):
-        try:
-            os.killpg(group, 0)
-        except ProcessLookupError:
-            return True
-        time.sleep(0.1)
-    return False
 
 
 # -- progress
@@ -249,7 +239,7 @@ def test_a_run_that_is_stopped_keeps_what_was_done(tmp_path, start, how):
             run.until('"paused"')
         run.tell(b"stop\n")
     status, lines, _, sentences = run.end()
-    assert status == 130 and "Traceback" not in "".join(sentences) and ended(run.process.pid)
+    assert status == 130 and "Traceback" not in "".join(sentences) and group_ended(run.process.pid)
     assert len(lines) == len(infos(folder)) == 3
     with open(table, newline="", encoding="utf-8") as file:
         assert [row["file"] for row in csv.DictReader(file)] == ["00.step", "01.step", "02.step"]
@@ -279,7 +269,7 @@ def test_after_kill_9_of_the_command_no_worker_lives_on(tmp_path, start, jobs):
     run.until('"done": 4')
     os.kill(run.process.pid, signal.SIGKILL)  # not its group: it is the system that ends the workers
     run.process.wait()
-    assert ended(run.process.pid)
+    assert group_ended(run.process.pid)
     assert set(infos(folder)) == {"a.step", "b.step", "c.step"}
     (folder / "zzz.step").unlink()
     tubes(folder, "zzz.step")

@@ -41,6 +41,8 @@ def _links_of(file):
             text = archive.read("Document.xml").decode("utf-8", "surrogateescape")
     except (OSError, EOFError, KeyError, ValueError, RuntimeError, NotImplementedError,
             zipfile.BadZipFile, zlib.error):
+        # Whatever a damaged archive raises: what cannot be read links to nothing, and reading the
+        # document itself says why it cannot be read.
         return []
     links = (unescape(file)
              for file in re.findall(r'<XLink\b[^>]*?\bfile="([^"]+)"', text))
