@@ -1,5 +1,9 @@
+import os
+import signal
+
 import pytest
 
+from folder_runs import Run
 from thinpart_workbench.freecad_adapter.bootstrap import load_freecad
 
 
@@ -15,3 +19,19 @@ def document(freecad):
     document = freecad.newDocument("Test")
     yield document
     freecad.closeDocument(document.Name)
+
+
+@pytest.fixture
+def start():
+    """Starts runs of the program; those that still go on are killed afterwards."""
+    runs = []
+
+    def new(*arguments, **options):
+        runs.append(Run(*arguments, **options))
+        return runs[-1]
+
+    yield new
+    for run in runs:
+        if run.process.poll() is None:
+            os.killpg(run.process.pid, signal.SIGKILL)
+            run.process.wait()

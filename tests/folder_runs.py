@@ -1,0 +1,91 @@
+"""Runs over whole folders under way, for the tests that pause, stop and kill them."""
+
+import json
+import os
+import queue
+import shutil
+import subprocess
+import sys
+import threading
+
+import jsonschema
+
+from program import ROOT, SAMPLES, SCHEMA
+
+TUBE = SAMPLES / "tube.step"
+
+
+def tubes(folder, *names):
+    folder.mkdir(exist_ok=True)
+    for name in names:
+        shutil.copy(TUBE, folder / name)
+    return folder
+
+
+def messages(text):
+    """The JSON lines on stderr, and the sentences among them."""
+    lines = text.splitlines()
+    return ([json.loads(line) for line in lines if line.startswith("{")],
+            [line for line in lines if not line.startswith("{")])
+
+
+def infos(folder):
+    """The info files of a folder by name, each checked to be whole."""
+    found = {}
+    for path in folder.rglob("*.thinpart.json"):
+        found[path.name.removesuffix(".thinpart.json")] = content = json.loads(path.read_bytes())
+        jsonschema.validate(content, SCHEMA)
+    return found
+
+
+class Run:
+    """The program under way, with what it says on stderr as it says it."""
+
+    def __init__(self, *arguments, first=b"", **options):
+        self.process = subprocess.Popen(
+            [sys.executable, "-m", "thinpart_workbench", "classify", *map(str, arguments)],
+            env=dict(os.environ, PYTHONPATH=str(ROOT)), stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True, **options)
+        self.lines, self.output, self.said = queue.Queue(), [], []
+        self.tell(first)
+        self.threads = [threading.Thread(target=target, daemon=True)
+                        for target in (self._read_errors, self._read_output)]
+        for thread in self.threads:
+            thread.start()
+
+    def _read_errors(self):
+        for line in self.process.stderr:
+            self.lines.put(line.decode())
+
+    def _read_output(self):
+        for line in self.process.stdout:
+            self.output.append(line.decode())
+
+    def tell(self, command):
+        self.process.stdin.write(command)
+        self.process.stdin.flush()
+
+    def until(self, wanted):
+        """Read on to the line that holds this; return it."""
+        while True:
+            line = self.lines.get(timeout=120)
+            self.said.append(line)
+            if wanted in line:
+                return line
+
+    def end(self):
+        """(exit status, records, JSON lines of stderr, sentences) once it has ended."""
+        status = self.process.wait(timeout=120)
+        for thread in self.threads:
+            thread.join(timeout=60)
+        while not self.lines.empty():
+            self.said.append(self.lines.get())
+        self.process.stdin.close()
+        return (status, [json.loads(line) for line in self.output], *messages("".join(self.said)))
+
+    def done(self):
+        """Numbers of done files that were told so far."""
+        while not self.lines.empty():
+            self.said.append(self.lines.get())
+        return [each["progress"]["done"] for each in messages("".join(self.said))[0]
+                if "progress" in each]
