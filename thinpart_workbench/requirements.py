@@ -83,6 +83,7 @@ TABLE = (
     Requirement("python3-distributed", "spreads the work over a cluster", _module("distributed"), ("classify --dask", "test")),
     Requirement("python3-pytest", "runs the tests", _module("pytest"), ("test",)),
     Requirement("python3-hypothesis", "makes up cases for the tests", _module("hypothesis"), ("test",)),
+    Requirement("python3-pyflakes", "finds names that nothing defines", _module("pyflakes"), ("test",)),
     Requirement("python3-jsonschema", "checks info files against their schema", _module("jsonschema"), ("test",)),
     Requirement("xvfb", "is the screen that the window's tests run on", _program("xvfb-run"), ("test",)),
     Requirement("xauth", "lets FreeCAD onto that screen", _program("xauth"), ("test",)),

@@ -138,8 +138,11 @@ def answer(dialog_name, act, seconds=20.0):
 WORKERS = ("thinpart_workbench.workflow.snapshot_worker", "thinpart_workbench\0classify")
 
 
-def workers():
-    """Process ids of measuring processes that this FreeCAD started and that still run."""
+def workers(*names):
+    """Process ids of processes that this FreeCAD started and that still run.
+
+    Those of which the command line holds one of the names; `WORKERS`, which measure, where none is given.
+    """
     found = []
     for stat in Path("/proc").glob("[0-9]*/stat"):
         try:
@@ -148,7 +151,7 @@ def workers():
         except OSError:
             continue  # it ended while being looked at
         if int(fields[1]) == os.getpid() and fields[0] != "Z" and any(
-                each in command for each in WORKERS):
+                each in command for each in names or WORKERS):
             found.append(int(stat.parent.name))
     return found
 

@@ -13,7 +13,7 @@ import pytest
 
 from thinpart_workbench.core.errors import ThinPartError
 from thinpart_workbench.workflow.analyse_file import FileTask
-from thinpart_workbench.workflow.parent_death import end_with_parent
+from thinpart_workbench.workflow.parent_death import end_with_parent  # noqa: F401 - programs import it from here
 from thinpart_workbench.workflow.workers import Workers
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -7,7 +7,6 @@ import sys
 from datetime import datetime, timedelta, timezone
 
 from ..core.conditions import search_conditions
-from ..core.errors import ThinPartError
 from ..storage.index_columns import COLUMNS
 from ..storage.part_query import PartQuery
 from ..workflow.find_parts import find_parts, read_records

@@ -5,7 +5,7 @@ import os
 import sqlite3
 import struct
 from collections import namedtuple
-from contextlib import closing, suppress
+from contextlib import suppress
 
 from ..core.errors import ThinPartError
 from ..core.packed_distribution import least_slanted, wall_share

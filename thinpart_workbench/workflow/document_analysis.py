@@ -1,6 +1,7 @@
 """All that is found out about an open document, as the worker tells it, and its info file."""
 
 from ..core.criteria import profile_from
+from ..core.errors import ThinPartError
 from ..freecad_adapter.linked_files import linked_files
 from ..storage.info_file import info_content, info_path, new_source, write_info
 

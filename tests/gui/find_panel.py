@@ -1,0 +1,157 @@
+"""The panel that finds parts, as its tests use it: libraries to search, and what a user does there."""
+
+import shutil
+import subprocess
+
+import pytest
+import window_actions as window
+
+from made_library import make_large_library
+from thinpart_workbench.freecad_adapter.settings import set_preference_list
+from thinpart_workbench.gui import find_parts
+from thinpart_workbench.gui.found_table import FILE, PART, WAITING
+from thinpart_workbench.gui.qt import QtCore
+from thinpart_workbench.gui.worker_python import python_environment, python_program
+
+SAMPLES = ("plate.step", "block.step", "ribbed_block.FCStd", "ribbed_block.step", "tube.step",
+           "heat_sink.FCStd", "assembly_of_three.FCStd")
+MANY = 20000
+
+
+@pytest.fixture(scope="session")
+def classified(tmp_path_factory):
+    """Samples, classified by the command line, and a file that cannot be."""
+    folder = tmp_path_factory.mktemp("classified")
+    for name in SAMPLES:
+        shutil.copyfile(window.SAMPLES / name, folder / name)
+    (folder / "damaged.thinpart.json").write_text("{")
+    subprocess.run([python_program(), "-m", "thinpart_workbench", "classify", str(folder)],
+                   env=python_environment(), check=True, stdin=subprocess.DEVNULL, capture_output=True)
+    return folder
+
+
+@pytest.fixture
+def library(classified, tmp_path, monkeypatch):
+    """A library of its own for a test that may change it."""
+    monkeypatch.setenv("THINPART_CACHE", str(tmp_path / "cache"))
+    shutil.copytree(classified, tmp_path / "library")
+    return tmp_path / "library"
+
+
+@pytest.fixture(scope="session")
+def many(classified, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("many")
+    make_large_library(folder, sorted(classified.glob("*.step.thinpart.json")), MANY)
+    return folder
+
+
+@pytest.fixture(autouse=True)
+def no_libraries():
+    set_preference_list("Libraries", [])
+    yield
+    find_parts.end_find_parts()
+    set_preference_list("Libraries", [])
+    window.wait_until(lambda: not workers(), 20)
+
+
+def workers():
+    """Processes of the panel that still run."""
+    return window.workers("library_worker", "reclassify_worker")
+
+
+def opened(*roots):
+    """The panel, with some libraries read."""
+    set_preference_list("Libraries", [str(each) for each in roots])
+    dock = find_parts.show_find_parts()
+    ready(dock)
+    return dock
+
+
+def ready(dock):
+    window.wait_until(lambda: not dock.is_refreshing, 120)
+    answered(dock)
+
+
+def answered(dock):
+    window.settle(20)
+    window.wait_until(lambda: not typing(dock) and not dock.is_waiting, 60)
+    window.settle(20)
+
+
+def typing(dock):
+    return any(timer.isActive() for timer in dock.findChildren(QtCore.QTimer) if timer.isSingleShot()
+               and timer.interval() > 200)
+
+
+def table():
+    return window.widget("ThinPart_FoundTable")
+
+
+def cells(column):
+    """The texts of a column; those of a short table once all of them are there."""
+    model = table().model()
+
+    def texts(column):
+        return [model.index(row, column).data() for row in range(model.rowCount())]
+
+    if model.rowCount() < 100:
+        window.wait_until(lambda: WAITING not in texts(PART))
+    return texts(column)
+
+
+def status():
+    return window.text("ThinPart_FindStatus")
+
+
+def check(dock, name):
+    box = window.widget(name)
+    box.setChecked(not box.isChecked())
+    answered(dock)
+    return box
+
+
+def write(dock, name, text):
+    window.widget(name).setText(text)
+    answered(dock)
+
+
+def row_of(label, place=None):
+    """The row of a part, by its label or its file or both; rows come a little after their number."""
+    found = []
+
+    def is_there():
+        found[:] = [row for row, (name, file) in enumerate(zip(cells(PART), cells(FILE)))
+                    if label in (None, name) and place in (None, file)]
+        return bool(found)
+
+    window.wait_until(is_there)
+    return found[0]
+
+
+def select(dock, label, place=None):
+    """Select the row of a part and wait for its details."""
+    table().selectRow(row_of(label, place))
+    window.wait_until(lambda: window.widget("ThinPart_KeptNotes").isEnabled() or (
+        table().current_part.error_kind))
+    window.settle(30)
+    return table().current_part
+
+
+def tab(dock, page):
+    dock._details.setCurrentIndex(page)
+    window.settle(20)
+
+
+def count_of(name):
+    return int(window.widget(name).text().rpartition("(")[2].rstrip(")").replace(",", ""))
+
+
+def choose(dock, index):
+    dock._choices.setCurrentIndex(index)
+    window.settle(20)
+
+
+def trigger(name):
+    menu = table().menu()
+    next(each for each in menu.actions() if each.objectName() == name).trigger()
+    window.settle(30)

@@ -1,0 +1,271 @@
+"""The libraries of the panel: other thresholds, folders that come and go, and very many parts."""
+
+import json
+import os
+import shutil
+import time
+
+import pytest
+import window_actions as window
+
+from find_panel import (  # noqa: F401 - fixtures among them
+    MANY, answered, cells, check, choose, classified, count_of, library, many, no_libraries,
+    opened, ready, row_of, select, status, table, trigger, workers, write,
+)
+from thinpart_workbench.core.criteria import load_profile
+from thinpart_workbench.freecad_adapter.settings import preference_list, set_preference_list
+from thinpart_workbench.gui import find_parts
+from thinpart_workbench.gui.found_table import FILE, PART, WAITING
+from thinpart_workbench.gui.qt import QtCore, QtWidgets
+from thinpart_workbench.storage.info_file import read_info
+
+
+@pytest.fixture
+def other_profile(tmp_path):
+    """Thresholds by which far more is a plate."""
+    content = json.loads(json.dumps(load_profile("paper").content))
+    content.update(name="generous", title="Generous")
+    content["categories"][0]["criteria"][0]["conditions"] = [
+        {"quantity": "V/VBB", "comparison": ">", "value": 0.01}]
+    path = tmp_path / "generous.json"
+    path.write_text(json.dumps(content))
+    return path
+
+
+def test_reclassify_previews_and_writes(library, other_profile):
+    dock = opened(library)
+    choose(dock, 2)
+    window.widget("ThinPart_ReclassifyProfile").choose(str(other_profile))
+    before = {path.name: path.read_bytes() for path in library.glob("*.thinpart.json")}
+    window.click("ThinPart_ReclassifyPreview")
+    window.wait_until(lambda: "change their category" in window.text("ThinPart_ReclassifyMessage"))
+    assert "damaged.thinpart.json" in window.text("ThinPart_ReclassifyMessage")
+    counts = window.widget("ThinPart_ReclassifyTable")
+    rows = [[counts.item(row, column).text() for column in range(3)] for row in range(counts.rowCount())]
+    assert ["Thin part", "9"] in [[name, after] for name, _, after in rows]
+    assert sum(int(now) for _, now, _ in rows) == 9
+    assert before == {path.name: path.read_bytes() for path in library.glob("*.thinpart.json")}
+    window.wait_until(window.widget("ThinPart_ReclassifyWrite").isEnabled, 10)
+    said = []
+    window.answer("ThinPart_ReclassifyQuestion", lambda box: (
+        said.append(box.text()), box.button(QtWidgets.QMessageBox.Yes).click()))
+    window.click("ThinPart_ReclassifyWrite")
+    window.wait_until(lambda: "were updated" in window.text("ThinPart_ReclassifyMessage"))
+    assert said[0].startswith("7 info files will be updated")
+    ready(dock)
+    assert count_of("ThinPart_Category_thin") == 9
+    assert read_info(library / "block.step.thinpart.json")["profile"]["name"] == "generous"
+    assert (library / "damaged.thinpart.json").read_text() == "{"
+
+
+def test_a_profile_that_is_none_is_refused(library, tmp_path):
+    dock = opened(library)
+    choose(dock, 2)
+    (tmp_path / "none.json").write_text("[]")
+    window.widget("ThinPart_ReclassifyProfile").choose(str(tmp_path / "none.json"))
+    window.click("ThinPart_ReclassifyPreview")
+    assert "is not a ThinPart profile" in window.text("ThinPart_ReclassifyMessage")
+
+
+def test_adding_and_removing_libraries(library, tmp_path):
+    dock = opened(library)
+    choose(dock, 1)
+    inner = library / "inner"
+    inner.mkdir()
+    dock._libraries.add(str(inner))
+    assert "is in the list already" in window.text("ThinPart_LibraryProblems")
+    other = tmp_path / "other"
+    other.mkdir()
+    shutil.copyfile(library / "plate.step.thinpart.json", other / "plate.step.thinpart.json")
+    dock._libraries.add(str(other))
+    ready(dock)
+    assert status() == "11 of 11 parts"
+    entries = window.widget("ThinPart_LibraryList")
+    entries.item(0).setSelected(True)
+    window.click("ThinPart_RemoveLibrary")
+    ready(dock)
+    assert status() == "1 of 1 parts" and preference_list("Libraries") == [str(other)]
+    dock._libraries.add(str(tmp_path))
+    ready(dock)
+    assert preference_list("Libraries") == [str(tmp_path)]
+    assert (library / "plate.step.thinpart.json").is_file()
+
+
+def test_a_folder_that_is_gone_keeps_what_was_known_and_says_so(library):
+    dock = opened(library)
+    library.rename(library.with_name("elsewhere"))
+    choose(dock, 1)
+    window.click("ThinPart_RefreshLibraries")
+    ready(dock)
+    assert f"There is no folder {library} any more" in window.text("ThinPart_LibraryProblems")
+    assert status() == "10 of 10 parts"
+    part = table().model().part_at(row_of(None, "plate.step"))
+    table().selectRow(row_of(None, "plate.step"))
+    window.wait_until(lambda: window.is_shown("ThinPart_PartSentence"))
+    assert part.file == str(library / "plate.step")
+    window.widget("ThinPart_LibraryList").item(0).setSelected(True)
+    window.click("ThinPart_RemoveLibrary")
+    ready(dock)
+    assert "Add a folder" in status()
+
+
+def test_an_index_that_cannot_be_kept_is_said_to_be_in_memory(library, tmp_path, monkeypatch):
+    (tmp_path / "file").write_text("not a folder")
+    monkeypatch.setenv("THINPART_CACHE", str(tmp_path / "file"))
+    dock = opened(library)
+    choose(dock, 1)
+    assert "was built in memory" in window.text("ThinPart_LibraryProblems")
+    assert status() == "10 of 10 parts"
+    write(dock, "ThinPart_FindWords", "tube")
+    assert cells(FILE) == ["tube.step"]
+
+
+def test_a_process_that_dies_is_told_and_started_again(library):
+    dock = opened(library)
+    os.kill(workers()[0], 9)
+    window.wait_until(lambda: "ended unexpectedly" in window.text("ThinPart_FindMessage"))
+    choose(dock, 1)
+    window.click("ThinPart_RefreshLibraries")
+    ready(dock)
+    write(dock, "ThinPart_FindWords", "tube")
+    assert cells(FILE) == ["tube.step"]
+
+
+@pytest.mark.parametrize("width, larger", [(340, 1.0), (420, 1.4)])
+def test_nothing_is_cut_off_where_the_panel_is_narrow(library, width, larger):
+    dock = opened(library)
+    font = dock.font()
+    font.setPointSizeF(font.pointSizeF() * larger)
+    dock.setFont(font)
+    dock.setFloating(True)
+    dock.resize(width, 800)
+    part = select(dock, "ribbed_block")
+    trigger("ThinPart_FoundSimilar")
+    answered(dock)
+    assert dock._details.part is not None and part is not None
+    assert dock.width() <= width + 2
+    for tabs in (dock._choices, dock._details):
+        for page in range(tabs.count()):
+            tabs.setCurrentIndex(page)
+            window.settle(50)
+            area = tabs.widget(page)
+            assert area.horizontalScrollBar().maximum() == 0, tabs.tabText(page)
+            for each in [*area.findChildren(QtWidgets.QLabel), *area.findChildren(QtWidgets.QAbstractButton)]:
+                if each.isVisible() and each.text():
+                    needed = each.heightForWidth(each.width()) if each.hasHeightForWidth() else 0
+                    assert each.height() >= needed - 1, each.text()
+                    assert each.width() >= min(each.minimumSizeHint().width(), width), each.text()
+
+
+@pytest.fixture
+def many_opened(many, tmp_path_factory, monkeypatch):
+    monkeypatch.setenv("THINPART_CACHE", str(many.with_name("cache of many")))
+    return opened(many)
+
+
+class Ticks:
+    """Counts how often the window had its turn."""
+
+    def __init__(self):
+        self._timer = QtCore.QTimer(interval=10)
+        self._timer.timeout.connect(self._tick)
+        self.times = []
+
+    def __enter__(self):
+        self._timer.start()
+        self._tick()
+        return self
+
+    def __exit__(self, *_):
+        self._tick()
+        self._timer.stop()
+
+    def _tick(self):
+        self.times.append(time.monotonic())
+
+    @property
+    def longest(self):
+        return max(later - earlier for earlier, later in zip(self.times, self.times[1:]))
+
+
+def test_closing_while_loading(many, tmp_path, monkeypatch):
+    monkeypatch.setenv("THINPART_CACHE", str(tmp_path / "cache"))
+    set_preference_list("Libraries", [str(many)])
+    dock = find_parts.show_find_parts()
+    window.wait_until(lambda: "info files read" in window.widget("ThinPart_LibraryProgress").text())
+    assert workers()
+    dock.close()
+    window.wait_until(lambda: not workers(), 20)
+
+
+def test_stopping_a_refresh_keeps_what_was_read(many, tmp_path, monkeypatch):
+    monkeypatch.setenv("THINPART_CACHE", str(tmp_path / "cache"))
+    set_preference_list("Libraries", [str(many)])
+    dock = find_parts.show_find_parts()
+    choose(dock, 1)
+    window.wait_until(lambda: "info files read" in window.text("ThinPart_LibraryProgress"))
+    window.click("ThinPart_StopRefresh")
+    ready(dock)
+    count = int(status().partition(" of ")[0].replace(",", ""))
+    assert 0 < count < MANY
+
+
+def test_the_window_has_its_turn_while_a_large_library_is_read_and_searched(many, tmp_path, monkeypatch):
+    monkeypatch.setenv("THINPART_CACHE", str(many.with_name("cache of many")))
+    with Ticks() as loading:
+        dock = opened(many)
+    print(f"loading {MANY}: {len(loading.times)} ticks, longest {loading.longest:.3f} s")
+    assert len(loading.times) > 50
+    assert status() == "20,000 of 20,000 parts"
+    field = window.widget("ThinPart_FindWords")
+    with Ticks() as typed:
+        for text in ("p", "pl", "pla", "plat", "plate", "plate 1", "plate 12"):
+            field.setText(text)
+            window.settle(150)
+        answered(dock)
+    print(f"typing: {len(typed.times)} ticks, longest {typed.longest:.3f} s")
+    assert len(typed.times) > 20
+    assert 0 < len(cells(PART)) < MANY and all("plate" in text for text in cells(PART)[:50])
+    field.setText("")
+    answered(dock)
+    with Ticks() as scrolled:
+        bar = table().verticalScrollBar()
+        for step in range(40):
+            bar.setValue(bar.maximum() * step // 40)
+            window.settle(20)
+        window.wait_until(lambda: table().model().index(
+            table().rowAt(5), PART).data() not in (None, WAITING))
+    print(f"scrolling: {len(scrolled.times)} ticks, longest {scrolled.longest:.3f} s")
+    assert len(scrolled.times) > 20
+    with Ticks() as filtered:
+        for name in ("thin", "thin_features", "normal"):
+            check(dock, f"ThinPart_Category_{name}")
+    print(f"filtering: {len(filtered.times)} ticks, longest {filtered.longest:.3f} s")
+    assert len(filtered.times) > 5
+
+
+def test_the_answer_to_an_outdated_question_is_thrown_away(many_opened):
+    dock = many_opened
+    shown = []
+    dock._search.found.connect(lambda found: shown.append(found["count"]))
+    write_now = window.widget("ThinPart_FindWords")
+    write_now.setText("part")
+    dock._ask()
+    window.settle(60)  # it is on its way
+    write_now.setText("part 000012")
+    dock._ask()
+    answered(dock)
+    assert shown[-1] == 1 and cells(FILE) == [os.path.join("0000", "part 000012.step")]
+    dock._search._take({"found": {"serial": 1}})  # an old answer that comes late
+    assert cells(FILE) == [os.path.join("0000", "part 000012.step")]
+
+
+def test_cancelling_a_preview(many_opened):
+    dock = many_opened
+    choose(dock, 2)
+    window.click("ThinPart_ReclassifyPreview")
+    window.wait_until(lambda: window.widget("ThinPart_ReclassifyBar").maximum() > 1
+                      or window.text("ThinPart_ReclassifyMessage"))
+    window.click("ThinPart_ReclassifyCancel")
+    window.wait_until(lambda: "Stopped after" in window.text("ThinPart_ReclassifyMessage"))
+    window.wait_until(window.widget("ThinPart_ReclassifyPreview").isEnabled, 20)

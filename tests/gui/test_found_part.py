@@ -1,0 +1,196 @@
+"""A part that was found: details, opening, inserting, notes, and parts like it."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import window_actions as window
+
+from find_panel import (  # noqa: F401 - fixtures among them
+    answered, cells, check, classified, library, no_libraries, opened, ready, row_of, select,
+    status, tab, table, trigger, write,
+)
+from thinpart_workbench.gui.found_table import CATEGORY, FILE, PART, REASONS, SCORE
+from thinpart_workbench.gui.part_details import COMPARISON, NOTES
+from thinpart_workbench.gui.qt import QtCore, QtGui, QtWidgets
+from thinpart_workbench.storage.info_file import read_info
+
+
+def test_details_say_why(library):
+    dock = opened(library)
+    select(dock, "plate")
+    assert window.text("ThinPart_Headline") == "Thin part"
+    assert "criteri" in window.text("ThinPart_Why")
+    assert window.text("ThinPart_PartFile") == str(library / "plate.step")
+    failure = next(row for row, text in enumerate(cells(CATEGORY)) if text.startswith("\u2717"))
+    table().selectRow(failure)
+    window.settle(50)
+    assert "damaged.thinpart.json" in window.text("ThinPart_PartSentence")
+    assert not window.is_shown("ThinPart_Headline")
+
+
+def test_a_double_click_opens_the_document(library):
+    opened(library)
+    row = row_of(None, "ribbed_block.FCStd")
+    table().doubleClicked.emit(table().model().index(row, PART))  # where nothing is current nothing opens
+    assert not App.listDocuments()
+    table().selectRow(row)
+    window.settle(30)
+    table().doubleClicked.emit(table().model().index(row, PART))
+    assert App.ActiveDocument.FileName == str(library / "ribbed_block.FCStd")
+    assert [each.Name for each in Gui.Selection.getSelection()] == [table().current_part.name]
+    table().selectRow(row_of(None, "plate.step"))
+    window.settle(30)
+    table().keyPressEvent(QtGui.QKeyEvent(
+        QtCore.QEvent.KeyPress, QtCore.Qt.Key_Return, QtCore.Qt.NoModifier))
+    assert len(App.listDocuments()) == 2 and len(App.ActiveDocument.Objects) >= 1
+
+
+def test_a_document_that_has_gone_is_said_to_have(library):
+    opened(library)
+    (library / "plate.step").unlink()
+    table().selectRow(row_of(None, "plate.step"))
+    window.settle(30)
+    table().open_current()
+    assert window.text("ThinPart_FindMessage") == f"There is no file {library / 'plate.step'} any more."
+
+
+def test_inserting(library, document, tmp_path):
+    dock = opened(library)
+    select(dock, "plate")
+    trigger("ThinPart_FoundInsert")
+    assert len(document.Objects) == 1 and document.Objects[0].Shape.Volume > 0
+    assert "plate.step was imported" in window.text("ThinPart_FindMessage")
+    document.saveAs(str(tmp_path / "mine.FCStd"))
+    select(dock, "Ribbed block", "ribbed_block.FCStd")
+    trigger("ThinPart_FoundInsert")
+    link = document.Objects[-1]
+    assert link.TypeId == "App::Link" and link.LinkedObject.Document.FileName.endswith("ribbed_block.FCStd")
+    assert App.ActiveDocument is document
+    assert "A link to ribbed_block.FCStd" in window.text("ThinPart_FindMessage")
+
+
+def test_a_copy_goes_into_a_document_without_a_file(library, document):
+    dock = opened(library)
+    select(dock, "Ribbed block", "ribbed_block.FCStd")
+    trigger("ThinPart_FoundInsert")
+    assert len(document.Objects) >= 1 and not document.FileName
+    assert "was copied into" in window.text("ThinPart_FindMessage")
+
+
+def test_inserting_into_nothing_is_refused(library):
+    dock = opened(library)
+    select(dock, "plate")
+    trigger("ThinPart_FoundInsert")
+    assert "no document to insert into" in window.text("ThinPart_FindMessage")
+
+
+def test_dragged_rows_are_files(library):
+    dock = opened(library)
+    select(dock, "plate")
+    data = table().model().mimeData(table().selectionModel().selectedIndexes())
+    assert [each.toLocalFile() for each in data.urls()] == [str(library / "plate.step")]
+    trigger("ThinPart_FoundCopyPath")
+    assert QtWidgets.QApplication.clipboard().text() == str(library / "plate.step")
+
+
+def test_notes_are_saved_and_found(library):
+    dock = opened(library)
+    select(dock, "tube")
+    trigger("ThinPart_FoundNotes")
+    notes = window.widget("ThinPart_KeptNotes")
+    notes.setPlainText("swept mesh, Zweischalengeh\u00e4use")
+    window.widget("ThinPart_KeptMesh").setText('{"size": 2.5}')
+    window.widget("ThinPart_KeptLink").setText("https://example.org/job/7")
+    window.click("ThinPart_KeepNotes")
+    window.wait_until(lambda: window.text("ThinPart_KeptMessage") == "Saved.")
+    part, = read_info(library / "tube.step.thinpart.json")["parts"]
+    assert part["notes"].endswith("Zweischalengeh\u00e4use") and part["link"].endswith("/7")
+    assert part["mesh"] == {"settings": {"size": 2.5}}
+    ready(dock)
+    write(dock, "ThinPart_FindWords", "zweischalen swept")
+    assert cells(FILE) == ["tube.step"]
+    write(dock, "ThinPart_FindWords", "")
+    check(dock, "ThinPart_FindNotes")
+    assert cells(FILE) == ["tube.step"]
+    assert notes.toPlainText().startswith("swept") and not window.widget("ThinPart_KeepNotes").isEnabled()
+
+
+def test_notes_are_saved_when_another_part_is_selected(library):
+    dock = opened(library)
+    select(dock, "tube")
+    tab(dock, NOTES)
+    window.widget("ThinPart_KeptNotes").setPlainText("do not forget")
+    select(dock, "plate")
+    assert window.widget("ThinPart_KeptNotes").toPlainText() == ""
+    ready(dock)
+    assert read_info(library / "tube.step.thinpart.json")["parts"][0]["notes"] == "do not forget"
+    select(dock, "tube")
+    assert window.widget("ThinPart_KeptNotes").toPlainText() == "do not forget"
+
+
+def test_what_cannot_be_saved_stays_in_the_field(library):
+    dock = opened(library)
+    select(dock, "tube")
+    tab(dock, NOTES)
+    window.widget("ThinPart_KeptMesh").setText("/nowhere/at/all.json")
+    window.click("ThinPart_KeepNotes")
+    window.wait_until(lambda: "There is no file" in window.text("ThinPart_KeptMessage"))
+    assert window.widget("ThinPart_KeptMesh").text() == "/nowhere/at/all.json"
+    select(dock, "plate")
+    select(dock, "tube")
+    assert window.widget("ThinPart_KeptMesh").text() == "/nowhere/at/all.json"
+    assert window.widget("ThinPart_KeepNotes").isEnabled()
+    window.widget("ThinPart_KeptMesh").setText("")
+    # An info file that has gone meanwhile.
+    window.widget("ThinPart_KeptNotes").setPlainText("x")
+    (library / "tube.step.thinpart.json").unlink()
+    window.click("ThinPart_KeepNotes")
+    window.wait_until(lambda: "There is no info file" in window.text("ThinPart_KeptMessage"))
+    assert window.widget("ThinPart_KeptNotes").toPlainText() == "x"
+
+
+def test_parts_like_this_one(library):
+    dock = opened(library)
+    select(dock, "Ribbed block", "ribbed_block.FCStd")
+    trigger("ThinPart_FoundSimilar")
+    window.wait_until(lambda: status().startswith("The 8 parts most like Ribbed block"))
+    assert cells(FILE)[0] == "ribbed_block.step" and cells(SCORE)[0] == "100\u00a0%"
+    assert "same wall distribution" in cells(REASONS)[0]
+    scores = [int(text.split("\u00a0")[0]) for text in cells(SCORE)]
+    assert scores == sorted(scores, reverse=True)
+    assert not table().isColumnHidden(SCORE)
+    select(dock, "plate")
+    chart = window.widget("ThinPart_DistributionComparison")
+    assert dock._details.currentIndex() == COMPARISON and chart.isVisible()
+    assert chart.names == ["Ribbed block", "plate"]
+    assert "% like:" in window.text("ThinPart_Likeness").replace("\u00a0", " ")
+    colours = {chart.grab().toImage().pixelColor(x, y).name()
+               for x in range(chart.width()) for y in range(chart.height())}
+    assert {"#204a87", "#ce5c00"} <= colours
+    # Filters hold for similar parts as well.
+    check(dock, "ThinPart_Category_thin")
+    assert all(text.startswith("Thin part") for text in cells(CATEGORY))
+    check(dock, "ThinPart_Category_thin")
+    check(dock, "ThinPart_SameSize")
+    assert 0 < len(cells(FILE)) < 8
+    window.click("ThinPart_EndLike")
+    answered(dock)
+    assert status() == "10 of 10 parts" and table().isColumnHidden(SCORE)
+
+
+def test_parts_like_the_active_one(library, document):
+    dock = opened(library)
+    window.click("ThinPart_LikeActive")
+    assert "is empty" in window.text("ThinPart_FindMessage")
+    window.add_ribbed_block(document)
+    window.click("ThinPart_LikeActive")
+    assert "classify the part first" in window.text("ThinPart_FindMessage")
+    window.classify()
+    window.click("ThinPart_LikeActive")  # from the session: the document has no file
+    window.wait_until(lambda: status().startswith("The 9 parts most like Ribbed, among 10 of 10"))
+    window.click("ThinPart_EndLike")
+    App.closeDocument(document.Name)
+    App.openDocument(str(library / "ribbed_block.FCStd"))
+    window.click("ThinPart_LikeActive")
+    window.wait_until(lambda: status().startswith("The 8 parts most like Ribbed block"))
+    assert cells(FILE)[0] == "ribbed_block.step"
+    answered(dock)
