@@ -9,6 +9,7 @@ from thinpart_workbench.core.inward_rays import InwardRays
 from thinpart_workbench.core.measurement import measure
 from thinpart_workbench.core.descriptors import STATED_FLOOR
 from thinpart_workbench.core.nonparallel import _regions, nonparallel_minimum
+from thinpart_workbench.core.slanted_pairs import slanted_pairs
 from thinpart_workbench.core.sampling import surface_samples
 from thinpart_workbench.core.surface_mesh import surface_mesh
 from thinpart_workbench.core.thickness import measure_rays
@@ -68,6 +69,14 @@ def test_other_angles_do_not_count(angle):
 ])
 def test_parallel_walls_have_none(shape):
     assert _least(made_meshes.moved(shape, TURNED))[0] is None
+
+
+@pytest.mark.parametrize("shape, most", [(made_meshes.tube(), 0.0), (made_meshes.spherical_shell(), 1.5)])
+def test_round_walls_are_sorted_out_before_they_are_cut(shape, most):
+    # Their facets may stand at ten degrees to those opposite, the surfaces that they stand for do not.
+    mesh = surface_mesh(*shape)
+    pairs = sum(len(first) for first, _ in slanted_pairs(mesh, InwardRays(mesh), 2.2))
+    assert pairs <= most * mesh.count
 
 
 def _ring(steps):

@@ -61,6 +61,8 @@ class _Outlines:
     normals : ndarray of shape (3, n), float32
     bend : ndarray of shape (n,), float32
         See `SurfaceMesh.bend`.
+    corner_normals : ndarray of shape (3, 3, n), float32
+        Corner, coordinate, place; as the mesh has them.
     bend_of_children : ndarray of shape (8, p), float32
         The same as the last level of the tree has it.
     """
@@ -68,6 +70,7 @@ class _Outlines:
     corners: np.ndarray
     normals: np.ndarray
     bend: np.ndarray
+    corner_normals: np.ndarray
     bend_of_children: np.ndarray
 
 
@@ -75,8 +78,9 @@ def _outlines(mesh, rays):
     order = rays.tree.order
     corners = rays.corners(order).astype(np.float32).transpose(2, 1, 0)
     bend = mesh.bend[order].astype(np.float32)
+    corner_normals = mesh.corner_normals[order].transpose(1, 2, 0)
     return _Outlines(np.ascontiguousarray(corners), np.ascontiguousarray(rays.normals[order].T, np.float32),
-                     bend, children_of_nodes(bend))
+                     bend, np.ascontiguousarray(corner_normals, np.float32), children_of_nodes(bend))
 
 
 def _thick(tree, outlines, members, limit):
@@ -132,7 +136,25 @@ def _pairs_of_triangles(tree, outlines, members, repeated, packet, place, limit)
     row, column = np.nonzero(wanted)
     first, second = members[row, packet[column]], place[column]
     over = _is_over(tree, outlines, first, second, limit)
-    return tree.order[first[over]], tree.order[second[over]]
+    first, second = first[over], second[over]
+    slanted = _reaches_slant(outlines, first, second)
+    return tree.order[first[slanted]], tree.order[second[slanted]]
+
+
+def _reaches_slant(outlines, first, second):
+    """Whether smooth surfaces over two triangles stand at the least angle asked for anywhere; generous.
+
+    Interpolated normals lie between those of the corners, and directions within less than a right angle of
+    another are a convex set: no place of one is farther turned from a place of the other than two corners
+    are. Walls of a tessellated fillet pass by the facets' angle, and hardly one by this.
+    """
+    here = np.take(outlines.corner_normals, first, axis=2, mode="clip")
+    there = np.take(outlines.corner_normals, second, axis=2, mode="clip")
+    least = np.ones(len(first), dtype=np.float32)
+    for one in here:
+        for other in there:
+            np.minimum(least, -_dot(one, other), out=least)
+    return least < np.float32(np.cos(np.radians(STATED_ANGLES[0]) - _ROUNDING))
 
 
 def _is_over(tree, outlines, first, second, limit):
