@@ -78,7 +78,7 @@ MEASURING = (
     "box_refinement", "sampling", "box_tree", "ray_packets", "tree_descent", "ray_casting",
     "inward_rays", "thickness", "convex_clipping", "nonparallel", "slanted_pairs", "pair_rule",
     "distribution", "measurement", "face_thickness", "descriptors", "chord_error",
-    "similarity", "rasterizer", "picture",
+    "similarity", "rasterizer", "picture", "facet_refinement", "thickness_map", "map_summary",
 )
 JUDGING = ("criteria", "classification")
 

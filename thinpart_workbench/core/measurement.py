@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Optional
 
 import numpy as np
 
@@ -34,10 +35,13 @@ class Measurement:
     descriptors : Descriptors
     field : ThicknessField
         The thickness under every sample, for colours and per-face summaries.
+    rays : InwardRays or None
+        By which it was measured; None for pairs.
     """
 
     descriptors: Descriptors
     field: ThicknessField
+    rays: Optional[InwardRays] = None
 
     @property
     def thinnest(self):
@@ -78,6 +82,7 @@ def measure(mesh, settings, report=None):
     tell(report, 0.0)
     enclosed = volume(mesh)
     box = _box(mesh, settings.box, portion(report, 0.0, BOX_DONE))
+    rays = None
     if settings.measure == "pairs":
         pairs_report = portion(report, BOX_DONE, 1.0)
         field, shares = measure_pairs(mesh, centroid_samples(mesh), box.diagonal, pairs_report)
@@ -92,7 +97,7 @@ def measure(mesh, settings, report=None):
         slanted_report = portion(report, RAYS_DONE, 1.0)
         least = nonparallel_minimum(mesh, rays, field, box.diagonal, slanted_report)
     tell(report, 1.0)
-    return Measurement(Descriptors(enclosed, area(mesh), box, shares, least), field)
+    return Measurement(Descriptors(enclosed, area(mesh), box, shares, least), field, rays)
 
 
 def _box(mesh, kind, report=None):

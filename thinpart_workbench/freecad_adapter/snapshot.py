@@ -10,7 +10,7 @@ from .part import MeshedPart, SolidPart
 JOB = "job.json"
 
 
-def write_snapshot(parts, folder, settings, profile):
+def write_snapshot(parts, folder, settings, profile, maps=False):
     """Write parts and what is to be done with them.
 
     Parameters
@@ -22,6 +22,8 @@ def write_snapshot(parts, folder, settings, profile):
     settings : AnalysisSettings
     profile : dict
         Content of a profile.
+    maps : bool
+        Whether thickness maps are wanted beside the records.
 
     Notes
     -----
@@ -40,7 +42,7 @@ def write_snapshot(parts, folder, settings, profile):
             "file": file, "name": part.name, "label": part.label, "instances": part.instances,
             "warnings": list(part.warnings),
         })
-    job = {"parts": entries, "settings": settings.content(), "profile": profile}
+    job = {"parts": entries, "settings": settings.content(), "profile": profile, "maps": maps}
     with open(os.path.join(folder, JOB), "w", encoding="utf-8") as file:
         json.dump(job, file)
 
@@ -51,7 +53,7 @@ def read_snapshot(folder):
     Returns
     -------
     job : dict
-        ``parts``, ``settings``, ``profile``.
+        ``parts``, ``settings``, ``profile``, ``maps``.
     read : callable
         From an entry of ``job["parts"]`` to a part.
     """

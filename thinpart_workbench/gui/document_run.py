@@ -24,12 +24,15 @@ class DocumentRun(QtCore.QObject):
         The worker's ``progress`` entry.
     measured(str)
         Name of a part of which the analysis now holds the record or the failure.
+    mapped(str, str)
+        Name of a part and the file with its thickness map, which is gone once this returns to the run.
     ended(str)
         Empty when all went well, else one sentence. Not sent after `stop`.
     """
 
     progressed = Signal(object)
     measured = Signal(str)
+    mapped = Signal(str, str)
     ended = Signal(str)
 
     def __init__(self, analysis, megabytes, parent=None):
@@ -58,7 +61,7 @@ class DocumentRun(QtCore.QObject):
         try:
             self._folder = tempfile.mkdtemp(prefix="thinpart-")
             write_snapshot(self._analysis.in_turn, self._folder, self._analysis.settings,
-                           self._analysis.profile_content)
+                           self._analysis.profile_content, self._analysis.maps)
         except OSError as error:
             self._remove_folder()
             raise ThinPartError(
@@ -99,6 +102,8 @@ class DocumentRun(QtCore.QObject):
         kind = self._analysis.take(line)
         if kind == "progress":
             self.progressed.emit(line["progress"])
+        elif kind == "map":
+            self.mapped.emit(line["map"]["part"], line["map"]["file"])
         elif kind == "done":
             self._done = True
         else:

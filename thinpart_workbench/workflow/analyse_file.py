@@ -92,8 +92,8 @@ def _analyse_parts(parts, task, sha256, read_seconds, report):
     from .analyse_part import analyse_part
     from .part_thumbnail import keep_thumbnail
 
-    def show(mesh, record):
-        keep_thumbnail(mesh, record, sha256)
+    def show(measurement, record):
+        keep_thumbnail(measurement.field.mesh, record, sha256)
 
     profile = profile_from(task.profile)
     records, failures = [], []

@@ -29,7 +29,7 @@ def analyse_part(part, settings, profile, report=None, show=None):
     report : callable, optional
         Called with a stage and the fraction of it that is done; may raise to stop.
     show : callable, optional
-        Called at the end with the surface mesh that was measured and the record.
+        Called at the end with the `Measurement` and the record.
 
     Returns
     -------
@@ -52,7 +52,7 @@ def analyse_part(part, settings, profile, report=None, show=None):
     record["warnings"] += warnings + _plausibility(part, mesh, measurement.field, diagonal)
     record["seconds"] = seconds
     if show is not None:
-        show(mesh, record)
+        show(measurement, record)
     return record
 
 

@@ -5,6 +5,9 @@ from ..core.errors import ThinPartError
 from ..freecad_adapter.linked_files import linked_files
 from ..storage.info_file import info_content, info_path, new_source, write_info
 
+_MEASURED = 0.8
+"""Share of the work on a part that is done before its map is made."""
+
 
 class DocumentAnalysis:
     """The parts of a document, one of them in the foreground, and what was measured on them.
@@ -25,13 +28,16 @@ class DocumentAnalysis:
     ----------
     records, failures : dict
         By the name of the part.
+    maps : bool
+        Whether thickness maps are wanted as well.
     """
 
-    def __init__(self, parts, chosen, settings, profile, broken=()):
+    def __init__(self, parts, chosen, settings, profile, broken=(), maps=False):
         self.parts = parts
         self.chosen = chosen
         self.broken = broken
         self.settings = settings
+        self.maps = maps
         self.profile_content = profile
         self.profile = profile_from(profile)
         self.records = {}
@@ -53,7 +59,7 @@ class DocumentAnalysis:
         Returns
         -------
         str
-            Key of what came: ``record``, ``failure``, ``progress`` or ``done``.
+            Key of what came: ``record``, ``failure``, ``map``, ``progress`` or ``done``.
         """
         if "record" in line:
             self.records[line["record"]["name"]] = line["record"]
@@ -71,9 +77,9 @@ class DocumentAnalysis:
         """
         turn = [part.name for part in self.in_turn].index(progress["part"])
         # Measuring takes most of the time; the tessellation before it has no fraction of its own.
-        return (turn + (progress["fraction"] if progress["stage"] == "measure" else 0.0)) / len(
-            self.parts
-        )
+        measured = _MEASURED if self.maps else 1.0
+        begin, end = {"measure": (0.0, measured), "map": (measured, 1.0)}.get(progress["stage"], (0.0, 0.0))
+        return (turn + begin + (end - begin) * progress["fraction"]) / len(self.parts)
 
     def write_info_file(self, document_file):
         """Write the info file of the document as it is on disk.

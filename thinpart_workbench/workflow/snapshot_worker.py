@@ -1,8 +1,9 @@
 """The process that measures a snapshot: ``python -m thinpart_workbench.workflow.snapshot_worker``.
 
 It prints one JSON object per line: ``{"progress": {"part", "stage", "fraction"}}``,
-``{"record": ...}``, ``{"failure": {"part", "label", "kind", "message"}}`` and at last ``{"done": true}``.
-Whoever started it stops it by killing it; it writes nothing but these lines.
+``{"record": ...}``, ``{"failure": {"part", "label", "kind", "message"}}`` and at last ``{"done": true}``. Where the
+job asks for maps, ``{"map": {"part", "file"}}`` comes after the record: see `map_file`.
+Whoever started it stops it by killing it; it writes nothing but these lines and the maps.
 """
 
 import json
@@ -36,7 +37,7 @@ def main(arguments):
     profile = profile_from(job["profile"])
     for entry in job["parts"]:
         try:
-            say(record=_record(entry, read, settings, profile, say))
+            _analyse(entry, read, settings, profile, job["maps"] and folder, say)
         except ThinPartError as error:
             say(failure=_failure(entry, error.kind, str(error)))
         except MemoryError:
@@ -50,7 +51,7 @@ def _failure(entry, kind, message):
     return {"part": entry["name"], "label": entry["label"], "kind": kind, "message": message}
 
 
-def _record(entry, read, settings, profile, say):
+def _analyse(entry, read, settings, profile, maps_folder, say):
     from .analyse_part import analyse_part
 
     def report(stage, fraction):
@@ -59,11 +60,25 @@ def _record(entry, read, settings, profile, say):
     started = time.perf_counter()
     part = read(entry)
     seconds = time.perf_counter() - started
-    record = analyse_part(part, settings, profile, report)
+    shown = []
+    record = analyse_part(part, settings, profile, report, lambda measurement, _: shown.append(measurement))
     record["seconds"] = {
         key: round(value, 4) for key, value in {"read": seconds, **record["seconds"]}.items()
     }
-    return record
+    say(record=record)
+    if maps_folder:
+        say(map={"part": part.name, "file": _write_map(shown[0], record, entry, maps_folder, report)})
+
+
+def _write_map(measurement, record, entry, folder, report):
+    from ..core.mapped_part import MappedPart
+    from ..core.thickness_map import thickness_map
+    from ..storage.map_file import write_maps
+
+    shown = thickness_map(measurement, lambda fraction: report("map", fraction))
+    path = os.path.join(folder, f"map-{entry['file']}.npz")
+    write_maps(path, [MappedPart(record, shown)])
+    return path
 
 
 def _private_stdout():

@@ -1,0 +1,201 @@
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+import made_meshes
+from thinpart_workbench.core.analysis_settings import AnalysisSettings
+from thinpart_workbench.core.colour_scale import COLOUR_MAPS, ColourScale, colour_table
+from thinpart_workbench.core.errors import ThinPartError
+from thinpart_workbench.core.facet_refinement import cut_sides, side_keys
+from thinpart_workbench.core.map_summary import (
+    area_by_thickness, between, face_summaries, range_of, share_between,
+)
+from thinpart_workbench.core.mapped_part import MappedPart
+from thinpart_workbench.core.measurement import measure
+from thinpart_workbench.core.surface_mesh import surface_mesh
+from thinpart_workbench.core.thickness_map import FACETS, MOST_FACETS, at_place, thickness_map
+from thinpart_workbench.storage.map_file import read_maps, write_maps
+
+TURNED = Rotation.from_rotvec([0.3, -0.8, 0.5]).as_matrix()
+
+
+def _map(shape, **settings):
+    return thickness_map(measure(surface_mesh(*shape), AnalysisSettings(**settings)))
+
+
+def _closed(shown):
+    """Whether every side belongs to two facets, so that the picture has no cracks."""
+    return set(np.unique(side_keys(shown.facets.astype(np.int64), len(shown.points)),
+                         return_counts=True)[1]) == {2}
+
+
+@pytest.mark.parametrize("shape", [
+    made_meshes.box(100, 60, 40), made_meshes.ribbed_block(), made_meshes.tube(), made_meshes.wedge(),
+    made_meshes.sphere(), made_meshes.spherical_shell(),
+])
+def test_facets_cover_the_surface_without_cracks(shape):
+    mesh = surface_mesh(*made_meshes.moved(shape, TURNED, (1000.0, 0.0, 0.0)))
+    shown = thickness_map(measure(mesh, AnalysisSettings()))
+    assert _closed(shown)
+    assert shown.areas.sum() == pytest.approx(mesh.areas.sum(), rel=1e-5)
+    assert FACETS / 4 < shown.count < 1.2 * max(MOST_FACETS, mesh.count)
+    for face in np.unique(mesh.face_of_triangle):
+        assert shown.areas[shown.face == face].sum() == pytest.approx(
+            mesh.areas[mesh.face_of_triangle == face].sum(), rel=1e-4)
+
+
+@pytest.mark.parametrize("measure_by", ["rays", "pairs"])
+def test_a_plate_is_as_thick_as_it_is(measure_by):
+    shown = _map(made_meshes.box(100, 100, 2), measure=measure_by)
+    corners = shown.corners + shown.origin
+    on_top = np.abs(np.ptp(corners[:, :, 2], axis=1)) < 1e-6
+    assert shown.thickness[on_top] == pytest.approx(2.0, abs=1e-4)
+    assert shown.thickness[~on_top] == pytest.approx(100.0, abs=1e-3)
+
+
+def test_a_rib_is_seen_where_it_is():
+    """Under the block's lower side lies the block, and the block and the rib where the rib stands."""
+    shown = _map(made_meshes.ribbed_block())
+    corners = shown.corners + shown.origin
+    x, below = corners.mean(axis=1)[:, 0], corners[:, :, 1].max(axis=1) < 1e-4
+    assert below.any()
+    under_rib = np.abs(x - 30.0) < 3.0
+    assert set(np.round(shown.thickness[below & under_rib], 3)) == {60.0}
+    assert set(np.round(shown.thickness[below & ~under_rib], 3)) == {40.0}
+    beside = np.abs(np.abs(x - 30.0) - 3.0) < 1.0
+    sizes = shown.areas[below & beside].mean(), shown.areas[below & ~beside].mean()
+    assert sizes[0] < 0.5 * sizes[1]  # its outline is drawn finer
+
+
+def test_the_wall_under_any_point_is_exact():
+    """In a wedge the wall grows from point to point, and stands at an angle."""
+    shown, flank = _wedge()
+    measured = np.flatnonzero(flank & shown.measured)
+    assert len(measured) > 100
+    for facet in measured[:: len(measured) // 50]:
+        for corner in shown.corners[facet] + shown.origin:
+            thickness, opposite = shown.wall_at(facet, corner)
+            assert thickness == pytest.approx(np.hypot(*corner[:2]) * np.tan(np.radians(30.0)), abs=1e-3)
+            assert np.linalg.norm(opposite - corner) == pytest.approx(thickness, abs=1e-3)
+            assert np.hypot(*opposite[:2]) * np.cos(np.radians(30.0)) == pytest.approx(
+                np.hypot(*corner[:2]), abs=1e-3)
+
+
+def _wedge():
+    """Map of a wedge of 30 degrees, and which of its facets lie on the flanks that meet at its tip."""
+    shown = _map(made_meshes.wedge(30.0))
+    corners = shown.corners + shown.origin
+    off = np.abs(np.abs(corners[:, :, 1]) - corners[:, :, 0] * np.tan(np.radians(15.0))).max(axis=1)
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    return shown, (off < 1e-3) & (np.abs(normal[:, 2]) < 1e-6)
+
+
+def test_what_cannot_be_measured_has_no_value():
+    points, triangles = made_meshes.box(10, 10, 10)
+    shown = thickness_map(measure(surface_mesh(points, triangles[:-2]), AnalysisSettings()))
+    assert not shown.measured.all() and shown.measured.any()
+    facet = int(np.flatnonzero(~shown.measured)[0])
+    assert shown.opposite[facet] == -1 and shown.wall_at(facet, (0, 0, 0)) == (None, None)
+
+
+def test_a_fine_mesh_keeps_its_triangles_and_what_was_measured():
+    measured = measure(surface_mesh(*made_meshes.sphere(steps=400)), AnalysisSettings())
+    shown = thickness_map(measured)
+    mesh = measured.field.mesh
+    assert shown.count == mesh.count > MOST_FACETS
+    assert np.array_equal(shown.facets, mesh.triangles)
+    assert shown.thickness == pytest.approx(40.0, abs=0.1)
+
+
+def test_sides_are_cut_on_both_facets_that_share_them():
+    points = np.array([[0.0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]])
+    facets = np.array([[0, 1, 2], [0, 2, 3]])
+    for code in range(8):
+        cut = np.array([[bool(code & 1 << k) for k in range(3)], [False] * 3])
+        new, pieces, parent = cut_sides(points, facets, cut)
+        corners = new[pieces]
+        across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])[:, 2]
+        assert (across > 0.0).all() and 0.5 * across.sum() == pytest.approx(4.0)
+        assert np.bincount(parent, weights=0.5 * across) == pytest.approx([2.0, 2.0])
+        assert (np.unique(side_keys(pieces, len(new)), return_counts=True)[1] <= 2).all()
+        assert len(new) == 4 + cut.sum()
+
+
+def _part(shape, places=1):
+    mesh = surface_mesh(*shape)
+    return MappedPart({"name": "Body", "label": "Plate \u00fc"}, thickness_map(measure(mesh, AnalysisSettings())),
+                      ["Pad", "Pad"], np.tile(np.eye(4), (places, 1, 1)))
+
+
+def test_summaries_agree_with_each_other():
+    plate, cube = _part(made_meshes.box(100, 100, 2)), _part(made_meshes.box(10, 10, 10), places=3)
+    shares, unmeasured = area_by_thickness([plate, cube], np.array([0.0, 5.0, 50.0, 200.0]))
+    assert shares.sum() + unmeasured == pytest.approx(1.0)
+    total = 20800.0 + 3 * 600.0
+    assert shares == pytest.approx([20000 / total, 1800 / total, 800 / total], rel=1e-4)
+    assert share_between([plate, cube], 5.0, 50.0) == pytest.approx(shares[1])
+    assert range_of([plate, cube]) == pytest.approx((2.0, 100.0), rel=1e-4)
+    faces = face_summaries(plate.map, 5.0)
+    assert sum(each.area for each in faces) == pytest.approx(20800.0, rel=1e-5)
+    thin = plate.map.areas[between(plate.map, 0.0, 5.0)].sum()
+    assert sum(each.area * each.thin_share for each in faces) == pytest.approx(thin, rel=1e-6)
+
+
+def test_a_face_knows_its_thinnest_wall_and_its_median():
+    shown, flank = _wedge()
+    number = int(shown.face[np.flatnonzero(flank)[0]])
+    face = next(each for each in face_summaries(shown, 10.0) if each.face == number)
+    assert 0.0 < face.thinnest < 1.5 < face.median
+    assert 0.0 < face.thin_share < 1.0
+
+
+def test_a_map_goes_through_a_file(tmp_path):
+    part = _part(made_meshes.box(100, 100, 2), places=2)
+    path = str(tmp_path / "map.npz")
+    write_maps(path, [part, part])
+    for read in read_maps(path):
+        assert read.record == part.record and read.features == part.features
+        assert np.array_equal(read.places, part.places)
+        assert np.array_equal(read.map.thickness, part.map.thickness, equal_nan=True)
+        assert read.map.wall_at(0, read.map.corners[0].mean(axis=0)) is not None
+
+
+@pytest.mark.parametrize("damage", [b"", b"no archive", b"PK\x03\x04cut off"])
+def test_a_damaged_file_is_told(tmp_path, damage):
+    path = tmp_path / "map.npz"
+    path.write_bytes(damage)
+    with pytest.raises(ThinPartError, match="map.npz cannot be read"):
+        read_maps(str(path))
+
+
+def test_a_map_at_another_place():
+    shown = _map(made_meshes.box(10, 20, 30))
+    matrix = np.eye(4)
+    matrix[:3, :3], matrix[:3, 3] = TURNED, (5.0, -6.0, 7.0)
+    moved = at_place(shown, matrix)
+    assert moved.points + moved.origin == pytest.approx(
+        (shown.points + shown.origin) @ TURNED.T + matrix[:3, 3], abs=1e-3)
+
+
+@pytest.mark.parametrize("name", COLOUR_MAPS)
+def test_a_scale_runs_from_end_to_end(name):
+    scale = ColourScale(1.0, 3.0, name)
+    table = colour_table(name)
+    assert np.array_equal(scale.colours([0.0, 1.0, 3.0, 9.0]), table[[0, 0, -1, -1]])
+    turned = ColourScale(1.0, 3.0, name, reversed=True)
+    assert np.array_equal(turned.colours([1.0, 3.0]), table[[-1, 0]])
+    lightness = table @ [0.2126, 0.7152, 0.0722]
+    assert lightness[-1] - lightness[0] > 120  # readable without any colour
+
+
+def test_bands_and_the_unmeasured():
+    scale = ColourScale(0.0, 10.0, bands=4, unmeasured=(1.0, 0.0, 0.5))
+    values = np.linspace(0.0, 10.0, 400)
+    assert len(np.unique(scale.colours(values), axis=0)) == 4
+    assert np.array_equal(scale.colours([2.4]), scale.colours([0.1]))
+    assert not np.array_equal(scale.colours([2.6]), scale.colours([2.4]))
+    assert scale.colours([np.nan]).tolist() == [[255, 0, 128]]
+
+
+def test_a_range_of_no_width_still_has_colours():
+    assert ColourScale(2.0, 2.0).colours([1.0, 2.0, 3.0]).shape == (3, 3)

@@ -1,0 +1,83 @@
+"""Facets cut along their longer sides, so that each can carry a value of its own."""
+
+import numpy as np
+
+_CUTS = {
+    # Sides that are cut, as bits, and the facets that remain: corners are 0 to 2, and 3 to 5 the middles of
+    # the sides from corners 0, 1 and 2 to the next.
+    0: ((0, 1, 2),),
+    1: ((0, 3, 2), (3, 1, 2)),
+    2: ((0, 1, 4), (0, 4, 2)),
+    3: ((3, 1, 4), (0, 3, 4), (0, 4, 2)),
+    4: ((0, 1, 5), (5, 1, 2)),
+    5: ((0, 3, 5), (3, 1, 2), (3, 2, 5)),
+    6: ((4, 2, 5), (0, 1, 4), (0, 4, 5)),
+    7: ((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5)),
+}
+
+
+def side_lengths(points, facets):
+    """Lengths of the sides from each corner to the next.
+
+    Parameters
+    ----------
+    points : ndarray of shape (v, 3), mm
+    facets : ndarray of shape (m, 3), int
+
+    Returns
+    -------
+    ndarray of shape (m, 3), mm
+    """
+    corners = points[facets]
+    return np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
+
+
+def cut_sides(points, facets, cut):
+    """Cut sides of facets in their middle, on both facets that share a side.
+
+    Parameters
+    ----------
+    points : ndarray of shape (v, 3), mm
+    facets : ndarray of shape (m, 3), int64
+    cut : ndarray of shape (m, 3), bool
+        Sides to be cut, from each corner to the next. It is enough that one of two neighbours says so.
+
+    Returns
+    -------
+    points : ndarray of shape (w, 3), mm
+        The old ones, then the middles.
+    facets : ndarray of shape (k, 3), int64
+        Facets that were not cut come first, in their order.
+    parent : ndarray of shape (k,), int64
+        Index of the facet that each one was, or is a piece of.
+    """
+    key = side_keys(facets, len(points))
+    cut_keys = np.unique(key[cut])
+    place = np.minimum(np.searchsorted(cut_keys, key), max(len(cut_keys) - 1, 0))
+    is_cut = cut_keys[place] == key if len(cut_keys) else np.zeros_like(cut)
+    middles = 0.5 * (points[cut_keys // len(points)] + points[cut_keys % len(points)])
+    nodes = np.concatenate([facets, len(points) + place], axis=1)
+    code = is_cut @ np.array([1, 2, 4])
+    pieces, parents = [], []
+    for number, corners in _CUTS.items():
+        which = np.flatnonzero(code == number)
+        pieces.append(nodes[which][:, np.array(corners)].reshape(-1, 3))
+        parents.append(np.repeat(which, len(corners)))
+    return np.concatenate([points, middles]), np.concatenate(pieces), np.concatenate(parents)
+
+
+def side_keys(facets, count):
+    """A number for each side, the same for the two facets that share it.
+
+    Parameters
+    ----------
+    facets : ndarray of shape (m, 3), int64
+    count : int
+        Number of points.
+
+    Returns
+    -------
+    ndarray of shape (m, 3), int64
+    """
+    ahead = np.roll(facets, -1, axis=1)
+    return np.minimum(facets, ahead) * count + np.maximum(facets, ahead)
