@@ -74,7 +74,7 @@ def test_one_module_of_gui_imports_qt():
 
 
 MEASURING = (
-    "surface_mesh", "edge_balance", "flat_regions", "smooth_normals", "mass_properties", "bounds",
+    "columns", "surface_mesh", "edge_balance", "flat_regions", "smooth_normals", "mass_properties", "bounds",
     "box_refinement", "sampling", "box_tree", "ray_packets", "tree_descent", "ray_casting",
     "inward_rays", "thickness", "convex_clipping", "nonparallel", "slanted_pairs", "pair_rule",
     "distribution", "measurement", "face_thickness", "descriptors", "chord_error",

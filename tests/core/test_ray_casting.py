@@ -5,6 +5,7 @@ from scipy.spatial.transform import Rotation
 import brute_force
 import made_meshes
 from thinpart_workbench.core.box_tree import box_tree
+from thinpart_workbench.core.columns import corners_of
 from thinpart_workbench.core.inward_rays import InwardRays
 from thinpart_workbench.core.ray_casting import OUTER, first_hits, first_hits_within
 from thinpart_workbench.core.ray_packets import PACKET
@@ -104,12 +105,12 @@ def test_any_rays_from_any_place_are_identical_to_brute_force(side):
     rng = np.random.default_rng(11)
     mesh = surface_mesh(*made_meshes.joined(
         made_meshes.sphere(10, 30), made_meshes.moved(made_meshes.tube(8, 7, 30, 40), shift=(5, 5, 5))))
-    tree = box_tree(mesh.corners, mesh.normals, mesh.areas)
+    tree = box_tree(*_columns(mesh))
     origins = rng.uniform(-12, 12, (500, 3))
     directions = rng.normal(size=(500, 3))
     directions[:80] = np.eye(3)[rng.integers(0, 3, 80)] * rng.choice([-1, 1], (80, 1))
     directions /= np.linalg.norm(directions, axis=1)[:, None]
-    distance, triangle = first_hits(tree, origins, directions, side)
+    distance, triangle = first_hits(tree, origins.T, directions.T, side)
     looked_at = mesh if side > 0 else _inside_out(mesh)
     truth, _ = brute_force.first_hits(looked_at, origins, directions)
     assert (np.isinf(distance) == np.isinf(truth)).all()
@@ -117,10 +118,14 @@ def test_any_rays_from_any_place_are_identical_to_brute_force(side):
     assert 100 < met.sum() < 500
     assert np.abs(distance[met] - truth[met]).max() <= 1e-9 * mesh.extent
     assert ((triangle >= 0) == met).all()
-    limited, _ = first_hits_within(tree, origins, directions, np.where(met, truth * 0.999, 1.0), side)
+    limited, _ = first_hits_within(tree, origins.T, directions.T, np.where(met, truth * 0.999, 1.0), side)
     assert np.isinf(limited[met]).all()
-    reached, _ = first_hits_within(tree, origins, directions, np.full(500, np.inf), side)
+    reached, _ = first_hits_within(tree, origins.T, directions.T, np.full(500, np.inf), side)
     assert (reached == distance).all()
+
+
+def _columns(mesh):
+    return corners_of(mesh.vertex_columns, mesh.triangles), mesh.normals.T, mesh.areas
 
 
 def _inside_out(mesh):
@@ -133,10 +138,10 @@ def _inside_out(mesh):
 
 def test_no_rays_are_no_error():
     mesh = surface_mesh(*made_meshes.box(1, 1, 1))
-    tree = box_tree(mesh.corners, mesh.normals, mesh.areas)
+    tree = box_tree(*_columns(mesh))
     for distance, triangle in (
-        first_hits(tree, np.empty((0, 3)), np.empty((0, 3))),
-        first_hits_within(tree, np.empty((0, 3)), np.empty((0, 3)), np.empty(0)),
+        first_hits(tree, np.empty((3, 0)), np.empty((3, 0))),
+        first_hits_within(tree, np.empty((3, 0)), np.empty((3, 0)), np.empty(0)),
     ):
         assert len(distance) == len(triangle) == 0
 
@@ -155,7 +160,7 @@ def test_a_ray_does_not_slip_through_a_crack_as_wide_as_rounding(width, closed):
     mesh = surface_mesh(np.concatenate([points, far]), np.concatenate([triangles[~top], halves]))
     assert mesh.cracked
     gap = TOLERANCES.gap * mesh.extent
-    tree = box_tree(mesh.corners, mesh.normals, mesh.areas, gap)
+    tree = box_tree(*_columns(mesh), gap)
     origins = np.column_stack([np.full(50, 50.0), np.linspace(3, 97, 50), np.zeros(50)])
-    distance, _ = first_hits(tree, origins - mesh.origin, np.tile([0.0, 0.0, 1.0], (50, 1)))
+    distance, _ = first_hits(tree, (origins - mesh.origin).T, np.tile([[0.0], [0.0], [1.0]], (1, 50)))
     assert (np.abs(distance - 2) < 1e-9).all() == closed

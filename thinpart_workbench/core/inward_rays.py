@@ -3,6 +3,7 @@
 import numpy as np
 
 from .box_tree import box_tree
+from .columns import corners_of
 from .dominant_directions import dominant_axes
 from .progress import portion, tell
 from .ray_casting import OUTER, first_hits_in_order, first_hits_within
@@ -27,7 +28,7 @@ class InwardRays:
     Attributes
     ----------
     tree : BoxTree
-    normals : ndarray of shape (n, 3)
+    normals : ndarray of shape (3, n)
         As the tree has them.
 
     Notes
@@ -39,14 +40,13 @@ class InwardRays:
     def __init__(self, mesh):
         self._mesh = mesh
         self._axes = dominant_axes(mesh.normals, mesh.areas)
-        self.normals = mesh.normals @ self._axes.T
-        corners = mesh.corners @ self._axes.T
-        vertices = corners.reshape(-1, 3)
-        low, high = vertices.min(axis=0), vertices.max(axis=0)
+        self.normals = self._axes @ mesh.normals.T
+        vertices = self._axes @ mesh.vertices.T
+        low, high = vertices.min(axis=1), vertices.max(axis=1)
         self._middle, self._half = 0.5 * (low + high), 0.5 * (high - low)
-        corners -= self._middle
+        vertices -= self._middle[:, None]
         gap = TOLERANCES.gap * mesh.extent if mesh.cracked else 0.0
-        self.tree = box_tree(corners, self.normals, mesh.areas, gap)
+        self.tree = box_tree(corners_of(vertices, mesh.triangles), self.normals, mesh.areas, gap)
 
     def first_hits(self, samples, side, report=None):
         """First triangle under each sample.
@@ -84,7 +84,7 @@ class InwardRays:
         keys = np.empty(samples.count, dtype=np.uint64)
         for start in range(0, samples.count, BLOCK):
             part = slice(start, start + BLOCK)
-            place = hilbert_index(samples.points[part] @ self._axes.T, corners)
+            place = hilbert_index(self._axes @ samples.points[part].T, corners)
             keys[part] = place | side[samples.triangle[part]]
         return np.argsort(keys, kind="stable")
 
@@ -124,8 +124,8 @@ class InwardRays:
 
     def _rays(self, samples, chosen):
         """Origins and directions as the tree has them."""
-        origins = samples.points[chosen] @ self._axes.T - self._middle
-        return origins, -self.normals[samples.triangle[chosen]]
+        origins = self._axes @ samples.points[chosen].T - self._middle[:, None]
+        return origins, -np.take(self.normals, samples.triangle[chosen], axis=1)
 
 
 def _distance_to_edges(mesh, samples, chosen):

@@ -6,6 +6,7 @@ packet are tested in float32 with some slack, and what passes is decided in floa
 
 import numpy as np
 
+from .columns import dot
 from .ray_packets import PACKET, coherent_order, thick_rays
 from .tolerances import TOLERANCES
 from .tree_descent import Work, cosines, descend
@@ -31,8 +32,8 @@ def first_hits(tree, origins, directions, side=INNER, report=None, work=None):
     Parameters
     ----------
     tree : BoxTree
-    origins : ndarray of shape (m, 3), float64, mm
-    directions : ndarray of shape (m, 3), float64
+    origins : ndarray of shape (3, m), float64, mm
+    directions : ndarray of shape (3, m), float64
         Unit vectors.
     side : float
         `INNER` or `OUTER`.
@@ -54,10 +55,10 @@ def first_hits(tree, origins, directions, side=INNER, report=None, work=None):
     packet is solved first without a limit, its neighbours then start from the distance it found and
     widen only where they meet nothing: a hit inside the limit is final.
     """
-    order = coherent_order(origins, directions) if len(origins) else np.empty(0, dtype=np.int64)
+    order = coherent_order(origins, directions) if origins.size else np.empty(0, dtype=np.int64)
     distance, triangle = np.empty(len(order)), np.empty(len(order), dtype=np.int64)
     distance[order], triangle[order] = first_hits_in_order(
-        tree, origins[order], directions[order], side, report, work
+        tree, np.take(origins, order, axis=1), np.take(directions, order, axis=1), side, report, work
     )
     return distance, triangle
 
@@ -96,9 +97,8 @@ class _Rays:
     def __init__(self, tree, origins, directions, side, report, work):
         self.tree, self.side, self.report, self.work = tree, side, report, work
         self.origins, self.directions = origins, directions
-        self.count = len(origins)
-        self.coarse_origins = np.ascontiguousarray(origins.T, dtype=np.float32)
-        self.coarse_directions = np.ascontiguousarray(directions.T, dtype=np.float32)
+        self.count = origins.shape[1]
+        self.coarse_origins, self.coarse_directions = origins.astype(np.float32), directions.astype(np.float32)
         self.distance = np.full(self.count, np.inf)
         self.place = np.full(self.count, -1, dtype=np.int64)
         self._settled = 0
@@ -198,18 +198,18 @@ def _candidates(rays, origins, directions, limit, packet, place):
         row = np.take(coarse, goal, axis=1, mode="clip")
         origin = np.take(origins, part, axis=1, mode="clip").reshape(3, size, count)
         point = np.take(directions, part, axis=1, mode="clip").reshape(3, size, count)
-        facing = _dot(row[0:3], point)
+        facing = dot(row[0:3], point)
         facing *= side
-        hit = _dot(row[0:3], origin)
+        hit = dot(row[0:3], origin)
         np.subtract(row[3], hit, out=hit)
         hit *= side
         grazing = facing < _GRAZING_FLOAT32
         hit /= np.maximum(facing, np.float32(1e-6))
         point *= hit
         point += origin
-        u = _dot(row[4:7], point)
+        u = dot(row[4:7], point)
         u -= row[7]
-        v = _dot(row[8:11], point)
+        v = dot(row[8:11], point)
         v -= row[11]
         met = u >= 0.0
         met &= v >= 0.0
@@ -229,26 +229,18 @@ def _candidates(rays, origins, directions, limit, packet, place):
     return np.concatenate(lanes), np.concatenate(places)
 
 
-def _dot(row, vectors):
-    total = row[0] * vectors[0]
-    term = row[1] * vectors[1]
-    total += term
-    np.multiply(row[2], vectors[2], out=term)
-    total += term
-    return total
-
-
 def _decide(rays, ray, place, limit):
     """Test pairs of ray and triangle in float64 and keep the nearest hit of each ray."""
     rays.work.exact += len(ray)
     tree, side = rays.tree, rays.side
     row = np.take(tree.triangle_rows, place, axis=1, mode="clip")
-    origin, direction = rays.origins[ray].T, rays.directions[ray].T
-    facing = _dot(row[0:3], direction) * side
-    hit = (row[3] - _dot(row[0:3], origin)) * side / np.maximum(facing, TOLERANCES.grazing)
+    origin = np.take(rays.origins, ray, axis=1, mode="clip")
+    direction = np.take(rays.directions, ray, axis=1, mode="clip")
+    facing = dot(row[0:3], direction) * side
+    hit = (row[3] - dot(row[0:3], origin)) * side / np.maximum(facing, TOLERANCES.grazing)
     point = origin + direction * hit
-    u = _dot(row[4:7], point) - row[7]
-    v = _dot(row[8:11], point) - row[11]
+    u = dot(row[4:7], point) - row[7]
+    v = dot(row[8:11], point) - row[11]
     met = (u >= -_slack(tree, row[4:7])) & (v >= -_slack(tree, row[8:11]))
     met &= u + v <= 1.0 + _slack(tree, row[4:7] + row[8:11])
     met &= (facing > TOLERANCES.grazing) & (hit > TOLERANCES.self_hit * tree.extent)
@@ -264,4 +256,4 @@ def _slack(tree, gradient):
     """How far beyond its edge, as a barycentric coordinate, a triangle is still met."""
     if tree.gap == 0.0:
         return TOLERANCES.edge
-    return TOLERANCES.edge + tree.gap * np.sqrt(_dot(gradient, gradient))
+    return TOLERANCES.edge + tree.gap * np.sqrt(dot(gradient, gradient))

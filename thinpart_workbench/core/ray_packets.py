@@ -18,8 +18,8 @@ def coherent_order(origins, directions):
 
     Parameters
     ----------
-    origins : ndarray of shape (m, 3), mm
-    directions : ndarray of shape (m, 3)
+    origins : ndarray of shape (3, m), mm
+    directions : ndarray of shape (3, m)
 
     Returns
     -------
@@ -38,14 +38,16 @@ def side_of_cube(directions):
 
     Parameters
     ----------
-    directions : ndarray of shape (m, 3)
+    directions : ndarray of shape (3, m)
 
     Returns
     -------
     ndarray of shape (m,), uint64
     """
-    axis = np.abs(directions).argmax(axis=1)
-    forward = directions[np.arange(len(directions)), axis] > 0.0
+    steepness = np.abs(directions)
+    axis = np.where(steepness[1] > steepness[0], 1, 0)
+    axis = np.where(steepness[2] > np.maximum(steepness[0], steepness[1]), 2, axis)
+    forward = np.choose(axis, directions) > 0.0
     return (2 * axis + forward).astype(np.uint64) << np.uint64(30)
 
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .box_tree import children_of_nodes
+from .columns import dot
 from .descriptors import STATED_ANGLES
 from .ray_packets import PACKET, coherent_order, thick_rays
 from .tree_descent import cosines, descend
@@ -34,7 +35,7 @@ def slanted_pairs(mesh, rays, limit, report=None):
         Generous: no pair is missing, some need not be there. None comes twice.
     """
     outlines = _outlines(mesh, rays)
-    order = coherent_order(outlines.corners.mean(axis=1).T, outlines.normals.T)
+    order = coherent_order(outlines.corners.mean(axis=1), outlines.normals)
     packets = -(-len(order) // PACKET)
     for start in range(0, packets, _PACKETS_AT_ONCE):
         rows = np.arange(start, min(start + _PACKETS_AT_ONCE, packets)) * PACKET
@@ -78,9 +79,9 @@ def _outlines(mesh, rays):
     order = rays.tree.order
     corners = rays.corners(order).astype(np.float32).transpose(2, 1, 0)
     bend = mesh.bend[order].astype(np.float32)
-    corner_normals = mesh.corner_normals[order].transpose(1, 2, 0)
-    return _Outlines(np.ascontiguousarray(corners), np.ascontiguousarray(rays.normals[order].T, np.float32),
-                     bend, np.ascontiguousarray(corner_normals, np.float32), children_of_nodes(bend))
+    corner_normals = np.take(mesh.corner_normals, order, axis=2).astype(np.float32)
+    return _Outlines(np.ascontiguousarray(corners), np.take(rays.normals, order, axis=1).astype(np.float32),
+                     bend, corner_normals, children_of_nodes(bend))
 
 
 def _thick(tree, outlines, members, limit):
@@ -153,7 +154,7 @@ def _reaches_slant(outlines, first, second):
     least = np.ones(len(first), dtype=np.float32)
     for one in here:
         for other in there:
-            np.minimum(least, -_dot(one, other), out=least)
+            np.minimum(least, -dot(one, other), out=least)
     return least < np.float32(np.cos(np.radians(STATED_ANGLES[0]) - _ROUNDING))
 
 
@@ -162,17 +163,10 @@ def _is_over(tree, outlines, first, second, limit):
     rows = np.take(tree.coarse_rows, first, axis=1, mode="clip")
     corners = np.take(outlines.corners.reshape(9, -1), second, axis=1, mode="clip").reshape(3, 3, -1)
     slack = np.float32(_ROUNDING * tree.extent + tree.gap)
-    depth = rows[3] - _dot(rows[0:3, None], corners)
+    depth = rows[3] - dot(rows[0:3, None], corners)
     over = (depth.min(axis=0) < np.float32(limit) + slack) & (depth.max(axis=0) > -slack)
-    u = _dot(rows[4:7, None], corners) - rows[7]
+    u = dot(rows[4:7, None], corners) - rows[7]
     over &= u.max(axis=0) >= 0.0
-    v = _dot(rows[8:11, None], corners) - rows[11]
+    v = dot(rows[8:11, None], corners) - rows[11]
     over &= v.max(axis=0) >= 0.0
     return over & ((u + v).min(axis=0) <= rows[12])
-
-
-def _dot(first, second):
-    total = first[0] * second[0]
-    total += first[1] * second[1]
-    total += first[2] * second[2]
-    return total

@@ -4,6 +4,7 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
+from .columns import corners_of, dot
 from .edge_balance import shared_sides
 from .tolerances import TOLERANCES
 
@@ -57,54 +58,56 @@ def normals_at(mesh, triangle, points):
 
     Notes
     -----
-    Corner normals are means over the facets of the same face, weighted by their angle there
-    (Thuermer and Wuethrich 1998, doi:10.1080/10867651.1998.10487487), interpolated as by Phong
+    Corner normals are means over the facets of the same face, by the weights of Max (1999,
+    doi:10.1080/10867651.1999.10487501), which are exact on a sphere, interpolated as by Phong
     (1975, doi:10.1145/360825.360839). On a plane they are the facet's own. Two walls of a
     tessellated shell are parallel by these normals, although their facets are not.
     """
-    corner_normals = mesh.corner_normals
-    normal = mesh.normals[triangle]
+    normal = np.take(mesh.normals, triangle, axis=0)
     bent = np.flatnonzero(mesh.bend[triangle] > TOLERANCES.angle)
     for start in range(0, len(bent), _AT_ONCE):
         chosen = bent[start:start + _AT_ONCE]
-        weights = _barycentric(mesh.corners[triangle[chosen]], points[chosen])
-        mean = np.einsum("ik,ikj->ij", weights, corner_normals[triangle[chosen]])
-        normal[chosen] = mean / np.sqrt(np.einsum("ij,ij->i", mean, mean))[:, None]
+        own = triangle[chosen]
+        corners = corners_of(mesh.vertex_columns, mesh.triangles[own])
+        weights = _barycentric(corners, points[chosen].T)
+        mean = sum(weight * np.take(corner, own, axis=1)
+                   for weight, corner in zip(weights, mesh.corner_normals))
+        normal[chosen] = (mean / np.sqrt(dot(mean, mean))).T
     return normal
 
 
 def _barycentric(corners, points):
-    """ndarray of shape (m, 3): weights of the corners, of points on or just beside triangles."""
-    edge_u, edge_v = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-    inside = points - corners[:, 0]
-    uu, uv, vv = (np.einsum("ij,ij->i", a, b) for a, b in (
-        (edge_u, edge_u), (edge_u, edge_v), (edge_v, edge_v)))
-    pu, pv = (np.einsum("ij,ij->i", inside, edge) for edge in (edge_u, edge_v))
+    """Weights of the corners, three ndarrays of shape (m,), of points on or just beside triangles."""
+    first = corners[:, 0]
+    edge_u, edge_v, inside = corners[:, 1] - first, corners[:, 2] - first, points - first
+    uu, uv, vv = dot(edge_u, edge_u), dot(edge_u, edge_v), dot(edge_v, edge_v)
+    pu, pv = dot(inside, edge_u), dot(inside, edge_v)
     determinant = np.maximum(uu * vv - uv * uv, np.finfo(float).tiny)
     second = np.clip((vv * pu - uv * pv) / determinant, 0.0, 1.0)
     third = np.clip((uu * pv - uv * pu) / determinant, 0.0, 1.0)
-    return np.stack([np.clip(1.0 - second - third, 0.0, 1.0), second, third], axis=1)
+    return np.clip(1.0 - second - third, 0.0, 1.0), second, third
 
 
 def corner_normals(mesh):
-    """Normals of the smooth surface at the corners, ndarray of shape (n, 3, 3).
+    """Normals of the smooth surface at the corners, ndarray of shape (3, 3, n): corner, coordinate, triangle.
 
     Parameters
     ----------
     mesh : SurfaceMesh
     """
-    corners, normals = mesh.corners, mesh.normals
     which = _vertex_of_face(mesh)
-    weight = _corner_angles(corners).ravel()
-    facet = np.repeat(normals, 3, axis=0)
-    mean = np.stack([np.bincount(which, facet[:, k] * weight) for k in range(3)], axis=1)
-    length = np.linalg.norm(mean, axis=1)
-    mean /= np.where(length > 0.0, length, 1.0)[:, None]
-    mean = mean[which]
-    # The tip of a cone and a kink within a face have no one normal: the facet's own stands there.
-    sharp = np.einsum("ij,ij->i", mean, facet) < np.cos(CREASE)
-    mean[sharp] = facet[sharp]
-    return mean.reshape(-1, 3, 3)
+    facet = np.ascontiguousarray(mesh.normals.T)
+    weight = _corner_weights(mesh).ravel()
+    mean = np.stack([np.bincount(which, np.tile(facet[k], 3) * weight) for k in range(3)])
+    length = np.sqrt(dot(mean, mean))
+    mean /= np.where(length > 0.0, length, 1.0)
+    normals = np.empty((3, 3, mesh.count))
+    for corner, vertex in zip(normals, which.reshape(3, -1)):
+        np.take(mean, vertex, axis=1, out=corner, mode="clip")
+        # The tip of a cone and a kink within a face have no one normal: the facet's own stands there.
+        sharp = np.flatnonzero(dot(corner, facet) < np.cos(CREASE))
+        corner[:, sharp] = facet[:, sharp]
+    return normals
 
 
 def _vertex_of_face(mesh):
@@ -113,9 +116,10 @@ def _vertex_of_face(mesh):
     Returns
     -------
     ndarray of shape (3 n,), int64
+        First corners, second, third.
     """
-    vertex = mesh.triangles.ravel()
-    face = np.repeat(mesh.face_of_triangle, 3)
+    vertex = mesh.triangles.T.ravel()
+    face = np.tile(mesh.face_of_triangle, 3)
     count = len(mesh.vertices)
     # Most vertices lie within a face: only those on its border have to be sorted by face.
     some_face = np.empty(count, dtype=np.int64)
@@ -129,11 +133,9 @@ def _vertex_of_face(mesh):
     return which
 
 
-def _corner_angles(corners):
-    """ndarray of shape (n, 3), radians."""
+def _corner_weights(mesh):
+    """How much each facet counts at each of its corners, ndarray of shape (3, n), 1/mm2."""
+    corners = corners_of(mesh.vertex_columns, mesh.triangles)
     sides = [corners[:, (k + 1) % 3] - corners[:, k] for k in range(3)]
-    lengths = [np.sqrt(np.einsum("ij,ij->i", side, side)) for side in sides]
-    cosine = np.stack([
-        -np.einsum("ij,ij->i", sides[k], sides[k - 1]) / (lengths[k] * lengths[k - 1]) for k in range(3)
-    ], axis=1)
-    return np.arccos(np.clip(cosine, -1.0, 1.0))
+    squares = [dot(side, side) for side in sides]
+    return np.stack([mesh.areas / (squares[k] * squares[k - 1]) for k in range(3)])

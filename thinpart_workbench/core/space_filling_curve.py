@@ -13,7 +13,7 @@ def hilbert_order(points):
 
     Parameters
     ----------
-    points : ndarray of shape (n, 3)
+    points : ndarray of shape (3, n)
     """
     return np.argsort(hilbert_index(points), kind="stable")
 
@@ -23,7 +23,7 @@ def hilbert_index(points, bounds=None):
 
     Parameters
     ----------
-    points : ndarray of shape (n, 3)
+    points : ndarray of shape (3, n)
     bounds : pair of ndarray of shape (3,), optional
         Lower and upper corner of the cells; the points' own where not given.
 
@@ -38,14 +38,14 @@ def hilbert_index(points, bounds=None):
     Hamilton 2006, "Compact Hilbert Indices", Dalhousie CS-2006-07). Against the Morton order the
     boxes of eight neighbours are a quarter smaller.
     """
-    low, high = (points.min(axis=0), points.max(axis=0)) if bounds is None else bounds
+    low, high = (points.min(axis=1), points.max(axis=1)) if bounds is None else bounds
     side = max(float((high - low).max()), 1e-30)
-    cells = np.maximum((points - low) * ((2 ** BITS - 0.001) / side), 0.0).astype(np.uint32)
+    cells = np.maximum((points - low[:, None]) * ((2 ** BITS - 0.001) / side), 0.0).astype(np.uint32)
     np.minimum(cells, np.uint32(2 ** BITS - 1), out=cells)
-    morton = sum(_spread_bits(cells[:, axis]) << np.uint32(axis) for axis in range(3))
+    morton = sum(_spread_bits(cells[axis]) << np.uint32(axis) for axis in range(3))
     index_table, state_table = _two_level_tables()
-    state = np.zeros(len(points), dtype=np.uint32)
-    index = np.zeros(len(points), dtype=np.uint32)
+    count = points.shape[1]
+    state, index = np.zeros(count, dtype=np.uint32), np.zeros(count, dtype=np.uint32)
     for level in range(BITS // 2):
         shift = np.uint32(3 * BITS - 6 - 6 * level)
         entry = (state << np.uint32(6)) | ((morton >> shift) & np.uint32(63))

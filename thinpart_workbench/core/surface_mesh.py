@@ -8,6 +8,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
+from .columns import dot
 from .edge_balance import closes_at_t_junctions, edge_balance
 from .errors import MeshError
 from .flat_regions import flattened
@@ -77,16 +78,23 @@ class SurfaceMesh:
         return self._area_vectors / self.areas[:, None]
 
     @cached_property
+    def vertex_columns(self):
+        """ndarray of shape (3, v), mm: the vertices, the long axis contiguous."""
+        return np.ascontiguousarray(self.vertices.T)
+
+    @cached_property
     def corner_normals(self):
-        """ndarray of shape (n, 3, 3): normals of the smooth surface at the corners."""
+        """ndarray of shape (3, 3, n): normals of the smooth surface: corner, coordinate, triangle."""
         return corner_normals(self)
 
     @cached_property
     def bend(self):
         """ndarray of shape (n,), radians: how far the corner normals turn from the triangle's own."""
-        away = self.corner_normals - self.normals[:, None]
-        chord = np.sqrt(np.einsum("ikj,ikj->ik", away, away).max(axis=1))
-        return 2.0 * np.arcsin(np.clip(0.5 * chord, 0.0, 1.0))
+        own, chord = np.ascontiguousarray(self.normals.T), np.zeros(self.count)
+        for corner in self.corner_normals:
+            away = corner - own
+            np.maximum(chord, dot(away, away), out=chord)
+        return 2.0 * np.arcsin(np.clip(0.5 * np.sqrt(chord), 0.0, 1.0))
 
     @cached_property
     def extent(self):
