@@ -68,12 +68,8 @@ class DocumentRun(QtCore.QObject):
                 f"There is no room for temporary files ({error.strerror}): nothing was measured.",
                 "failed",
             ) from None
-        process = new_process(self)
+        process = new_process(self, self._read, self._read_errors, self._finished, self._failed_to_start)
         process.setWorkingDirectory(self._folder)
-        process.readyReadStandardOutput.connect(self._read)
-        process.readyReadStandardError.connect(self._read_errors)
-        process.finished.connect(self._finished)
-        process.errorOccurred.connect(self._failed_to_start)
         QtWidgets.QApplication.instance().aboutToQuit.connect(self.stop)
         self._process = process
         process.start(program, ["-m", WORKER, self._folder, str(self._megabytes)])

@@ -100,11 +100,7 @@ class FolderRun(QtCore.QObject):
         self._stopping = self._has_ended = False
         self._rest, self._last_lines = b"", deque(maxlen=_LAST_LINES)
         self._rows, self._told = [], 0.0
-        self._process = new_process(self)
-        self._process.readyReadStandardOutput.connect(self._gather)
-        self._process.readyReadStandardError.connect(self._gather)
-        self._process.finished.connect(self._finished)
-        self._process.errorOccurred.connect(self._failed_to_start)
+        self._process = new_process(self, self._gather, self._gather, self._finished, self._failed_to_start)
         QtWidgets.QApplication.instance().aboutToQuit.connect(self.end_now)
         self._process.start(program, arguments)
 

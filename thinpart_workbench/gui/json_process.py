@@ -58,11 +58,8 @@ class JsonProcess(QtCore.QObject):
         """
         program = python_program()
         self._errors = b""
-        self._process = new_process(self)
-        self._process.readyReadStandardOutput.connect(self._slice.start)
-        self._process.readyReadStandardError.connect(self._keep_errors)
-        self._process.finished.connect(lambda *_: self._slice.start())
-        self._process.errorOccurred.connect(self._failed_to_start)
+        self._process = new_process(self, self._slice.start, self._keep_errors,
+                                    lambda *_: self._slice.start(), self._failed_to_start)
         QtWidgets.QApplication.instance().aboutToQuit.connect(self.end_now)
         self._process.start(program, ["-m", f"thinpart_workbench.workflow.{self._module}"])
 

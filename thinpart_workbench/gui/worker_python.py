@@ -59,12 +59,18 @@ def python_environment():
     return environment
 
 
-def new_process(parent):
+def new_process(parent, output, errors, finished, failed):
     """QProcess, not yet started, for `python_program`, which steps back behind the window.
 
     Parameters
     ----------
     parent : QObject
+    output, errors : callable
+        Called when there is something to read on its standard output or error.
+    finished : callable
+        Takes what ``QProcess.finished`` sends.
+    failed : callable
+        Takes a ``QProcess.ProcessError``.
     """
     process = QtCore.QProcess(parent)
     environment = QtCore.QProcessEnvironment()
@@ -72,6 +78,10 @@ def new_process(parent):
         environment.insert(name, value)
     process.setProcessEnvironment(environment)
     process.started.connect(lambda: _step_back(process))
+    process.readyReadStandardOutput.connect(output)
+    process.readyReadStandardError.connect(errors)
+    process.finished.connect(finished)
+    process.errorOccurred.connect(failed)
     return process
 
 
