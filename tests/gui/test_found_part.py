@@ -1,5 +1,8 @@
 """A part that was found: details, opening, inserting, notes, and parts like it."""
 
+import json
+
+import pytest
 import FreeCAD as App
 import FreeCADGui as Gui
 import window_actions as window
@@ -42,6 +45,26 @@ def test_a_double_click_opens_the_document(library):
     table().keyPressEvent(QtGui.QKeyEvent(
         QtCore.QEvent.KeyPress, QtCore.Qt.Key_Return, QtCore.Qt.NoModifier))
     assert len(App.listDocuments()) == 2 and len(App.ActiveDocument.Objects) >= 1
+
+
+@pytest.mark.parametrize("button, opened_documents", [("Cancel", 0), ("Open", 1)])
+def test_what_took_all_memory_is_opened_by_whoever_insists(library, button, opened_documents):
+    info_file = library / "ribbed_block.FCStd.thinpart.json"
+    content = json.loads(info_file.read_text())
+    content["failures"] = [{"part": "Rib", "label": "Rib", "kind": "memory", "message": "Rib is too much."}]
+    info_file.write_text(json.dumps(content))
+    opened(library)
+    table().selectRow(cells(PART).index("Rib"))
+    window.settle(30)
+    said = []
+    window.answer("ThinPart_FolderDare", lambda box: (
+        said.append((box.text(), box.informativeText(), box.defaultButton().text(), box.icon())),
+        box.button(getattr(QtWidgets.QMessageBox, button)).click()))
+    table().open_current()
+    (text, question, default, icon), = said
+    assert text == "Rib is too much." and question.endswith("Open it nevertheless?")
+    assert "Cancel" in default and icon == QtWidgets.QMessageBox.Warning
+    assert len(App.listDocuments()) == opened_documents
 
 
 def test_a_document_that_has_gone_is_said_to_have(library):

@@ -6,7 +6,8 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from ..core.errors import ThinPartError
-from .qt import QtWidgets, execute, translate
+from .qt import QtWidgets, translate
+from .question_box import is_confirmed
 
 DANGEROUS = ("crash", "memory", "timeout")
 """Kinds of failures that FreeCAD would meet itself if it read the file."""
@@ -53,18 +54,11 @@ def ask_to_dare(sentence, parent):
         What happened when it was classified.
     parent : QWidget
     """
-    box = QtWidgets.QMessageBox(parent)
-    box.setObjectName("ThinPart_FolderDare")
-    box.setIcon(QtWidgets.QMessageBox.Warning)
-    box.setText(sentence)
-    box.setInformativeText(translate(
-        "ThinPart", "The same may happen to FreeCAD when it opens the file: save your documents "
-        "first. Open it nevertheless?"))
-    box.setStandardButtons(QtWidgets.QMessageBox.Open | QtWidgets.QMessageBox.Cancel)
-    box.setDefaultButton(QtWidgets.QMessageBox.Cancel)
-    answer = execute(box)
-    box.deleteLater()
-    return answer == QtWidgets.QMessageBox.Open
+    return is_confirmed(
+        parent, "ThinPart_FolderDare", QtWidgets.QMessageBox.Warning, sentence,
+        translate("ThinPart", "The same may happen to FreeCAD when it opens the file: save your documents "
+                  "first. Open it nevertheless?"),
+        QtWidgets.QMessageBox.Open)
 
 
 def _document(file):

@@ -7,7 +7,8 @@ from .json_process import JsonProcess, started
 from .part_filters import grouped
 from .profile_box import ProfileBox
 from .push_button import add_button
-from .qt import QtCore, QtWidgets, Signal, execute, translate
+from .qt import QtCore, QtWidgets, Signal, translate
+from .question_box import is_confirmed
 from .result_filter import colour_icon
 from .result_view import show_text, text_line
 from .verdict_text import category_colour, category_title
@@ -156,20 +157,13 @@ class ReclassifyPanel(QtWidgets.QWidget):
 
     def _confirmed(self):
         judged = self._judged
-        box = QtWidgets.QMessageBox(self)
-        box.setObjectName("ThinPart_ReclassifyQuestion")
-        box.setIcon(QtWidgets.QMessageBox.Question)
-        box.setText(translate(
-            "ThinPart", "{} info files will be updated; {} parts change their category.").format(
-            grouped(judged["differing"]), grouped(judged["changed"])))
-        box.setInformativeText(translate(
-            "ThinPart", "What was measured, notes, mesh settings and links stay as they are. Write them "
-            "now?"))
-        box.setStandardButtons(QtWidgets.QMessageBox.Yes | QtWidgets.QMessageBox.Cancel)
-        box.setDefaultButton(QtWidgets.QMessageBox.Cancel)
-        answer = execute(box)
-        box.deleteLater()
-        return answer == QtWidgets.QMessageBox.Yes
+        return is_confirmed(
+            self, "ThinPart_ReclassifyQuestion", QtWidgets.QMessageBox.Question,
+            translate("ThinPart", "{} info files will be updated; {} parts change their category.").format(
+                grouped(judged["differing"]), grouped(judged["changed"])),
+            translate("ThinPart", "What was measured, notes, mesh settings and links stay as they are. Write "
+                      "them now?"),
+            QtWidgets.QMessageBox.Yes)
 
     def _forget(self):
         """What was previewed is not what is chosen now."""
