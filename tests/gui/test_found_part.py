@@ -2,9 +2,9 @@
 
 import json
 
-import pytest
 import FreeCAD as App
 import FreeCADGui as Gui
+import pytest
 import window_actions as window
 
 from find_panel import (  # noqa: F401 - fixtures among them
