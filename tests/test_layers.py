@@ -79,6 +79,7 @@ MEASURING = (
     "inward_rays", "thickness", "convex_clipping", "nonparallel", "slanted_pairs", "pair_rule",
     "distribution", "measurement", "face_thickness", "descriptors", "chord_error",
     "similarity", "rasterizer", "picture", "facet_refinement", "thickness_map", "map_summary",
+    "map_search", "map_outline",
 )
 JUDGING = ("criteria", "classification")
 

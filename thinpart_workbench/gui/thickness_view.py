@@ -1,0 +1,144 @@
+"""How a thickness map looks in the 3D view and in the tree."""
+
+from pathlib import Path
+
+import FreeCAD as App
+from pivy import coin
+
+from ..core.errors import ThinPartError
+from ..workflow.document_maps import map_version, parts_of
+from ..workflow.thickness_probes import moved_matrix
+from .map_nodes import MapNodes
+from .measure_requests import ask_for_measuring
+from .thickness_colours import ThicknessColours
+
+_ICONS = Path(__file__).resolve().parents[2] / "resources" / "icons"
+MODES = ("Facets and edges", "Facets", "Edges")
+_COLOURING = ("RangeUnit", "Low", "High", "ColourMap", "Reversed", "Bands", "UnmeasuredColour", "Threshold",
+              "ThinOnly", "Stale", "Diagonal")
+
+
+class ThicknessView:
+    """View provider of a thickness object.
+
+    Parameters
+    ----------
+    view : Gui.ViewProviderDocumentObject
+    """
+
+    def __init__(self, view):
+        self._start()
+        view.addProperty("App::PropertyPercent", "Transparency", "Display Options", "Of the facets, in percent")
+        # Painting over the facets, as FreeCAD does with what is selected, would show another thickness.
+        view.SelectionStyle = "BoundBox"
+        view.Proxy = self
+        view.DisplayMode = MODES[0]
+
+    def _start(self):
+        self._view = self._nodes = self._shown = self._failed = None
+        self._between = self._faces = None
+
+    def dumps(self):
+        """Nothing is kept here; FreeCAD 1.0 asks so."""
+        return "ThicknessView"
+
+    def loads(self, _state):
+        """After opening; FreeCAD 1.0 asks so."""
+        self._start()
+
+    def __getstate__(self):
+        return "ThicknessView"
+
+    def __setstate__(self, _state):
+        self._start()
+
+    def attach(self, view):
+        """Make the nodes; called once, when the object comes into the window."""
+        self._view = view
+        self._nodes = MapNodes()
+        both = coin.SoGroup()
+        both.addChild(self._nodes.facets)
+        both.addChild(self._nodes.edges)
+        for mode, node in zip(MODES, (both, self._nodes.facets, self._nodes.edges)):
+            view.addDisplayMode(node, mode)
+        self.refresh()
+
+    def getDisplayModes(self, _view):
+        """All, the usual one first."""
+        return list(MODES)
+
+    def getDefaultDisplayMode(self):
+        """The usual one."""
+        return MODES[0]
+
+    def setDisplayMode(self, mode):
+        """FreeCAD's name of the mode is ours."""
+        return mode
+
+    def getIcon(self):
+        """In the tree; another one where the map is out of date."""
+        stale = self._view is not None and getattr(self._view.Object, "Stale", False)
+        return str(_ICONS / ("ThinPart_ThicknessStale.svg" if stale else "ThinPart_Thickness.svg"))
+
+    def updateData(self, thickness, name):
+        """A property of the object has changed; while opening, all of them one after the other."""
+        if self._nodes is None or thickness.Document.Restoring:
+            return
+        if name == "Map":
+            self.refresh()
+        elif name in _COLOURING:
+            self._colour()
+        if name == "Stale":
+            self._view.signalChangeIcon()
+
+    def onChanged(self, view, name):
+        """A property of the view has changed."""
+        if name == "Transparency" and self._nodes is not None:
+            self._colour()
+
+    def refresh(self):
+        """Show the map as it is now; it is loaded only where it is another one than before."""
+        thickness = self._view.Object
+        if not hasattr(thickness, "Map") or not thickness.Map:
+            return
+        version = map_version(thickness)
+        if version not in (self._shown, self._failed):
+            try:
+                self._nodes.show(parts_of(thickness))
+                self._shown, self._failed = version, None
+            except ThinPartError as error:
+                self._nodes.show([])
+                self._shown, self._failed = None, version
+                App.Console.PrintError(f"{thickness.Label}: {error}\n")
+            self._colour()
+        self.move()
+
+    def move(self):
+        """Follow the sources to where they stand now."""
+        if self._shown is not None:
+            self._nodes.move(moved_matrix(self._view.Object))
+
+    def highlight(self, low, high=None):
+        """Grey what lies not over walls from `low` to `high` mm; None ends that."""
+        self._between = None if low is None else (low, high)
+        self._faces = None
+        self._colour()
+
+    def highlight_faces(self, faces):
+        """Grey all but some B-Rep faces: dict of sets of their numbers, by the number of the part."""
+        self._between, self._faces = None, faces
+        self._colour()
+
+    @property
+    def colours(self):
+        """ThicknessColours of this moment."""
+        return ThicknessColours.of(self._view.Object, self._between, self._faces)
+
+    def ask_for_measuring(self):
+        """The object was recomputed although it is out of date."""
+        ask_for_measuring(self._view.Object)
+
+    def _colour(self):
+        if self._shown is not None and hasattr(self._view.Object, "ProbeValues"):
+            opacity = 1.0 - getattr(self._view, "Transparency", 0) / 100.0
+            self._nodes.colour(self.colours, opacity)
