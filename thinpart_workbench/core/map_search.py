@@ -82,7 +82,7 @@ class MapSearch:
 
 
 def _distance(point, corners):
-    """Distances of a point from triangles, ndarray of shape (k,): to the plane over them, else to their sides."""
+    """Distances of a point from triangles, ndarray of shape (k,)."""
     ends = np.roll(corners, -1, axis=1)
     along = ends - corners
     length = np.maximum(np.einsum("ijk,ijk->ij", along, along), np.finfo(float).tiny)

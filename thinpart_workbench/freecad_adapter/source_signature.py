@@ -9,7 +9,7 @@ _EQUAL = 1e-8
 """Difference of two measures, in units of the part, below which they are the same: digits and rounding."""
 
 _MOST_CORNERS, _MOST_FACES = 1000, 100
-"""So many are looked at, spread over all of them. Areas and volumes would cost half a second per 1000 faces."""
+"""So many are looked at, spread over all. Areas and volumes would cost half a second per 1000 faces."""
 
 _MOST_KNOWN = 500
 

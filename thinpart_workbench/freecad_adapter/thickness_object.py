@@ -22,7 +22,7 @@ class Property:
     ----------
     name, type, group : str
     default : object
-        None leaves FreeCAD's; a tuple of str is the choice of an enumeration, of which the first is set.
+        None leaves FreeCAD's; a tuple of str is what an enumeration offers, the first of which is set.
     meaning : str
     flags : int
         FreeCAD's ``App::Prop_`` flags.
@@ -74,7 +74,7 @@ def is_thickness(candidate):
 
 def thickness_objects(document):
     """list of FreeCAD.DocumentObject: the thickness maps of a document, in their order."""
-    return [each for each in document.Objects if is_thickness(each)]
+    return [each for each in document.findObjects("App::FeaturePython") if is_thickness(each)]
 
 
 def scale_of(thickness):

@@ -4,6 +4,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from .face_colours import FACE_COLOURS
+from .thickness_watch import forget, look_soon
 
 
 class DocumentObserver:
@@ -43,6 +44,18 @@ class DocumentObserver:
         """An object is about to go."""
         self._note(deleted.Document)
 
+    def slotUndoDocument(self, _document):
+        """Something was undone."""
+        look_soon()
+
+    def slotRedoDocument(self, _document):
+        """Something was done again."""
+        look_soon()
+
+    def slotFinishOpenDocument(self):
+        """All documents that were being opened are there."""
+        look_soon()
+
     def slotStartSaveDocument(self, document, _file):
         """A document is about to be saved."""
         FACE_COLOURS.suspend(document)
@@ -58,6 +71,7 @@ class DocumentObserver:
         name = document.Name
         FACE_COLOURS.forget(name)
         self._changed.discard(name)
+        forget(name)
         for call in self._on_close:
             call(name)
 
@@ -65,6 +79,7 @@ class DocumentObserver:
         # While a document is being opened, every property of every object is set once.
         if not document.Restoring:
             self._changed.add(document.Name)
+        look_soon()
 
 
 OBSERVER = DocumentObserver()

@@ -12,8 +12,8 @@ EDGE_COLOUR = (0.12, 0.12, 0.14)
 class MapNodes:
     """Nodes of the parts of one thickness object.
 
-    Facets have no corners in common, each corner its own colour: so Coin draws them out of buffers of the graphics
-    card, twice as fast as with a colour per facet. A part that stands at several places is there once.
+    Facets have no corners in common, and each corner has a colour: so Coin draws them out of buffers of the
+    graphics card, twice as fast as with a colour per facet. A part that stands at several places is there once.
 
     Attributes
     ----------
@@ -27,7 +27,7 @@ class MapNodes:
         light = coin.SoLightModel()
         light.model = coin.SoLightModel.BASE_COLOR  # as the colour bar shows them
         behind = coin.SoPolygonOffset()  # the edges
-        behind.factor, behind.units = 1.0, 1.0
+        behind.factor, behind.units = 2.0, 2.0
         binding = coin.SoMaterialBinding()
         binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
         dark = coin.SoBaseColor()
@@ -37,7 +37,8 @@ class MapNodes:
         unpicked = coin.SoPickStyle()
         unpicked.style = coin.SoPickStyle.UNPICKABLE
         self._content = []
-        for root, nodes in ((self.facets, (light, behind, binding)), (self.edges, (light, unpicked, dark, style))):
+        for root, nodes in ((self.facets, (light, behind, binding)),
+                            (self.edges, (light, unpicked, dark, style))):
             for node in (*nodes, self._moved):
                 root.addChild(node)
             self._content.append(coin.SoGroup())

@@ -6,11 +6,15 @@ import FreeCAD as App
 from pivy import coin
 
 from ..core.errors import ThinPartError
+from ..freecad_adapter.thickness_object import unit_in_mm
 from ..workflow.document_maps import map_version, parts_of
-from ..workflow.thickness_probes import moved_matrix
+from ..workflow.thickness_probes import moved_matrix, probes_of
+from .colour_bar import BarContent
 from .map_nodes import MapNodes
 from .measure_requests import ask_for_measuring
+from .probe_nodes import ProbeNodes
 from .thickness_colours import ThicknessColours
+from .thickness_watch import look_soon
 
 _ICONS = Path(__file__).resolve().parents[2] / "resources" / "icons"
 MODES = ("Facets and edges", "Facets", "Edges")
@@ -28,15 +32,18 @@ class ThicknessView:
 
     def __init__(self, view):
         self._start()
-        view.addProperty("App::PropertyPercent", "Transparency", "Display Options", "Of the facets, in percent")
+        if "Transparency" not in view.PropertiesList:
+            view.addProperty("App::PropertyPercent", "Transparency", "Display Options",
+                             "Of the facets, in percent")
         # Painting over the facets, as FreeCAD does with what is selected, would show another thickness.
         view.SelectionStyle = "BoundBox"
         view.Proxy = self
         view.DisplayMode = MODES[0]
 
     def _start(self):
-        self._view = self._nodes = self._shown = self._failed = None
+        self._view = self._nodes = self._probes = self._shown = self._failed = None
         self._between = self._faces = None
+        self._has_unmeasured = False
 
     def dumps(self):
         """Nothing is kept here; FreeCAD 1.0 asks so."""
@@ -55,12 +62,13 @@ class ThicknessView:
     def attach(self, view):
         """Make the nodes; called once, when the object comes into the window."""
         self._view = view
-        self._nodes = MapNodes()
-        both = coin.SoGroup()
-        both.addChild(self._nodes.facets)
-        both.addChild(self._nodes.edges)
-        for mode, node in zip(MODES, (both, self._nodes.facets, self._nodes.edges)):
-            view.addDisplayMode(node, mode)
+        self._nodes, self._probes = MapNodes(), ProbeNodes()
+        facets, edges = self._nodes.facets, self._nodes.edges
+        for mode, nodes in zip(MODES, ((facets, edges), (facets,), (edges,))):
+            group = coin.SoGroup()
+            for node in (*nodes, self._probes.root):
+                group.addChild(node)
+            view.addDisplayMode(group, mode)
         self.refresh()
 
     def getDisplayModes(self, _view):
@@ -88,13 +96,19 @@ class ThicknessView:
             self.refresh()
         elif name in _COLOURING:
             self._colour()
+        elif name == "ProbeValues":  # the last of the three lists
+            self._probes.show(probes_of(thickness))
         if name == "Stale":
             self._view.signalChangeIcon()
 
     def onChanged(self, view, name):
         """A property of the view has changed."""
-        if name == "Transparency" and self._nodes is not None:
+        if self._nodes is None:
+            return
+        if name == "Transparency":
             self._colour()
+        elif name == "Visibility":
+            look_soon()
 
     def refresh(self):
         """Show the map as it is now; it is loaded only where it is another one than before."""
@@ -104,19 +118,24 @@ class ThicknessView:
         version = map_version(thickness)
         if version not in (self._shown, self._failed):
             try:
-                self._nodes.show(parts_of(thickness))
+                parts = parts_of(thickness)
+                self._nodes.show(parts)
                 self._shown, self._failed = version, None
+                self._has_unmeasured = not all(part.map.measured.all() for part in parts)
             except ThinPartError as error:
                 self._nodes.show([])
                 self._shown, self._failed = None, version
                 App.Console.PrintError(f"{thickness.Label}: {error}\n")
             self._colour()
+        self._probes.show(probes_of(thickness))
         self.move()
 
     def move(self):
         """Follow the sources to where they stand now."""
         if self._shown is not None:
-            self._nodes.move(moved_matrix(self._view.Object))
+            matrix = moved_matrix(self._view.Object)
+            self._nodes.move(matrix)
+            self._probes.move(matrix)
 
     def highlight(self, low, high=None):
         """Grey what lies not over walls from `low` to `high` mm; None ends that."""
@@ -134,6 +153,15 @@ class ThicknessView:
         """ThicknessColours of this moment."""
         return ThicknessColours.of(self._view.Object, self._between, self._faces)
 
+    @property
+    def bar(self):
+        """BarContent of this moment; None where there is no map to be seen."""
+        if self._shown is None:
+            return None
+        thickness = self._view.Object
+        return BarContent(self.colours, unit_in_mm(thickness), thickness.Thinnest, thickness.Thickest,
+                          thickness.Threshold, self._has_unmeasured)
+
     def ask_for_measuring(self):
         """The object was recomputed although it is out of date."""
         ask_for_measuring(self._view.Object)
@@ -142,3 +170,4 @@ class ThicknessView:
         if self._shown is not None and hasattr(self._view.Object, "ProbeValues"):
             opacity = 1.0 - getattr(self._view, "Transparency", 0) / 100.0
             self._nodes.colour(self.colours, opacity)
+            look_soon()  # the colour bar changes with the colours

@@ -68,7 +68,7 @@ def wall_at_place(part, place, facet, point):
 
 
 def carried_probes(thickness, parts):
-    """The probes of a map as they are on maps that were measured again; those off the surface are left out."""
+    """The probes of a map on maps that were measured again; those off the surface are left out."""
     moved = moved_matrix(thickness)
     reach = ON_SURFACE * max(thickness.Diagonal, 1e-9)
     found = []
