@@ -231,7 +231,7 @@ def _add_solids(parts, root, path, leaf):
                 name, label = f"{name}.Solid{index + 1}", f"{label} ({index + 1})"
             known = SolidPart(_unique(parts, name), label, warnings=warnings, shape=solid)
             parts.append(known)
-        known.occurrences.append(Occurrence(root.Name, path, index))
+        known.occurrences.append(Occurrence(root.Name, path, index, root.Document.Name))
     return None
 
 
@@ -245,7 +245,7 @@ def _add_mesh(parts, root, path, leaf, source):
     points = np.array([(p.x, p.y, p.z) for p in points]) @ matrix[:3, :3].T + matrix[:3, 3]
     part = MeshedPart(_unique(parts, leaf.Name), leaf.Label, points=points,
                       triangles=np.array(triangles))
-    part.occurrences.append(Occurrence(root.Name, path, 0))
+    part.occurrences.append(Occurrence(root.Name, path, 0, root.Document.Name))
     parts.append(part)
     return None
 

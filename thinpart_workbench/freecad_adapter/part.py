@@ -21,11 +21,14 @@ class Occurrence:
         Sub-object path below it, empty for the object itself.
     solid : int
         Index of the solid within the object's shape.
+    document : str
+        Name of the open document that the top object is in; empty for parts of other files.
     """
 
     root: str
     path: str
     solid: int
+    document: str = ""
 
 
 @dataclass

@@ -43,6 +43,7 @@ class DocumentRun(QtCore.QObject):
         self._process = None
         self._done = False
         self._errors = b""
+        self._unwritten = iter(())
 
     @property
     def is_running(self):
@@ -60,8 +61,9 @@ class DocumentRun(QtCore.QObject):
         program = python_program()
         try:
             self._folder = tempfile.mkdtemp(prefix="thinpart-")
-            write_snapshot(self._analysis.in_turn, self._folder, self._analysis.settings,
-                           self._analysis.profile_content, self._analysis.maps)
+            self._unwritten = write_snapshot(
+                self._analysis.in_turn, self._folder, self._analysis.settings,
+                self._analysis.profile_content, self._analysis.maps)
         except OSError as error:
             self._remove_folder()
             raise ThinPartError(
@@ -73,7 +75,18 @@ class DocumentRun(QtCore.QObject):
         QtWidgets.QApplication.instance().aboutToQuit.connect(self.stop)
         self._process = process
         process.start(program, ["-m", WORKER, self._folder, str(self._megabytes)])
-        process.closeWriteChannel()
+        self._write_on()
+
+    def _write_on(self):
+        """Write one more shape of the snapshot, and go on when the window has done what else there is."""
+        if self._process is None:
+            return
+        try:
+            next(self._unwritten)
+        except Exception:  # the end; or there is no room for it, which FreeCAD says in classes of its own
+            self._process.closeWriteChannel()
+        else:
+            QtCore.QTimer.singleShot(0, self._write_on)
 
     def stop(self):
         """End the process, if it runs, and remove what was written for it."""
@@ -84,6 +97,7 @@ class DocumentRun(QtCore.QObject):
             process.kill()
             process.waitForFinished(3000)
             process.deleteLater()
+        self._unwritten = iter(())
         self._remove_folder()
 
     def _read(self):

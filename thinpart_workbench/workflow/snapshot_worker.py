@@ -2,7 +2,8 @@
 
 It prints one JSON object per line: ``{"progress": {"part", "stage", "fraction"}}``,
 ``{"record": ...}``, ``{"failure": {"part", "label", "kind", "message"}}`` and at last ``{"done": true}``. Where the
-job asks for maps, ``{"map": {"part", "file"}}`` comes after the record: see `map_file`.
+job asks for maps, ``{"map": {"part", "file"}}`` comes after the record: see `map_file`. What made each face is
+read once standard input has ended, for until then it is still being written.
 Whoever started it stops it by killing it; it writes nothing but these lines and the maps.
 """
 
@@ -67,18 +68,30 @@ def _analyse(entry, read, settings, profile, maps_folder, say):
     }
     say(record=record)
     if maps_folder:
-        say(map={"part": part.name, "file": _write_map(shown[0], record, entry, maps_folder, report)})
+        say(map={"part": part.name,
+                 "file": _write_map(part, shown[0], record, entry, maps_folder, report)})
 
 
-def _write_map(measurement, record, entry, folder, report):
+def _write_map(part, measurement, record, entry, folder, report):
     from ..core.mapped_part import MappedPart
     from ..core.thickness_map import thickness_map
     from ..storage.map_file import write_maps
 
     shown = thickness_map(measurement, lambda fraction: report("map", fraction))
     path = os.path.join(folder, f"map-{entry['file']}.npz")
-    write_maps(path, [MappedPart(record, shown)])
+    write_maps(path, [MappedPart(record, shown, _features(part, entry, folder))])
     return path
+
+
+def _features(part, entry, folder):
+    from ..freecad_adapter.face_features import face_features
+    from ..freecad_adapter.snapshot import read_history
+
+    if not entry.get("history"):
+        return []
+    while os.read(0, 4096):
+        pass  # the window writes the shapes between other things
+    return face_features(part.shape, read_history(folder, entry))
 
 
 def _private_stdout():
