@@ -95,11 +95,12 @@ def recompute_warning(leaf):
     failed = _failed(leaf)
     if failed is None:
         return None
-    own = failed == (leaf.getLinkedObject(True) or leaf)
-    whose = "its last recompute" if own else (
-        f"the last recompute of '{failed.Label}', which it is made with,")
-    return (f"This may be an older shape of '{leaf.Label}', because {whose} failed "
-            f"({_status(failed)}): repair it and recompute the document.")
+    if failed == (leaf.getLinkedObject(True) or leaf):
+        return (f"This may be an older shape of '{leaf.Label}', because its last recompute failed "
+                f"({_status(failed)}): repair it and recompute the document.")
+    return (f"This may be an older shape of '{leaf.Label}', because the last recompute of "
+            f"'{failed.Label}', which it is made with, failed ({_status(failed)}): repair it and "
+            "recompute the document.")
 
 
 def _dead_link(leaf, link):
@@ -146,12 +147,13 @@ def _without_shape(leaf, source):
             return None  # a body that holds sketches and datums for others
     elif failed is None and getattr(source, "Proxy", None) is not None:
         return None  # its own code ran and made no shape: a building, an axis, a site
-    if failed is not None:
-        whose = "its last recompute" if failed == source else (
-            f"the last recompute of '{failed.Label}'")
-        return "no_solid", (f"'{leaf.Label}' has no shape, because {whose} failed "
+    if failed is None:
+        return "no_solid", f"'{leaf.Label}' has an empty shape: recompute the document or delete it."
+    if failed == source:
+        return "no_solid", (f"'{leaf.Label}' has no shape, because its last recompute failed "
                             f"({_status(failed)}): repair it and recompute the document.")
-    return "no_solid", f"'{leaf.Label}' has an empty shape: recompute the document or delete it."
+    return "no_solid", (f"'{leaf.Label}' has no shape, because the last recompute of '{failed.Label}' "
+                        f"failed ({_status(failed)}): repair it and recompute the document.")
 
 
 def _failed(leaf):

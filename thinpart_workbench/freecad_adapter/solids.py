@@ -60,5 +60,8 @@ def loose_faces_warning(shape, whose):
     loose = len(shape.Faces) - len(Part.Compound(shape.Solids).Faces)
     if loose <= 0:
         return None
-    return (f"{whose} holds {loose} {'faces' if loose > 1 else 'face'} beside its solids, which "
-            "were left out: close or thicken them if they are a part.")
+    if loose == 1:
+        return (f"{whose} holds 1 face beside its solids, which was left out: close or thicken it if it "
+                "is a part.")
+    return (f"{whose} holds {loose} faces beside its solids, which were left out: close or thicken them "
+            "if they are a part.")

@@ -100,9 +100,11 @@ def _plausibility(part, mesh, field, diagonal):
             "volume are not certain."
         )
     missing = part.missing_faces(mesh)
-    if missing:
-        warnings.append(f"FreeCAD could not tessellate {', '.join(missing[:5])}"
-                        + (f" and {len(missing) - 5} more." if len(missing) > 5 else "."))
+    named = ", ".join(missing[:5])
+    if len(missing) > 5:
+        warnings.append(f"FreeCAD could not tessellate {named} and {len(missing) - 5} more.")
+    elif missing:
+        warnings.append(f"FreeCAD could not tessellate {named}.")
     if diagonal < 0.1 or diagonal > 1e5:
         warnings.append(
             f"The part is {diagonal:.3g} mm across: check that the file's unit is millimetres."

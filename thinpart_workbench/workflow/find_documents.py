@@ -192,10 +192,8 @@ class _Search:
         try:
             status = stat(path)
         except OSError as error:
-            if is_link and error.errno in _LINKS_NOWHERE:
-                self.failures.append((path, ThinPartError(
-                    f"{os.path.basename(path)} is a link that leads {_LINKS_NOWHERE[error.errno]}: "
-                    "remove it or link it to a part.", "missing")))
+            if is_link and error.errno in (errno.ENOENT, errno.ELOOP):
+                self.failures.append((path, ThinPartError(_dead_link(path, error), "missing")))
                 return
             self.found[real] = Document(path, 0, 0.0)
         else:
@@ -213,4 +211,8 @@ class _Search:
         self.failures.append((folder, ThinPartError(message, kind)))
 
 
-_LINKS_NOWHERE = {errno.ENOENT: "nowhere", errno.ELOOP: "back to itself"}
+def _dead_link(path, error):
+    name = os.path.basename(path)
+    if error.errno == errno.ELOOP:
+        return f"{name} is a link that leads back to itself: remove it or link it to a part."
+    return f"{name} is a link that leads nowhere: remove it or link it to a part."

@@ -240,8 +240,10 @@ def _outcome(future, task, log, limits):
 
 
 def _memory_message(task, limits=None):
-    allowed = f" than {limits.megabytes} MB" if limits else " than it may have"
-    return f"{Path(task.file).name} needs more memory{allowed}."
+    name = Path(task.file).name
+    if limits is None:
+        return f"{name} needs more memory than it may have."
+    return f"{name} needs more memory than {limits.megabytes} MB."
 
 
 def _tail(log):
