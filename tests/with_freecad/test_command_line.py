@@ -158,6 +158,36 @@ def test_info_folder_mirrors_the_tree(tmp_path):
     assert not list((tmp_path / "parts").rglob("*.json"))
 
 
+def test_info_tree_names_the_top_of_the_tree_that_is_mirrored(tmp_path):
+    inner = tmp_path / "parts" / "left"
+    inner.mkdir(parents=True)
+    shutil.copy(SAMPLES / "wedge.step", inner)
+    for paths in ((tmp_path / "parts",), (inner,), (inner / "wedge.step",)):
+        run = thinpart("classify", *paths, "--info-dir", tmp_path / "info", "--info-tree", tmp_path)
+        assert run.returncode == 0
+    run = thinpart("classify", inner, "--info-dir", tmp_path / "info", "--info-tree", "/")
+    assert run.returncode == 0
+    assert {str(path.relative_to(tmp_path / "info")) for path in (tmp_path / "info").rglob("*.json")} == {
+        "parts/left/wedge.step.thinpart.json", str(inner / "wedge.step.thinpart.json")[1:]}
+    run = thinpart("classify", tmp_path / "parts", "--info-dir", tmp_path / "info", "--info-tree", inner)
+    assert run.returncode == 2 and "does not lie below" in run.stderr
+
+
+def test_deflections_are_those_that_were_asked_for(tmp_path):
+    run = thinpart("classify", SAMPLES / "tube.step", "--info-dir", tmp_path, "--linear-deflection", "0.004",
+                   "--angular-deflection", "8")
+    assert run.returncode == 0
+    info = json.loads((tmp_path / "tube.step.thinpart.json").read_text())
+    assert (info["settings"]["linear_deflection"], info["settings"]["angular_deflection"]) == (0.004, 8.0)
+    coarse = info["parts"][0]["triangles"]
+    run = thinpart("classify", SAMPLES / "tube.step", "--info-dir", tmp_path, "--linear-deflection", "0.0005")
+    info = json.loads((tmp_path / "tube.step.thinpart.json").read_text())
+    assert info["parts"][0]["triangles"] > 1.5 * coarse
+    for option, value in (("--linear-deflection", "0.5"), ("--angular-deflection", "nan")):
+        run = thinpart("classify", SAMPLES / "tube.step", "--no-info", option, value)
+        assert run.returncode == 2 and "deflection cannot be" in run.stderr.splitlines()[-1]
+
+
 def test_documents_of_one_name_in_two_folders_have_two_info_files(tmp_path):
     for folder, sample in (("a", "wedge"), ("b", "block")):
         (tmp_path / folder).mkdir()

@@ -46,6 +46,9 @@ def add_arguments(parser):
     parser.add_argument("--no-info", action="store_true", help="write no info files")
     parser.add_argument("--info-dir", metavar="DIR",
                         help="keep the info files in this folder instead of beside the parts")
+    parser.add_argument("--info-tree", metavar="TOP",
+                        help="the folder whose tree --info-dir mirrors (default: the folder that all "
+                             "PATHs share)")
     parser.add_argument("--no-thumbnails", action="store_true",
                         help="keep no pictures of the parts in the cache")
     parser.add_argument("--force", action="store_true",
@@ -56,6 +59,11 @@ def add_arguments(parser):
                         help="how thickness is measured: rays (default), or the paper's pair rule")
     parser.add_argument("--box", choices=BOXES, default=BOXES[0],
                         help="bounding box: minimal (default), or the paper's principal axes")
+    for option, what in (("linear", "chord error of the surface mesh, as a share of the diagonal"),
+                         ("angular", "degrees between its facets")):
+        parser.add_argument(f"--{option}-deflection", metavar="X", type=float,
+                            default=getattr(AnalysisSettings, f"{option}_deflection"),
+                            help=f"{what} (default: %(default)g)")
     parser.add_argument("--jobs", metavar="N", default=os.cpu_count() or 1,
                         type=_number("--jobs", int, "a whole number", 1),
                         help="files at once (default: one per processor)")
@@ -164,7 +172,7 @@ def _listed(options):
             "names the parts.", "usage",
         ) from None
     paths = [os.fsdecode(each) for each in content.split(b"\0") if each]
-    tree = os.path.join(common_folder(options.paths), "")
+    tree = os.path.join(_tree(options), "")
     for path in paths:
         if not os.path.isabs(path):
             raise ThinPartError(
@@ -179,7 +187,9 @@ def _listed(options):
 
 
 def _new_task(options):
-    settings = AnalysisSettings(measure=options.measure, box=options.box)
+    settings = AnalysisSettings(
+        linear_deflection=options.linear_deflection, angular_deflection=options.angular_deflection,
+        measure=options.measure, box=options.box)
     profile = load_profile(options.profile).content
     thumbnails = not (options.no_info or options.no_thumbnails)
     return lambda file, info: FileTask(file, info, settings, profile, options.force, thumbnails)
@@ -188,7 +198,20 @@ def _new_task(options):
 def _info_place(options):
     if options.no_info:
         return lambda file: None
-    return info_place(options.info_dir, common_folder(options.paths))
+    return info_place(options.info_dir, _tree(options))
+
+
+def _tree(options):
+    """Top of the tree that the folder for info files mirrors."""
+    shared = common_folder(options.paths)
+    if options.info_tree is None:
+        return shared
+    top = os.path.abspath(options.info_tree)
+    if os.path.commonpath([top, shared]) != top:
+        raise ThinPartError(
+            f"{shared} does not lie below {top}: name a folder after --info-tree that holds all PATHs.",
+            "usage")
+    return top
 
 
 def _check_info_folder(folder):

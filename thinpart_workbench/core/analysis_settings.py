@@ -7,6 +7,13 @@ from .errors import ThinPartError
 MEASURES = ("rays", "pairs")
 BOXES = ("minimal", "principal")
 
+LINEAR_DEFLECTIONS = (1e-4, 0.02)
+"""Least and greatest share of the diagonal; the wall under which it is too coarse is refined anyway."""
+
+ANGULAR_DEFLECTIONS = (1.0, 9.0)
+"""Least and greatest angle between facets: finer is too many triangles for a fillet, and 10 degrees
+count as parallel."""
+
 
 @dataclass(frozen=True)
 class AnalysisSettings:
@@ -42,7 +49,16 @@ class AnalysisSettings:
             raise ThinPartError(f"There is no measure {self.measure!r}: use rays or pairs.", "usage")
         if self.box not in BOXES:
             raise ThinPartError(f"There is no box {self.box!r}: use minimal or principal.", "usage")
+        _check("linear deflection", self.linear_deflection, LINEAR_DEFLECTIONS, "of the diagonal")
+        _check("angular deflection", self.angular_deflection, ANGULAR_DEFLECTIONS, "degrees")
 
     def content(self):
         """dict for the info file."""
         return asdict(self)
+
+
+def _check(what, value, between, unit):
+    least, most = between
+    if not least <= value <= most:
+        raise ThinPartError(
+            f"The {what} cannot be {value:g}: it may be {least:g} to {most:g} {unit}.", "usage")
