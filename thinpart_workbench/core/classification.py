@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Optional
 
-from .criteria import NORMAL, UNKNOWN
+from .categories import NORMAL, UNKNOWN
 
 DEFAULT_THIN_LIMIT = 0.05
 """The paper's bound on thin features, criteria 5 and 7."""

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Optional
 
+from .categories import NORMAL, UNKNOWN
 from .descriptors import quantity_named
 from .errors import ProfileError
 
 FORMAT = "thinpart-profile"
 PROFILES = Path(__file__).resolve().parents[2] / "resources" / "profiles"
-NORMAL, UNKNOWN = "normal", "unknown"
 MARGIN_LIMIT = 1000.0
 """Margins are cut off here: a quantity that is absent or a threshold of 0 would give infinity."""
 

@@ -2,7 +2,7 @@
 
 from datetime import datetime, timedelta, timezone
 
-from ..core.criteria import NORMAL, UNKNOWN
+from ..core.categories import NORMAL, UNKNOWN
 from ..storage.part_query import FAILED
 from .flow_layout import FlowLayout
 from .qt import QtCore, QtWidgets, Signal, translate

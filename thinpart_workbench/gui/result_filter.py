@@ -1,6 +1,6 @@
 """Choosing which results are shown: words, categories with their counts, failures only."""
 
-from ..core.criteria import NORMAL, UNKNOWN
+from ..core.categories import NORMAL, UNKNOWN
 from .flow_layout import FlowLayout
 from .qt import QtCore, QtGui, QtWidgets, colour, translate
 from .result_order import FAILED

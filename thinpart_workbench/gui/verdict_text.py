@@ -1,6 +1,6 @@
 """A part's verdict in words."""
 
-from ..core.criteria import NORMAL, UNKNOWN
+from ..core.categories import NORMAL, UNKNOWN
 from .qt import translate
 
 _COLOURS = {
@@ -20,14 +20,19 @@ def category_title(category, profile):
     profile : Profile
         Gives the words of categories of its own.
     """
+    titles = {each.name: each.title for each in profile.categories}
+    return category_words(category, titles.get(category, category))
+
+
+def category_words(category, title):
+    """As `category_title`, of a category that has this title in its profile."""
     known = {
         "thin": translate("ThinPart", "Thin part"),
         "thin_features": translate("ThinPart", "Part with thin features"),
         NORMAL: translate("ThinPart", "Normal part"),
         UNKNOWN: translate("ThinPart", "Not known"),
     }
-    titles = {each.name: each.title for each in profile.categories}
-    return known.get(category) or titles.get(category, category)
+    return known.get(category) or title
 
 
 def category_colour(category):
