@@ -18,8 +18,10 @@ class MapSearch:
         self._map = shown
         self._corners = shown.points[shown.facets]
         starts = np.arange(0, shown.count, _GROUP)
-        self._low = np.minimum.reduceat(self._corners.min(axis=1), starts).astype(np.float64)
-        self._high = np.maximum.reduceat(self._corners.max(axis=1), starts).astype(np.float64)
+        a, b, c = (self._corners[:, corner] for corner in range(3))
+        low, high = np.minimum(np.minimum(a, b), c), np.maximum(np.maximum(a, b), c)
+        self._low = np.minimum.reduceat(low, starts).astype(np.float64)
+        self._high = np.maximum.reduceat(high, starts).astype(np.float64)
 
     def first_met(self, eye, direction):
         """The facet that a ray meets first, from either side.

@@ -44,7 +44,7 @@ PROPERTIES = (
     Property("SourcePlacements", "App::PropertyPlacementList", "Base", None,
              "Where the sources stood when measured", _FOUND | _HIDDEN),
     Property("Stale", "App::PropertyBool", "Base", None, "Whether the sources have changed since", _FOUND),
-    Property("Diagonal", "App::PropertyFloat", "Base", None, "Of the largest part's bounding box, mm", _FOUND),
+    Property("Diagonal", "App::PropertyFloat", "Base", None, "Of the largest part's box, mm", _FOUND),
     Property("Thinnest", "App::PropertyFloat", "Base", None, "Thinnest wall of the map, mm", _FOUND),
     Property("Thickest", "App::PropertyFloat", "Base", None, "Thickest wall of the map, mm", _FOUND),
     Property("RangeUnit", "App::PropertyEnumeration", "Scale", RANGE_UNITS, "Unit of Low and High", 16),

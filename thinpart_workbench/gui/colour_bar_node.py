@@ -55,7 +55,7 @@ class ColourBarNode:
         self._root.removeChild(self.node)
 
     def _fit_to_view(self, _data, action):
-        """Draw one to one at the size of what is being rendered, which for a saved picture is not the window's."""
+        """Draw one to one at the size of what is rendered: that of a saved picture is not the window's."""
         if self._content is None or not action.isOfType(coin.SoGLRenderAction.getClassTypeId()):
             return
         width, height = coin.SoViewportRegionElement.get(action.getState()).getViewportSizePixels().getValue()

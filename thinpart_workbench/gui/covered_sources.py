@@ -8,7 +8,7 @@ class CoveredSources:
 
     Notes
     -----
-    Two surfaces at one place would be seen in patches. Somebody who hides and shows an object meanwhile sees it.
+    Two surfaces at one place would be seen in patches. Who hides and shows an object meanwhile sees it.
     """
 
     def __init__(self):

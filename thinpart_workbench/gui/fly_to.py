@@ -5,7 +5,7 @@ from pivy import coin
 
 from .qt import QtCore
 
-_SHARE = 6.0
+_SHARE = 4.0
 """So many times the wall's thickness is seen."""
 
 _TILT = np.radians(50.0)

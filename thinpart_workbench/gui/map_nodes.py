@@ -3,17 +3,20 @@
 import numpy as np
 from pivy import coin
 
-from ..core.map_outline import outline
 from .array_fields import fill_numbers, fill_points
+from .outlines import Outlines
 
 EDGE_COLOUR = (0.12, 0.12, 0.14)
+
+_CHUNK = 4096
+"""Facets that are looked at together when Coin asks what is under the cursor: it does so at every move."""
 
 
 class MapNodes:
     """Nodes of the parts of one thickness object.
 
     Facets have no corners in common, and each corner has a colour: so Coin draws them out of buffers of the
-    graphics card, twice as fast as with a colour per facet. A part that stands at several places is there once.
+    graphics card, twice as fast as with a colour per facet. A part at several places is there once.
 
     Attributes
     ----------
@@ -24,6 +27,7 @@ class MapNodes:
         self.facets, self.edges = coin.SoSeparator(), coin.SoSeparator()
         self._moved = coin.SoMatrixTransform()
         self._parts = []  # (map, its SoPackedColor)
+        self._painted = self._outlines = None
         light = coin.SoLightModel()
         light.model = coin.SoLightModel.BASE_COLOR  # as the colour bar shows them
         behind = coin.SoPolygonOffset()  # the edges
@@ -53,11 +57,13 @@ class MapNodes:
         """
         for group in self._content:
             group.removeAllChildren()
-        self._parts = []
-        for part in parts:
+        self._parts, self._painted = [], None
+        if self._outlines is not None:
+            self._outlines.stop()
+        edges = [coin.SoGroup() for _ in parts]
+        for part, lines in zip(parts, edges):
             colour, facets = _facets(part.map)
             self._parts.append((part.map, colour))
-            lines = _lines(part.map)
             for matrix in part.places:
                 placed = matrix.copy()
                 placed[:3, 3] += matrix[:3, :3] @ part.map.origin
@@ -68,6 +74,10 @@ class MapNodes:
                     place.addChild(transform)
                     place.addChild(node)
                     group.addChild(place)
+        maps = [part.map for part in parts]
+        self._outlines = Outlines(maps, lambda found: [
+            _fill_lines(*each) for each in zip(edges, maps, found)])
+        self._outlines.start()
 
     def colour(self, colours, opacity=1.0):
         """Colour all facets.
@@ -78,6 +88,9 @@ class MapNodes:
         opacity : float
             From 0 for nothing to be seen to 1.
         """
+        if (colours, opacity) == self._painted:
+            return  # FreeCAD tells of every property, also of those that did not change
+        self._painted = colours, opacity
         alpha = np.uint32(round(255 * opacity))
         for number, (shown, node) in enumerate(self._parts):
             red, green, blue = colours.of_facets(number, shown).astype(np.uint32).T
@@ -98,19 +111,21 @@ def set_matrix(transform, matrix):
 
 def _facets(shown):
     group, colour = coin.SoGroup(), coin.SoPackedColor()
-    points, facets = coin.SoCoordinate3(), coin.SoIndexedFaceSet()
+    points = coin.SoCoordinate3()
     fill_points(points.point, shown.points[shown.facets].reshape(-1, 3))
+    group.addChild(colour)
+    group.addChild(points)
     rows = np.full((shown.count, 4), -1, dtype=np.int32)
     rows[:, :3] = np.arange(3 * shown.count).reshape(-1, 3)
-    fill_numbers(facets.coordIndex, rows.ravel())
-    for node in (colour, points, facets):
-        group.addChild(node)
+    for first in range(0, shown.count, _CHUNK):
+        facets = coin.SoIndexedFaceSet()
+        fill_numbers(facets.coordIndex, rows[first:first + _CHUNK].ravel())
+        group.addChild(facets)
     return colour, group
 
 
-def _lines(shown):
-    group, points, lines = coin.SoGroup(), coin.SoCoordinate3(), coin.SoIndexedLineSet()
-    sides = outline(shown)
+def _fill_lines(group, shown, sides):
+    points, lines = coin.SoCoordinate3(), coin.SoIndexedLineSet()
     used, rows = np.unique(sides, return_inverse=True)
     fill_points(points.point, shown.points[used])
     indices = np.full((len(sides), 3), -1, dtype=np.int32)
@@ -118,4 +133,3 @@ def _lines(shown):
     fill_numbers(lines.coordIndex, indices.ravel())
     group.addChild(points)
     group.addChild(lines)
-    return group

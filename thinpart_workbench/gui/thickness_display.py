@@ -1,4 +1,4 @@
-"""Everything in the window that follows from which thickness maps there are: bars, covered sources, staleness."""
+"""What follows in the window from which thickness maps there are: bars, covered sources, staleness."""
 
 import FreeCAD as App
 import FreeCADGui as Gui

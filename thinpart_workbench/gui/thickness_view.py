@@ -112,6 +112,8 @@ class ThicknessView:
 
     def refresh(self):
         """Show the map as it is now; it is loaded only where it is another one than before."""
+        if self._view is None:
+            return
         thickness = self._view.Object
         if not hasattr(thickness, "Map") or not thickness.Map:
             return
