@@ -12,32 +12,34 @@ class ColourBarNode:
     ----------
     root : pivy.coin.SoGroup
         Scene graph of the view.
+
+    Notes
+    -----
+    A camera of its own would be simpler, but Coin would then pick along that one's line of sight in all that
+    follows in the scene.
     """
 
     def __init__(self, root):
         self._root = root
-        self._content = self._height = None
+        self._content = self._size = None
         # FreeCAD's own kind of group: what is in it is not what 'fit all' fits.
         self.node = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
         self.node.set("mode EXCLUDE_BBOX")
-        unpicked = coin.SoPickStyle()
+        over, unpicked = coin.SoAnnotation(), coin.SoPickStyle()
         unpicked.style = coin.SoPickStyle.UNPICKABLE
-        over = coin.SoAnnotation()
-        resize, self._camera = coin.SoCallback(), coin.SoOrthographicCamera()
+        fit = coin.SoCallback()
         self._fit = self._fit_to_view  # pivy does not keep it alive
-        resize.setCallback(self._fit)
-        self._camera.viewportMapping = coin.SoCamera.LEAVE_ALONE
-        self._camera.nearDistance, self._camera.farDistance = 0.5, 2.0
-        self._camera.position = (0.0, 0.0, 1.0)
+        fit.setCallback(self._fit)
         light = coin.SoLightModel()
         light.model = coin.SoLightModel.BASE_COLOR
         self._place, self._image = coin.SoTranslation(), coin.SoImage()
+        self._place.enableNotify(False)  # it is set while being drawn, which is no reason to draw again
         self._image.vertAlignment = coin.SoImage.HALF
         self._image.horAlignment = coin.SoImage.LEFT
-        for node in (resize, self._camera, light, self._place, self._image):
+        # All within the annotation: what follows the bar in the scene must not get any of it.
+        for node in (unpicked, fit, light, self._place, self._image):
             over.addChild(node)
-        for node in (unpicked, over):
-            self.node.addChild(node)
+        self.node.addChild(over)
         root.addChild(self.node)
 
     def is_in(self, root):
@@ -47,7 +49,7 @@ class ColourBarNode:
     def show(self, content):
         """Show a BarContent."""
         if content != self._content:
-            self._content, self._height = content, None
+            self._content, self._size = content, None
             self.node.touch()
 
     def remove(self):
@@ -58,15 +60,17 @@ class ColourBarNode:
         """Draw one to one at the size of what is rendered: that of a saved picture is not the window's."""
         if self._content is None or not action.isOfType(coin.SoGLRenderAction.getClassTypeId()):
             return
-        width, height = coin.SoViewportRegionElement.get(action.getState()).getViewportSizePixels().getValue()
-        if (width, height) == self._height or not width or not height:
+        state = action.getState()
+        width, height = coin.SoViewportRegionElement.get(state).getViewportSizePixels().getValue()
+        if not width or not height:
             return
-        self._height = width, height
-        self._camera.height = float(height)
-        self._camera.aspectRatio = width / height
-        # No larger than a narrow picture allows, and on whole pixels.
-        image = bar_image(self._content, min(height, round(1.2 * width)))
-        margin = max(4, round(0.012 * height))
-        self._place.translation = (margin - width / 2.0, (height % 2) / 2.0, 0.0)
-        flipped = image.mirrored()
-        self._image.image.setValue(coin.SbVec2s(image.width(), image.height()), 4, bytes(flipped.constBits()))
+        if (width, height) != self._size:
+            self._size = width, height
+            # No larger than a narrow picture allows.
+            image = bar_image(self._content, min(height, round(1.2 * width)))
+            size = coin.SbVec2s(image.width(), image.height())
+            self._image.image.setValue(size, 4, bytes(image.mirrored().constBits()))
+        seen = coin.SoViewVolumeElement.get(state)
+        margin = max(4, round(0.012 * height)) + 0.5
+        depth = seen.getNearDist() + 0.5 * seen.getDepth()
+        self._place.translation = seen.getPlanePoint(depth, coin.SbVec2f(margin / width, 0.5))

@@ -10,7 +10,7 @@ from ..workflow.document_maps import map_version, parts_of
 from ..workflow.thickness_probes import Probe, moved_matrix, probes_of, set_probes, wall_at_place
 from .qt import QtCore, QtWidgets, Signal, translate
 from .thickness_text import thickness_text
-from .view_ray import line_of_sight
+from .view_ray import line_of_sight, seen_first
 
 _STILL = 3
 """Pixels within which a press and a release are a click and not a drag."""
@@ -121,9 +121,10 @@ class ThicknessPicker(QtCore.QObject):
             return None
         try:
             near, direction = line_of_sight(view, place)
-            return self._met(thickness, near, direction)
+            wall = self._met(thickness, near, direction)
         except ThinPartError:
             return None  # its view provider has told that the map cannot be read
+        return None if wall is None or self._is_hidden(view, place, wall, direction) else wall
 
     def eventFilter(self, widget, event):
         """Look at what the mouse does, and leave it to the view."""
@@ -184,6 +185,16 @@ class ThicknessPicker(QtCore.QObject):
             return
         add_probe(self._thickness, wall["point"], wall["opposite"], wall["thickness"])
         self.probed.emit()
+
+    def _is_hidden(self, view, place, wall, direction):
+        """Whether another object stands before the map; its source does not."""
+        names, point = seen_first(view, place)
+        thickness = self._thickness
+        own = {(each.Document.Name, each.Name) for each in (thickness, *thickness.Sources)}
+        if names is None or names in own:
+            return False
+        length = np.linalg.norm(direction)
+        return (wall["point"] - point) @ direction / length > 1e-3 * thickness.Diagonal
 
     def _met(self, thickness, near, direction):
         parts = parts_of(thickness)

@@ -45,7 +45,8 @@ def read_maps(path):
         kind ``unreadable``.
     """
     try:
-        with np.load(path, allow_pickle=False) as file:
+        # Opened here: numpy leaves a damaged file open.
+        with open(path, "rb") as opened, np.load(opened, allow_pickle=False) as file:
             content = json.loads(str(file["content"]))
             if content["version"] > VERSION:
                 raise ThinPartError(

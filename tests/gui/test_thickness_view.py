@@ -1,0 +1,260 @@
+"""Thickness maps in the 3D view: colours as the bar has them, kept, undone, out of date."""
+
+import os
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import numpy as np
+import Part
+import pytest
+import window_actions as window
+from thickness_window import bar_rows, look_at, picture, pixel, place_of, show_map, view_of
+from window_actions import V
+
+from thinpart_workbench.core.colour_scale import colour_table
+from thinpart_workbench.freecad_adapter.thickness_object import SHARE, scale_of, thickness_objects
+from thinpart_workbench.gui.measure_requests import on_measure_request
+from thinpart_workbench.gui.thickness_colours import GREYED, NEUTRAL, ThicknessColours
+from thinpart_workbench.gui.qt import QtWidgets
+from thinpart_workbench.workflow.document_maps import parts_of
+
+# Places on the ribbed block that are seen from the corner, and what the wall there is.
+SEEN = {(50, 27, 52): 6.0, (60, 12, 40): 40.0, (50, 0, 20): 60.0, (100, 20, 20): 100.0}
+
+
+@pytest.fixture
+def block(document):
+    document.UndoMode = 1
+    return window.add_ribbed_block(document)
+
+
+@pytest.fixture
+def thickness(block):
+    return show_map(block.Document, block)
+
+
+def _assert_colours(thickness, folder, moved=V(0, 0, 0)):
+    view = view_of(thickness.Document)
+    image = picture(view, folder)
+    for point, value in SEEN.items():
+        expected = ThicknessColours.of(thickness).of_values([value])[0]
+        found = pixel(image, place_of(view, V(*point) + moved))
+        assert np.abs(np.subtract(found, expected.astype(int))).max() <= 2, (point, found, expected)
+    return image
+
+
+def test_colours_are_those_of_the_scale(thickness, tmp_path):
+    _assert_colours(thickness, tmp_path)
+    thickness.ColourMap = "plasma"
+    _assert_colours(thickness, tmp_path)
+    thickness.Reversed = True
+    thickness.Bands = 4
+    _assert_colours(thickness, tmp_path)
+    thickness.AutomaticRange = False
+    thickness.Low, thickness.High = 10.0, 50.0
+    _assert_colours(thickness, tmp_path)
+    thickness.RangeUnit = SHARE
+    _assert_colours(thickness, tmp_path)
+    assert scale_of(thickness).high == pytest.approx(50.0)
+    thickness.ThinOnly, thickness.Threshold = True, 41.0
+    image = _assert_colours(thickness, tmp_path)
+    assert pixel(image, place_of(view_of(thickness.Document), V(100, 20, 20))) == NEUTRAL
+
+
+def test_the_bar_shows_the_same_scale_at_every_size(thickness, tmp_path):
+    view = view_of(thickness.Document)
+    table = colour_table("viridis")
+    for size, background in (((800, 600), "White"), ((2000, 1500), "Black"), ((700, 900), "Current")):
+        rows = bar_rows(picture(view, tmp_path, *size, background))
+        # The darkest colours of the lower end are hardly coloured, so the bar is read from the top.
+        assert len(rows) > 0.25 * size[1], size
+        assert np.abs(np.subtract(rows[2], table[-1].astype(int))).max() <= 12
+        assert np.abs(np.subtract(rows[len(rows) // 2], table[128].astype(int))).max() <= 40
+    thickness.Bands = 3
+    rows = bar_rows(picture(view, tmp_path, 800, 600, "White"))
+    assert len(set(rows)) <= 3 + 3, "three bands, and the mark of the threshold"
+
+
+def test_what_is_pointed_out_keeps_its_colour(thickness, tmp_path):
+    view = view_of(thickness.Document)
+    shown = thickness.ViewObject.Proxy
+    shown.highlight(0.0, 10.0)
+    image = picture(view, tmp_path)
+    assert pixel(image, place_of(view, V(60, 12, 40))) == GREYED
+    assert pixel(image, place_of(view, V(50, 27, 52))) != GREYED
+    part = parts_of(thickness)[0]
+    top = int(part.map.face[np.argmax(part.map.corners.mean(axis=1)[:, 2])])
+    shown.highlight_faces({0: {top}})
+    image = picture(view, tmp_path)
+    assert pixel(image, place_of(view, V(50, 27, 52))) == GREYED
+    assert pixel(image, place_of(view, V(50, 30, 60))) != GREYED
+    shown.highlight(None)
+    _assert_colours(thickness, tmp_path)
+
+
+def test_selecting_it_does_not_recolour_it(thickness, tmp_path):
+    Gui.Selection.addSelection(thickness)
+    _assert_colours(thickness, tmp_path)
+
+
+def test_saved_and_opened_again(thickness, tmp_path):
+    document = thickness.Document
+    thickness.ColourMap, thickness.Bands = "magma", 6
+    view_of(document).saveImage(str(tmp_path / "before.png"), 400, 300, "Current")
+    document.saveAs(str(tmp_path / "part.FCStd"))
+    App.closeDocument(document.Name)
+    window.settle()
+    again = App.openDocument(str(tmp_path / "part.FCStd"))
+    window.settle(100)
+    thickness, = thickness_objects(again)
+    look_at(again)
+    assert not thickness.Stale and thickness.ColourMap == "magma"
+    _assert_colours(thickness, tmp_path)
+    assert bar_rows(picture(view_of(again), tmp_path, 800, 600))
+    assert not Gui.getDocument(again.Name).Modified
+
+
+def test_undo_redo_and_remove(block, tmp_path):
+    document = block.Document
+    thickness = show_map(document, block)
+    view, switch = view_of(document), block.ViewObject.SwitchNode
+    assert switch.whichChild.getValue() == -1 and block.ViewObject.Visibility
+    document.undo()
+    window.settle(60)
+    assert thickness_objects(document) == [] and switch.whichChild.getValue() != -1
+    assert not bar_rows(picture(view, tmp_path, 800, 600))
+    document.redo()
+    window.settle(60)
+    thickness, = thickness_objects(document)
+    assert switch.whichChild.getValue() == -1
+    _assert_colours(thickness, tmp_path)
+    thickness.ViewObject.Visibility = False
+    window.settle(60)
+    assert switch.whichChild.getValue() != -1 and not bar_rows(picture(view, tmp_path, 800, 600))
+    thickness.ViewObject.Visibility = True
+    window.settle(60)
+    assert bar_rows(picture(view, tmp_path, 800, 600))
+    document.openTransaction("Delete")
+    document.removeObject(thickness.Name)
+    document.commitTransaction()
+    window.settle(60)
+    assert switch.whichChild.getValue() != -1 and not bar_rows(picture(view, tmp_path, 800, 600))
+    document.undo()
+    window.settle(60)
+    _assert_colours(thickness_objects(document)[0], tmp_path)
+
+
+def test_out_of_date_until_the_edit_is_undone_or_it_is_recomputed(block, thickness, tmp_path):
+    document = block.Document
+    asked = []
+    on_measure_request(lambda *names: asked.append(names))
+    fresh = picture(view_of(document), tmp_path)
+    icon = thickness.ViewObject.Proxy.getIcon()
+    document.openTransaction("Edit")
+    block.Shape = Part.makeBox(100, 60, 41)
+    document.commitTransaction()
+    window.settle(60)
+    assert thickness.Stale and thickness.ViewObject.Proxy.getIcon() != icon
+    faded = picture(view_of(document), tmp_path)
+    place = place_of(view_of(document), V(100, 20, 20))
+    assert pixel(faded, place) != pixel(fresh, place)
+    _assert_colours(thickness, tmp_path)
+    document.undo()
+    window.settle(60)
+    assert not thickness.Stale and asked == []
+    document.redo()
+    document.recompute()
+    window.settle(60)
+    assert thickness.Stale
+    asked.clear()
+    thickness.touch()
+    document.recompute()
+    window.settle(60)
+    assert asked == [(document.Name, thickness.Name)] and thickness.Stale
+
+
+def test_it_goes_where_its_source_goes(block, thickness, tmp_path):
+    block.Placement.Base = V(300, -40, 90)
+    block.Document.recompute()
+    window.settle(60)
+    look_at(block.Document)
+    assert not thickness.Stale
+    _assert_colours(thickness, tmp_path, V(300, -40, 90))
+    box = thickness.ViewObject.getBoundingBox()
+    assert (box.XMin, box.ZMax) == pytest.approx((300.0, 150.0), abs=0.1)
+
+
+def test_two_documents_and_two_views_and_closing(thickness, tmp_path):
+    one = thickness.Document
+    other = App.newDocument("Other")
+    plate = window.add(other, "Plate", Part.makeBox(40, 30, 2))
+    second = show_map(other, plate)
+    second.ColourMap = "inferno"
+    tops = [bar_rows(picture(view_of(each), tmp_path, 800, 600))[2] for each in (one, other)]
+    for top, name in zip(tops, ("viridis", "inferno")):
+        assert np.abs(np.subtract(top, colour_table(name)[-1].astype(int))).max() <= 12
+    App.closeDocument(other.Name)
+    window.settle(60)
+    assert bar_rows(picture(view_of(one), tmp_path, 800, 600))
+    Gui.setActiveDocument(one.Name)
+    Gui.runCommand("Std_ViewCreate")
+    window.wait_until(lambda: len(Gui.getDocument(one.Name).mdiViewsOfType("Gui::View3DInventor")) == 2, 5)
+    window.settle(100)
+    for view in Gui.getDocument(one.Name).mdiViewsOfType("Gui::View3DInventor"):
+        view.viewIsometric()
+        view.fitAll()
+        assert bar_rows(picture(view, tmp_path, 800, 600))
+
+
+def test_a_damaged_map_is_one_sentence_and_can_be_removed(thickness, tmp_path):
+    document = thickness.Document
+    file = str(tmp_path / "part.FCStd")
+    document.saveAs(file)
+    App.closeDocument(document.Name)
+    _damage(file)
+    before = _report()
+    again = App.openDocument(file)
+    window.settle(100)
+    told = _report()[len(before):]
+    assert told.count("cannot be read: measure the part again") == 1, told
+    assert "Traceback" not in told
+    thickness, = thickness_objects(again)
+    again.recompute()
+    picture(view_of(again), tmp_path)
+    again.removeObject(thickness.Name)
+    window.settle(60)
+    assert [each.Name for each in again.Objects] == ["Ribbed"]
+    assert again.Ribbed.ViewObject.SwitchNode.whichChild.getValue() != -1
+
+
+def test_nothing_of_the_source_is_changed_in_the_file(block, thickness, tmp_path):
+    block.Document.saveAs(str(tmp_path / "part.FCStd"))
+    assert block.ViewObject.Visibility
+    name = thickness.Name
+    App.closeDocument(block.Document.Name)
+    again = App.openDocument(str(tmp_path / "part.FCStd"))
+    window.settle(100)
+    view = again.getObject("Ribbed").ViewObject
+    assert view.Visibility and view.SwitchNode.whichChild.getValue() == -1
+    again.removeObject(name)
+    window.settle(60)
+    assert view.SwitchNode.whichChild.getValue() != -1
+
+
+def _damage(file):
+    import zipfile
+
+    with zipfile.ZipFile(file) as archive:
+        content = {each: archive.read(each) for each in archive.namelist()}
+    for name in content:
+        if name.endswith(".npz"):
+            content[name] = content[name][:1000]
+    os.remove(file)
+    with zipfile.ZipFile(file, "w") as archive:
+        for name in sorted(content, key=lambda each: each != "Document.xml"):
+            archive.writestr(name, content[name])
+
+
+def _report():
+    view = Gui.getMainWindow().findChild(QtWidgets.QTextEdit, "Report view")
+    return "" if view is None else view.toPlainText()
