@@ -199,3 +199,12 @@ def test_bands_and_the_unmeasured():
 
 def test_a_range_of_no_width_still_has_colours():
     assert ColourScale(2.0, 2.0).colours([1.0, 2.0, 3.0]).shape == (3, 3)
+
+
+def test_large_triangles_of_a_fine_surface_mesh_are_cut_all_the_same(monkeypatch):
+    fine = made_meshes.moved(made_meshes.box(10, 10, 10, cells=12), shift=(300.0, 0.0, 0.0))
+    mesh = surface_mesh(*made_meshes.joined(made_meshes.ribbed_block(), fine))
+    monkeypatch.setattr("thinpart_workbench.core.thickness_map.MOST_FACETS", mesh.count // 2)
+    shown = thickness_map(measure(mesh, AnalysisSettings()))
+    assert mesh.count < shown.count <= 1.5 * mesh.count + 1
+    assert shown.areas.max() < 0.2 * mesh.areas.max()

@@ -20,7 +20,8 @@ LONGEST = 1.6
 """Sides longer than this many of those are cut, so that none is left much shorter than one."""
 
 MOST_FACETS = 60_000
-"""Cutting is coarser where it would make more than this. A finer surface mesh is shown as it is."""
+"""Cutting is coarser where it would make more than this. A finer surface mesh gets as many more at most: its plane
+faces may have large triangles all the same."""
 
 JUMP = 1.15
 """Ratio of the values of two neighbours from which the border between them is drawn finer."""
@@ -76,6 +77,11 @@ class ThicknessMap:
         """ndarray of shape (m,), mm2."""
         return np.linalg.norm(self._area_vectors, axis=1)
 
+    @cached_property
+    def normals(self):
+        """ndarray of shape (m, 3): unit outward normals."""
+        return self._area_vectors / np.maximum(self.areas, np.finfo(float).tiny)[:, None]
+
     @property
     def measured(self):
         """ndarray of shape (m,), bool."""
@@ -83,8 +89,7 @@ class ThicknessMap:
 
     def normal(self, facet):
         """ndarray of shape (3,): unit outward normal of one facet."""
-        vector = self._area_vectors[facet]
-        return vector / max(np.linalg.norm(vector), np.finfo(float).tiny)
+        return self.normals[facet]
 
     def wall_at(self, facet, point):
         """The wall under any point of a facet, to the plane of what its middle sees.
@@ -140,12 +145,13 @@ def thickness_map(measurement, report=None):
     points, facets = mesh.vertices, mesh.triangles
     parent = np.arange(mesh.count)
     size = LONGEST * np.sqrt(4.0 / np.sqrt(3.0) * mesh.areas.sum() / FACETS)
+    most = max(MOST_FACETS, min(2 * mesh.count, MOST_FACETS + mesh.count))
     tell(report, 0.0)
     while True:
         long = side_lengths(points, facets) > size
         if not long.any():
             break
-        if _too_many(facets, long):
+        if _too_many(facets, long, most):
             size *= 1.5
             continue
         points, facets, pieces = cut_sides(points, facets, long)
@@ -161,7 +167,7 @@ def thickness_map(measurement, report=None):
             break
         sides = side_lengths(points, facets) > 0.5 * size / 2 ** step
         cut = sides & _beside_jump(facets, len(points), thickness)[:, None]
-        if not cut.any() or _too_many(facets, cut):
+        if not cut.any() or _too_many(facets, cut, most):
             break
         points, facets, pieces = cut_sides(points, facets, cut)
         parent = parent[pieces]
@@ -172,9 +178,9 @@ def thickness_map(measurement, report=None):
     return _shown(mesh, points, facets, parent, thickness, opposite)
 
 
-def _too_many(facets, cut):
+def _too_many(facets, cut, most):
     # Each side that is cut makes about one facet more on either side of it, and is counted on both.
-    return len(facets) + cut.sum() > MOST_FACETS
+    return len(facets) + cut.sum() > most
 
 
 def _known(measurement, points, facets, parent):
