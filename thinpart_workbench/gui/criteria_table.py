@@ -30,7 +30,6 @@ class CriteriaTable(QtWidgets.QTreeWidget):
         self.setVerticalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
         self.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAsNeeded)
         self.header().setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
-        self.header().setStretchLastSection(False)
         self.header().setMinimumSectionSize(20)
         self.itemExpanded.connect(self._fit)
         self.itemCollapsed.connect(self._fit)
@@ -61,8 +60,12 @@ class CriteriaTable(QtWidgets.QTreeWidget):
         row = self.sizeHintForRow(0) if self.topLevelItemCount() else 0
         bar = self.horizontalScrollBar().sizeHint().height()
         height = self.header().sizeHint().height() + rows * row + 2 * self.frameWidth()
-        wide = self.header().length() > self.viewport().width() and self.isVisible()
-        self.setFixedHeight(height + (bar if wide else 0) + 2)
+        header = self.header()
+        width = sum(max(self.sizeHintForColumn(column), header.sectionSizeHint(column)) for column in range(5))
+        wide = width > self.viewport().width()
+        # Titles of criteria are as long as all columns together.
+        header.setStretchLastSection(not wide)
+        self.setFixedHeight(height + (bar if wide and self.isVisible() else 0) + 2)
 
     def resizeEvent(self, event):
         """Make room for a scroll bar where the panel is too narrow."""

@@ -2,7 +2,7 @@
 
 from ..core.distribution import BINS
 from .chart_axes import ChartAxes, round_up
-from .qt import QtCore, QtGui, translate
+from .qt import QtCore, QtGui, number_of, translate
 
 _PENS = (
     QtGui.QPen(QtGui.QColor(32, 74, 135), 2.5, QtCore.Qt.SolidLine),
@@ -66,8 +66,8 @@ class DistributionComparison(ChartAxes):
             x = plot.left() + plot.width() * count / 4
             painter.drawLine(QtCore.QPointF(x, plot.bottom()), QtCore.QPointF(x, plot.bottom() + 4))
             self.centred(painter, plot, x, plot.bottom() + 5, f"{self._span * count / 4:.3g}")
-        painter.drawText(QtCore.QRectF(0, plot.bottom() + 5 + line, self.width(), line + 2),
-                         QtCore.Qt.AlignCenter,
+        painter.drawText(QtCore.QRectF(0, plot.bottom() + 5 + line, self.width(), 2 * line + 2),
+                         number_of(QtCore.Qt.AlignHCenter) | number_of(QtCore.Qt.TextWordWrap),
                          translate("ThinPart", "area over walls thinner than this share of the diagonal"))
 
     def _draw_legend(self, painter, plot):

@@ -9,7 +9,7 @@ from .open_part import DANGEROUS, ask_to_dare, open_part
 from .path_delegate import PathDelegate
 from .qt import QtCore, QtGui, QtWidgets, Signal, translate
 
-_WIDEST = 30
+_WIDEST = 34
 """Letters to which a column is widened by itself; a user may widen it further."""
 
 
@@ -173,6 +173,9 @@ class FoundView(QtWidgets.QTableView):
     def _show_similar_columns(self, shown):
         for column in (SCORE, REASONS):
             self.setColumnHidden(column, not shown)
+        header = self.horizontalHeader()
+        if shown and header.sectionSize(SCORE) < header.sectionSizeHint(SCORE):
+            header.resizeSection(SCORE, header.sectionSizeHint(SCORE))
 
     def _fit_columns(self):
         self.resizeColumnsToContents()

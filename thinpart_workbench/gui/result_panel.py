@@ -11,7 +11,7 @@ from .result_filter import ResultFilter
 from .result_table import CATEGORY, FILE, PART, ResultTable
 from .table_export import TableExport
 
-_WIDEST, _NARROWEST = 50, 26
+_WIDEST, _NARROWEST = 50, {CATEGORY: 35, FILE: 26, PART: 26}
 """Letters to which columns of texts are sized by themselves; a user may go beyond."""
 
 
@@ -89,11 +89,11 @@ class ResultPanel(QtWidgets.QWidget):
         for column in range(self.table.columnCount()):
             header.resizeSection(column, min(header.sectionSize(column), _WIDEST * letter))
         # A long failure, the longest first, must not push the numbers out of sight.
-        for column in (CATEGORY, FILE, PART):
+        for column, letters in _NARROWEST.items():
             room = self.view.viewport().width() - header.length()
             size = header.sectionSize(column)
-            if room < 0 and size > _NARROWEST * letter:
-                header.resizeSection(column, max(size + room, _NARROWEST * letter))
+            if room < 0 and size > letters * letter:
+                header.resizeSection(column, max(size + room, letters * letter))
         room = self.view.viewport().width() - header.length()
         if room > 0:
             header.resizeSection(FILE, header.sectionSize(FILE) + room)
