@@ -3,6 +3,9 @@
 import FreeCADGui as Gui
 
 from thinpart_workbench.gui.document_observer import observe
+from thinpart_workbench.gui.language import add_translations
+
+add_translations()  # before any text is made
 
 
 class ThinPartWorkbench(Gui.Workbench):

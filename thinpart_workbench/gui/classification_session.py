@@ -19,6 +19,7 @@ from .document_run import DocumentRun
 from .face_colours import FACE_COLOURS
 from .part_dialog import ask_for_part
 from .qt import QtCore, translate
+from .sentences import translated
 from .task_panel import TaskPanel
 
 
@@ -70,7 +71,7 @@ class ClassificationSession(QtCore.QObject):
             analysis = self._new_analysis()
         except ThinPartError as error:
             self.panel.show()
-            self._form.show_message(str(error))
+            self._form.show_message(translated(error))
             return True
         if analysis is None:
             return False
@@ -98,7 +99,8 @@ class ClassificationSession(QtCore.QObject):
     @property
     def _document(self):
         if self._name is None:
-            raise ThinPartError("There is no document: open or create one first.", "empty")
+            raise ThinPartError(translate(
+                "ThinPart", "There is no document: open or create one first."), "empty")
         return App.getDocument(self._name)
 
     @property
@@ -130,7 +132,7 @@ class ClassificationSession(QtCore.QObject):
         try:
             self._run.start()
         except ThinPartError as error:
-            self._form.show_message(str(error))
+            self._form.show_message(translated(error))
 
     def _show_progress(self, progress):
         labels = {part.name: part.label for part in self._analysis.parts}
@@ -154,7 +156,7 @@ class ClassificationSession(QtCore.QObject):
     def _show_end(self, sentence):
         failure = self._analysis.failures.get(self._analysis.chosen.name)
         if failure is not None and not sentence:
-            sentence = failure["message"]
+            sentence = translated(failure["message"])
         if self._chosen_record is None:
             self._form.show_message(sentence)
             self._form.show_info("", can_repeat=True)
@@ -196,7 +198,7 @@ class ClassificationSession(QtCore.QObject):
         try:
             path = self._analysis.write_info_file(document.FileName)
         except ThinPartError as error:
-            self._form.show_info(translate("ThinPart", "No info file: {}").format(error))
+            self._form.show_info(translate("ThinPart", "No info file: {}").format(translated(error)))
             return
         self._form.show_info(translate(
             "ThinPart", "Info file, beside the document: {}").format(path.name), tool_tip=str(path))
@@ -213,7 +215,7 @@ class ClassificationSession(QtCore.QObject):
         try:
             analysis = self._new_analysis()
         except ThinPartError as error:
-            self._form.show_message(str(error))
+            self._form.show_message(translated(error))
             return
         if analysis is not None:
             self._measure(analysis)

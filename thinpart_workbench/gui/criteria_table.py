@@ -2,6 +2,7 @@
 
 from ..core.descriptors import quantity_named
 from .qt import QtCore, QtGui, QtWidgets, translate
+from .sentences import translated
 from .verdict_text import holds_text, number, percent
 
 _GREEN, _GREY = QtGui.QColor(30, 110, 50), QtGui.QColor(110, 110, 110)
@@ -75,11 +76,11 @@ class CriteriaTable(QtWidgets.QTreeWidget):
 
 def _group(row):
     symbol, word = holds_text(row["holds"]).split(" ", 1)
-    group = QtWidgets.QTreeWidgetItem([f"{symbol} {row['criterion']}  {row['title']}"])
+    group = QtWidgets.QTreeWidgetItem([f"{symbol} {row['criterion']}  {translated(row['title'])}"])
     group.setData(0, QtCore.Qt.UserRole, row["criterion"])
     group.setToolTip(0, translate(
         "ThinPart", "Criterion {}: {}. All its conditions hold: {}."
-    ).format(row["criterion"], row["title"], word))
+    ).format(row["criterion"], translated(row["title"]), word))
     font = group.font(0)
     font.setBold(bool(row["holds"]))
     group.setFont(0, font)
@@ -97,7 +98,7 @@ def _condition(condition):
         f"{condition['comparison']} {number(condition['threshold'])}",
         holds_text(condition["holds"]), percent(condition["margin"]),
     ])
-    meaning = quantity.meaning
+    meaning = translated(quantity.meaning)
     if quantity.bounds:
         meaning += f" (a = {quantity.bounds[0]:g}, b = {quantity.bounds[1]:g})"
     for column in range(5):

@@ -9,6 +9,7 @@ import FreeCAD as App
 from ..core.errors import ThinPartError
 from ..freecad_adapter.snapshot import write_snapshot
 from .qt import QtCore, QtWidgets, Signal, translate
+from .sentences import translated
 from .worker_python import new_process, python_program
 
 WORKER = "thinpart_workbench.workflow.snapshot_worker"
@@ -66,10 +67,9 @@ class DocumentRun(QtCore.QObject):
                 self._analysis.profile_content, self._analysis.maps)
         except OSError as error:
             self._remove_folder()
-            raise ThinPartError(
-                f"There is no room for temporary files ({error.strerror}): nothing was measured.",
-                "failed",
-            ) from None
+            raise ThinPartError(translate(
+                "ThinPart", "There is no room for temporary files ({}): nothing was measured."
+            ).format(error.strerror), "failed") from None
         process = new_process(self, self._read, self._read_errors, self._finished, self._failed_to_start)
         process.setWorkingDirectory(self._folder)
         QtWidgets.QApplication.instance().aboutToQuit.connect(self.stop)
@@ -150,7 +150,7 @@ class DocumentRun(QtCore.QObject):
             ).format(self._megabytes)
         name, found, message = errors.strip().rpartition("\n")[2].partition("ThinPartError: ")
         if found and not name.strip().strip("abcdefghijklmnopqrstuvwxyz_."):
-            return message
+            return translated(message)
         return translate(
             "ThinPart", "The process that measures ended unexpectedly; the document is unharmed. "
             "Check the part with 'Check geometry' of the Part workbench.",

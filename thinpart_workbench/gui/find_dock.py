@@ -18,6 +18,7 @@ from .push_button import add_button
 from .qt import QtCore, QtGui, QtWidgets, translate
 from .reclassify_panel import ReclassifyPanel
 from .result_view import show_text, text_line
+from .sentences import translated
 
 ICON = Path(__file__).resolve().parents[2] / "resources" / "icons" / "ThinPart_FindParts.svg"
 
@@ -87,7 +88,7 @@ class FindDock(QtWidgets.QDockWidget):
         try:
             record, info_file = active_record()
         except ThinPartError as error:
-            self._tell(str(error))
+            self._tell(translated(error))
             return
         if record is not None:
             self._find_like(record["label"], record, info_file)
@@ -280,7 +281,7 @@ class FindDock(QtWidgets.QDockWidget):
             if "record" in told:
                 self._find_like(told["record"]["label"], told["record"], told["info_file"])
             else:
-                self._tell(told["sentence"])
+                self._tell(translated(told["sentence"]))
         self._details.show_record(told)
 
     def _take_kept(self, kept):
@@ -292,7 +293,7 @@ class FindDock(QtWidgets.QDockWidget):
             " \u26a0" if any(each["problems"] for each in libraries) else ""))
         problems = [sentence for each in libraries for sentence in each["problems"]]
         if problems and self._choices.currentIndex() != LIBRARIES:
-            self._tell(problems[0])
+            self._tell(translated(problems[0]))
 
     def _show_failed(self, sentence):
         self._libraries.show_failed(sentence)

@@ -15,6 +15,7 @@ from .qt import QtCore, QtGui, QtWidgets, execute, translate
 from .result_panel import ResultPanel
 from .result_view import show_text, text_line
 from .run_progress import RunProgress
+from .sentences import translated
 
 ICON = Path(__file__).resolve().parents[2] / "resources" / "icons" / "ThinPart_ClassifyFolder.svg"
 IDLE, SEARCHING, RUNNING, PAUSING, PAUSED, STOPPING = range(6)
@@ -62,7 +63,7 @@ class FolderDialog(QtWidgets.QDialog):
         try:
             profile = settings.check()
         except ThinPartError as error:
-            self._tell(str(error))
+            self._tell(translated(error))
             return
         keep_settings(settings)
         self._form.show_settings(settings)
@@ -177,7 +178,7 @@ class FolderDialog(QtWidgets.QDialog):
         try:
             self._run.start(settings, only)
         except ThinPartError as error:
-            self._tell(str(error))
+            self._tell(translated(error))
             return
         self._progress.show_searching()
         self._enter(SEARCHING)

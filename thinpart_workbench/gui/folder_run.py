@@ -12,6 +12,7 @@ from ..core.errors import ThinPartError
 from ..storage.part_table import failed_row, measured_row
 from ..workflow.temporary_folder import temporary_folder
 from .qt import QtCore, QtWidgets, Signal, translate
+from .sentences import translated
 from .worker_python import new_process, python_program
 
 DONE, STOPPED, REFUSED, LOST = "done", "stopped", "refused", "lost"
@@ -224,7 +225,7 @@ class FolderRun(QtCore.QObject):
             return RunEnd(STOPPED, "")
         told = [each for each in self._last_lines if each.startswith(_PROGRAM)]
         if code in (1, 2) and told and self._last_lines[-1] == told[-1]:
-            return RunEnd(REFUSED, told[-1][len(_PROGRAM):])
+            return RunEnd(REFUSED, translated(told[-1][len(_PROGRAM):]))
         App.Console.PrintError("\n".join(["ThinPart:", *self._last_lines]) + "\n")
         return RunEnd(LOST, translate(
             "ThinPart", "The process that classifies ended unexpectedly; what was done is kept. "

@@ -9,6 +9,7 @@ from .part_pictures import neutral_picture
 from .qt import QtCore, QtGui, Signal, colour, number_of, translate
 from .result_filter import colour_square
 from .result_table import FAILED_COLOUR
+from .sentences import translated, translated_list
 from .verdict_text import category_colour, category_title, number
 
 PAGE = 100
@@ -72,7 +73,8 @@ class FoundTable(QtCore.QAbstractTableModel):
             FoundColumn(translate("ThinPart", "Like"), "score", _score, True),
             FoundColumn(translate("ThinPart", "Part"), "label", _part),
             FoundColumn(translate("ThinPart", "Category"), "category", self._category_text),
-            FoundColumn(translate("ThinPart", "Why"), None, lambda part: getattr(part, "reasons", "")),
+            FoundColumn(translate("ThinPart", "Why"), None,
+                        lambda part: translated_list(getattr(part, "reasons", ""))),
             FoundColumn(translate("ThinPart", "Thinnest mm"), "thinnest_mm",
                         lambda part: _number(part, part.thinnest_mm), True),
             FoundColumn(translate("ThinPart", "Longest mm"), "d1_mm",
@@ -176,7 +178,7 @@ class FoundTable(QtCore.QAbstractTableModel):
             return QtGui.QBrush(colour(FAILED_COLOUR)) if part.error_kind else None
         if index.column() == REASONS:
             return column.text(part)
-        return part.error_message or "\n".join(filter(None, (part.file, part.notes)))
+        return translated(part.error_message or "") or "\n".join(filter(None, (part.file, part.notes)))
 
     def _missing(self, index, role):
         page = index.row() // PAGE
@@ -213,7 +215,7 @@ class FoundTable(QtCore.QAbstractTableModel):
     def _category_text(self, part):
         if part.error_kind:
             return "\u2717 " + translate("ThinPart", "Failed: {}").format(
-                translate("ThinPart", KINDS.get(part.error_kind, part.error_kind)))
+                translated(KINDS.get(part.error_kind, part.error_kind)))
         title = category_title(part.category, self._profile)
         return translate("ThinPart", "{} (borderline)").format(title) if part.borderline else title
 

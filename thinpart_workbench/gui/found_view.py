@@ -8,6 +8,7 @@ from .insert_part import insert_part
 from .open_part import DANGEROUS, ask_to_dare, open_part
 from .path_delegate import PathDelegate
 from .qt import QtCore, QtGui, QtWidgets, Signal, translate
+from .sentences import translated
 
 _WIDEST = 34
 """Letters to which a column is widened by itself; a user may widen it further."""
@@ -98,7 +99,7 @@ class FoundView(QtWidgets.QTableView):
         part = self.current_part
         if part is None:
             return
-        if part.error_kind in DANGEROUS and not ask_to_dare(part.error_message, self):
+        if part.error_kind in DANGEROUS and not ask_to_dare(translated(part.error_message), self):
             return
         self._do(lambda: open_part(part.file, part.name) or "")
 
@@ -206,7 +207,7 @@ class FoundView(QtWidgets.QTableView):
         try:
             sentence = act()
         except ThinPartError as error:
-            sentence = str(error)
+            sentence = translated(error)
         finally:
             QtWidgets.QApplication.restoreOverrideCursor()
         self.told.emit(sentence)

@@ -7,6 +7,7 @@ import FreeCAD as App
 
 from ..core.errors import ThinPartError
 from .qt import QtCore, QtWidgets, Signal, translate
+from .sentences import translated
 from .worker_python import new_process, python_program
 
 SLICE_SECONDS = 0.015
@@ -140,5 +141,5 @@ def started(process):
         try:
             process.start()
         except ThinPartError as error:
-            return str(error)
+            return translated(error)
     return ""

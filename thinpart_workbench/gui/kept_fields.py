@@ -4,6 +4,7 @@ import json
 
 from .qt import QtGui, QtCore, QtWidgets, Signal, translate
 from .result_view import show_text, text_line
+from .sentences import translated
 
 
 class KeptFields(QtWidgets.QWidget):
@@ -96,7 +97,7 @@ class KeptFields(QtWidgets.QWidget):
         kept : dict
             ``info_file``, ``name`` and ``sentence``, which is empty where it was.
         """
-        key, sentence = (kept["info_file"], kept["name"]), kept["sentence"]
+        key, sentence = (kept["info_file"], kept["name"]), translated(kept["sentence"])
         texts, _ = self._unkept.pop(key, ({}, ""))
         if sentence:
             self._unkept[key] = texts, "\u26a0 " + sentence

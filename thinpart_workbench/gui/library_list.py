@@ -9,6 +9,7 @@ from .qt import QtCore, QtWidgets, Signal, translate
 from .result_filter import colour_icon
 from .result_table import FAILED_COLOUR
 from .result_view import show_text, text_line
+from .sentences import translated
 
 _PREFERENCE = "Libraries"
 
@@ -107,7 +108,7 @@ class LibraryList(QtWidgets.QWidget):
                 item.setIcon(colour_icon(FAILED_COLOUR))
             item.setSelected(each["root"] in chosen)
         problems = [sentence for each in libraries for sentence in each["problems"]]
-        show_text(self._problems, "\n".join("\u26a0 " + each for each in problems))
+        show_text(self._problems, "\n".join("\u26a0 " + translated(each) for each in problems))
         self._show_busy(any(each["busy"] for each in libraries))
         self._show_buttons()
 

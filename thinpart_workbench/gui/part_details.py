@@ -8,6 +8,7 @@ from .kept_fields import KeptFields
 from .part_pictures import neutral_picture
 from .qt import QtCore, QtWidgets, translate
 from .result_view import ResultView, show_text, text_line
+from .sentences import translated, translated_list
 
 VERDICT, NOTES, COMPARISON = range(3)
 
@@ -44,7 +45,7 @@ class PartDetails(QtWidgets.QTabWidget):
         self._show_picture()
         self._file.setText("" if part is None else part.file)
         self._file.setToolTip(self._file.text())
-        show_text(self._sentence, "" if part is None else part.error_message or "")
+        show_text(self._sentence, "" if part is None else translated(part.error_message or ""))
         self._compare()
 
     def show_record(self, told):
@@ -63,7 +64,7 @@ class PartDetails(QtWidgets.QTabWidget):
             profile = profile_from(told["profile"])
             self._result.show_record(told["record"], profile)
         except ThinPartError as error:
-            show_text(self._sentence, str(error))
+            show_text(self._sentence, translated(error))
             return
         except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
             show_text(self._sentence, translate(
@@ -130,7 +131,7 @@ class PartDetails(QtWidgets.QTabWidget):
         self._chart.show_parts(named)
         score = getattr(self._part, "score", None)
         show_text(self._likeness, "" if score is None else translate("ThinPart", "{}\u00a0% like: {}").format(
-            round(score), self._part.reasons))
+            round(score), translated_list(self._part.reasons)))
 
     def _show_picture(self):
         part = self._part

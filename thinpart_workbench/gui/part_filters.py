@@ -10,6 +10,7 @@ from .range_filter import RangeFilter
 from .result_filter import colour_icon
 from .result_table import group_title
 from .result_view import show_text, text_line
+from .sentences import translated
 from .verdict_text import category_colour
 
 _TYPING = 300
@@ -38,7 +39,7 @@ class PartFilters(QtWidgets.QWidget):
     def __init__(self, profile, parent=None):
         super().__init__(parent)
         self._profile = profile
-        self._titles = {str(each.id): each.title for each in profile.criteria}
+        self._titles = {str(each.id): translated(each.title) for each in profile.criteria}
         self._categories, self._criteria = {}, {}
         self._typed = QtCore.QTimer(self, singleShot=True, interval=_TYPING)
         self._typed.timeout.connect(self.changed)
@@ -114,7 +115,7 @@ class PartFilters(QtWidgets.QWidget):
                 _show_count(box, title, counts.get(name, 0))
         for name, each in self._ranges.items():
             each.show_histogram(found["scales"][name], found["histograms"][name])
-        self.show_refusal(found["refusal"])
+        self.show_refusal(translated(found["refusal"]))
 
     def show_refusal(self, sentence):
         """Say why the conditions are not understood."""

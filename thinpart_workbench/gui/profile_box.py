@@ -5,6 +5,7 @@ import os
 from ..core.criteria import PROFILES, load_profile
 from ..core.errors import ThinPartError
 from .qt import QtWidgets, translate
+from .sentences import translated
 
 
 class ProfileBox(QtWidgets.QComboBox):
@@ -40,6 +41,6 @@ class ProfileBox(QtWidgets.QComboBox):
 
 def _title(name):
     try:
-        return load_profile(name).title
+        return translated(load_profile(name).title)
     except ThinPartError:
         return os.path.basename(name)  # what is wrong with it is said when it is to be used

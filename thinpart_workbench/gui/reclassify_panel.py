@@ -11,6 +11,7 @@ from .qt import QtCore, QtWidgets, Signal, translate
 from .question_box import is_confirmed
 from .result_filter import colour_icon
 from .result_view import show_text, text_line
+from .sentences import translated
 from .verdict_text import category_colour, category_title
 
 IDLE, PREVIEWING, PREVIEWED, WRITING = range(4)
@@ -79,7 +80,7 @@ class ReclassifyPanel(QtWidgets.QWidget):
         try:
             self._content = load_profile(self._profile.currentData()).content
         except ThinPartError as error:
-            self._say(str(error))
+            self._say(translated(error))
             return
         self._run(PREVIEWING)
 
@@ -111,7 +112,7 @@ class ReclassifyPanel(QtWidgets.QWidget):
 
     def _take(self, content):
         if "problem" in content:
-            self._notes.append(content["problem"])
+            self._notes.append(translated(content["problem"]))
             return
         self._judged = content["judged"]
         self._bar.setRange(0, max(1, self._judged["total"]))
@@ -139,7 +140,7 @@ class ReclassifyPanel(QtWidgets.QWidget):
                 grouped(judged["differing"])))
         if judged["failed"]:
             sentences.append(translate("ThinPart", "{} info files were left as they are: {}").format(
-                grouped(judged["failed"]), " ".join(judged["errors"][:3])))
+                grouped(judged["failed"]), " ".join(map(translated, judged["errors"][:3]))))
         self._say("\n".join(sentences))
         self._enter(PREVIEWED if not was_writing and not stopped else IDLE)
         if was_writing:

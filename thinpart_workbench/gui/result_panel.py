@@ -9,6 +9,7 @@ from .path_delegate import PathDelegate
 from .qt import QtCore, QtGui, QtWidgets, Signal, execute, translate
 from .result_filter import ResultFilter
 from .result_table import CATEGORY, FILE, PART, ResultTable
+from .sentences import translated
 from .table_export import TableExport
 
 _WIDEST, _NARROWEST = 50, {CATEGORY: 35, FILE: 26, PART: 26}
@@ -102,13 +103,13 @@ class ResultPanel(QtWidgets.QWidget):
     def open_current(self):
         """Open the selected part's file in FreeCAD."""
         row = self._current_row()
-        if row is None or (row.error_kind in DANGEROUS and not ask_to_dare(row.error, self)):
+        if row is None or (row.error_kind in DANGEROUS and not ask_to_dare(translated(row.error), self)):
             return
         QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
         try:
             open_part(self._path(row), row.part)
         except ThinPartError as error:
-            self.failed.emit(str(error))
+            self.failed.emit(translated(error))
         else:
             self.told.emit("")
         finally:

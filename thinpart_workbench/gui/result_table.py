@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from ..core.errors import KINDS
 from .qt import QtCore, QtGui, Signal, colour, number_of, translate
 from .result_order import FAILED, ResultOrder
+from .sentences import translated
 from .verdict_text import category_colour, category_title, number
 
 FAILED_COLOUR = (0.80, 0.07, 0.07)
@@ -149,7 +150,7 @@ class ResultTable(QtCore.QAbstractTableModel):
         if role == QtCore.Qt.ForegroundRole and row.error_kind:
             return QtGui.QBrush(colour(FAILED_COLOUR))
         if role == QtCore.Qt.ToolTipRole:
-            return row.error or row.warnings or row.file
+            return translated(row.error or row.warnings or "") or row.file
         return None
 
     def _change_order(self, change):
@@ -167,7 +168,7 @@ class ResultTable(QtCore.QAbstractTableModel):
     def _category_text(self, row):
         if row.error_kind:
             return "\u2717 " + translate("ThinPart", "Failed: {}").format(
-                translate("ThinPart", KINDS.get(row.error_kind, row.error_kind)))
+                translated(KINDS.get(row.error_kind, row.error_kind)))
         title = category_title(row.category, self._profile)
         if row.borderline:
             return translate("ThinPart", "{} (borderline)").format(title)

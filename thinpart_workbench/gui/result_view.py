@@ -3,6 +3,7 @@
 from .criteria_table import CriteriaTable
 from .distribution_chart import DistributionChart
 from .qt import QtCore, QtWidgets, colour, translate
+from .sentences import translated
 from .thin_faces import legend
 from .verdict_text import (
     category_colour, category_title, how_sure, number, percent, why,
@@ -60,7 +61,7 @@ class ResultView(QtWidgets.QWidget):
             measured["distribution"]["bins"], measured["distribution"]["area"],
             record["thin_limit_mm"] / measured["diagonal_mm"], measured["diagonal_mm"])
         self._table.show_evidence(record["evidence"])
-        show_text(self._warnings, "\n".join("\u26a0 " + each for each in record["warnings"]))
+        show_text(self._warnings, "\n".join("\u26a0 " + translated(each) for each in record["warnings"]))
 
     def show_legend(self, shown):
         """Say what the colours on the part mean, where it has some."""

@@ -2,6 +2,7 @@
 
 from ..core.categories import NORMAL, UNKNOWN
 from .qt import translate
+from .sentences import translated
 
 _COLOURS = {
     "thin": (0.84, 0.15, 0.12),
@@ -32,7 +33,7 @@ def category_words(category, title):
         NORMAL: translate("ThinPart", "Normal part"),
         UNKNOWN: translate("ThinPart", "Not known"),
     }
-    return known.get(category) or title
+    return known.get(category) or translated(title)
 
 
 def category_colour(category):
@@ -43,20 +44,22 @@ def category_colour(category):
 def why(record):
     """One sentence: what decided."""
     if record["category"] == UNKNOWN:
-        return record["reason"]
+        return translated(record["reason"])
     deciding = [row for row in record["evidence"]
                 if row["holds"] and row["category"] == record["category"]]
     if not deciding:
         return translate("ThinPart", "No criterion holds: its walls are thick all over.")
-    named = "; ".join(
-        f"{row['criterion']}, {_as_part_of_sentence(row['title'])}" for row in deciding)
+    named = "; ".join(translate("ThinPart", "{}, {}").format(
+        row["criterion"], _as_part_of_sentence(row["title"])) for row in deciding)
     if len(deciding) == 1:
         return translate("ThinPart", "It meets criterion {}.").format(named)
     return translate("ThinPart", "It meets criteria {}.").format(named)
 
 
 def _as_part_of_sentence(title):
-    return title[:1].lower() + title[1:]
+    known = translated(title)
+    # In other languages it stands in quotes, since their nouns may begin with a capital.
+    return known if known != title else title[:1].lower() + title[1:]
 
 
 def how_sure(record, profile):

@@ -7,7 +7,7 @@ from pathlib import Path
 import FreeCAD as App
 
 from ..core.errors import ThinPartError
-from .qt import QtCore
+from .qt import QtCore, translate
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 
@@ -35,10 +35,9 @@ def python_program():
         for folder in folders:
             if os.access(folder / name, os.X_OK) and (folder / name).is_file():
                 return os.fspath(folder / name)
-    raise ThinPartError(
-        f"There is no Python {version[6:]} beside FreeCAD to measure with: install it.",
-        "unsupported",
-    )
+    raise ThinPartError(translate(
+        "ThinPart", "There is no Python {} beside FreeCAD to measure with: install it."
+    ).format(version[6:]), "unsupported")
 
 
 def python_environment():

@@ -1,0 +1,64 @@
+"""Translation files as Qt reads them: .ts for people, compiled to .qm for programs."""
+
+import shutil
+import subprocess
+import xml.etree.ElementTree as ElementTree
+from itertools import groupby
+from xml.sax.saxutils import escape
+
+COMPILERS = ("lrelease", "/usr/lib/qt5/bin/lrelease", "/usr/lib/qt6/bin/lrelease")
+
+
+def read_ts(path):
+    """Translations of a file.
+
+    Parameters
+    ----------
+    path : Path
+
+    Returns
+    -------
+    dict of (str, str) to str
+        By context and text; empty where a translation is missing or not finished. Empty without a file.
+    """
+    found = {}
+    for context in ElementTree.parse(path).iter("context") if path.is_file() else ():
+        for message in context.iter("message"):
+            translation = message.find("translation")
+            finished = translation.get("type") is None
+            found[context.findtext("name"), message.findtext("source")] = (
+                translation.text or "" if finished else "")
+    return found
+
+
+def write_ts(path, language, translations):
+    """Write a file, without places in the code: those would change with every line.
+
+    Parameters
+    ----------
+    path : Path
+    language : str
+        As Qt calls it: ``de``.
+    translations : dict of (str, str) to str
+        As `read_ts` gives them.
+    """
+    lines = ['<?xml version="1.0" encoding="utf-8"?>', "<!DOCTYPE TS>",
+             f'<TS version="2.1" language="{language}" sourcelanguage="en">']
+    for context, group in groupby(sorted(translations.items()), key=lambda each: each[0][0]):
+        lines += ["<context>", f"    <name>{escape(context)}</name>"]
+        for (_, text), translation in group:
+            mark = "" if translation else ' type="unfinished"'
+            lines += ["    <message>", f"        <source>{escape(text)}</source>",
+                      f"        <translation{mark}>{escape(translation)}</translation>", "    </message>"]
+        lines.append("</context>")
+    path.write_text("\n".join([*lines, "</TS>", ""]), encoding="utf-8")
+
+
+def compile_ts(path):
+    """Write the .qm file beside a .ts file; False where Qt's compiler is not installed."""
+    for compiler in filter(shutil.which, COMPILERS):
+        command = [compiler, "-silent", "-nounfinished", path, "-qm", path.with_suffix(".qm")]
+        # Debian's lrelease may be a link to one that is not there.
+        if subprocess.run(command, stdin=subprocess.DEVNULL).returncode == 0:
+            return True
+    return False

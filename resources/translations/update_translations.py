@@ -1,0 +1,43 @@
+#!/usr/bin/python3
+"""Brings ThinPart_*.ts up to date with the texts of the code and compiles them to ThinPart_*.qm.
+
+    /usr/bin/python3 resources/translations/update_translations.py
+
+Finished translations are kept, texts that are gone are dropped, and those that wait for a translation are
+listed: write it into the .ts file (Qt's Linguist does that too), take out type="unfinished", and call this
+once more. A new language is an empty file ThinPart_CODE.ts.
+"""
+
+import json
+import sys
+from pathlib import Path
+
+from texts_of_code import all_texts, texts_from_below
+from ts_file import compile_ts, read_ts, write_ts
+
+HERE = Path(__file__).resolve().parent
+
+
+def main():
+    """Update and compile all languages; the status is 1 where something is left to do."""
+    (HERE / "texts_from_below.json").write_text(
+        json.dumps(sorted(texts_from_below()), indent=0, ensure_ascii=False) + "\n", encoding="utf-8")
+    texts, status = all_texts(), 0
+    for path in sorted(HERE.glob("ThinPart_*.ts")):
+        before = read_ts(path) if path.stat().st_size else {}
+        after = {key: before.get(key, "") for key in texts}
+        write_ts(path, path.stem.partition("_")[2], after)
+        waiting = [text for (_, text), translation in after.items() if not translation]
+        print(f"{path.name}: {len(after)} texts, {len(set(before) - set(after))} dropped, "
+              f"{len(waiting)} to be translated{':' if waiting else '.'}")
+        print("".join(f"    {text!r}\n" for text in waiting), end="")
+        if not compile_ts(path):
+            print(f"{path.with_suffix('.qm').name} was not compiled, since Qt's lrelease is not installed: "
+                  "install it with 'apt-get install qttools5-dev-tools'.")
+            status = 1
+        status = 1 if waiting else status
+    return status
+
+
+if __name__ == "__main__":
+    sys.exit(main())
