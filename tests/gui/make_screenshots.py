@@ -9,6 +9,8 @@ import traceback
 from pathlib import Path
 
 HOME = Path(os.environ["HOME"])
+PATIENCE = 300.0
+"""Seconds, for a machine that is busy with other things."""
 
 
 def _classify(sample, picture):
@@ -91,7 +93,7 @@ def _settle(dock):
     import window_actions as window
 
     window.settle(300)
-    window.wait_until(lambda: not dock.is_refreshing and not dock.is_waiting)
+    window.wait_until(lambda: not dock.is_refreshing and not dock.is_waiting, PATIENCE)
     window.settle(500)
 
 
@@ -112,9 +114,9 @@ def _classify_folder(folder):
     _grab(dialog, folder / "classify_folder_before.png")
     window.click("ThinPart_FolderStart")
     table = window.widget("ThinPart_FolderTable")
-    window.wait_until(lambda: table.model().rowCount() > 8)
+    window.wait_until(lambda: table.model().rowCount() > 8, PATIENCE)
     _grab(dialog, folder / "classify_folder_running.png")
-    window.wait_until(window.widget("ThinPart_FolderStart").isEnabled)
+    window.wait_until(window.widget("ThinPart_FolderStart").isEnabled, PATIENCE)
     table.sortByColumn(6, table.horizontalHeader().sortIndicatorOrder())
     table.selectRow(0)
     _grab(dialog, folder / "classify_folder.png")

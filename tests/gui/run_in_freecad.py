@@ -1,13 +1,16 @@
 """Runs the tests of the window inside the real FreeCAD, on a screen of their own.
 
-    python3 tests/gui/run_in_freecad.py [PYTEST ARGUMENTS]
-    python3 tests/gui/run_in_freecad.py --screenshots docs/screenshots
+    python3 tests/gui/run_in_freecad.py [OPTIONS] [PYTEST ARGUMENTS]
+    python3 tests/gui/run_in_freecad.py [OPTIONS] --screenshots docs/screenshots
+
+Options: --language German starts FreeCAD in that language, --scale 1.5 draws everything larger.
 
 The status is pytest's; a FreeCAD that crashes, hangs or ends without a complete report is a
-failure. After all tests of the window, FreeCAD is also closed while it measures a part, and while it
-classifies a folder.
+failure. After all tests of the window, those of the translations run in every language, and FreeCAD is
+closed while it measures a part, and while it classifies a folder.
 """
 
+import argparse
 import json
 import os
 import shutil
@@ -15,15 +18,19 @@ import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
+from collections import namedtuple
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 SECONDS = 1800
-SCREEN = "-screen 0 1400x900x24 -dpi 96"
+LANGUAGES = ("German", "French")
+
+Look = namedtuple("Look", "language scale", defaults=("English", 1.0))
+"""FreeCAD's language, and how much larger everything is drawn."""
 
 
-def run(script, arguments, home, seconds=SECONDS):
+def run(script, arguments, home, seconds=SECONDS, look=Look()):
     """Run a script inside FreeCAD, with settings and folders that nobody else uses.
 
     Parameters
@@ -33,6 +40,7 @@ def run(script, arguments, home, seconds=SECONDS):
         The script finds them, as JSON, in the environment's THINPART_GUI_ARGUMENTS.
     home : Path
         An empty folder.
+    look : Look
 
     Returns
     -------
@@ -44,16 +52,19 @@ def run(script, arguments, home, seconds=SECONDS):
     temporary = home / "temporary"
     temporary.mkdir()
     settings = home / "user.cfg"
-    shutil.copyfile(HERE / "user.cfg", settings)
+    settings.write_text((HERE / "user.cfg").read_text(encoding="utf-8").replace(
+        "LANGUAGE", look.language), encoding="utf-8")
     environment = dict(
         os.environ, HOME=os.fspath(home), XDG_RUNTIME_DIR=os.fspath(runtime),
         XDG_CONFIG_HOME=os.fspath(home), XDG_DATA_HOME=os.fspath(home), TMPDIR=os.fspath(temporary),
         LC_ALL="C.UTF-8", THINPART_GUI_ARGUMENTS=json.dumps(arguments), PYTHONDONTWRITEBYTECODE="1",
+        QT_SCALE_FACTOR=str(look.scale),
     )
     for name in ("WAYLAND_DISPLAY", "QT_QPA_PLATFORM"):
         environment.pop(name, None)
     # FreeCAD's own options come after the script; before it, they would be taken for Python's.
-    command = ["timeout", "--kill-after=10", str(seconds), "xvfb-run", "-a", "-s", SCREEN,
+    screen = f"-screen 0 {round(1400 * look.scale)}x{round(900 * look.scale)}x24 -dpi 96"
+    command = ["timeout", "--kill-after=10", str(seconds), "xvfb-run", "-a", "-s", screen,
                "freecad", os.fspath(script), "-u", os.fspath(settings), "-M", os.fspath(ROOT)]
     with open(home / "freecad.log", "w", encoding="utf-8") as log:
         return subprocess.run(command, env=environment, stdin=subprocess.DEVNULL, stdout=log,
@@ -62,8 +73,19 @@ def run(script, arguments, home, seconds=SECONDS):
 
 def main(arguments):
     """Run the tests, or make the screenshots, and return the status."""
-    with tempfile.TemporaryDirectory(prefix="thinpart-gui-", ignore_cleanup_errors=True) as home:
-        status = _main(arguments, Path(home))
+    parser = argparse.ArgumentParser(add_help=False, allow_abbrev=False)
+    parser.add_argument("--screenshots")
+    parser.add_argument("--language", default=Look().language)
+    parser.add_argument("--scale", type=float, default=Look().scale)
+    options, rest = parser.parse_known_args(arguments)
+    look = Look(options.language, options.scale)
+    if options.screenshots:
+        return _in_a_home(lambda home: _make_screenshots(Path(options.screenshots), home, look))
+    status = _in_a_home(lambda home: _run_tests(rest, home, look))
+    for language in LANGUAGES:
+        if status == 0 and not arguments:
+            status = _in_a_home(lambda home: _run_tests(
+                [os.fspath(HERE / "test_translations.py")], home, Look(language)))
     for what in ("part", "folder", "library"):
         if status == 0 and not arguments:
             with tempfile.TemporaryDirectory(prefix="thinpart-gui-") as home:
@@ -71,15 +93,22 @@ def main(arguments):
     return status
 
 
-def _main(arguments, home):
-    if arguments[:1] == ["--screenshots"]:
-        folder = Path(arguments[1]).resolve()
-        folder.mkdir(parents=True, exist_ok=True)
-        arguments = [os.fspath(HERE), os.fspath(folder)]
-        return _shown(run(HERE / "make_screenshots.py", arguments, home, 180), home)
+def _in_a_home(do):
+    with tempfile.TemporaryDirectory(prefix="thinpart-gui-", ignore_cleanup_errors=True) as home:
+        return do(Path(home))
+
+
+def _make_screenshots(folder, home, look):
+    folder = folder.resolve()
+    folder.mkdir(parents=True, exist_ok=True)
+    arguments = [os.fspath(HERE), os.fspath(folder)]
+    return _shown(run(HERE / "make_screenshots.py", arguments, home, look=look), home)
+
+
+def _run_tests(arguments, home, look):
     report = home / "report.xml"
-    status = _shown(run(HERE / "start_pytest.py",
-                        ["--junitxml", os.fspath(report), *_with_path(arguments)], home), home)
+    arguments = ["--junitxml", os.fspath(report), *_with_path(arguments)]
+    status = _shown(run(HERE / "start_pytest.py", arguments, home, look=look), home)
     if status == 0 and not _is_complete(report):
         print("The tests ended without a complete report.")
         return 1
