@@ -1,11 +1,15 @@
-"""Read by FreeCAD's window when it starts: the workbench and the document observer."""
+"""Read by FreeCAD's window when it starts: the workbench, its preferences, the document observer."""
 
 import FreeCADGui as Gui
 
-from thinpart_workbench.gui.document_observer import observe
 from thinpart_workbench.gui.language import add_translations
 
 add_translations()  # before any text is made
+from thinpart_workbench.gui.automatic_classification import AUTOMATIC
+from thinpart_workbench.gui.document_observer import observe
+from thinpart_workbench.gui.preferences_pages import add_pages
+from thinpart_workbench.gui.show_thickness import follow_requests
+from thinpart_workbench.gui.workbench import add_icons
 
 
 class ThinPartWorkbench(Gui.Workbench):
@@ -30,4 +34,8 @@ class ThinPartWorkbench(Gui.Workbench):
 
 
 Gui.addWorkbench(ThinPartWorkbench())
+add_icons()
+add_pages()
 observe()
+AUTOMATIC.begin()
+follow_requests()

@@ -78,8 +78,8 @@ MEASURING = (
     "box_refinement", "sampling", "box_tree", "ray_packets", "tree_descent", "ray_casting",
     "inward_rays", "thickness", "convex_clipping", "nonparallel", "slanted_pairs", "pair_rule",
     "distribution", "measurement", "face_thickness", "descriptors", "chord_error",
-    "similarity", "rasterizer", "picture", "facet_refinement", "thickness_map", "map_summary",
-    "map_search", "map_outline",
+    "similarity", "camera", "rasterizer", "picture", "facet_refinement", "thickness_map", "map_summary",
+    "map_search", "map_outline", "part_views",
 )
 JUDGING = ("criteria", "classification")
 
@@ -96,3 +96,36 @@ def test_measuring_never_judges_and_judging_never_measures():
         assert not _core_imports(name) & set(JUDGING), name
     for name in JUDGING:
         assert not _core_imports(name) & set(MEASURING) - {"descriptors"}, name
+
+
+def _imported_at_once(path, package):
+    """Dotted names of the modules that a file imports when it is imported itself."""
+    waiting = list(ast.parse(path.read_text(encoding="utf-8")).body)
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, ast.Import):
+            yield from (name.name for name in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            base = ".".join(package[:len(package) - node.level + 1]) if node.level else ""
+            module = ".".join(filter(None, (base, node.module)))
+            yield module
+            yield from (f"{module}.{name.name}" for name in node.names)
+        elif not isinstance(node, (ast.FunctionDef, ast.Lambda)):
+            waiting += list(ast.iter_child_nodes(node))
+
+
+def test_freecad_starts_without_numpy():
+    root, foreign, seen = PACKAGE.parent, set(), set()
+    waiting = list(_imported_at_once(root / "InitGui.py", ()))
+    while waiting:
+        name = waiting.pop()
+        path = root / Path(*name.split("."))
+        file = path / "__init__.py" if path.is_dir() else path.with_suffix(".py")
+        if not file.is_file():
+            foreign.add(name.split(".")[0])
+        elif file not in seen:
+            seen.add(file)
+            parts = tuple(name.split("."))
+            waiting += _imported_at_once(file, parts if path.is_dir() else parts[:-1])
+    assert PACKAGE / "gui" / "automatic_classification.py" in seen
+    assert not foreign & {"numpy", "scipy", "pebble"}

@@ -79,6 +79,7 @@ TABLE = (
     Requirement("python3-scipy", "finds neighbours and fits thresholds", _module("scipy"), CAD + STORED + LINKING),
     Requirement("python3-rich", "prints the tables and the progress", _module("rich"), CAD + STORED),
     Requirement("python3-pebble", "keeps a damaged file from ending the run", _module("pebble"), CAD),
+    Requirement("python3-jinja2", "fills in the pages of reports", _module("jinja2"), ("report", "gui", "test")),
     Requirement("gmsh", "makes the volume meshes that --check compares", _program("gmsh"), ("size --check",)),
     Requirement("python3-distributed", "spreads the work over a cluster", _module("distributed"), ("classify --dask", "test")),
     Requirement("python3-pytest", "runs the tests", _module("pytest"), ("test",)),

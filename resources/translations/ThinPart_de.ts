@@ -2,6 +2,97 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>App::Property</name>
+    <message>
+        <source>Colours from thin to thick</source>
+        <translation>Farben von dünn nach dick</translation>
+    </message>
+    <message>
+        <source>Number of steps; 0: smooth</source>
+        <translation>Anzahl der Stufen; 0: stufenlos</translation>
+    </message>
+    <message>
+        <source>Of the facets, in percent</source>
+        <translation>Der Facetten, in Prozent</translation>
+    </message>
+    <message>
+        <source>Of the largest part's box, mm</source>
+        <translation>Des Hüllquaders des größten Bauteils, mm</translation>
+    </message>
+    <message>
+        <source>The measured thickness</source>
+        <translation>Die gemessene Wandstärke</translation>
+    </message>
+    <message>
+        <source>The opposite sides of those</source>
+        <translation>Deren gegenüberliegende Seiten</translation>
+    </message>
+    <message>
+        <source>The sources' shapes when measured</source>
+        <translation>Die Formen der Quellen bei der Messung</translation>
+    </message>
+    <message>
+        <source>The thickness there, mm</source>
+        <translation>Die Wandstärke dort, mm</translation>
+    </message>
+    <message>
+        <source>Thickest wall of the map, mm</source>
+        <translation>Dickste Wand der Karte, mm</translation>
+    </message>
+    <message>
+        <source>Thickness at the lower end of the colours</source>
+        <translation>Wandstärke am unteren Ende der Farbskala</translation>
+    </message>
+    <message>
+        <source>Thickness at the upper end of the colours</source>
+        <translation>Wandstärke am oberen Ende der Farbskala</translation>
+    </message>
+    <message>
+        <source>Thinnest wall of the map, mm</source>
+        <translation>Dünnste Wand der Karte, mm</translation>
+    </message>
+    <message>
+        <source>Unit of Low and High</source>
+        <translation>Einheit von Low und High</translation>
+    </message>
+    <message>
+        <source>Walls under it are thin, mm</source>
+        <translation>Wände darunter sind dünn, mm</translation>
+    </message>
+    <message>
+        <source>What was measured</source>
+        <translation>Was gemessen wurde</translation>
+    </message>
+    <message>
+        <source>Where nothing was measured</source>
+        <translation>Wo nichts gemessen wurde</translation>
+    </message>
+    <message>
+        <source>Where the sources stood when measured</source>
+        <translation>Lage der Quellen bei der Messung</translation>
+    </message>
+    <message>
+        <source>Where thickness was asked for</source>
+        <translation>Wo nach der Wandstärke gefragt wurde</translation>
+    </message>
+    <message>
+        <source>Whether colours run from the thinnest to the thickest wall</source>
+        <translation>Ob die Farben von der dünnsten bis zur dicksten Wand reichen</translation>
+    </message>
+    <message>
+        <source>Whether only thin walls are coloured</source>
+        <translation>Ob nur dünne Wände eingefärbt werden</translation>
+    </message>
+    <message>
+        <source>Whether the colours run the other way</source>
+        <translation>Ob die Farben umgekehrt verlaufen</translation>
+    </message>
+    <message>
+        <source>Whether the sources have changed since</source>
+        <translation>Ob sich die Quellen seitdem geändert haben</translation>
+    </message>
+</context>
+<context>
     <name>ThinPart</name>
     <message>
         <source>
@@ -20,6 +111,14 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation> s</translation>
     </message>
     <message>
+        <source>&amp;All parts together</source>
+        <translation>&amp;Alle Bauteile zusammen</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Durchsuchen…</translation>
+    </message>
+    <message>
         <source>&amp;Cancel</source>
         <translation>Abbre&amp;chen</translation>
     </message>
@@ -28,8 +127,20 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>CSV e&amp;xportieren…</translation>
     </message>
     <message>
+        <source>&amp;Fly to thinnest place</source>
+        <translation>Zur &amp;dünnsten Stelle</translation>
+    </message>
+    <message>
         <source>&amp;Folder</source>
         <translation>&amp;Ordner</translation>
+    </message>
+    <message>
+        <source>&amp;Folder:</source>
+        <translation>&amp;Ordner:</translation>
+    </message>
+    <message>
+        <source>&amp;Measure again</source>
+        <translation>Erneut &amp;messen</translation>
     </message>
     <message>
         <source>&amp;Measure again what has not changed</source>
@@ -40,24 +151,60 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>&amp;Namen</translation>
     </message>
     <message>
+        <source>&amp;Only thin walls in colour</source>
+        <translation>Nur &amp;dünne Wände in Farbe</translation>
+    </message>
+    <message>
+        <source>&amp;Open it in the browser when it is ready</source>
+        <translation>Nach dem Fertigstellen im &amp;Browser öffnen</translation>
+    </message>
+    <message>
         <source>&amp;Open part</source>
         <translation>&amp;Bauteil öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Open report</source>
+        <translation>Bericht ö&amp;ffnen</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
         <translation>&amp;Pausieren</translation>
     </message>
     <message>
+        <source>&amp;Probe</source>
+        <translation>&amp;Messpunkt</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
         <source>&amp;Retry failed</source>
         <translation>&amp;Fehlgeschlagene wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Save the document</source>
+        <translation>Dokument &amp;speichern</translation>
     </message>
     <message>
         <source>&amp;Start</source>
         <translation>&amp;Starten</translation>
     </message>
     <message>
+        <source>&amp;Thin below</source>
+        <translation>&amp;Dünn unter</translation>
+    </message>
+    <message>
         <source>&amp;Thresholds</source>
         <translation>Sch&amp;wellenwerte</translation>
+    </message>
+    <message>
+        <source>&amp;Whole range</source>
+        <translation>&amp;Gesamter Bereich</translation>
+    </message>
+    <message>
+        <source>&amp;Write report</source>
+        <translation>Bericht s&amp;chreiben</translation>
     </message>
     <message>
         <source>&amp;beside each document</source>
@@ -68,8 +215,16 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>&amp;im Ordner</translation>
     </message>
     <message>
+        <source>'{}' has no parts any more that could be measured.</source>
+        <translation>„{}“ hat keine Bauteile mehr, die gemessen werden könnten.</translation>
+    </message>
+    <message>
         <source>'{}' was not classified yet: classify the part first.</source>
         <translation>„{}“ wurde noch nicht klassifiziert: Klassifizieren Sie zuerst das Bauteil.</translation>
+    </message>
+    <message>
+        <source>A folder for the info files, in which the folders of the documents are repeated; it may lie on another computer. Empty: beside each document</source>
+        <translation>Ein Ordner für die Infodateien, in dem die Ordner der Dokumente nachgebildet werden; er darf auf einem anderen Rechner liegen. Leer: neben jedem Dokument</translation>
     </message>
     <message>
         <source>A link to {} was put into {}.</source>
@@ -92,8 +247,24 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Alle Bauteile</translation>
     </message>
     <message>
+        <source>Angle between neighbouring facets of a curved face</source>
+        <translation>Winkel zwischen benachbarten Facetten einer gekrümmten Fläche</translation>
+    </message>
+    <message>
+        <source>Angular deflection</source>
+        <translation>Winkelabweichung</translation>
+    </message>
+    <message>
         <source>Area over parallel walls {}, over slanted ones {}, over none {}</source>
         <translation>Oberfläche über parallelen Wänden {}, über schrägen {}, ohne Gegenwand {}</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatik</translation>
+    </message>
+    <message>
+        <source>Bands</source>
+        <translation>Stufen</translation>
     </message>
     <message>
         <source>Before</source>
@@ -114,6 +285,10 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>C&amp;hoose…</source>
         <translation>Wä&amp;hlen…</translation>
+    </message>
+    <message>
+        <source>C&amp;lear all</source>
+        <translation>&amp;Alle entfernen</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -168,6 +343,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Ordner mit klassifizierten Bauteilen wählen</translation>
     </message>
     <message>
+        <source>Choose a part in the list to see its faces.</source>
+        <translation>Wählen Sie ein Bauteil in der Liste, um seine Flächen zu sehen.</translation>
+    </message>
+    <message>
         <source>Choose at least one format.</source>
         <translation>Wählen Sie mindestens ein Format.</translation>
     </message>
@@ -184,12 +363,20 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Wählen…</translation>
     </message>
     <message>
+        <source>Classification</source>
+        <translation>Klassifizierung</translation>
+    </message>
+    <message>
         <source>Classify again</source>
         <translation>Erneut klassifizieren</translation>
     </message>
     <message>
         <source>Classify folder</source>
         <translation>Ordner klassifizieren</translation>
+    </message>
+    <message>
+        <source>Classify in the background</source>
+        <translation>Im Hintergrund klassifizieren</translation>
     </message>
     <message>
         <source>Classify part</source>
@@ -212,12 +399,36 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Eindeutiges Ergebnis: Abstand {}</translation>
     </message>
     <message>
+        <source>Click or drag over bars to see where those walls are.</source>
+        <translation>Klicken Sie auf Balken oder ziehen Sie darüber, um zu sehen, wo diese Wände sind.</translation>
+    </message>
+    <message>
+        <source>Click to take this away.</source>
+        <translation>Klicken Sie, um diese Meldung zu entfernen.</translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
     <message>
         <source>Colour thin faces</source>
         <translation>Dünne Flächen einfärben</translation>
+    </message>
+    <message>
+        <source>Colour where no wall could be measured</source>
+        <translation>Farbe, wo keine Wand gemessen werden konnte</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Colours from the thinnest to the thickest wall</source>
+        <translation>Farben von der dünnsten bis zur dicksten Wand</translation>
+    </message>
+    <message>
+        <source>Compared with what the info file said before</source>
+        <translation>Verglichen mit der bisherigen Infodatei</translation>
     </message>
     <message>
         <source>Comparison</source>
@@ -244,8 +455,20 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Kriterium {}: {}. Alle Bedingungen erfüllt: {}.</translation>
     </message>
     <message>
+        <source>Display</source>
+        <translation>Anzeige</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Verteilung</translation>
+    </message>
+    <message>
         <source>E&amp;xcept</source>
         <translation>&amp;Außer</translation>
+    </message>
+    <message>
+        <source>Each document is classified in the background when it is saved; the status bar shows the verdict</source>
+        <translation>Jedes Dokument wird beim Speichern im Hintergrund klassifiziert; die Statusleiste zeigt das Ergebnis</translation>
     </message>
     <message>
         <source>Edit notes</source>
@@ -254,6 +477,26 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>Export the rows that are shown</source>
         <translation>Angezeigte Zeilen exportieren</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>Faces that are thin on at least half their area</source>
+        <translation>Flächen, die auf mindestens der Hälfte ihres Flächeninhalts dünn sind</translation>
+    </message>
+    <message>
+        <source>Faces that are thin on less of their area</source>
+        <translation>Flächen, die auf einem kleineren Teil dünn sind</translation>
+    </message>
+    <message>
+        <source>Faces thin in places</source>
+        <translation>Stellenweise dünne Flächen</translation>
     </message>
     <message>
         <source>Failed</source>
@@ -272,6 +515,14 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Dateien &amp;gleichzeitig</translation>
     </message>
     <message>
+        <source>Files at once</source>
+        <translation>Dateien gleichzeitig</translation>
+    </message>
+    <message>
+        <source>Files of a folder that are measured at once</source>
+        <translation>Dateien eines Ordners, die gleichzeitig gemessen werden</translation>
+    </message>
+    <message>
         <source>Filter: words of the file or the part</source>
         <translation>Filter: Wörter der Datei oder des Bauteils</translation>
     </message>
@@ -282,6 +533,14 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>Find parts</source>
         <translation>Bauteile finden</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Folder of the report</source>
+        <translation>Ordner des Berichts</translation>
     </message>
     <message>
         <source>For the info file: {}</source>
@@ -304,16 +563,44 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Aus Datei…</translation>
     </message>
     <message>
+        <source>From the thinnest to the thickest wall</source>
+        <translation>Von der dünnsten bis zur dicksten Wand</translation>
+    </message>
+    <message>
         <source>Go on</source>
         <translation>Weiterlaufen lassen</translation>
+    </message>
+    <message>
+        <source>Half of the face lies over thinner walls, mm</source>
+        <translation>Die Hälfte der Fläche liegt über dünneren Wänden, mm</translation>
+    </message>
+    <message>
+        <source>Heat map of the thickness</source>
+        <translation>Farbkarte der Wandstärke</translation>
+    </message>
+    <message>
+        <source>Here: {} mm</source>
+        <translation>Hier: {} mm</translation>
     </message>
     <message>
         <source>Holds</source>
         <translation>Erfüllt</translation>
     </message>
     <message>
+        <source>How far the mesh may lie from the surface, as a share of the part's diagonal; where walls are thin it is made finer anyway</source>
+        <translation>Wie weit das Netz von der Oberfläche abweichen darf, als Anteil der Diagonale des Bauteils; an dünnen Wänden wird es ohnehin feiner</translation>
+    </message>
+    <message>
+        <source>How often the part stands in the document</source>
+        <translation>Wie oft das Bauteil im Dokument vorkommt</translation>
+    </message>
+    <message>
         <source>Info file, beside the document: {}</source>
         <translation>Infodatei neben dem Dokument: {}</translation>
+    </message>
+    <message>
+        <source>Info file, in the preferred folder: {}</source>
+        <translation>Infodatei im voreingestellten Ordner: {}</translation>
     </message>
     <message>
         <source>Info files</source>
@@ -336,6 +623,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Anzahl</translation>
     </message>
     <message>
+        <source>Into how many steps the colours are divided</source>
+        <translation>In wie viele Stufen die Farben unterteilt sind</translation>
+    </message>
+    <message>
         <source>It is folders that could not be searched: see to them and start again.</source>
         <translation>Fehlgeschlagen sind Ordner, die nicht durchsucht werden konnten: Beheben Sie das und starten Sie erneut.</translation>
     </message>
@@ -356,6 +647,14 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Ähnlich</translation>
     </message>
     <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Linear deflection</source>
+        <translation>Lineare Abweichung</translation>
+    </message>
+    <message>
         <source>Link</source>
         <translation>Verknüpfung</translation>
     </message>
@@ -372,12 +671,24 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Bauteile im Ordner werden gesucht…</translation>
     </message>
     <message>
+        <source>MB</source>
+        <translation>MB</translation>
+    </message>
+    <message>
+        <source>Made by</source>
+        <translation>Erzeugt von</translation>
+    </message>
+    <message>
         <source>Making the surface mesh of {}</source>
         <translation>Oberflächennetz von {} wird erzeugt</translation>
     </message>
     <message>
         <source>Margin</source>
         <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Measuring and drawing…</source>
+        <translation>Messen und Zeichnen…</translation>
     </message>
     <message>
         <source>Measuring needs more than {} MB of memory: raise the limit in the preferences.</source>
@@ -388,12 +699,28 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Wände von {} werden gemessen</translation>
     </message>
     <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>Memory per file</source>
+        <translation>Speicher pro Datei</translation>
+    </message>
+    <message>
+        <source>Memory that measuring one document may take</source>
+        <translation>Speicher, den das Messen eines Dokuments belegen darf</translation>
+    </message>
+    <message>
         <source>Mesh settings</source>
         <translation>Netzeinstellungen</translation>
     </message>
     <message>
         <source>Meshes</source>
         <translation>Netze</translation>
+    </message>
+    <message>
+        <source>Move over the part; a click pins the wall there.</source>
+        <translation>Bewegen Sie den Zeiger über das Bauteil; ein Klick setzt dort einen Messpunkt.</translation>
     </message>
     <message>
         <source>No criterion holds: its walls are thick all over.</source>
@@ -428,6 +755,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Es konnte keine Wand gemessen werden.</translation>
     </message>
     <message>
+        <source>No wall was measured here.</source>
+        <translation>Hier wurde keine Wand gemessen.</translation>
+    </message>
+    <message>
         <source>Normal part</source>
         <translation>Normales Bauteil</translation>
     </message>
@@ -436,12 +767,32 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Unbekannt</translation>
     </message>
     <message>
+        <source>Not measured</source>
+        <translation>Nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Not measured: {}</source>
+        <translation>Nicht gemessen: {}</translation>
+    </message>
+    <message>
+        <source>Not measured: {} of the area</source>
+        <translation>Nicht gemessen: {} der Oberfläche</translation>
+    </message>
+    <message>
         <source>Notes</source>
         <translation>Notizen</translation>
     </message>
     <message>
+        <source>Nothing can be written into {}: choose another folder for the info files.</source>
+        <translation>In {} kann nichts geschrieben werden: Wählen Sie einen anderen Ordner für die Infodateien.</translation>
+    </message>
+    <message>
         <source>Nothing was written to {}: give the table a name that ends with .csv.</source>
         <translation>In {} wurde nichts geschrieben: Geben Sie der Tabelle einen Namen, der auf .csv endet.</translation>
+    </message>
+    <message>
+        <source>On every save</source>
+        <translation>Bei jedem Speichern</translation>
     </message>
     <message>
         <source>Only borderline</source>
@@ -458,6 +809,10 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>Open</source>
         <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Out of date: recompute</source>
+        <translation>Veraltet: neu berechnen</translation>
     </message>
     <message>
         <source>Part</source>
@@ -480,12 +835,28 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Muster für Dateinamen, durch Semikolon getrennt; eines mit Schrägstrich wird mit dem Pfad unterhalb des Ordners verglichen</translation>
     </message>
     <message>
+        <source>Pin thickness</source>
+        <translation>Messpunkt setzen</translation>
+    </message>
+    <message>
         <source>Preview</source>
         <translation>Vorschau</translation>
     </message>
     <message>
+        <source>Probe</source>
+        <translation>Messpunkt</translation>
+    </message>
+    <message>
+        <source>Probes</source>
+        <translation>Messpunkte</translation>
+    </message>
+    <message>
         <source>Quantity</source>
         <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
     </message>
     <message>
         <source>Reclassify</source>
@@ -500,8 +871,32 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
+        <source>Remove all probes</source>
+        <translation>Alle Messpunkte entfernen</translation>
+    </message>
+    <message>
+        <source>Remove thickness</source>
+        <translation>Messpunkt entfernen</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Report about all parts of '{}'</source>
+        <translation>Bericht über alle Bauteile von „{}“</translation>
+    </message>
+    <message>
+        <source>Restore defaults</source>
+        <translation>Standardwerte wiederherstellen</translation>
+    </message>
+    <message>
         <source>Resu&amp;me</source>
         <translation>For&amp;tsetzen</translation>
+    </message>
+    <message>
+        <source>Reversed</source>
+        <translation>Umgekehrt</translation>
     </message>
     <message>
         <source>Save</source>
@@ -524,12 +919,44 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Soll das im Hintergrund weiterlaufen? „Ordner klassifizieren“ zeigt es wieder an. Was bisher erledigt ist, bleibt in jedem Fall erhalten.</translation>
     </message>
     <message>
+        <source>Share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>Share of the face over walls under the threshold</source>
+        <translation>Anteil der Fläche über Wänden unter dem Schwellenwert</translation>
+    </message>
+    <message>
+        <source>Share of the face where no wall could be measured</source>
+        <translation>Anteil der Fläche, wo keine Wand gemessen werden konnte</translation>
+    </message>
+    <message>
+        <source>Share of the part's diagonal under which a wall is coloured as thin</source>
+        <translation>Anteil der Diagonale des Bauteils, unter dem eine Wand als dünn eingefärbt wird</translation>
+    </message>
+    <message>
         <source>Show in file manager</source>
         <translation>In Dateiverwaltung zeigen</translation>
     </message>
     <message>
         <source>Show info file’s folder</source>
         <translation>Ordner der Infodatei zeigen</translation>
+    </message>
+    <message>
+        <source>Show thickness</source>
+        <translation>Wandstärke anzeigen</translation>
+    </message>
+    <message>
+        <source>Shown as thin: under {} mm, as the preferences say. The verdict does not depend on it.</source>
+        <translation>Als dünn angezeigt: unter {} mm, wie eingestellt. Das Ergebnis hängt nicht davon ab.</translation>
+    </message>
+    <message>
+        <source>Shows the defaults of this page; they are kept with OK or Apply</source>
+        <translation>Zeigt die Standardwerte dieser Seite; sie werden mit OK oder Anwenden übernommen</translation>
+    </message>
+    <message>
+        <source>Shows the wall under the cursor; a click pins it</source>
+        <translation>Zeigt die Wandstärke unter dem Zeiger; ein Klick setzt einen Messpunkt</translation>
     </message>
     <message>
         <source>Similar size</source>
@@ -548,8 +975,20 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Nach {} von {} Infodateien abgebrochen.</translation>
     </message>
     <message>
+        <source>Stopped before the end, as asked.</source>
+        <translation>Wie gewünscht vorzeitig abgebrochen.</translation>
+    </message>
+    <message>
         <source>Stopped: {} of {} info files are up to date.</source>
         <translation>Abgebrochen: {} von {} Infodateien sind aktuell.</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>Wird abgebrochen…</translation>
+    </message>
+    <message>
+        <source>Surface mesh that is measured</source>
+        <translation>Oberflächennetz, das gemessen wird</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
@@ -560,6 +999,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Stellt vor dem Vernetzen fest, ob ein Bauteil dünnwandig ist und wo</translation>
     </message>
     <message>
+        <source>The active document as it was saved. Click to classify it in the panel.</source>
+        <translation>Das aktive Dokument, wie es gespeichert ist. Klicken Sie, um es im Aufgabenbereich zu klassifizieren.</translation>
+    </message>
+    <message>
         <source>The content of {} was copied into {}, which has no file to link from yet.</source>
         <translation>Der Inhalt von {} wurde in {} kopiert, das noch keine Datei hat, von der aus verknüpft werden könnte.</translation>
     </message>
@@ -568,12 +1011,36 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Das Dokument hat sich seit der Messung geändert: Es wurde keine Infodatei geschrieben. Klassifizieren Sie es erneut.</translation>
     </message>
     <message>
+        <source>The document has changed while it was measured: measure it again.</source>
+        <translation>Das Dokument hat sich während der Messung geändert: Messen Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>The document has changes that are not saved, and a report is about what is saved: save it first.</source>
+        <translation>Das Dokument hat ungespeicherte Änderungen, der Bericht gilt aber für den gespeicherten Stand: Speichern Sie es zuerst.</translation>
+    </message>
+    <message>
+        <source>The document has never been saved, and a report is about a saved one: save it first.</source>
+        <translation>Das Dokument wurde noch nie gespeichert, der Bericht gilt aber für ein gespeichertes: Speichern Sie es zuerst.</translation>
+    </message>
+    <message>
+        <source>The document is closed: open it again for a report about it.</source>
+        <translation>Das Dokument ist geschlossen: Öffnen Sie es wieder, um darüber zu berichten.</translation>
+    </message>
+    <message>
+        <source>The first colour stands for the thickest wall</source>
+        <translation>Die erste Farbe steht für die dickste Wand</translation>
+    </message>
+    <message>
         <source>The folder is still being classified.</source>
         <translation>Der Ordner wird noch klassifiziert.</translation>
     </message>
     <message>
         <source>The folder with your parts; the folders in it count as well</source>
         <translation>Der Ordner mit Ihren Bauteilen, einschließlich seiner Unterordner</translation>
+    </message>
+    <message>
+        <source>The folder {} has not answered for {} s: connect it, or choose another one for the info files.</source>
+        <translation>Der Ordner {} antwortet seit {} s nicht: Verbinden Sie ihn oder wählen Sie einen anderen für die Infodateien.</translation>
     </message>
     <message>
         <source>The info file {} is damaged ({}): classify its document again.</source>
@@ -592,6 +1059,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Der Prozess dafür konnte nicht gestartet werden.</translation>
     </message>
     <message>
+        <source>The process that does this ended unexpectedly.</source>
+        <translation>Der Prozess dafür wurde unerwartet beendet.</translation>
+    </message>
+    <message>
         <source>The process that does this ended unexpectedly; the report view has its last words. Refresh the libraries to go on.</source>
         <translation>Der Prozess dafür wurde unerwartet beendet; seine letzten Meldungen stehen im Ausgabefenster. Aktualisieren Sie die Bibliotheken, um fortzufahren.</translation>
     </message>
@@ -602,6 +1073,10 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>The process that measures ended unexpectedly; the document is unharmed. Check the part with 'Check geometry' of the Part workbench.</source>
         <translation>Der Messprozess wurde unerwartet beendet; das Dokument ist unbeschädigt. Prüfen Sie das Bauteil mit „Geometrie prüfen“ des Arbeitsbereichs Part.</translation>
+    </message>
+    <message>
+        <source>The report is in {}.</source>
+        <translation>Der Bericht liegt in {}.</translation>
     </message>
     <message>
         <source>The same may happen to FreeCAD when it opens the file: save your documents first. Open it nevertheless?</source>
@@ -644,6 +1119,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Den Ordner {} gibt es nicht: Wählen Sie einen anderen.</translation>
     </message>
     <message>
+        <source>There is no folder {}: make it first, or choose another one for the info files.</source>
+        <translation>Den Ordner {} gibt es nicht: Legen Sie ihn zuerst an oder wählen Sie einen anderen für die Infodateien.</translation>
+    </message>
+    <message>
         <source>There is no room for temporary files ({}): nothing was classified.</source>
         <translation>Es ist kein Platz für temporäre Dateien ({}): Nichts wurde klassifiziert.</translation>
     </message>
@@ -652,12 +1131,52 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Es ist kein Platz für temporäre Dateien ({}): Nichts wurde gemessen.</translation>
     </message>
     <message>
+        <source>Thickness</source>
+        <translation>Wandstärke</translation>
+    </message>
+    <message>
+        <source>Thickness colours</source>
+        <translation>Farbskala</translation>
+    </message>
+    <message>
+        <source>Thickness under which a wall is coloured as thin</source>
+        <translation>Wandstärke, unter der eine Wand als dünn eingefärbt wird</translation>
+    </message>
+    <message>
+        <source>Thin</source>
+        <translation>Dünn</translation>
+    </message>
+    <message>
+        <source>Thin faces</source>
+        <translation>Dünne Flächen</translation>
+    </message>
+    <message>
         <source>Thin part</source>
         <translation>Dünnwandiges Bauteil</translation>
     </message>
     <message>
+        <source>Thin under</source>
+        <translation>Dünn unter</translation>
+    </message>
+    <message>
+        <source>ThinPart: {}</source>
+        <translation>ThinPart: {}</translation>
+    </message>
+    <message>
+        <source>Thinnest</source>
+        <translation>Dünnste</translation>
+    </message>
+    <message>
         <source>Thinnest mm</source>
         <translation>Dünnste mm</translation>
+    </message>
+    <message>
+        <source>Thinnest wall under the face, mm</source>
+        <translation>Dünnste Wand unter der Fläche, mm</translation>
+    </message>
+    <message>
+        <source>Thinnest wall {} mm (± {} mm)</source>
+        <translation>Dünnste Wand {} mm (± {} mm)</translation>
     </message>
     <message>
         <source>Thinnest wall, mm</source>
@@ -668,12 +1187,40 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Schwelle</translation>
     </message>
     <message>
+        <source>Thresholds</source>
+        <translation>Schwellenwerte</translation>
+    </message>
+    <message>
         <source>Thresholds (*.json)</source>
         <translation>Schwellenwerte (*.json)</translation>
     </message>
     <message>
+        <source>Thresholds to judge by: a shipped profile, or a file</source>
+        <translation>Schwellenwerte für das Urteil: ein mitgeliefertes Profil oder eine Datei</translation>
+    </message>
+    <message>
         <source>Time &amp;limit per file</source>
         <translation>&amp;Zeitlimit pro Datei</translation>
+    </message>
+    <message>
+        <source>Time per file</source>
+        <translation>Zeit pro Datei</translation>
+    </message>
+    <message>
+        <source>Time that one file of a folder, or a document that is classified automatically, may take</source>
+        <translation>Zeit, die eine Datei eines Ordners oder ein automatisch klassifiziertes Dokument brauchen darf</translation>
+    </message>
+    <message>
+        <source>To classify a part, open a document and close the task that is open.</source>
+        <translation>Um ein Bauteil zu klassifizieren, öffnen Sie ein Dokument und schließen Sie die offene Aufgabe.</translation>
+    </message>
+    <message>
+        <source>Under which thickness a wall is coloured as thin; the verdict does not depend on it</source>
+        <translation>Unter welcher Wandstärke eine Wand als dünn eingefärbt wird; das Ergebnis hängt nicht davon ab</translation>
+    </message>
+    <message>
+        <source>Unmeasured</source>
+        <translation>Ungemessen</translation>
     </message>
     <message>
         <source>V/VBB</source>
@@ -688,12 +1235,48 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Ergebnis</translation>
     </message>
     <message>
+        <source>Wall</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>Wall thickness</source>
+        <translation>Wandstärke</translation>
+    </message>
+    <message>
+        <source>Wall thickness, mm</source>
+        <translation>Wandstärke, mm</translation>
+    </message>
+    <message>
+        <source>Walls that are shown as thin</source>
+        <translation>Wände, die als dünn angezeigt werden</translation>
+    </message>
+    <message>
         <source>Walls: thinnest {} mm, median {} mm, greatest {} mm (± {} mm)</source>
         <translation>Wände: dünnste {} mm, Median {} mm, dickste {} mm (± {} mm)</translation>
     </message>
     <message>
+        <source>Warnings</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>What is under no wall that could be measured, in the heat map</source>
+        <translation>Was in der Farbkarte ohne messbare Wand ist</translation>
+    </message>
+    <message>
         <source>What was measured, notes, mesh settings and links stay as they are. Write them now?</source>
         <translation>Messwerte, Notizen, Netzeinstellungen und Verknüpfungen bleiben unverändert. Jetzt schreiben?</translation>
+    </message>
+    <message>
+        <source>When a wall is under</source>
+        <translation>Wenn eine Wand dünner ist als</translation>
+    </message>
+    <message>
+        <source>When the category of a part changes</source>
+        <translation>Wenn sich die Kategorie eines Bauteils ändert</translation>
+    </message>
+    <message>
+        <source>When the thinnest wall of a part falls under this thickness, or is under it in a part that was not classified before</source>
+        <translation>Wenn die dünnste Wand eines Bauteils unter diese Stärke fällt oder bei einem bisher nicht klassifizierten Bauteil darunter liegt</translation>
     </message>
     <message>
         <source>Which part do you mean?</source>
@@ -712,8 +1295,20 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Schreiben…</translation>
     </message>
     <message>
+        <source>Writing the info file…</source>
+        <translation>Infodatei wird geschrieben…</translation>
+    </message>
+    <message>
         <source>a file, or a JSON object</source>
         <translation>eine Datei oder ein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>a share of the part's diagonal</source>
+        <translation>ein Anteil der Bauteildiagonale</translation>
+    </message>
+    <message>
+        <source>a thickness in mm</source>
+        <translation>eine Wandstärke in mm</translation>
     </message>
     <message>
         <source>about {} left</source>
@@ -728,12 +1323,36 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>eine Adresse oder ein Ordner</translation>
     </message>
     <message>
+        <source>and {} more parts</source>
+        <translation>und {} weitere Bauteile</translation>
+    </message>
+    <message>
         <source>area over walls thinner than this share of the diagonal</source>
         <translation>Oberfläche über Wänden, dünner als dieser Anteil der Diagonale</translation>
     </message>
     <message>
+        <source>beside each document</source>
+        <translation>neben jedem Dokument</translation>
+    </message>
+    <message>
         <source>cancelled: what was done is kept, Start does the rest</source>
         <translation>abgebrochen: Erledigtes bleibt erhalten, „Starten“ macht den Rest</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>failed: {}</source>
+        <translation>fehlgeschlagen: {}</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>in</translation>
+    </message>
+    <message>
+        <source>in the pre&amp;ferred folder</source>
+        <translation>im &amp;voreingestellten Ordner</translation>
     </message>
     <message>
         <source>in {}</source>
@@ -748,6 +1367,18 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>es ist das aktive Dokument selbst</translation>
     </message>
     <message>
+        <source>measuring…</source>
+        <translation>wird gemessen…</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>mm, and share of the diagonal</source>
+        <translation>mm und Anteil der Diagonale</translation>
+    </message>
+    <message>
         <source>no</source>
         <translation>nein</translation>
     </message>
@@ -756,12 +1387,36 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>keine</translation>
     </message>
     <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>not classified</source>
+        <translation>nicht klassifiziert</translation>
+    </message>
+    <message>
         <source>not finished</source>
         <translation>nicht abgeschlossen</translation>
     </message>
     <message>
+        <source>not known</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
         <source>nothing came in</source>
         <translation>es wurde nichts eingelesen</translation>
+    </message>
+    <message>
+        <source>of the diagonal</source>
+        <translation>der Diagonale</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
     </message>
     <message>
         <source>one per processor</source>
@@ -774,6 +1429,22 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>pausing</source>
         <translation>wird angehalten</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>share of the diagonal</source>
+        <translation>Anteil der Diagonale</translation>
+    </message>
+    <message>
+        <source>share of the diagonal (mm)</source>
+        <translation>Anteil der Diagonale (mm)</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>stufenlos</translation>
     </message>
     <message>
         <source>stopping</source>
@@ -792,8 +1463,20 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Wandstärke: mm und Anteil der Diagonale</translation>
     </message>
     <message>
+        <source>thin</source>
+        <translation>dünnwandig</translation>
+    </message>
+    <message>
+        <source>thin below {}</source>
+        <translation>dünn unter {}</translation>
+    </message>
+    <message>
         <source>thin below {} mm</source>
         <translation>dünn unter {} mm</translation>
+    </message>
+    <message>
+        <source>thin features</source>
+        <translation>dünne Bereiche</translation>
     </message>
     <message>
         <source>thin in places</source>
@@ -812,6 +1495,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Keil {:g}–{:g}°</translation>
     </message>
     <message>
+        <source>what the verdict is based on</source>
+        <translation>was dem Ergebnis zugrunde liegt</translation>
+    </message>
+    <message>
         <source>yes</source>
         <translation>ja</translation>
     </message>
@@ -826,6 +1513,10 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>{} ({} times)</source>
         <translation>{} ({}-mal)</translation>
+    </message>
+    <message>
+        <source>{} There are {} more failures.</source>
+        <translation>{} Es gibt {} weitere Fehler.</translation>
     </message>
     <message>
         <source>{} failed</source>
@@ -868,6 +1559,14 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>{} min</translation>
     </message>
     <message>
+        <source>{} mm</source>
+        <translation>{} mm</translation>
+    </message>
+    <message>
+        <source>{} of the area lies over walls thinner than {} mm</source>
+        <translation>{} der Oberfläche liegen über Wänden dünner als {} mm</translation>
+    </message>
+    <message>
         <source>{} of {} files</source>
         <translation>{} von {} Dateien</translation>
     </message>
@@ -880,6 +1579,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>{} von {} Bauteilen wechseln ihre Kategorie; {} Infodateien würden aktualisiert.</translation>
     </message>
     <message>
+        <source>{} parts, {} in all</source>
+        <translation>{} Bauteile, insgesamt {}</translation>
+    </message>
+    <message>
         <source>{} s</source>
         <translation>{} s</translation>
     </message>
@@ -888,8 +1591,24 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>{} bis {} mm Wandstärke ({} bis {} der Diagonale): {} der Oberfläche</translation>
     </message>
     <message>
+        <source>{} to {} mm: {} of the area</source>
+        <translation>{} bis {} mm: {} der Oberfläche</translation>
+    </message>
+    <message>
+        <source>{} to {} mm: {} of the area, on 1 face</source>
+        <translation>{} bis {} mm: {} der Oberfläche, auf 1 Fläche</translation>
+    </message>
+    <message>
+        <source>{} to {} mm: {} of the area, on {} faces</source>
+        <translation>{} bis {} mm: {} der Oberfläche, auf {} Flächen</translation>
+    </message>
+    <message>
         <source>{} unchanged</source>
         <translation>{} unverändert</translation>
+    </message>
+    <message>
+        <source>{} warnings; {}</source>
+        <translation>{} Warnungen; {}</translation>
     </message>
     <message>
         <source>{} was imported into {}.</source>
@@ -898,6 +1617,22 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>{}, {}</source>
         <translation>{} „{}“</translation>
+    </message>
+    <message>
+        <source>{}: '{}' ({}) has a wall of {} mm, under the limit of {} mm.</source>
+        <translation>{}: „{}“ ({}) hat eine Wand von {} mm, unter der Grenze von {} mm.</translation>
+    </message>
+    <message>
+        <source>{}: '{}' was '{}' and is '{}' now; its thinnest wall is {} mm.</source>
+        <translation>{}: „{}“ war „{}“ und ist jetzt „{}“; die dünnste Wand hat {} mm.</translation>
+    </message>
+    <message>
+        <source>{}: '{}' was '{}' and is '{}' now; its thinnest wall of {} mm is under the limit of {} mm.</source>
+        <translation>{}: „{}“ war „{}“ und ist jetzt „{}“; die dünnste Wand von {} mm liegt unter der Grenze von {} mm.</translation>
+    </message>
+    <message>
+        <source>{}: '{}' was '{}' and is '{}' now; none of its walls could be measured.</source>
+        <translation>{}: „{}“ war „{}“ und ist jetzt „{}“; keine der Wände konnte gemessen werden.</translation>
     </message>
     <message>
         <source>{}: looking for info files, {} so far</source>
@@ -914,6 +1649,18 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>{} % like: {}</source>
         <translation>{} % ähnlich: {}</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation>×</translation>
+    </message>
+    <message>
+        <source>⚠ The part has changed since it was measured.</source>
+        <translation>⚠ Das Bauteil hat sich seit der Messung geändert.</translation>
     </message>
 </context>
 <context>
@@ -1051,6 +1798,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Mittlere zu kürzester Seite des Hüllquaders</translation>
     </message>
     <message>
+        <source>No report can be written into {} ({}): give another folder.</source>
+        <translation>In {} kann kein Bericht geschrieben werden ({}): Geben Sie einen anderen Ordner an.</translation>
+    </message>
+    <message>
         <source>Nothing was measured that could be written.</source>
         <translation>Es wurde nichts gemessen, was geschrieben werden könnte.</translation>
     </message>
@@ -1061,6 +1812,10 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>Plate</source>
         <translation>Platte</translation>
+    </message>
+    <message>
+        <source>Reports need Jinja2 ({}): install it with 'apt-get install python3-jinja2'.</source>
+        <translation>Berichte brauchen Jinja2 ({}): Installieren Sie es mit „apt-get install python3-jinja2“.</translation>
     </message>
     <message>
         <source>Share of the area over non-parallel walls</source>
@@ -1103,12 +1858,20 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Wie gewünscht vorzeitig abgebrochen.</translation>
     </message>
     <message>
+        <source>The Python module {} is missing: install it to have documents classified automatically (Debian: python3-{}).</source>
+        <translation>Das Python-Modul {} fehlt: Installieren Sie es, damit Dokumente automatisch klassifiziert werden (Debian: python3-{}).</translation>
+    </message>
+    <message>
         <source>The condition {} is not understood: write a quantity, one of {} and a number, as in 'D2/D3 &gt; 6'.</source>
         <translation>Die Bedingung {} ist nicht verständlich: Schreiben Sie eine Größe, eines der Zeichen {} und eine Zahl, wie in „D2/D3 &gt; 6“.</translation>
     </message>
     <message>
         <source>The document '{}' is empty: make or import a solid first.</source>
         <translation>Das Dokument „{}“ ist leer: Erstellen oder importieren Sie zuerst einen Volumenkörper.</translation>
+    </message>
+    <message>
+        <source>The document's folder has not answered for {} s: connect it, or choose a folder for info files in the preferences.</source>
+        <translation>Der Ordner des Dokuments antwortet seit {} s nicht: Verbinden Sie ihn oder wählen Sie in den Einstellungen einen Ordner für Infodateien.</translation>
     </message>
     <message>
         <source>The file</source>
@@ -1121,6 +1884,14 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>The file {} cannot be read ({}).</source>
         <translation>Die Datei {} kann nicht gelesen werden ({}).</translation>
+    </message>
+    <message>
+        <source>The folder for info files {} cannot be reached ({}): connect it, or choose another one in the preferences.</source>
+        <translation>Der Ordner {} für Infodateien ist nicht erreichbar ({}): Verbinden Sie ihn oder wählen Sie in den Einstellungen einen anderen.</translation>
+    </message>
+    <message>
+        <source>The folder for info files {} has not answered for {} s: connect it, or choose another one in the preferences.</source>
+        <translation>Der Ordner {} für Infodateien antwortet seit {} s nicht: Verbinden Sie ihn oder wählen Sie in den Einstellungen einen anderen.</translation>
     </message>
     <message>
         <source>The folder {} cannot be listed ({}): what is known of it is from earlier.</source>
@@ -1199,6 +1970,14 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Der Name ist zu lang für eine Infodatei, die genauso und zusätzlich {} heißt: Er darf {} Byte haben und hat {}; benennen Sie die Datei um oder verwenden Sie --no-info.</translation>
     </message>
     <message>
+        <source>The overview of the report could not be written into {} ({}): make room for it, and start again.</source>
+        <translation>Die Übersicht des Berichts konnte nicht in {} geschrieben werden ({}): Schaffen Sie Platz dafür und starten Sie erneut.</translation>
+    </message>
+    <message>
+        <source>The page {} could not be written ({}): make room, or give another folder for the report.</source>
+        <translation>Die Seite {} konnte nicht geschrieben werden ({}): Schaffen Sie Platz oder geben Sie einen anderen Ordner für den Bericht an.</translation>
+    </message>
+    <message>
         <source>The part as a whole is thin: consider a shell mesh or a mid-surface.</source>
         <translation>Das Bauteil ist insgesamt dünnwandig: Ein Schalennetz oder eine Mittelfläche kommt in Betracht.</translation>
     </message>
@@ -1231,6 +2010,14 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Die Tabelle {} kann nicht geschrieben werden ({}): Geben Sie mit --csv eine andere Datei an.</translation>
     </message>
     <message>
+        <source>The thickness map {} cannot be read: measure the part again.</source>
+        <translation>Die Wandstärkenkarte {} kann nicht gelesen werden: Messen Sie das Bauteil erneut.</translation>
+    </message>
+    <message>
+        <source>The thickness map {} is of a newer ThinPart: update ThinPart or measure the part again.</source>
+        <translation>Die Wandstärkenkarte {} stammt von einem neueren ThinPart: Aktualisieren Sie ThinPart oder messen Sie das Bauteil erneut.</translation>
+    </message>
+    <message>
         <source>The thinnest wall, {} mm, is known to {} mm only: a surface mesh fine enough for it would be too large.</source>
         <translation>Die dünnste Wand, {} mm, ist nur auf {} mm genau bekannt: Ein dafür genügend feines Oberflächennetz wäre zu groß.</translation>
     </message>
@@ -1247,6 +2034,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Die Arbeitsprozesse enden, sobald sie starten: Versuchen Sie es mit mehr Speicher (--memory) oder weniger Dateien gleichzeitig (--jobs).</translation>
     </message>
     <message>
+        <source>The {} cannot be {}: it may be {} to {} {}.</source>
+        <translation>{}: {} ist nicht erlaubt, nur {} bis {} {}.</translation>
+    </message>
+    <message>
         <source>There are no parts in {}: name a CAD file or a folder that holds some.</source>
         <translation>In {} gibt es keine Bauteile: Nennen Sie eine CAD-Datei oder einen Ordner, der welche enthält.</translation>
     </message>
@@ -1261,6 +2052,10 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>There is no closed solid in the document '{}': make or import a solid first.</source>
         <translation>Im Dokument „{}“ gibt es keinen geschlossenen Volumenkörper: Erstellen oder importieren Sie zuerst einen.</translation>
+    </message>
+    <message>
+        <source>There is no file {} any more.</source>
+        <translation>Die Datei {} gibt es nicht mehr.</translation>
     </message>
     <message>
         <source>There is no file {}.</source>
@@ -1343,6 +2138,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>ein unvorhergesehener Fehler</translation>
     </message>
     <message>
+        <source>angular deflection</source>
+        <translation>Winkelabweichung</translation>
+    </message>
+    <message>
         <source>box as flat</source>
         <translation>Quader gleich flach</translation>
     </message>
@@ -1383,12 +2182,20 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>flacherer Quader</translation>
     </message>
     <message>
+        <source>it is a file</source>
+        <translation>es ist eine Datei</translation>
+    </message>
+    <message>
         <source>less filled</source>
         <translation>weniger gefüllt</translation>
     </message>
     <message>
         <source>less flat box</source>
         <translation>weniger flacher Quader</translation>
+    </message>
+    <message>
+        <source>linear deflection</source>
+        <translation>Lineare Abweichung</translation>
     </message>
     <message>
         <source>longer box</source>
@@ -1431,12 +2238,20 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>kein Grund angegeben</translation>
     </message>
     <message>
+        <source>of the diagonal</source>
+        <translation>der Diagonale</translation>
+    </message>
+    <message>
         <source>same fill</source>
         <translation>gleiche Füllung</translation>
     </message>
     <message>
         <source>same wall distribution</source>
         <translation>gleiche Wandverteilung</translation>
+    </message>
+    <message>
+        <source>share of the diagonal</source>
+        <translation>Anteil der Diagonale</translation>
     </message>
     <message>
         <source>shorter box</source>
@@ -1541,6 +2356,10 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>{} defines 'normal' or 'unknown', which stand for themselves.</source>
         <translation>{} definiert „normal“ oder „unknown“, die für sich selbst stehen.</translation>
+    </message>
+    <message>
+        <source>{} does not lie below {}: name a folder after --info-tree that holds all PATHs.</source>
+        <translation>{} liegt nicht unterhalb von {}: Nennen Sie mit --info-tree einen Ordner, der alle PATHs enthält.</translation>
     </message>
     <message>
         <source>{} duplicate triangles were left out.</source>
@@ -1663,6 +2482,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>{} ist nicht wohlgeformt: {}.</translation>
     </message>
     <message>
+        <source>{} is there already and holds something else than a report: it was left as it is; give a new or an empty folder.</source>
+        <translation>{} ist schon vorhanden und enthält etwas anderes als einen Bericht: Der Ordner blieb unverändert; geben Sie einen neuen oder leeren an.</translation>
+    </message>
+    <message>
         <source>{} is there already and is no table of ThinPart: it was left as it is; give another file to --csv.</source>
         <translation>{} ist schon vorhanden und keine Tabelle von ThinPart: Die Datei blieb unverändert; geben Sie mit --csv eine andere an.</translation>
     </message>
@@ -1714,6 +2537,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <source>{} uses a criterion's id twice.</source>
         <translation>{} verwendet die Kennung eines Kriteriums zweimal.</translation>
     </message>
+    <message>
+        <source>{} was written again meanwhile: classify it again.</source>
+        <translation>{} wurde inzwischen neu geschrieben: Klassifizieren Sie die Datei erneut.</translation>
+    </message>
 </context>
 <context>
     <name>ThinPart_Classify</name>
@@ -1757,6 +2584,39 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>Shows or hides the panel that finds classified parts by their category, walls, size and notes, and parts like another one</source>
         <translation>Zeigt oder verbirgt das Fenster, das klassifizierte Bauteile nach Kategorie, Wänden, Größe und Notizen sowie ähnliche Bauteile findet</translation>
+    </message>
+</context>
+<context>
+    <name>ThinPart_Preferences</name>
+    <message>
+        <source>Opens the preferences: thresholds, surface mesh, info files, colours and automatic classification</source>
+        <translation>Öffnet die Einstellungen: Schwellenwerte, Oberflächennetz, Infodateien, Farben und automatische Klassifizierung</translation>
+    </message>
+    <message>
+        <source>ThinPart preferences…</source>
+        <translation>ThinPart-Einstellungen…</translation>
+    </message>
+</context>
+<context>
+    <name>ThinPart_Report</name>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht…</translation>
+    </message>
+    <message>
+        <source>Writes a page with pictures, walls and criteria about every part of the document, to read, print or hand on</source>
+        <translation>Schreibt zu jedem Bauteil des Dokuments eine Seite mit Bildern, Wänden und Kriterien, zum Lesen, Drucken oder Weitergeben</translation>
+    </message>
+</context>
+<context>
+    <name>ThinPart_ShowThickness</name>
+    <message>
+        <source>Colours the selected parts, or all of them, by the thickness of their walls, and tells how much of the surface lies over which wall</source>
+        <translation>Färbt die ausgewählten oder alle Bauteile nach der Wandstärke ein und zeigt, wie viel der Oberfläche über welcher Wand liegt</translation>
+    </message>
+    <message>
+        <source>Show thickness</source>
+        <translation>Wandstärke anzeigen</translation>
     </message>
 </context>
 </TS>

@@ -2,6 +2,97 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr" sourcelanguage="en">
 <context>
+    <name>App::Property</name>
+    <message>
+        <source>Colours from thin to thick</source>
+        <translation>Couleurs du mince à l’épais</translation>
+    </message>
+    <message>
+        <source>Number of steps; 0: smooth</source>
+        <translation>Nombre de paliers ; 0 : continu</translation>
+    </message>
+    <message>
+        <source>Of the facets, in percent</source>
+        <translation>Des facettes, en pourcentage</translation>
+    </message>
+    <message>
+        <source>Of the largest part's box, mm</source>
+        <translation>De la boîte englobante de la plus grande pièce, mm</translation>
+    </message>
+    <message>
+        <source>The measured thickness</source>
+        <translation>L’épaisseur mesurée</translation>
+    </message>
+    <message>
+        <source>The opposite sides of those</source>
+        <translation>Les côtés opposés de ceux-ci</translation>
+    </message>
+    <message>
+        <source>The sources' shapes when measured</source>
+        <translation>Les formes des sources lors de la mesure</translation>
+    </message>
+    <message>
+        <source>The thickness there, mm</source>
+        <translation>L’épaisseur à cet endroit, mm</translation>
+    </message>
+    <message>
+        <source>Thickest wall of the map, mm</source>
+        <translation>Paroi la plus épaisse de la carte, mm</translation>
+    </message>
+    <message>
+        <source>Thickness at the lower end of the colours</source>
+        <translation>Épaisseur au bas de l’échelle de couleurs</translation>
+    </message>
+    <message>
+        <source>Thickness at the upper end of the colours</source>
+        <translation>Épaisseur au haut de l’échelle de couleurs</translation>
+    </message>
+    <message>
+        <source>Thinnest wall of the map, mm</source>
+        <translation>Paroi la plus mince de la carte, mm</translation>
+    </message>
+    <message>
+        <source>Unit of Low and High</source>
+        <translation>Unité de Low et High</translation>
+    </message>
+    <message>
+        <source>Walls under it are thin, mm</source>
+        <translation>Les parois plus minces sont minces, mm</translation>
+    </message>
+    <message>
+        <source>What was measured</source>
+        <translation>Ce qui a été mesuré</translation>
+    </message>
+    <message>
+        <source>Where nothing was measured</source>
+        <translation>Là où rien n’a été mesuré</translation>
+    </message>
+    <message>
+        <source>Where the sources stood when measured</source>
+        <translation>Position des sources lors de la mesure</translation>
+    </message>
+    <message>
+        <source>Where thickness was asked for</source>
+        <translation>Où l’épaisseur a été demandée</translation>
+    </message>
+    <message>
+        <source>Whether colours run from the thinnest to the thickest wall</source>
+        <translation>Si les couleurs vont de la paroi la plus mince à la plus épaisse</translation>
+    </message>
+    <message>
+        <source>Whether only thin walls are coloured</source>
+        <translation>Si seules les parois minces sont colorées</translation>
+    </message>
+    <message>
+        <source>Whether the colours run the other way</source>
+        <translation>Si les couleurs sont inversées</translation>
+    </message>
+    <message>
+        <source>Whether the sources have changed since</source>
+        <translation>Si les sources ont changé depuis</translation>
+    </message>
+</context>
+<context>
     <name>ThinPart</name>
     <message>
         <source>
@@ -20,6 +111,14 @@ Son volume n’est pas connu.</translation>
         <translation> s</translation>
     </message>
     <message>
+        <source>&amp;All parts together</source>
+        <translation>&amp;Toutes les pièces ensemble</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Parcourir…</translation>
+    </message>
+    <message>
         <source>&amp;Cancel</source>
         <translation>&amp;Annuler</translation>
     </message>
@@ -28,8 +127,20 @@ Son volume n’est pas connu.</translation>
         <translation>E&amp;xporter en CSV…</translation>
     </message>
     <message>
+        <source>&amp;Fly to thinnest place</source>
+        <translation>Aller à l’&amp;endroit le plus mince</translation>
+    </message>
+    <message>
         <source>&amp;Folder</source>
         <translation>&amp;Dossier</translation>
+    </message>
+    <message>
+        <source>&amp;Folder:</source>
+        <translation>&amp;Dossier :</translation>
+    </message>
+    <message>
+        <source>&amp;Measure again</source>
+        <translation>&amp;Mesurer à nouveau</translation>
     </message>
     <message>
         <source>&amp;Measure again what has not changed</source>
@@ -40,24 +151,60 @@ Son volume n’est pas connu.</translation>
         <translation>&amp;Noms</translation>
     </message>
     <message>
+        <source>&amp;Only thin walls in colour</source>
+        <translation>Seulement les parois minces en &amp;couleur</translation>
+    </message>
+    <message>
+        <source>&amp;Open it in the browser when it is ready</source>
+        <translation>L’ou&amp;vrir dans le navigateur une fois prêt</translation>
+    </message>
+    <message>
         <source>&amp;Open part</source>
         <translation>Ou&amp;vrir la pièce</translation>
+    </message>
+    <message>
+        <source>&amp;Open report</source>
+        <translation>&amp;Ouvrir le rapport</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
         <translation>&amp;Pause</translation>
     </message>
     <message>
+        <source>&amp;Probe</source>
+        <translation>&amp;Sonde</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Retirer</translation>
+    </message>
+    <message>
         <source>&amp;Retry failed</source>
         <translation>Réessa&amp;yer les échecs</translation>
+    </message>
+    <message>
+        <source>&amp;Save the document</source>
+        <translation>&amp;Enregistrer le document</translation>
     </message>
     <message>
         <source>&amp;Start</source>
         <translation>Démarr&amp;er</translation>
     </message>
     <message>
+        <source>&amp;Thin below</source>
+        <translation>&amp;Mince sous</translation>
+    </message>
+    <message>
         <source>&amp;Thresholds</source>
         <translation>&amp;Seuils</translation>
+    </message>
+    <message>
+        <source>&amp;Whole range</source>
+        <translation>&amp;Toute la plage</translation>
+    </message>
+    <message>
+        <source>&amp;Write report</source>
+        <translation>É&amp;crire le rapport</translation>
     </message>
     <message>
         <source>&amp;beside each document</source>
@@ -68,8 +215,16 @@ Son volume n’est pas connu.</translation>
         <translation>dans le d&amp;ossier</translation>
     </message>
     <message>
+        <source>'{}' has no parts any more that could be measured.</source>
+        <translation>« {} » n’a plus de pièces qui puissent être mesurées.</translation>
+    </message>
+    <message>
         <source>'{}' was not classified yet: classify the part first.</source>
         <translation>« {} » n’a pas encore été classifiée : classifiez d’abord la pièce.</translation>
+    </message>
+    <message>
+        <source>A folder for the info files, in which the folders of the documents are repeated; it may lie on another computer. Empty: beside each document</source>
+        <translation>Un dossier pour les fichiers d’information, où les dossiers des documents sont reproduits ; il peut se trouver sur un autre ordinateur. Vide : à côté de chaque document</translation>
     </message>
     <message>
         <source>A link to {} was put into {}.</source>
@@ -92,8 +247,24 @@ Son volume n’est pas connu.</translation>
         <translation>Toutes les pièces</translation>
     </message>
     <message>
+        <source>Angle between neighbouring facets of a curved face</source>
+        <translation>Angle entre les facettes voisines d’une face courbe</translation>
+    </message>
+    <message>
+        <source>Angular deflection</source>
+        <translation>Déflexion angulaire</translation>
+    </message>
+    <message>
         <source>Area over parallel walls {}, over slanted ones {}, over none {}</source>
         <translation>Surface à parois parallèles {}, à parois obliques {}, sans paroi opposée {}</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Bands</source>
+        <translation>Paliers</translation>
     </message>
     <message>
         <source>Before</source>
@@ -114,6 +285,10 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>C&amp;hoose…</source>
         <translation>C&amp;hoisir…</translation>
+    </message>
+    <message>
+        <source>C&amp;lear all</source>
+        <translation>&amp;Tout effacer</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -168,6 +343,10 @@ Son volume n’est pas connu.</translation>
         <translation>Choisir un dossier de pièces classifiées</translation>
     </message>
     <message>
+        <source>Choose a part in the list to see its faces.</source>
+        <translation>Choisissez une pièce dans la liste pour voir ses faces.</translation>
+    </message>
+    <message>
         <source>Choose at least one format.</source>
         <translation>Choisissez au moins un format.</translation>
     </message>
@@ -184,12 +363,20 @@ Son volume n’est pas connu.</translation>
         <translation>Choisir…</translation>
     </message>
     <message>
+        <source>Classification</source>
+        <translation>Classification</translation>
+    </message>
+    <message>
         <source>Classify again</source>
         <translation>Classifier à nouveau</translation>
     </message>
     <message>
         <source>Classify folder</source>
         <translation>Classifier un dossier</translation>
+    </message>
+    <message>
+        <source>Classify in the background</source>
+        <translation>Classifier en arrière-plan</translation>
     </message>
     <message>
         <source>Classify part</source>
@@ -212,12 +399,36 @@ Son volume n’est pas connu.</translation>
         <translation>Verdict net : marge {}</translation>
     </message>
     <message>
+        <source>Click or drag over bars to see where those walls are.</source>
+        <translation>Cliquez sur des barres ou balayez-les pour voir où sont ces parois.</translation>
+    </message>
+    <message>
+        <source>Click to take this away.</source>
+        <translation>Cliquez pour retirer ce message.</translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation>Fermer</translation>
     </message>
     <message>
         <source>Colour thin faces</source>
         <translation>Colorer les faces minces</translation>
+    </message>
+    <message>
+        <source>Colour where no wall could be measured</source>
+        <translation>Couleur là où aucune paroi n’a pu être mesurée</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Couleurs</translation>
+    </message>
+    <message>
+        <source>Colours from the thinnest to the thickest wall</source>
+        <translation>Couleurs de la paroi la plus mince à la plus épaisse</translation>
+    </message>
+    <message>
+        <source>Compared with what the info file said before</source>
+        <translation>Par rapport au fichier d’information précédent</translation>
     </message>
     <message>
         <source>Comparison</source>
@@ -244,8 +455,20 @@ Son volume n’est pas connu.</translation>
         <translation>Critère {} : {}. Toutes ses conditions sont remplies : {}.</translation>
     </message>
     <message>
+        <source>Display</source>
+        <translation>Affichage</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Répartition</translation>
+    </message>
+    <message>
         <source>E&amp;xcept</source>
         <translation>Sau&amp;f</translation>
+    </message>
+    <message>
+        <source>Each document is classified in the background when it is saved; the status bar shows the verdict</source>
+        <translation>Chaque document est classifié en arrière-plan à l’enregistrement ; la barre d’état affiche le verdict</translation>
     </message>
     <message>
         <source>Edit notes</source>
@@ -254,6 +477,26 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>Export the rows that are shown</source>
         <translation>Exporter les lignes affichées</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>Face</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Faces</translation>
+    </message>
+    <message>
+        <source>Faces that are thin on at least half their area</source>
+        <translation>Faces minces sur au moins la moitié de leur aire</translation>
+    </message>
+    <message>
+        <source>Faces that are thin on less of their area</source>
+        <translation>Faces minces sur une moindre part de leur aire</translation>
+    </message>
+    <message>
+        <source>Faces thin in places</source>
+        <translation>Faces minces par endroits</translation>
     </message>
     <message>
         <source>Failed</source>
@@ -272,6 +515,14 @@ Son volume n’est pas connu.</translation>
         <translation>Fichiers si&amp;multanés</translation>
     </message>
     <message>
+        <source>Files at once</source>
+        <translation>Fichiers simultanés</translation>
+    </message>
+    <message>
+        <source>Files of a folder that are measured at once</source>
+        <translation>Fichiers d’un dossier mesurés en même temps</translation>
+    </message>
+    <message>
         <source>Filter: words of the file or the part</source>
         <translation>Filtre : mots du fichier ou de la pièce</translation>
     </message>
@@ -282,6 +533,14 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>Find parts</source>
         <translation>Trouver des pièces</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>Folder of the report</source>
+        <translation>Dossier du rapport</translation>
     </message>
     <message>
         <source>For the info file: {}</source>
@@ -304,16 +563,44 @@ Son volume n’est pas connu.</translation>
         <translation>Depuis un fichier…</translation>
     </message>
     <message>
+        <source>From the thinnest to the thickest wall</source>
+        <translation>De la paroi la plus mince à la plus épaisse</translation>
+    </message>
+    <message>
         <source>Go on</source>
         <translation>Continuer</translation>
+    </message>
+    <message>
+        <source>Half of the face lies over thinner walls, mm</source>
+        <translation>La moitié de la face a des parois plus minces, mm</translation>
+    </message>
+    <message>
+        <source>Heat map of the thickness</source>
+        <translation>Carte des épaisseurs</translation>
+    </message>
+    <message>
+        <source>Here: {} mm</source>
+        <translation>Ici : {} mm</translation>
     </message>
     <message>
         <source>Holds</source>
         <translation>Rempli</translation>
     </message>
     <message>
+        <source>How far the mesh may lie from the surface, as a share of the part's diagonal; where walls are thin it is made finer anyway</source>
+        <translation>Écart permis entre le maillage et la surface, comme part de la diagonale de la pièce ; là où les parois sont minces, il est affiné de toute façon</translation>
+    </message>
+    <message>
+        <source>How often the part stands in the document</source>
+        <translation>Combien de fois la pièce figure dans le document</translation>
+    </message>
+    <message>
         <source>Info file, beside the document: {}</source>
         <translation>Fichier d’information, à côté du document : {}</translation>
+    </message>
+    <message>
+        <source>Info file, in the preferred folder: {}</source>
+        <translation>Fichier d’information, dans le dossier préféré : {}</translation>
     </message>
     <message>
         <source>Info files</source>
@@ -336,6 +623,10 @@ Son volume n’est pas connu.</translation>
         <translation>Exemplaires</translation>
     </message>
     <message>
+        <source>Into how many steps the colours are divided</source>
+        <translation>En combien de paliers les couleurs sont divisées</translation>
+    </message>
+    <message>
         <source>It is folders that could not be searched: see to them and start again.</source>
         <translation>Ce sont des dossiers qui n’ont pas pu être parcourus : remédiez-y et démarrez à nouveau.</translation>
     </message>
@@ -356,6 +647,14 @@ Son volume n’est pas connu.</translation>
         <translation>Similaire</translation>
     </message>
     <message>
+        <source>Limits</source>
+        <translation>Limites</translation>
+    </message>
+    <message>
+        <source>Linear deflection</source>
+        <translation>Déflexion linéaire</translation>
+    </message>
+    <message>
         <source>Link</source>
         <translation>Lien</translation>
     </message>
@@ -372,12 +671,24 @@ Son volume n’est pas connu.</translation>
         <translation>Recherche des pièces du dossier…</translation>
     </message>
     <message>
+        <source>MB</source>
+        <translation>Mo</translation>
+    </message>
+    <message>
+        <source>Made by</source>
+        <translation>Créée par</translation>
+    </message>
+    <message>
         <source>Making the surface mesh of {}</source>
         <translation>Maillage de la surface de {}</translation>
     </message>
     <message>
         <source>Margin</source>
         <translation>Marge</translation>
+    </message>
+    <message>
+        <source>Measuring and drawing…</source>
+        <translation>Mesure et dessin…</translation>
     </message>
     <message>
         <source>Measuring needs more than {} MB of memory: raise the limit in the preferences.</source>
@@ -388,12 +699,28 @@ Son volume n’est pas connu.</translation>
         <translation>Mesure des parois de {}</translation>
     </message>
     <message>
+        <source>Median</source>
+        <translation>Médiane</translation>
+    </message>
+    <message>
+        <source>Memory per file</source>
+        <translation>Mémoire par fichier</translation>
+    </message>
+    <message>
+        <source>Memory that measuring one document may take</source>
+        <translation>Mémoire que peut prendre la mesure d’un document</translation>
+    </message>
+    <message>
         <source>Mesh settings</source>
         <translation>Paramètres de maillage</translation>
     </message>
     <message>
         <source>Meshes</source>
         <translation>Maillages</translation>
+    </message>
+    <message>
+        <source>Move over the part; a click pins the wall there.</source>
+        <translation>Déplacez le pointeur sur la pièce ; un clic y fixe une sonde.</translation>
     </message>
     <message>
         <source>No criterion holds: its walls are thick all over.</source>
@@ -428,6 +755,10 @@ Son volume n’est pas connu.</translation>
         <translation>Aucune paroi n’a pu être mesurée.</translation>
     </message>
     <message>
+        <source>No wall was measured here.</source>
+        <translation>Aucune paroi n’a été mesurée ici.</translation>
+    </message>
+    <message>
         <source>Normal part</source>
         <translation>Pièce normale</translation>
     </message>
@@ -436,12 +767,32 @@ Son volume n’est pas connu.</translation>
         <translation>Inconnue</translation>
     </message>
     <message>
+        <source>Not measured</source>
+        <translation>Non mesuré</translation>
+    </message>
+    <message>
+        <source>Not measured: {}</source>
+        <translation>Non mesuré : {}</translation>
+    </message>
+    <message>
+        <source>Not measured: {} of the area</source>
+        <translation>Non mesuré : {} de la surface</translation>
+    </message>
+    <message>
         <source>Notes</source>
         <translation>Notes</translation>
     </message>
     <message>
+        <source>Nothing can be written into {}: choose another folder for the info files.</source>
+        <translation>Rien ne peut être écrit dans {} : choisissez un autre dossier pour les fichiers d’information.</translation>
+    </message>
+    <message>
         <source>Nothing was written to {}: give the table a name that ends with .csv.</source>
         <translation>Rien n’a été écrit dans {} : donnez au tableau un nom qui se termine par .csv.</translation>
+    </message>
+    <message>
+        <source>On every save</source>
+        <translation>À chaque enregistrement</translation>
     </message>
     <message>
         <source>Only borderline</source>
@@ -458,6 +809,10 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>Open</source>
         <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Out of date: recompute</source>
+        <translation>Périmé : recalculer</translation>
     </message>
     <message>
         <source>Part</source>
@@ -480,12 +835,28 @@ Son volume n’est pas connu.</translation>
         <translation>Motifs de noms de fichiers, séparés par des points-virgules ; un motif avec une barre oblique est comparé au chemin dans le dossier</translation>
     </message>
     <message>
+        <source>Pin thickness</source>
+        <translation>Fixer une sonde</translation>
+    </message>
+    <message>
         <source>Preview</source>
         <translation>Aperçu</translation>
     </message>
     <message>
+        <source>Probe</source>
+        <translation>Sonde</translation>
+    </message>
+    <message>
+        <source>Probes</source>
+        <translation>Sondes</translation>
+    </message>
+    <message>
         <source>Quantity</source>
         <translation>Grandeur</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Plage</translation>
     </message>
     <message>
         <source>Reclassify</source>
@@ -500,8 +871,32 @@ Son volume n’est pas connu.</translation>
         <translation>Retirer</translation>
     </message>
     <message>
+        <source>Remove all probes</source>
+        <translation>Retirer toutes les sondes</translation>
+    </message>
+    <message>
+        <source>Remove thickness</source>
+        <translation>Retirer une sonde</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Report about all parts of '{}'</source>
+        <translation>Rapport sur toutes les pièces de « {} »</translation>
+    </message>
+    <message>
+        <source>Restore defaults</source>
+        <translation>Rétablir les valeurs par défaut</translation>
+    </message>
+    <message>
         <source>Resu&amp;me</source>
         <translation>Re&amp;prendre</translation>
+    </message>
+    <message>
+        <source>Reversed</source>
+        <translation>Inversées</translation>
     </message>
     <message>
         <source>Save</source>
@@ -524,12 +919,44 @@ Son volume n’est pas connu.</translation>
         <translation>Faut-il continuer en arrière-plan ? « Classifier un dossier » l’affiche à nouveau. Ce qui est fait est conservé dans tous les cas.</translation>
     </message>
     <message>
+        <source>Share</source>
+        <translation>Part</translation>
+    </message>
+    <message>
+        <source>Share of the face over walls under the threshold</source>
+        <translation>Part de la face à parois sous le seuil</translation>
+    </message>
+    <message>
+        <source>Share of the face where no wall could be measured</source>
+        <translation>Part de la face où aucune paroi n’a pu être mesurée</translation>
+    </message>
+    <message>
+        <source>Share of the part's diagonal under which a wall is coloured as thin</source>
+        <translation>Part de la diagonale de la pièce sous laquelle une paroi est colorée comme mince</translation>
+    </message>
+    <message>
         <source>Show in file manager</source>
         <translation>Afficher dans le gestionnaire de fichiers</translation>
     </message>
     <message>
         <source>Show info file’s folder</source>
         <translation>Afficher le dossier du fichier d’information</translation>
+    </message>
+    <message>
+        <source>Show thickness</source>
+        <translation>Afficher l’épaisseur</translation>
+    </message>
+    <message>
+        <source>Shown as thin: under {} mm, as the preferences say. The verdict does not depend on it.</source>
+        <translation>Affiché comme mince : sous {} mm, selon les préférences. Le verdict n’en dépend pas.</translation>
+    </message>
+    <message>
+        <source>Shows the defaults of this page; they are kept with OK or Apply</source>
+        <translation>Affiche les valeurs par défaut de cette page ; OK ou Appliquer les enregistre</translation>
+    </message>
+    <message>
+        <source>Shows the wall under the cursor; a click pins it</source>
+        <translation>Affiche l’épaisseur sous le pointeur ; un clic y fixe une sonde</translation>
     </message>
     <message>
         <source>Similar size</source>
@@ -548,8 +975,20 @@ Son volume n’est pas connu.</translation>
         <translation>Arrêté après {} fichiers d’information sur {}.</translation>
     </message>
     <message>
+        <source>Stopped before the end, as asked.</source>
+        <translation>Arrêté avant la fin, comme demandé.</translation>
+    </message>
+    <message>
         <source>Stopped: {} of {} info files are up to date.</source>
         <translation>Arrêté : {} fichiers d’information sur {} sont à jour.</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>Arrêt en cours…</translation>
+    </message>
+    <message>
+        <source>Surface mesh that is measured</source>
+        <translation>Maillage de surface mesuré</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
@@ -560,6 +999,10 @@ Son volume n’est pas connu.</translation>
         <translation>Indique avant le maillage si une pièce est mince, et où</translation>
     </message>
     <message>
+        <source>The active document as it was saved. Click to classify it in the panel.</source>
+        <translation>Le document actif tel qu’il est enregistré. Cliquez pour le classifier dans le panneau.</translation>
+    </message>
+    <message>
         <source>The content of {} was copied into {}, which has no file to link from yet.</source>
         <translation>Le contenu de {} a été copié dans {}, qui n’a pas encore de fichier d’où créer un lien.</translation>
     </message>
@@ -568,12 +1011,36 @@ Son volume n’est pas connu.</translation>
         <translation>Le document a changé depuis la mesure : aucun fichier d’information n’a été écrit. Classifiez-le à nouveau.</translation>
     </message>
     <message>
+        <source>The document has changed while it was measured: measure it again.</source>
+        <translation>Le document a changé pendant la mesure : mesurez-le à nouveau.</translation>
+    </message>
+    <message>
+        <source>The document has changes that are not saved, and a report is about what is saved: save it first.</source>
+        <translation>Le document a des modifications non enregistrées, et un rapport porte sur ce qui est enregistré : enregistrez-le d’abord.</translation>
+    </message>
+    <message>
+        <source>The document has never been saved, and a report is about a saved one: save it first.</source>
+        <translation>Le document n’a jamais été enregistré, et un rapport porte sur un document enregistré : enregistrez-le d’abord.</translation>
+    </message>
+    <message>
+        <source>The document is closed: open it again for a report about it.</source>
+        <translation>Le document est fermé : rouvrez-le pour en faire un rapport.</translation>
+    </message>
+    <message>
+        <source>The first colour stands for the thickest wall</source>
+        <translation>La première couleur représente la paroi la plus épaisse</translation>
+    </message>
+    <message>
         <source>The folder is still being classified.</source>
         <translation>La classification du dossier est en cours.</translation>
     </message>
     <message>
         <source>The folder with your parts; the folders in it count as well</source>
         <translation>Le dossier de vos pièces, sous-dossiers compris</translation>
+    </message>
+    <message>
+        <source>The folder {} has not answered for {} s: connect it, or choose another one for the info files.</source>
+        <translation>Le dossier {} ne répond pas depuis {} s : connectez-le ou choisissez-en un autre pour les fichiers d’information.</translation>
     </message>
     <message>
         <source>The info file {} is damaged ({}): classify its document again.</source>
@@ -592,6 +1059,10 @@ Son volume n’est pas connu.</translation>
         <translation>Le processus correspondant n’a pas pu être démarré.</translation>
     </message>
     <message>
+        <source>The process that does this ended unexpectedly.</source>
+        <translation>Le processus correspondant s’est terminé de façon inattendue.</translation>
+    </message>
+    <message>
         <source>The process that does this ended unexpectedly; the report view has its last words. Refresh the libraries to go on.</source>
         <translation>Le processus correspondant s’est terminé de façon inattendue ; ses derniers messages sont dans la vue rapport. Actualisez les bibliothèques pour continuer.</translation>
     </message>
@@ -602,6 +1073,10 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>The process that measures ended unexpectedly; the document is unharmed. Check the part with 'Check geometry' of the Part workbench.</source>
         <translation>Le processus de mesure s’est terminé de façon inattendue ; le document est intact. Vérifiez la pièce avec « Vérifier la géométrie » de l’atelier Part.</translation>
+    </message>
+    <message>
+        <source>The report is in {}.</source>
+        <translation>Le rapport est dans {}.</translation>
     </message>
     <message>
         <source>The same may happen to FreeCAD when it opens the file: save your documents first. Open it nevertheless?</source>
@@ -644,6 +1119,10 @@ Son volume n’est pas connu.</translation>
         <translation>Le dossier {} n’existe pas : choisissez-en un autre.</translation>
     </message>
     <message>
+        <source>There is no folder {}: make it first, or choose another one for the info files.</source>
+        <translation>Le dossier {} n’existe pas : créez-le d’abord ou choisissez-en un autre pour les fichiers d’information.</translation>
+    </message>
+    <message>
         <source>There is no room for temporary files ({}): nothing was classified.</source>
         <translation>Il n’y a pas de place pour les fichiers temporaires ({}) : rien n’a été classifié.</translation>
     </message>
@@ -652,12 +1131,52 @@ Son volume n’est pas connu.</translation>
         <translation>Il n’y a pas de place pour les fichiers temporaires ({}) : rien n’a été mesuré.</translation>
     </message>
     <message>
+        <source>Thickness</source>
+        <translation>Épaisseur</translation>
+    </message>
+    <message>
+        <source>Thickness colours</source>
+        <translation>Échelle de couleurs</translation>
+    </message>
+    <message>
+        <source>Thickness under which a wall is coloured as thin</source>
+        <translation>Épaisseur sous laquelle une paroi est colorée comme mince</translation>
+    </message>
+    <message>
+        <source>Thin</source>
+        <translation>Mince</translation>
+    </message>
+    <message>
+        <source>Thin faces</source>
+        <translation>Faces minces</translation>
+    </message>
+    <message>
         <source>Thin part</source>
         <translation>Pièce mince</translation>
     </message>
     <message>
+        <source>Thin under</source>
+        <translation>Mince sous</translation>
+    </message>
+    <message>
+        <source>ThinPart: {}</source>
+        <translation>ThinPart : {}</translation>
+    </message>
+    <message>
+        <source>Thinnest</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
         <source>Thinnest mm</source>
         <translation>Plus mince mm</translation>
+    </message>
+    <message>
+        <source>Thinnest wall under the face, mm</source>
+        <translation>Paroi la plus mince sous la face, mm</translation>
+    </message>
+    <message>
+        <source>Thinnest wall {} mm (± {} mm)</source>
+        <translation>Paroi la plus mince {} mm (± {} mm)</translation>
     </message>
     <message>
         <source>Thinnest wall, mm</source>
@@ -668,12 +1187,40 @@ Son volume n’est pas connu.</translation>
         <translation>Seuil</translation>
     </message>
     <message>
+        <source>Thresholds</source>
+        <translation>Seuils</translation>
+    </message>
+    <message>
         <source>Thresholds (*.json)</source>
         <translation>Seuils (*.json)</translation>
     </message>
     <message>
+        <source>Thresholds to judge by: a shipped profile, or a file</source>
+        <translation>Seuils du verdict : un profil fourni ou un fichier</translation>
+    </message>
+    <message>
         <source>Time &amp;limit per file</source>
         <translation>&amp;Limite de temps par fichier</translation>
+    </message>
+    <message>
+        <source>Time per file</source>
+        <translation>Temps par fichier</translation>
+    </message>
+    <message>
+        <source>Time that one file of a folder, or a document that is classified automatically, may take</source>
+        <translation>Temps que peut prendre un fichier d’un dossier ou un document classifié automatiquement</translation>
+    </message>
+    <message>
+        <source>To classify a part, open a document and close the task that is open.</source>
+        <translation>Pour classifier une pièce, ouvrez un document et fermez la tâche ouverte.</translation>
+    </message>
+    <message>
+        <source>Under which thickness a wall is coloured as thin; the verdict does not depend on it</source>
+        <translation>Épaisseur sous laquelle une paroi est colorée comme mince ; le verdict n’en dépend pas</translation>
+    </message>
+    <message>
+        <source>Unmeasured</source>
+        <translation>Non mesuré</translation>
     </message>
     <message>
         <source>V/VBB</source>
@@ -688,12 +1235,48 @@ Son volume n’est pas connu.</translation>
         <translation>Verdict</translation>
     </message>
     <message>
+        <source>Wall</source>
+        <translation>Paroi</translation>
+    </message>
+    <message>
+        <source>Wall thickness</source>
+        <translation>Épaisseur</translation>
+    </message>
+    <message>
+        <source>Wall thickness, mm</source>
+        <translation>Épaisseur, mm</translation>
+    </message>
+    <message>
+        <source>Walls that are shown as thin</source>
+        <translation>Parois affichées comme minces</translation>
+    </message>
+    <message>
         <source>Walls: thinnest {} mm, median {} mm, greatest {} mm (± {} mm)</source>
         <translation>Parois : la plus mince {} mm, médiane {} mm, la plus épaisse {} mm (± {} mm)</translation>
     </message>
     <message>
+        <source>Warnings</source>
+        <translation>Avertissements</translation>
+    </message>
+    <message>
+        <source>What is under no wall that could be measured, in the heat map</source>
+        <translation>Ce qui n’a pas de paroi mesurable dans la carte des épaisseurs</translation>
+    </message>
+    <message>
         <source>What was measured, notes, mesh settings and links stay as they are. Write them now?</source>
         <translation>Les mesures, notes, paramètres de maillage et liens restent inchangés. Écrire maintenant ?</translation>
+    </message>
+    <message>
+        <source>When a wall is under</source>
+        <translation>Si une paroi est sous</translation>
+    </message>
+    <message>
+        <source>When the category of a part changes</source>
+        <translation>Si la catégorie d’une pièce change</translation>
+    </message>
+    <message>
+        <source>When the thinnest wall of a part falls under this thickness, or is under it in a part that was not classified before</source>
+        <translation>Si la paroi la plus mince d’une pièce passe sous cette épaisseur, ou l’est déjà dans une pièce jamais classifiée</translation>
     </message>
     <message>
         <source>Which part do you mean?</source>
@@ -712,8 +1295,20 @@ Son volume n’est pas connu.</translation>
         <translation>Écrire…</translation>
     </message>
     <message>
+        <source>Writing the info file…</source>
+        <translation>Écriture du fichier d’information…</translation>
+    </message>
+    <message>
         <source>a file, or a JSON object</source>
         <translation>un fichier ou un objet JSON</translation>
+    </message>
+    <message>
+        <source>a share of the part's diagonal</source>
+        <translation>une part de la diagonale de la pièce</translation>
+    </message>
+    <message>
+        <source>a thickness in mm</source>
+        <translation>une épaisseur en mm</translation>
     </message>
     <message>
         <source>about {} left</source>
@@ -728,12 +1323,36 @@ Son volume n’est pas connu.</translation>
         <translation>une adresse ou un dossier</translation>
     </message>
     <message>
+        <source>and {} more parts</source>
+        <translation>et {} autres pièces</translation>
+    </message>
+    <message>
         <source>area over walls thinner than this share of the diagonal</source>
         <translation>surface à parois plus minces que cette part de la diagonale</translation>
     </message>
     <message>
+        <source>beside each document</source>
+        <translation>à côté de chaque document</translation>
+    </message>
+    <message>
         <source>cancelled: what was done is kept, Start does the rest</source>
         <translation>annulé : ce qui est fait est conservé, « Démarrer » fait le reste</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>échec</translation>
+    </message>
+    <message>
+        <source>failed: {}</source>
+        <translation>échec : {}</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>en</translation>
+    </message>
+    <message>
+        <source>in the pre&amp;ferred folder</source>
+        <translation>dans le doss&amp;ier préféré</translation>
     </message>
     <message>
         <source>in {}</source>
@@ -748,6 +1367,18 @@ Son volume n’est pas connu.</translation>
         <translation>c’est le document actif lui-même</translation>
     </message>
     <message>
+        <source>measuring…</source>
+        <translation>mesure…</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>mm, and share of the diagonal</source>
+        <translation>mm et part de la diagonale</translation>
+    </message>
+    <message>
         <source>no</source>
         <translation>non</translation>
     </message>
@@ -756,12 +1387,36 @@ Son volume n’est pas connu.</translation>
         <translation>aucune</translation>
     </message>
     <message>
+        <source>normal</source>
+        <translation>normale</translation>
+    </message>
+    <message>
+        <source>not classified</source>
+        <translation>non classifié</translation>
+    </message>
+    <message>
         <source>not finished</source>
         <translation>inachevé</translation>
     </message>
     <message>
+        <source>not known</source>
+        <translation>inconnue</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>non mesuré</translation>
+    </message>
+    <message>
         <source>nothing came in</source>
         <translation>rien n’a été importé</translation>
+    </message>
+    <message>
+        <source>of the diagonal</source>
+        <translation>de la diagonale</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>désactivé</translation>
     </message>
     <message>
         <source>one per processor</source>
@@ -774,6 +1429,22 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>pausing</source>
         <translation>mise en pause</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>share of the diagonal</source>
+        <translation>part de la diagonale</translation>
+    </message>
+    <message>
+        <source>share of the diagonal (mm)</source>
+        <translation>part de la diagonale (mm)</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>continu</translation>
     </message>
     <message>
         <source>stopping</source>
@@ -792,8 +1463,20 @@ Son volume n’est pas connu.</translation>
         <translation>épaisseur : mm et part de la diagonale</translation>
     </message>
     <message>
+        <source>thin</source>
+        <translation>mince</translation>
+    </message>
+    <message>
+        <source>thin below {}</source>
+        <translation>mince sous {}</translation>
+    </message>
+    <message>
         <source>thin below {} mm</source>
         <translation>mince sous {} mm</translation>
+    </message>
+    <message>
+        <source>thin features</source>
+        <translation>zones minces</translation>
     </message>
     <message>
         <source>thin in places</source>
@@ -812,6 +1495,10 @@ Son volume n’est pas connu.</translation>
         <translation>coin {:g}–{:g}°</translation>
     </message>
     <message>
+        <source>what the verdict is based on</source>
+        <translation>ce qui fonde le verdict</translation>
+    </message>
+    <message>
         <source>yes</source>
         <translation>oui</translation>
     </message>
@@ -826,6 +1513,10 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>{} ({} times)</source>
         <translation>{} ({} fois)</translation>
+    </message>
+    <message>
+        <source>{} There are {} more failures.</source>
+        <translation>{} Il y a {} autres échecs.</translation>
     </message>
     <message>
         <source>{} failed</source>
@@ -868,6 +1559,14 @@ Son volume n’est pas connu.</translation>
         <translation>{} min</translation>
     </message>
     <message>
+        <source>{} mm</source>
+        <translation>{} mm</translation>
+    </message>
+    <message>
+        <source>{} of the area lies over walls thinner than {} mm</source>
+        <translation>{} de la surface a des parois plus minces que {} mm</translation>
+    </message>
+    <message>
         <source>{} of {} files</source>
         <translation>{} fichiers sur {}</translation>
     </message>
@@ -880,6 +1579,10 @@ Son volume n’est pas connu.</translation>
         <translation>{} pièces sur {} changent de catégorie ; {} fichiers d’information seraient mis à jour.</translation>
     </message>
     <message>
+        <source>{} parts, {} in all</source>
+        <translation>{} pièces, {} au total</translation>
+    </message>
+    <message>
         <source>{} s</source>
         <translation>{} s</translation>
     </message>
@@ -888,8 +1591,24 @@ Son volume n’est pas connu.</translation>
         <translation>épaisseur de {} à {} mm ({} à {} de la diagonale) : {} de la surface</translation>
     </message>
     <message>
+        <source>{} to {} mm: {} of the area</source>
+        <translation>{} à {} mm : {} de la surface</translation>
+    </message>
+    <message>
+        <source>{} to {} mm: {} of the area, on 1 face</source>
+        <translation>{} à {} mm : {} de la surface, sur 1 face</translation>
+    </message>
+    <message>
+        <source>{} to {} mm: {} of the area, on {} faces</source>
+        <translation>{} à {} mm : {} de la surface, sur {} faces</translation>
+    </message>
+    <message>
         <source>{} unchanged</source>
         <translation>{} inchangés</translation>
+    </message>
+    <message>
+        <source>{} warnings; {}</source>
+        <translation>{} avertissements ; {}</translation>
     </message>
     <message>
         <source>{} was imported into {}.</source>
@@ -898,6 +1617,22 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>{}, {}</source>
         <translation>{} « {} »</translation>
+    </message>
+    <message>
+        <source>{}: '{}' ({}) has a wall of {} mm, under the limit of {} mm.</source>
+        <translation>{} : « {} » ({}) a une paroi de {} mm, sous la limite de {} mm.</translation>
+    </message>
+    <message>
+        <source>{}: '{}' was '{}' and is '{}' now; its thinnest wall is {} mm.</source>
+        <translation>{} : « {} » était « {} » et est maintenant « {} » ; sa paroi la plus mince a {} mm.</translation>
+    </message>
+    <message>
+        <source>{}: '{}' was '{}' and is '{}' now; its thinnest wall of {} mm is under the limit of {} mm.</source>
+        <translation>{} : « {} » était « {} » et est maintenant « {} » ; sa paroi la plus mince de {} mm est sous la limite de {} mm.</translation>
+    </message>
+    <message>
+        <source>{}: '{}' was '{}' and is '{}' now; none of its walls could be measured.</source>
+        <translation>{} : « {} » était « {} » et est maintenant « {} » ; aucune de ses parois n’a pu être mesurée.</translation>
     </message>
     <message>
         <source>{}: looking for info files, {} so far</source>
@@ -914,6 +1649,18 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>{} % like: {}</source>
         <translation>{} % similaire : {}</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation>×</translation>
+    </message>
+    <message>
+        <source>⚠ The part has changed since it was measured.</source>
+        <translation>⚠ La pièce a changé depuis la mesure.</translation>
     </message>
 </context>
 <context>
@@ -1051,6 +1798,10 @@ Son volume n’est pas connu.</translation>
         <translation>Rapport du côté moyen au plus petit côté de la boîte englobante</translation>
     </message>
     <message>
+        <source>No report can be written into {} ({}): give another folder.</source>
+        <translation>Aucun rapport ne peut être écrit dans {} ({}) : indiquez un autre dossier.</translation>
+    </message>
+    <message>
         <source>Nothing was measured that could be written.</source>
         <translation>Rien n’a été mesuré qui puisse être écrit.</translation>
     </message>
@@ -1061,6 +1812,10 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>Plate</source>
         <translation>Plaque</translation>
+    </message>
+    <message>
+        <source>Reports need Jinja2 ({}): install it with 'apt-get install python3-jinja2'.</source>
+        <translation>Les rapports ont besoin de Jinja2 ({}) : installez-le avec « apt-get install python3-jinja2 ».</translation>
     </message>
     <message>
         <source>Share of the area over non-parallel walls</source>
@@ -1103,12 +1858,20 @@ Son volume n’est pas connu.</translation>
         <translation>Arrêté avant la fin, comme demandé.</translation>
     </message>
     <message>
+        <source>The Python module {} is missing: install it to have documents classified automatically (Debian: python3-{}).</source>
+        <translation>Le module Python {} manque : installez-le pour que les documents soient classifiés automatiquement (Debian : python3-{}).</translation>
+    </message>
+    <message>
         <source>The condition {} is not understood: write a quantity, one of {} and a number, as in 'D2/D3 &gt; 6'.</source>
         <translation>La condition {} n’est pas comprise : écrivez une grandeur, un des signes {} et un nombre, comme « D2/D3 &gt; 6 ».</translation>
     </message>
     <message>
         <source>The document '{}' is empty: make or import a solid first.</source>
         <translation>Le document « {} » est vide : créez ou importez d’abord un solide.</translation>
+    </message>
+    <message>
+        <source>The document's folder has not answered for {} s: connect it, or choose a folder for info files in the preferences.</source>
+        <translation>Le dossier du document ne répond pas depuis {} s : connectez-le ou choisissez un dossier pour les fichiers d’information dans les préférences.</translation>
     </message>
     <message>
         <source>The file</source>
@@ -1121,6 +1884,14 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>The file {} cannot be read ({}).</source>
         <translation>Le fichier {} ne peut pas être lu ({}).</translation>
+    </message>
+    <message>
+        <source>The folder for info files {} cannot be reached ({}): connect it, or choose another one in the preferences.</source>
+        <translation>Le dossier {} des fichiers d’information est inaccessible ({}) : connectez-le ou choisissez-en un autre dans les préférences.</translation>
+    </message>
+    <message>
+        <source>The folder for info files {} has not answered for {} s: connect it, or choose another one in the preferences.</source>
+        <translation>Le dossier {} des fichiers d’information ne répond pas depuis {} s : connectez-le ou choisissez-en un autre dans les préférences.</translation>
     </message>
     <message>
         <source>The folder {} cannot be listed ({}): what is known of it is from earlier.</source>
@@ -1199,6 +1970,14 @@ Son volume n’est pas connu.</translation>
         <translation>Le nom est trop long pour un fichier d’information, qui porte le même suivi de {} : il peut avoir {} octets et en a {} ; renommez le fichier ou utilisez --no-info.</translation>
     </message>
     <message>
+        <source>The overview of the report could not be written into {} ({}): make room for it, and start again.</source>
+        <translation>La vue d’ensemble du rapport n’a pas pu être écrite dans {} ({}) : faites de la place et démarrez à nouveau.</translation>
+    </message>
+    <message>
+        <source>The page {} could not be written ({}): make room, or give another folder for the report.</source>
+        <translation>La page {} n’a pas pu être écrite ({}) : faites de la place ou indiquez un autre dossier pour le rapport.</translation>
+    </message>
+    <message>
         <source>The part as a whole is thin: consider a shell mesh or a mid-surface.</source>
         <translation>La pièce entière est mince : envisagez un maillage de coque ou une surface moyenne.</translation>
     </message>
@@ -1231,6 +2010,14 @@ Son volume n’est pas connu.</translation>
         <translation>Le tableau {} ne peut pas être écrit ({}) : donnez un autre fichier à --csv.</translation>
     </message>
     <message>
+        <source>The thickness map {} cannot be read: measure the part again.</source>
+        <translation>La carte des épaisseurs {} ne peut pas être lue : mesurez la pièce à nouveau.</translation>
+    </message>
+    <message>
+        <source>The thickness map {} is of a newer ThinPart: update ThinPart or measure the part again.</source>
+        <translation>La carte des épaisseurs {} vient d’un ThinPart plus récent : mettez ThinPart à jour ou mesurez la pièce à nouveau.</translation>
+    </message>
+    <message>
         <source>The thinnest wall, {} mm, is known to {} mm only: a surface mesh fine enough for it would be too large.</source>
         <translation>La paroi la plus mince, {} mm, n’est connue qu’à {} mm près : un maillage assez fin serait trop grand.</translation>
     </message>
@@ -1247,6 +2034,10 @@ Son volume n’est pas connu.</translation>
         <translation>Les processus de travail se terminent dès leur démarrage : essayez avec plus de mémoire (--memory) ou moins de fichiers simultanés (--jobs).</translation>
     </message>
     <message>
+        <source>The {} cannot be {}: it may be {} to {} {}.</source>
+        <translation>{} : {} n’est pas permis, seulement de {} à {} {}.</translation>
+    </message>
+    <message>
         <source>There are no parts in {}: name a CAD file or a folder that holds some.</source>
         <translation>Il n’y a pas de pièces dans {} : nommez un fichier CAO ou un dossier qui en contient.</translation>
     </message>
@@ -1261,6 +2052,10 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>There is no closed solid in the document '{}': make or import a solid first.</source>
         <translation>Il n’y a pas de solide fermé dans le document « {} » : créez ou importez d’abord un solide.</translation>
+    </message>
+    <message>
+        <source>There is no file {} any more.</source>
+        <translation>Le fichier {} n’existe plus.</translation>
     </message>
     <message>
         <source>There is no file {}.</source>
@@ -1343,6 +2138,10 @@ Son volume n’est pas connu.</translation>
         <translation>une erreur imprévue</translation>
     </message>
     <message>
+        <source>angular deflection</source>
+        <translation>Déflexion angulaire</translation>
+    </message>
+    <message>
         <source>box as flat</source>
         <translation>boîte aussi plate</translation>
     </message>
@@ -1383,12 +2182,20 @@ Son volume n’est pas connu.</translation>
         <translation>boîte plus plate</translation>
     </message>
     <message>
+        <source>it is a file</source>
+        <translation>c’est un fichier</translation>
+    </message>
+    <message>
         <source>less filled</source>
         <translation>moins remplie</translation>
     </message>
     <message>
         <source>less flat box</source>
         <translation>boîte moins plate</translation>
+    </message>
+    <message>
+        <source>linear deflection</source>
+        <translation>Déflexion linéaire</translation>
     </message>
     <message>
         <source>longer box</source>
@@ -1431,12 +2238,20 @@ Son volume n’est pas connu.</translation>
         <translation>aucune raison donnée</translation>
     </message>
     <message>
+        <source>of the diagonal</source>
+        <translation>de la diagonale</translation>
+    </message>
+    <message>
         <source>same fill</source>
         <translation>même remplissage</translation>
     </message>
     <message>
         <source>same wall distribution</source>
         <translation>même répartition des parois</translation>
+    </message>
+    <message>
+        <source>share of the diagonal</source>
+        <translation>part de la diagonale</translation>
     </message>
     <message>
         <source>shorter box</source>
@@ -1541,6 +2356,10 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>{} defines 'normal' or 'unknown', which stand for themselves.</source>
         <translation>{} définit « normal » ou « unknown », qui sont réservés.</translation>
+    </message>
+    <message>
+        <source>{} does not lie below {}: name a folder after --info-tree that holds all PATHs.</source>
+        <translation>{} n’est pas sous {} : nommez avec --info-tree un dossier qui contient tous les PATHs.</translation>
     </message>
     <message>
         <source>{} duplicate triangles were left out.</source>
@@ -1663,6 +2482,10 @@ Son volume n’est pas connu.</translation>
         <translation>{} est mal formé : {}.</translation>
     </message>
     <message>
+        <source>{} is there already and holds something else than a report: it was left as it is; give a new or an empty folder.</source>
+        <translation>{} existe déjà et contient autre chose qu’un rapport : il est resté inchangé ; indiquez un dossier nouveau ou vide.</translation>
+    </message>
+    <message>
         <source>{} is there already and is no table of ThinPart: it was left as it is; give another file to --csv.</source>
         <translation>{} existe déjà et n’est pas un tableau de ThinPart : il est resté inchangé ; donnez un autre fichier à --csv.</translation>
     </message>
@@ -1714,6 +2537,10 @@ Son volume n’est pas connu.</translation>
         <source>{} uses a criterion's id twice.</source>
         <translation>{} utilise deux fois le même identifiant de critère.</translation>
     </message>
+    <message>
+        <source>{} was written again meanwhile: classify it again.</source>
+        <translation>{} a été réécrit entre-temps : classifiez-le à nouveau.</translation>
+    </message>
 </context>
 <context>
     <name>ThinPart_Classify</name>
@@ -1757,6 +2584,39 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>Shows or hides the panel that finds classified parts by their category, walls, size and notes, and parts like another one</source>
         <translation>Affiche ou masque le panneau qui trouve les pièces classifiées par catégorie, parois, taille et notes, et les pièces similaires à une autre</translation>
+    </message>
+</context>
+<context>
+    <name>ThinPart_Preferences</name>
+    <message>
+        <source>Opens the preferences: thresholds, surface mesh, info files, colours and automatic classification</source>
+        <translation>Ouvre les préférences : seuils, maillage de surface, fichiers d’information, couleurs et classification automatique</translation>
+    </message>
+    <message>
+        <source>ThinPart preferences…</source>
+        <translation>Préférences de ThinPart…</translation>
+    </message>
+</context>
+<context>
+    <name>ThinPart_Report</name>
+    <message>
+        <source>Report…</source>
+        <translation>Rapport…</translation>
+    </message>
+    <message>
+        <source>Writes a page with pictures, walls and criteria about every part of the document, to read, print or hand on</source>
+        <translation>Écrit une page avec images, parois et critères sur chaque pièce du document, à lire, imprimer ou transmettre</translation>
+    </message>
+</context>
+<context>
+    <name>ThinPart_ShowThickness</name>
+    <message>
+        <source>Colours the selected parts, or all of them, by the thickness of their walls, and tells how much of the surface lies over which wall</source>
+        <translation>Colore les pièces sélectionnées, ou toutes, selon l’épaisseur de leurs parois, et indique quelle part de la surface a quelle paroi</translation>
+    </message>
+    <message>
+        <source>Show thickness</source>
+        <translation>Afficher l’épaisseur</translation>
     </message>
 </context>
 </TS>

@@ -13,7 +13,7 @@ BELOW = "ThinPartCore"
 
 _MARKS = ("translate", "QT_TRANSLATE_NOOP")
 _LAYERS_BELOW = ("core", "storage", "freecad_adapter", "workflow")
-_STARTED_BY_THE_WINDOW = ("cli/classify.py",)
+_STARTED_BY_THE_WINDOW = ("cli/classify.py", "cli/report.py", "cli/run_options.py")
 """Commands whose refusals are shown in the window; their help is not."""
 
 _NOT_SHOWN = ("freecad_adapter/settings.py", "workflow/cluster.py", "workflow/cluster_worker.py",

@@ -24,7 +24,8 @@ def _distances(shown, eye, direction):
     matrices = np.stack([b, c, np.broadcast_to(-direction, b.shape)], axis=2)
     across = np.abs(np.linalg.det(matrices)) > 1e-9
     u, v, t = np.full((3, shown.count), np.inf)
-    u[across], v[across], t[across] = np.linalg.solve(matrices[across], (eye - a[across])[..., None])[..., 0].T
+    solved = np.linalg.solve(matrices[across], (eye - a[across])[..., None])[..., 0]
+    u[across], v[across], t[across] = solved.T
     return np.where((u >= 0) & (v >= 0) & (u + v <= 1) & (t > 0), t, np.inf)
 
 
@@ -46,7 +47,8 @@ def test_a_ray_along_the_sides_of_facets_meets_them(ribbed):
     """It runs in the planes of boxes, and through points that facets share."""
     search = MapSearch(ribbed)
     low = ribbed.origin + ribbed.points.min(axis=0)
-    for corner in ribbed.corners[ribbed.corners[:, :, 1].max(axis=1) < ribbed.points[:, 1].min() + 1e-5][:200]:
+    below = ribbed.corners[:, :, 1].max(axis=1) < ribbed.points[:, 1].min() + 1e-5
+    for corner in ribbed.corners[below][:200]:
         eye = corner.mean(axis=0) + ribbed.origin
         for x, z in ((eye[0], eye[2]), (corner[0, 0] + ribbed.origin[0], eye[2])):
             facet, distance = search.first_met((x, low[1] - 50.0, z), np.array([0.0, 2.0, 0.0]))

@@ -6,7 +6,8 @@ from scipy.spatial.transform import Rotation
 
 import brute_force
 import made_meshes
-from thinpart_workbench.core.picture import HEIGHT, MARGIN, PLAIN, WIDTH, picture
+from thinpart_workbench.core.camera import MARGIN
+from thinpart_workbench.core.picture import HEIGHT, PLAIN, WIDTH, picture
 from thinpart_workbench.core.rasterizer import nearest_triangles
 from thinpart_workbench.core.surface_mesh import surface_mesh
 

@@ -1,5 +1,5 @@
-"""FreeCAD's start-up script: closes FreeCAD as a user does, while it measures a part or a folder,
-or reads a library."""
+"""FreeCAD's start-up script: closes FreeCAD as a user does, while it measures a part, a folder or a
+document that was just saved, or reads a library."""
 
 import json
 import os
@@ -17,7 +17,8 @@ def _go():
         try:
             folder, what = json.loads(os.environ["THINPART_GUI_ARGUMENTS"])
             sys.path.insert(0, folder)
-            {"part": _measure_a_part, "folder": _classify_a_folder, "library": _read_a_library}[what]()
+            {"part": _measure_a_part, "folder": _classify_a_folder, "library": _read_a_library,
+             "document": _save_a_document}[what]()
         except BaseException:  # whatever it was: FreeCAD must end, and tell
             traceback.print_exc(file=output)
             output.flush()
@@ -42,6 +43,24 @@ def _measure_a_part():
         button.click()
 
     window.answer("", discard)
+    Gui.getMainWindow().close()
+
+
+def _save_a_document():
+    """It is being classified in the background."""
+    import FreeCAD as App
+    import FreeCADGui as Gui
+    import window_actions as window
+
+    from thinpart_workbench.freecad_adapter.settings import set_preference
+
+    set_preference("AutomaticClassification", True)
+    document = App.newDocument("Test")
+    window.add(document, "Sieve", window.slow_shape())
+    document.saveAs(os.fspath(HOME / "sieve.FCStd"))
+    window.wait_until(window.workers)
+    window.settle(2000)  # its own worker process is there
+    Gui.SendMsgToActiveView("Save")  # the run starts anew, and FreeCAD has nothing to ask
     Gui.getMainWindow().close()
 
 

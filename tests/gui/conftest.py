@@ -12,9 +12,12 @@ if IN_FREECAD:
     import FreeCADGui as Gui
 
     import window_actions as window
+    from thinpart_workbench.gui.automatic_classification import AUTOMATIC
     from thinpart_workbench.gui.classify import end_session
     from thinpart_workbench.gui.classify_folder import end_folder_dialog
     from thinpart_workbench.gui.find_parts import end_find_parts
+    from thinpart_workbench.gui.notices import NOTICES
+    from thinpart_workbench.gui.report import end_report_dialog
 
     @pytest.fixture(autouse=True)
     def clean_window():
@@ -23,12 +26,15 @@ if IN_FREECAD:
         _clean()
         yield
         _clean()
-        assert window.workers() == []
+        window.wait_until(lambda: window.workers() == [], 10)
 
     def _clean():
         end_session()
         end_folder_dialog()
         end_find_parts()
+        AUTOMATIC.end()
+        NOTICES.clear()
+        end_report_dialog()
         Gui.Control.closeDialog()
         for name in list(App.listDocuments()):
             App.closeDocument(name)

@@ -13,6 +13,17 @@ PATIENCE = 300.0
 """Seconds, for a machine that is busy with other things."""
 
 
+def _opened(sample):
+    """A sample in a folder of its own, so that no info file is left beside the original."""
+    import FreeCAD as App
+    import window_actions as window
+
+    file = HOME / "parts" / f"{sample}.FCStd"
+    file.parent.mkdir(exist_ok=True)
+    shutil.copyfile(window.SAMPLES / file.name, file)
+    return App.openDocument(os.fspath(file))
+
+
 def _classify(sample, picture):
     """A sample as it looks after one press of the button."""
     import FreeCAD as App
@@ -20,11 +31,7 @@ def _classify(sample, picture):
     import window_actions as window
 
     Gui.activateWorkbench("ThinPartWorkbench")
-    # In a folder of its own, so that no info file is left beside the sample.
-    file = HOME / "parts" / f"{sample}.FCStd"
-    file.parent.mkdir(exist_ok=True)
-    shutil.copyfile(window.SAMPLES / file.name, file)
-    document = App.openDocument(os.fspath(file))
+    document = _opened(sample)
     view = Gui.getDocument(document.Name).activeView()
     view.viewAxonometric()
     view.fitAll()
@@ -36,6 +43,67 @@ def _classify(sample, picture):
     _take(picture)
     App.closeDocument(document.Name)
     window.settle(100)
+
+
+def _show_thickness(make, picture, act=lambda: None):
+    """A document as it looks after one press of 'Show thickness'."""
+    import FreeCAD as App
+    import FreeCADGui as Gui
+    import window_actions as window
+
+    Gui.activateWorkbench("ThinPartWorkbench")
+    document = make()
+    view = Gui.getDocument(document.Name).activeView()
+    view.viewAxonometric()
+    view.fitAll()
+    window.press("ThinPart_ShowThickness")
+    window.settle(100)
+    window.wait_until(window.is_thickness_told)
+    window.settle(500)
+    view.fitAll()
+    view.getCameraNode().scaleHeight(1.35)  # room for the colour bar
+    act()
+    Gui.getMainWindow().statusBar().clearMessage()
+    window.settle(1500)
+    _take(picture)
+    App.closeDocument(document.Name)
+    window.settle(100)
+
+
+def _narrow_range():
+    """From 3 to 15 mm: one wall along the casting is 100 mm thick."""
+    import window_actions as window
+
+    window.widget("ThinPart_AutomaticRange").click()
+    window.widget("ThinPart_Low").setValue(3.0)
+    window.widget("ThinPart_High").setValue(15.0)
+
+
+def _links():
+    """Ribbed blocks, tubes and plates, each a few times."""
+    import FreeCAD as App
+    import Part
+    import window_actions as window
+
+    document = App.newDocument("Frame")
+    shapes = [window.ribbed_shape(), Part.makeCylinder(20, 80).cut(Part.makeCylinder(16, 80)),
+              Part.makeBox(90, 60, 5)]
+    for number, shape in enumerate(shapes):
+        feature = window.add(document, ("Block", "Tube", "Plate")[number], shape)
+        feature.ViewObject.Visibility = False
+        for copy in range(3):
+            link = document.addObject("App::Link", f"{feature.Name}_{copy}")
+            link.LinkedObject = feature
+            link.Placement.Base = window.V(130 * copy, 110 * number, 0)
+    document.recompute()
+    return document
+
+
+def _choose_second_part():
+    import window_actions as window
+
+    table = window.widget("ThinPart_PartTable")
+    window.mouse_click(table.viewport(), table.visualRect(table.model().index(1, 0)).center())
 
 
 def _library():
@@ -160,6 +228,9 @@ def _go():
         _arrange(Gui.getMainWindow())
         _classify("ribbed_block", Path(arguments[1], "classify.png"))
         _classify("thin_walled_casting", Path(arguments[1], "classify_casting.png"))
+        _show_thickness(lambda: _opened("thin_walled_casting"), Path(arguments[1], "thickness.png"),
+                        _narrow_range)
+        _show_thickness(_links, Path(arguments[1], "thickness_assembly.png"), _choose_second_part)
         _classify_folder(Path(arguments[1]))
         _find(Gui.getMainWindow(), Path(arguments[1]))
         status = 0

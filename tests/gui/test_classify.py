@@ -4,6 +4,7 @@ import os
 import signal
 import tempfile
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import FreeCAD as App
@@ -159,14 +160,18 @@ def test_a_worker_that_dies_is_one_sentence(document):
     assert _temporary_folders() == folders
 
 
-def test_a_worker_that_cannot_begin_is_one_sentence(document):
-    from thinpart_workbench.freecad_adapter.settings import set_preference
+def test_a_worker_that_cannot_begin_is_one_sentence(document, monkeypatch):
+    from thinpart_workbench.freecad_adapter.settings import PREFERENCES, set_preference
 
+    # Less than people can set, so that it has no room to begin.
+    monkeypatch.setitem(PREFERENCES, "MemoryMegabytes", replace(
+        PREFERENCES["MemoryMegabytes"], range=(100, 1000)))
     window.add_ribbed_block(document)
     set_preference("MemoryMegabytes", 150)
     try:
         window.classify()
     finally:
+        monkeypatch.undo()
         set_preference("MemoryMegabytes", None)
     assert window.text("ThinPart_Message")
     assert not window.is_shown("ThinPart_Headline")

@@ -1,6 +1,8 @@
 """The info file beside the document."""
 
+import fcntl
 import json
+import os
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -9,8 +11,10 @@ import pytest
 import window_actions as window
 
 from thinpart_workbench.core.criteria import load_profile
+from thinpart_workbench.freecad_adapter.settings import set_preference
 from thinpart_workbench.gui.qt import QtWidgets
 from thinpart_workbench.storage.info_file import read_info, source_is_unchanged
+from thinpart_workbench.workflow.info_location import info_location
 
 
 @pytest.fixture
@@ -86,7 +90,7 @@ def test_unsaved_changes_save_and_write(saved):
     assert "not saved" in window.text("ThinPart_InfoText")
     assert not info(saved).exists()
     window.click("ThinPart_SaveButton")
-    window.settle(100)
+    window.wait_until_measured()
     content = read_info(info(saved))
     assert content["parts"][1]["label"] == "Lid"
     assert source_is_unchanged(content["source"], saved)
@@ -148,3 +152,29 @@ def test_a_place_that_cannot_be_written_is_said(saved):
     assert window.text("ThinPart_Headline") == "Thin part"
 
 
+@pytest.fixture
+def store(tmp_path):
+    """A folder for info files that the preferences name."""
+    set_preference("InfoFolder", str(tmp_path / "store"))
+    yield tmp_path / "store"
+    set_preference("InfoFolder", None)
+
+
+def test_a_folder_for_info_files_that_is_gone_is_said(saved, store):
+    window.classify()
+    assert "cannot be reached" in window.text("ThinPart_InfoText") and not store.exists()
+    assert window.text("ThinPart_Headline") == "Thin part" and not info(saved).exists()
+
+
+def test_a_slow_folder_holds_nobody_up(saved, store):
+    place = info_location(str(saved), str(store))
+    place.parent.mkdir(parents=True)
+    handle = os.open(place.parent, os.O_RDONLY)
+    fcntl.flock(handle, fcntl.LOCK_EX)  # as if another computer were writing there
+    window.press("ThinPart_Classify")
+    window.wait_until(lambda: window.text("ThinPart_InfoText").startswith("Writing"))
+    window.settle(1000)
+    assert window.text("ThinPart_InfoText").startswith("Writing") and not place.exists()
+    os.close(handle)
+    window.wait_until_measured()
+    assert "in the preferred folder" in window.text("ThinPart_InfoText") and place.exists()

@@ -44,7 +44,8 @@ def _hovered(picker, view, point):
 
 def test_the_wall_under_the_cursor(picker, document):
     view = view_of(document)
-    for point, value in (((50, 27, 52), 6.0), ((60, 12, 40), 40.0), ((60, 57, 40), 40.0), ((50, 0, 20), 60.0)):
+    for point, value in (((50, 27, 52), 6.0), ((60, 12, 40), 40.0), ((60, 57, 40), 40.0),
+                         ((50, 0, 20), 60.0)):
         wall = _hovered(picker, view, V(*point))
         assert wall["thickness"] == pytest.approx(value, abs=1e-3)
         assert np.linalg.norm(wall["point"] - point) < 1.0

@@ -1,6 +1,7 @@
 """Thickness maps in the 3D view: colours as the bar has them, kept, undone, out of date."""
 
 import os
+from dataclasses import replace
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -13,9 +14,10 @@ from window_actions import V
 
 from thinpart_workbench.core.colour_scale import colour_table
 from thinpart_workbench.freecad_adapter.thickness_object import SHARE, scale_of, thickness_objects
+from thinpart_workbench.gui.colour_bar import bar_image, round_values
 from thinpart_workbench.gui.measure_requests import on_measure_request
+from thinpart_workbench.gui.qt import QtGui, QtWidgets
 from thinpart_workbench.gui.thickness_colours import GREYED, NEUTRAL, ThicknessColours
-from thinpart_workbench.gui.qt import QtWidgets
 from thinpart_workbench.workflow.document_maps import parts_of
 
 # Places on the ribbed block that are seen from the corner, and what the wall there is.
@@ -73,6 +75,26 @@ def test_the_bar_shows_the_same_scale_at_every_size(thickness, tmp_path):
     thickness.Bands = 3
     rows = bar_rows(picture(view, tmp_path, 800, 600, "White"))
     assert len(set(rows)) <= 3 + 3, "three bands, and the mark of the threshold"
+
+
+def test_the_bar_tells_what_was_not_measured(thickness):
+    content = thickness.ViewObject.Proxy.bar
+    assert not content.has_unmeasured
+    grey = QtGui.QColor(*ThicknessColours.of(thickness).of_values([np.nan])[0].tolist()).rgb()
+
+    def count(shown):
+        image = bar_image(shown, 900)
+        return sum(image.pixel(x, y) == grey for x in range(image.width()) for y in range(image.height()))
+
+    assert count(content) == 0
+    assert count(replace(content, has_unmeasured=True)) > 150
+
+
+def test_round_values_are_round():
+    assert round_values(0.0, 100.0) == [0, 20, 40, 60, 80, 100]
+    assert round_values(6.0, 7.3) == pytest.approx([6, 6.5, 7])
+    assert round_values(0.013, 0.02) == pytest.approx([0.014, 0.016, 0.018, 0.02])
+    assert round_values(2.0, 2.0) == [2.0]
 
 
 def test_what_is_pointed_out_keeps_its_colour(thickness, tmp_path):

@@ -8,6 +8,8 @@ from window_actions import V
 
 from thinpart_workbench.gui.qt import QtWidgets
 
+RED = (0.84, 0.15, 0.12)
+
 
 @pytest.fixture
 def two(document):
@@ -60,20 +62,54 @@ def test_the_active_body(two):
     assert window.text("ThinPart_PartLabel") == "Body"
 
 
-def test_it_asks_where_it_cannot_know(two):
-    def choose(dialog):
-        entries = dialog.findChild(QtWidgets.QListWidget, "ThinPart_PartList")
-        assert [entries.item(row).text() for row in range(2)] == ["Ribbed", "Plate"]
-        entries.setCurrentRow(1)
-        buttons = dialog.findChild(QtWidgets.QDialogButtonBox)
-        window.mouse_click(buttons.button(QtWidgets.QDialogButtonBox.Ok))
-
-    window.answer("ThinPart_PartDialog", choose)
+def test_without_a_selection_all_parts_are_measured_listed_and_coloured(two):
     window.classify()
+    assert window.text("ThinPart_PartLabel") == "Ribbed"
+    table = window.widget("ThinPart_PartTable")
+    cells = [[table.model().index(row, column).data() for column in range(4)] for row in range(2)]
+    assert cells == [["Ribbed", "thin features", "6", "1"], ["Plate", "thin", "2", "1"]]
+    assert RED in window.rgb(two.getObject("Ribbed"))
+    assert set(window.rgb(two.getObject("Plate"))) > {RED}
+
+
+def test_a_click_in_the_list_shows_another_part(two):
+    window.classify()
+    table = window.widget("ThinPart_PartTable")
+    window.settle(200)
+    window.mouse_click(table.viewport(), table.visualRect(table.model().index(1, 0)).center())
     assert window.text("ThinPart_PartLabel") == "Plate"
+    assert window.text("ThinPart_Headline") == "Thin part" and window.is_shown("ThinPart_Legend")
+    window.mouse_click(table.viewport(), table.visualRect(table.model().index(0, 0)).center())
+    assert window.text("ThinPart_PartLabel") == "Ribbed"
+
+
+def test_the_parts_of_one_compound_keep_their_colours_beside_each_other(document):
+    both = window.add(document, "Both", Part.makeCompound(
+        [window.ribbed_shape(), Part.makeBox(100, 100, 2, V(0, 0, 200))]))
+    window.classify()
+    colours = window.rgb(both)
+    ribbed = len(window.ribbed_shape().Faces)
+    assert RED in colours[:ribbed] and RED in colours[ribbed:]
+
+
+def test_a_part_that_fails_is_told_when_it_is_chosen(two):
+    import Mesh
+
+    flat = two.addObject("Mesh::Feature", "Flat")
+    flat.Mesh = Mesh.Mesh([(V(0, 0, 0), V(1, 0, 0), V(0, 1, 0)), (V(0, 0, 0), V(0, 1, 0), V(1, 0, 0))])
+    window.classify()
+    table = window.widget("ThinPart_PartTable")
+    window.settle(200)
+    window.mouse_click(table.viewport(), table.visualRect(table.model().index(2, 0)).center())
+    assert "encloses no volume" in window.text("ThinPart_Message")
+    assert not window.is_shown("ThinPart_Headline")
 
 
 def test_declining_to_choose_does_nothing(two):
+    container = two.addObject("App::Part", "Assembly")
+    container.addObjects(two.Objects[:2])
+    two.recompute()
+    Gui.Selection.addSelection(two.Name, "Assembly")
     window.answer("ThinPart_PartDialog", lambda dialog: dialog.reject())
     window.press("ThinPart_Classify")
     window.settle(100)

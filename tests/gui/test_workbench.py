@@ -13,7 +13,8 @@ ROOT = Path(__file__).resolve().parents[2]
 def test_the_workbench_has_its_tool_bar_and_menu():
     assert "ThinPartWorkbench" in Gui.listWorkbenches()
     assert "ThinPart" in Gui.activeWorkbench().listToolbars()
-    for command in ("ThinPart_Classify", "ThinPart_ClassifyFolder", "ThinPart_ClearColours"):
+    for command in ("ThinPart_Classify", "ThinPart_ClassifyFolder", "ThinPart_ClearColours",
+                    "ThinPart_Preferences"):
         button = window.tool_button(command)
         assert button.toolTip() and not button.icon().isNull()
 

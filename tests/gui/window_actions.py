@@ -66,15 +66,33 @@ def click(name):
     mouse_click(button)
 
 
-def mouse_click(target):
-    """Press and release the left mouse button in the middle of a widget."""
+def mouse_click(target, place=None):
+    """Press and release the left mouse button in the middle of a widget, or at another place of it."""
+    place = target.rect().center() if place is None else place
+    mouse_drag(target, [place])
+
+
+def mouse_drag(target, places):
+    """Press the left mouse button at the first of some places, move over the others and let go."""
     # QTest would do the same, but Debian keeps it in a package that nothing else needs.
-    place = QtCore.QPointF(target.rect().center())
-    for kind, pressed in ((QtCore.QEvent.MouseButtonPress, QtCore.Qt.LeftButton),
-                          (QtCore.QEvent.MouseButtonRelease, QtCore.Qt.NoButton)):
-        QtWidgets.QApplication.sendEvent(target, QtGui.QMouseEvent(
-            kind, place, QtCore.QPointF(target.mapToGlobal(place.toPoint())),
-            QtCore.Qt.LeftButton, pressed, QtCore.Qt.NoModifier))
+    button, nothing = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
+    _mouse(target, QtCore.QEvent.MouseButtonPress, places[0], button, button)
+    for place in places[1:]:
+        _mouse(target, QtCore.QEvent.MouseMove, place, nothing, button)
+        settle(40)
+    _mouse(target, QtCore.QEvent.MouseButtonRelease, places[-1], button, nothing)
+
+
+def _mouse(target, kind, place, button, pressed):
+    QtWidgets.QApplication.sendEvent(target, QtGui.QMouseEvent(
+        kind, QtCore.QPointF(place), QtCore.QPointF(target.mapToGlobal(place)), button, pressed,
+        QtCore.Qt.NoModifier))
+
+
+def key(target, code, modifiers=QtCore.Qt.NoModifier):
+    """Press and release a key."""
+    for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+        QtWidgets.QApplication.sendEvent(target, QtGui.QKeyEvent(kind, code, modifiers))
 
 
 def tool_button(command):
@@ -104,7 +122,21 @@ def classify():
 def wait_until_measured():
     """Wait until nothing is being measured and the panel says what came out."""
     wait_until(lambda: not is_shown("ThinPart_Progress")
-               and (is_shown("ThinPart_Headline") or is_shown("ThinPart_Message")))
+               and (is_shown("ThinPart_Headline") or is_shown("ThinPart_Message"))
+               and not text("ThinPart_InfoText").startswith("Writing"))
+
+
+def show_thickness():
+    """Press the button and wait for the map, or for a sentence why there is none."""
+    press("ThinPart_ShowThickness")
+    settle(50)  # FreeCAD shows the new panel in its own time
+    wait_until(is_thickness_told, 120)
+
+
+def is_thickness_told():
+    """Whether nothing is being measured and the panel shows a map or a sentence."""
+    return not is_shown("ThinPart_Progress") and (
+        is_shown("ThinPart_ThicknessVerdict") or is_shown("ThinPart_Message"))
 
 
 def close_button():
@@ -135,7 +167,8 @@ def answer(dialog_name, act, seconds=20.0):
     QtCore.QTimer.singleShot(20, look)
 
 
-WORKERS = ("thinpart_workbench.workflow.snapshot_worker", "thinpart_workbench\0classify")
+WORKERS = ("thinpart_workbench.workflow.snapshot_worker", "thinpart_workbench\0classify",
+           "thinpart_workbench\0report", "thinpart_workbench.workflow.saved_document_worker")
 
 
 def workers(*names):
@@ -147,7 +180,7 @@ def workers(*names):
     for stat in Path("/proc").glob("[0-9]*/stat"):
         try:
             fields = stat.read_text().rpartition(")")[2].split()
-            command = (stat.parent / "cmdline").read_text()
+            command = (stat.parent / "cmdline").read_text(errors="replace")
         except OSError:
             continue  # it ended while being looked at
         if int(fields[1]) == os.getpid() and fields[0] != "Z" and any(

@@ -165,7 +165,8 @@ def test_measured_again_it_keeps_probes_that_still_lie_on_the_part(document, pla
     document.recompute()
     assert set_parts(thickness, made_maps.mapped_parts(document)) == 1
     probe, = probes_of(thickness)
-    assert probe.value == pytest.approx(4.0, abs=1e-4) and probe.opposite == pytest.approx((5, 5, 4), abs=1e-4)
+    assert probe.value == pytest.approx(4.0, abs=1e-4)
+    assert probe.opposite == pytest.approx((5, 5, 4), abs=1e-4)
     assert (thickness.ColourMap, thickness.Threshold, thickness.Stale) == ("magma", 3.0, False)
 
 

@@ -10,6 +10,7 @@ from ..core.errors import ThinPartError
 
 COMMANDS = {
     "classify": ("classify", "classify parts and folders of parts"),
+    "report": ("report", "write pages with pictures about parts, for people to read"),
     "find": ("find", "find stored parts by category, thickness, size, words and conditions"),
     "similar": ("similar", "find parts with similar walls, fill and box"),
     "note": ("note", "show or set what is kept with a part"),

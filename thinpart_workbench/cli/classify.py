@@ -4,45 +4,34 @@ import argparse
 import errno
 import os
 import tempfile
-from contextlib import closing
-from dataclasses import fields
 from pathlib import Path
 
-from ..core.analysis_settings import BOXES, MEASURES, AnalysisSettings
 from ..core.criteria import load_profile
 from ..core.errors import ThinPartError
 from ..storage.info_file import SUFFIX
 from ..storage.part_table import FIRST_COLUMNS
 from ..workflow.analyse_file import FileTask
-from ..workflow.cluster import analyse_files_on_cluster, cluster_address
-from ..workflow.find_documents import ENDINGS, NameFilter, common_folder, find_documents
+from ..workflow.cluster import cluster_address
+from ..workflow.find_documents import ENDINGS, common_folder
 from ..workflow.run_control import RunControl
 from ..workflow.run_plan import info_place, plan_run
-from ..workflow.run_progress import RunProgress
-from ..workflow.worker_pool import LEAST_MEGABYTES, Limits, analyse_files, failure
 from .control_input import listen
+from .file_run import analyse_planned
 from .part_rows import PartRows
+from .run_options import (
+    add_choice, add_conversation, add_limits, add_measuring, limits_of, search_documents, settings_of,
+)
 from .run_report import new_report, standard_output
 from .stop_signals import stop_signals
 
 
 def add_arguments(parser):
     """Declare the options."""
-    default = {each.name: each.default for each in fields(Limits)}
-    parser.add_argument("paths", nargs="+", metavar="PATH", help="a part, or a folder of parts")
-    parser.add_argument("--json", action="store_true",
-                        help="print one JSON record per part or failure, progress on stderr")
+    add_choice(parser)
     parser.add_argument("--csv", metavar="FILE", help="write the table to a CSV file as well")
-    parser.add_argument("--include", metavar="GLOB", action="append", default=[],
-                        help="of folders, take only files whose name it matches; with a slash in it, "
-                             "whose path below the folder it matches; may be given several times")
-    parser.add_argument("--exclude", metavar="GLOB", action="append", default=[],
-                        help="of folders, leave out what it matches, in the same way")
     parser.add_argument("--only", metavar="LIST",
                         help="classify only the files that LIST names (absolute paths, each ended by a "
                              "NUL byte); the PATHs then only say which tree --info-dir mirrors")
-    parser.add_argument("--control", action="store_true",
-                        help="obey the lines pause, resume and stop on standard input; its end stops")
     parser.add_argument("--no-info", action="store_true", help="write no info files")
     parser.add_argument("--info-dir", metavar="DIR",
                         help="keep the info files in this folder instead of beside the parts")
@@ -53,29 +42,12 @@ def add_arguments(parser):
                         help="keep no pictures of the parts in the cache")
     parser.add_argument("--force", action="store_true",
                         help="measure again even what has not changed")
-    parser.add_argument("--profile", default="paper", metavar="NAME-or-FILE",
-                        help="the thresholds to judge by (default: paper)")
-    parser.add_argument("--measure", choices=MEASURES, default=MEASURES[0],
-                        help="how thickness is measured: rays (default), or the paper's pair rule")
-    parser.add_argument("--box", choices=BOXES, default=BOXES[0],
-                        help="bounding box: minimal (default), or the paper's principal axes")
-    for option, what in (("linear", "chord error of the surface mesh, as a share of the diagonal"),
-                         ("angular", "degrees between its facets")):
-        parser.add_argument(f"--{option}-deflection", metavar="X", type=float,
-                            default=getattr(AnalysisSettings, f"{option}_deflection"),
-                            help=f"{what} (default: %(default)g)")
-    parser.add_argument("--jobs", metavar="N", default=os.cpu_count() or 1,
-                        type=_number("--jobs", int, "a whole number", 1),
-                        help="files at once (default: one per processor)")
+    add_measuring(parser)
+    add_limits(parser)
     parser.add_argument("--dask", metavar="ADDRESS", type=_cluster,
                         help="have it done by the workers of a Dask cluster that see the same files, as "
                              "many at once as they have threads; tcp://HOST:PORT of its scheduler")
-    parser.add_argument("--timeout", metavar="S", default=default["seconds"],
-                        type=_number("--timeout", float, "a number of seconds", 0.001),
-                        help="seconds that one file may take (default: %(default)g)")
-    parser.add_argument("--memory", metavar="MB", default=default["megabytes"],
-                        type=_number("--memory", int, "a whole number of megabytes", LEAST_MEGABYTES),
-                        help="memory that one file may take (default: %(default)s)")
+    add_conversation(parser)
 
 
 def run(options):
@@ -104,62 +76,14 @@ def run(options):
 def _classify(options, control, report, rows):
     """Find the documents and analyse them; the number of those that failed."""
     new_task = _new_task(options)
-    documents, failures = _search(options, control, report)
+    paths = None if options.only is None else _listed(options)
+    documents, failures = search_documents(options, control, report, paths)
     if options.csv:
         _check_table(options.csv, documents)
     if options.info_dir is not None and not options.no_info:
         _check_info_folder(options.info_dir)
     planned = plan_run(documents, new_task, _info_place(options), options.jobs)
-    progress = RunProgress({each.task.file: (each.bytes, each.unchanged) for each in planned},
-                           options.jobs)
-    unkept = {each.task.file: each.problem for each in planned if each.problem is not None}
-    control.enter("paused" if control.paused else "running")
-    report.started(progress)
-    for outcome in failures:
-        rows.add(outcome)
-        report.failures(outcome)
-    tasks = [each.task for each in planned]
-    with closing(_outcomes(tasks, options, control, progress)) as outcomes:
-        for outcome in outcomes:
-            if outcome["file"] in unkept and "error" not in outcome:
-                error = unkept[outcome["file"]]
-                outcome["failures"] = [*outcome["failures"], {
-                    "part": None, "label": None, "kind": error.kind, "message": str(error)}]
-            rows.add(outcome)
-            progress.add(outcome)
-            report.ended(outcome, progress)
-    return progress.failed + len(failures)
-
-
-def _outcomes(tasks, options, control, progress):
-    """What analyses the files: worker processes of this machine, or a cluster."""
-    limits = Limits(options.timeout, options.memory, options.jobs)
-    if options.dask is None:
-        return analyse_files(tasks, limits, control)
-
-    def threads_seen(threads):
-        progress.jobs = threads
-
-    return analyse_files_on_cluster(options.dask, tasks, limits, control, threads_seen)
-
-
-def _search(options, control, report):
-    """The documents, and outcomes for what could not be searched."""
-    def searched(count):
-        control.check()
-        report.found(count)
-
-    control.enter("searching")
-    names = NameFilter(tuple(options.include), tuple(options.exclude))
-    paths = options.paths if options.only is None else _listed(options)
-    found = find_documents(paths, names, searched)
-    control.check()
-    if not found.documents and not found.failures:
-        raise ThinPartError(
-            f"There are no parts in {', '.join(options.paths)}: name a CAD file or a folder "
-            "that holds some.", "empty",
-        )
-    return found.documents, [failure(path, error.kind, str(error)) for path, error in found.failures]
+    return analyse_planned(planned, failures, limits_of(options), control, report, rows.add, options.dask)
 
 
 def _listed(options):
@@ -187,9 +111,7 @@ def _listed(options):
 
 
 def _new_task(options):
-    settings = AnalysisSettings(
-        linear_deflection=options.linear_deflection, angular_deflection=options.angular_deflection,
-        measure=options.measure, box=options.box)
+    settings = settings_of(options)
     profile = load_profile(options.profile).content
     thumbnails = not (options.no_info or options.no_thumbnails)
     return lambda file, info: FileTask(file, info, settings, profile, options.force, thumbnails)
@@ -263,22 +185,3 @@ def _cluster(text):
         return cluster_address(text)
     except ThinPartError as error:
         raise argparse.ArgumentTypeError(str(error)) from None
-
-
-_MOST = 10 ** 9
-"""No machine has so much of anything; what lies above could not be handed on as a number."""
-
-
-def _number(option, kind, what, least):
-    """A parser of an option's value; what it does not take it answers with a sentence."""
-    def parse(text):
-        try:
-            value = kind(text)
-        except ValueError:
-            value = None
-        if value is None or not least <= value <= _MOST:
-            raise argparse.ArgumentTypeError(
-                f"'{text}' is not allowed: {option} takes {what} from {least:g} to {_MOST}.")
-        return value
-
-    return parse

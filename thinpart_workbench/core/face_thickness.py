@@ -75,17 +75,36 @@ def face_thicknesses(field, thin_limit):
     order = np.lexsort([field.distance, face])
     faces, start = np.unique(face[order], return_index=True)
     return [
-        _face_thickness(field, int(face), rows, thin_limit)
-        for face, rows in zip(faces, np.split(order, start[1:]))
+        _face_thickness(field, int(face), rows, float(thin_share))
+        for face, rows, thin_share in zip(
+            faces, np.split(order, start[1:]), thin_shares(field, thin_limit))
     ]
 
 
-def _face_thickness(field, face, rows, thin_limit):
+def thin_shares(field, thin_limit):
+    """Share of the area of each B-Rep face that lies over walls thinner than a limit.
+
+    Parameters
+    ----------
+    field : ThicknessField
+    thin_limit : float, mm
+
+    Returns
+    -------
+    ndarray of shape (n,)
+        For each face that has triangles, by index, as `face_thicknesses` has them.
+    """
+    faces, place = np.unique(field.face, return_inverse=True)
+    thin = (field.parallel | field.nonparallel) & (field.distance < thin_limit)
+    total = np.bincount(place, field.area, len(faces))
+    return np.bincount(place[thin], field.area[thin], len(faces)) / total
+
+
+def _face_thickness(field, face, rows, thin_share):
     """Summary of one face; `rows` are its samples by ascending distance."""
     area = field.area[rows]
     total = float(area.sum())
     measured = field.parallel[rows] | field.nonparallel[rows]
-    thin = measured & (field.distance[rows] < thin_limit)
     parallel = rows[field.parallel[rows]]
     slanted = rows[field.nonparallel[rows]]
     minimum = median = maximum = None
@@ -97,7 +116,7 @@ def _face_thickness(field, face, rows, thin_limit):
         )
     return FaceThickness(
         face, total, minimum, median, maximum,
-        float(area[thin].sum()) / total, float(area[~measured].sum()) / total,
+        thin_share, float(area[~measured].sum()) / total,
         witness_of(field, parallel[0]) if len(parallel) else None,
         witness_of(field, slanted[0]) if len(slanted) else None,
     )

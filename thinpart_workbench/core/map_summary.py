@@ -91,20 +91,22 @@ def face_summaries(shown, threshold):
         By face.
     """
     order = np.lexsort([shown.thickness, shown.face])  # nan comes last
+    area, thickness = shown.areas[order], shown.thickness[order]
     faces, start = np.unique(shown.face[order], return_index=True)
-    return [_face(shown, int(face), rows, threshold)
-            for face, rows in zip(faces, np.split(order, start[1:]))]
-
-
-def _face(shown, face, rows, threshold):
-    area, thickness = shown.areas[rows], shown.thickness[rows]
-    total = max(float(area.sum()), np.finfo(float).tiny)
-    measured = int(np.isfinite(thickness).sum())
-    thinnest = median = None
-    if measured:
-        cumulative = np.cumsum(area[:measured])
-        middle = min(np.searchsorted(cumulative, 0.5 * cumulative[-1]), measured - 1)
-        thinnest, median = float(thickness[0]), float(thickness[middle])
-    thin = int(np.searchsorted(thickness[:measured], threshold))
-    return FaceSummary(face, total, thinnest, median, float(area[:thin].sum()) / total,
-                       float(area[measured:].sum()) / total)
+    measured = np.isfinite(thickness)
+    total = np.maximum(np.add.reduceat(area, start), np.finfo(float).tiny)
+    known = np.add.reduceat(np.where(measured, area, 0.0), start)
+    count = np.add.reduceat(measured.astype(np.int64), start)
+    with np.errstate(invalid="ignore"):
+        thin = np.add.reduceat(np.where(thickness < threshold, area, 0.0), start)
+    cumulative = np.cumsum(area)
+    # The first of each face's facets up to which half of its measured area lies.
+    middle = np.searchsorted(cumulative, cumulative[start] - area[start] + 0.5 * known)
+    middle = np.clip(middle, start, start + np.maximum(count, 1) - 1)
+    return [
+        FaceSummary(face, whole, least if some else None, median if some else None, part / whole,
+                    max(0.0, 1.0 - seen / whole))
+        for face, whole, least, median, some, part, seen in zip(
+            faces.tolist(), total.tolist(), thickness[start].tolist(), thickness[middle].tolist(),
+            count.tolist(), thin.tolist(), known.tolist())
+    ]

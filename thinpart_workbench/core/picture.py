@@ -1,21 +1,15 @@
-"""A small picture of a part, as it is seen when its document is opened: isometric, z upwards."""
+"""Pictures of a part: shaded, with its edges, in colours of their own for each triangle."""
 
 import numpy as np
 
+from .camera import ISOMETRIC, framing
 from .rasterizer import nearest_triangles
 
 WIDTH, HEIGHT = 160, 120
-"""Pixels of a picture."""
+"""Pixels of a small picture."""
 
 SAMPLES = 2
 """Each pixel is the mean of this many by as many samples."""
-
-MARGIN = 0.03
-"""Share of the picture's height that stays free on each side."""
-
-CAMERA = np.array([[1.0, 1.0, 0.0], [-1.0, 1.0, 2.0], [1.0, -1.0, 1.0]])
-CAMERA /= np.linalg.norm(CAMERA, axis=1)[:, None]
-"""Rows are the directions to the right, upwards and towards the viewer: FreeCAD's isometric view."""
 
 LIGHT = np.array([-0.45, 0.65, 0.75])
 LIGHT /= np.linalg.norm(LIGHT)
@@ -40,7 +34,7 @@ _GRAZING = 1e-3
 
 
 def picture(mesh, face_colours=None):
-    """Draw a surface.
+    """Draw a small picture of a surface as it is seen when its document is opened: isometric, z upwards.
 
     Parameters
     ----------
@@ -52,44 +46,59 @@ def picture(mesh, face_colours=None):
     Returns
     -------
     ndarray of shape (HEIGHT, WIDTH, 4), uint8
+        See `draw`.
+    """
+    colours = _colours(mesh, face_colours or {})[mesh.face_of_triangle]
+    camera = framing(mesh.vertices, ISOMETRIC, WIDTH, HEIGHT)
+    return draw(mesh.vertices[mesh.triangles], mesh.normals, colours, camera, not mesh.watertight)
+
+
+def draw(corners, normals, colours, camera, both_sides=False, darkest=DARKEST):
+    """Draw triangles.
+
+    Parameters
+    ----------
+    corners : ndarray of shape (m, 3, 3), mm
+    normals : ndarray of shape (m, 3)
+        Unit outward normals.
+    colours : ndarray of shape (m, 3)
+        Red, green and blue from 0 to 1.
+    camera : Camera
+    both_sides : bool
+        Whether triangles are seen from behind as well.
+    darkest : float
+        Brightness of what is turned away from the light.
+
+    Returns
+    -------
+    ndarray of shape (height, width, 4), uint8
         Red, green, blue and alpha. What the part does not cover is transparent.
 
     Notes
     -----
-    Brightness goes with the cosine to the light over all of its range, from `DARKEST` for what is turned
+    Brightness goes with the cosine to the light over all of its range, from `darkest` for what is turned
     away to 1 for what faces it, so that no side is uniformly dark. Edges are drawn where the surface
     bends or ends, not where two faces merge smoothly.
     """
-    normals = mesh.normals @ CAMERA.T
-    if not mesh.watertight:
+    normals = normals @ camera.axes.T
+    if both_sides:
         normals[normals[:, 2] < 0.0] *= -1.0
     facing = np.flatnonzero(normals[:, 2] > _GRAZING)
-    triangle, depth = nearest_triangles(_placed(mesh, facing), WIDTH * SAMPLES, HEIGHT * SAMPLES)
+    width, height = camera.width * SAMPLES, camera.height * SAMPLES
+    triangle, depth = nearest_triangles(camera.project(corners[facing]) * SAMPLES, width, height)
     covered = triangle >= 0
     depth[~covered] = 0.0
-    triangle = facing[triangle[covered]]
-
-    normal = np.zeros(covered.shape + (3,))
-    normal[covered] = normals[triangle]
-    brightness = DARKEST + (1.0 - DARKEST) * 0.5 * (1.0 + normal[covered] @ LIGHT)
-    brightness[_edges(normal, depth, covered)[covered]] *= EDGE_BRIGHTNESS
-    colour = np.zeros(covered.shape + (3,))
-    colour[covered] = _colours(mesh, face_colours or {})[mesh.face_of_triangle[triangle]]
-    colour[covered] *= brightness[:, None]
-    return _pixels(colour, covered)
+    # The last row, which -1 stands for, is that of no triangle.
+    triangle = np.append(facing, len(normals))[triangle]
+    brightness = darkest + (1.0 - darkest) * 0.5 * (1.0 + normals @ LIGHT)
+    shine = np.ones(covered.shape, dtype=np.float32)
+    shine[_edges(_samples(normals, triangle), depth.astype(np.float32), covered)] = EDGE_BRIGHTNESS
+    return _pixels([each * shine for each in _samples(colours * brightness[:, None], triangle)], covered)
 
 
-def _placed(mesh, triangles):
-    """Corners of some triangles as `nearest_triangles` wants them, the part in the middle."""
-    seen = mesh.vertices @ CAMERA.T
-    low, high = seen.min(axis=0), seen.max(axis=0)
-    size = np.array([WIDTH, HEIGHT]) * SAMPLES
-    free = size - 2.0 * MARGIN * HEIGHT * SAMPLES
-    scale = (free / np.maximum(high - low, 1e-9 * mesh.extent)[:2]).min()
-    seen -= 0.5 * (low + high)
-    seen *= np.array([scale, -scale, scale])
-    seen[:, :2] += 0.5 * size
-    return seen[mesh.triangles[triangles]]
+def _samples(values, triangle):
+    """Three values of each triangle where it is seen, a list of three ndarrays of float32; else 0."""
+    return [np.append(column, 0.0).astype(np.float32)[triangle] for column in values.T]
 
 
 def _colours(mesh, face_colours):
@@ -110,13 +119,13 @@ def _edges(normal, depth, covered):
         both = covered[here] & covered[there]
         edge[here] |= covered[here] & ~covered[there]
         edge[there] |= covered[there] & ~covered[here]
-        bent = both & (np.einsum("ijk,ijk->ij", normal[here], normal[there]) < CREASE)
-        edge[here] |= bent
+        along = sum(each[here] * each[there] for each in normal)
+        edge[here] |= both & (along < CREASE)
         # Down is against the second axis of the camera.
-        aside = normal[..., 0] if axis == 1 else -normal[..., 1]
+        aside = normal[0] if axis == 1 else -normal[1]
         back = depth[there] - depth[here]
-        off_here = aside[here] + normal[..., 2][here] * back
-        off_there = aside[there] + normal[..., 2][there] * back
+        off_here = aside[here] + normal[2][here] * back
+        off_there = aside[there] + normal[2][there] * back
         apart = both & (np.minimum(np.abs(off_here), np.abs(off_there)) > STEP)
         edge[here] |= apart & (back < 0.0)
         edge[there] |= apart & (back > 0.0)
@@ -125,7 +134,12 @@ def _edges(normal, depth, covered):
 
 def _pixels(colour, covered):
     """Means of the samples of each pixel."""
-    shape = (HEIGHT, SAMPLES, WIDTH, SAMPLES)
-    share = covered.reshape(shape).mean(axis=(1, 3))
-    mean = colour.reshape(shape + (3,)).mean(axis=(1, 3)) / np.maximum(share, 1e-9)[..., None]
+    share = _sums(covered.astype(np.float32))
+    mean = np.stack([_sums(each) for each in colour], axis=-1) / np.maximum(share, 1.0)[..., None]
+    share = share / SAMPLES ** 2
     return np.round(255.0 * np.dstack([np.clip(mean, 0.0, 1.0), share])).astype(np.uint8)
+
+
+def _sums(samples):
+    """Sums over the samples of each pixel."""
+    return sum(samples[down::SAMPLES, right::SAMPLES] for down in range(SAMPLES) for right in range(SAMPLES))

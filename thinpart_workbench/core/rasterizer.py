@@ -33,7 +33,7 @@ def nearest_triangles(corners, width, height):
     """
     triangle = np.full(width * height, -1, dtype=np.int64)
     depth = np.full(width * height, -np.inf)
-    slopes = _slopes(corners)
+    planes = _planes(corners)
     first = np.clip(np.ceil(corners[:, :, 1].min(axis=1) - 0.5), 0, height).astype(np.int64)
     end = np.clip(np.ceil(corners[:, :, 1].max(axis=1) - 0.5), 0, height).astype(np.int64)
     crossing = np.flatnonzero(end > first)
@@ -43,7 +43,7 @@ def nearest_triangles(corners, width, height):
         stop = np.clip(np.floor(right + 0.5 + _SLACK), 0, width).astype(np.int64)
         for piece, column in _expanded(np.arange(len(part)), start, stop):
             drawn = part[piece]
-            height_there = _depth(corners, slopes, drawn, column + 0.5, row[piece] + 0.5)
+            height_there = _depth(planes, drawn, column + 0.5, row[piece] + 0.5)
             _keep_nearest(triangle, depth, row[piece] * width + column, drawn, height_there)
     return triangle.reshape(height, width), depth.reshape(height, width)
 
@@ -64,22 +64,25 @@ def _expanded(items, start, end):
         done = stop
 
 
-def _slopes(corners):
-    """How depth changes to the right and downwards, two ndarrays of shape (n,)."""
+def _planes(corners):
+    """Depth of each triangle at zero, how it changes to the right and downwards, and its ends: (5, n)."""
     along, across = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     area = along[:, 0] * across[:, 1] - along[:, 1] * across[:, 0]
     right = (along[:, 2] * across[:, 1] - along[:, 1] * across[:, 2]) / area
     down = (along[:, 0] * across[:, 2] - along[:, 2] * across[:, 0]) / area
-    return right, down
+    x0, y0, z0 = corners[:, 0].T
+    depth = corners[:, :, 2]
+    return np.stack([z0 - right * x0 - down * y0, right, down, depth.min(axis=1), depth.max(axis=1)])
 
 
-def _depth(corners, slopes, triangle, x, y):
-    right, down = slopes
-    x0, y0, z0 = corners[triangle, 0].T
-    depth = z0 + right[triangle] * (x - x0) + down[triangle] * (y - y0)
+def _depth(planes, triangle, x, y):
+    zero, right, down, low, high = planes
+    depth = right[triangle] * x
+    depth += down[triangle] * y
+    depth += zero[triangle]
     # The slack would carry a triangle that is nearly seen edge-on far beyond its corners.
-    there = corners[triangle, :, 2]
-    return np.clip(depth, there.min(axis=1), there.max(axis=1))
+    np.maximum(depth, low[triangle], out=depth)
+    return np.minimum(depth, high[triangle], out=depth)
 
 
 def _ends(corners, triangle, y):

@@ -20,8 +20,8 @@ LONGEST = 1.6
 """Sides longer than this many of those are cut, so that none is left much shorter than one."""
 
 MOST_FACETS = 60_000
-"""Cutting is coarser where it would make more than this. A finer surface mesh gets as many more at most: its plane
-faces may have large triangles all the same."""
+"""Cutting is coarser where it would make more than this. A finer surface mesh gets as many more at most: its
+plane faces may have large triangles all the same."""
 
 JUMP = 1.15
 """Ratio of the values of two neighbours from which the border between them is drawn finer."""

@@ -7,6 +7,38 @@ LEAST = 0.0001
 """Share of the part's area that a thin place must have to be shown; less is a stray ray."""
 
 
+def limit_in_millimetres(limit, diagonal):
+    """A limit that a user gave, for a part with this diagonal.
+
+    Parameters
+    ----------
+    limit : dict
+        ``millimetres``, or ``share`` of the diagonal.
+    diagonal : float, mm
+
+    Returns
+    -------
+    float
+        At most the diagonal: no wall is thicker.
+    """
+    return min(limit.get("millimetres", limit.get("share", 0.0) * diagonal), diagonal)
+
+
+def with_limit(record, limit, thin_shares):
+    """A part record for showing, with another limit for what is thin than the verdict's.
+
+    Parameters
+    ----------
+    record : dict
+        Part record; stays as it is, and so does the verdict.
+    limit : float, mm
+    thin_shares : list of float
+        Of its faces, in their order.
+    """
+    faces = [{**face, "thin_share": share} for face, share in zip(record["faces"], thin_shares)]
+    return {**record, "thin_limit_mm": limit, "faces": faces}
+
+
 def thin_face_colours(record, thin, partly):
     """Colours of the faces of a part that are thin.
 

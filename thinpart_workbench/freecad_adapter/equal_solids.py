@@ -36,6 +36,14 @@ def equal_part(parts, solid):
     return next(shared, None) or next((part for part in solids if _is_equal(part.shape, solid)), None)
 
 
+def motion(one, other):
+    """Rotation and translation that carry a solid onto an equal one, ndarray of shape (4, 4), mm."""
+    if one.isPartner(other):
+        placed = other.Placement.multiply(one.Placement.inverse())
+        return np.array(placed.toMatrix().A).reshape(4, 4)
+    return _motion(_points(one), _points(other))
+
+
 def _is_equal(one, other):
     if any(len(getattr(one, kind)) != len(getattr(other, kind)) for kind in ("Faces", "Edges", "Vertexes")):
         return False
@@ -44,8 +52,12 @@ def _is_equal(one, other):
     if not all(_agree(mine.Area, its.Area) for mine, its in zip(one.Faces, other.Faces)):
         return False
     points, others = _points(one), _points(other)
+    if len(points) != len(others):
+        return False
     diagonal = float(np.linalg.norm(np.ptp(points, axis=0)))
-    return len(points) == len(others) and _distance_when_turned(points, others) <= _SAME_PLACE * diagonal
+    carried = _motion(points, others)
+    turned = points @ carried[:3, :3].T + carried[:3, 3]
+    return float(np.linalg.norm(turned - others, axis=1).max()) <= _SAME_PLACE * diagonal
 
 
 def _agree(one, other):
@@ -66,10 +78,13 @@ def _points(shape):
     return np.array([tuple(point) for point in points]).reshape(-1, 3)
 
 
-def _distance_when_turned(points, others):
-    """Greatest distance of corresponding points after the best rotation (Kabsch 1976,
-    doi:10.1107/S0567739476001873)."""
-    points, others = points - points.mean(axis=0), others - others.mean(axis=0)
-    left, _, right = np.linalg.svd(points.T @ others)
+def _motion(points, others):
+    """The rotation and translation that carry points nearest to others (Kabsch 1976,
+    doi:10.1107/S0567739476001873): ndarray of shape (4, 4)."""
+    middle, other_middle = points.mean(axis=0), others.mean(axis=0)
+    left, _, right = np.linalg.svd((points - middle).T @ (others - other_middle))
     left[:, 2] *= np.sign(np.linalg.det(left @ right))
-    return float(np.linalg.norm(points @ left @ right - others, axis=1).max())
+    matrix = np.eye(4)
+    matrix[:3, :3] = (left @ right).T
+    matrix[:3, 3] = other_middle - matrix[:3, :3] @ middle
+    return matrix

@@ -28,7 +28,7 @@ def face_owners(document, part):
         owner = _owner(document, place)
         if owner is None or owner.Document != document or owner.Name in owners:
             continue
-        indices = _indices(owner.Shape, place.solid)
+        indices = face_indices(owner.Shape, place.solid)
         if len(indices) == len(part.shape.Faces):
             owners[owner.Name] = (owner, indices)
     return list(owners.values())
@@ -45,8 +45,11 @@ def _owner(document, place):
     return source if source.isDerivedFrom("Part::Feature") else None
 
 
-def _indices(shape, solid):
-    """Places of a solid's faces among all faces of the shape that holds it."""
+def face_indices(shape, solid):
+    """Places of the faces of a solid, by its number, among all faces of the shape that holds it.
+
+    list of int, empty where there is no such solid.
+    """
     solids = shape.Solids
     if solid >= len(solids):
         return []

@@ -1,12 +1,29 @@
 """The preferences of ThinPart in FreeCAD: one declared table, and reading and writing by its names."""
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+from ..core.analysis_settings import ANGULAR_DEFLECTIONS, LINEAR_DEFLECTIONS, AnalysisSettings
 from ..core.errors import ThinPartError
 from .bootstrap import load_freecad
 
 GROUP = "User parameter:BaseApp/Preferences/Mod/ThinPart"
+
+
+def QT_TRANSLATE_NOOP(_context, text):
+    """Mark a text for translation; the window translates it when it shows it."""
+    return text
+
+
+_CLASSIFICATION = QT_TRANSLATE_NOOP("ThinPart", "Classification")
+_DISPLAY = QT_TRANSLATE_NOOP("ThinPart", "Display")
+_AUTOMATIC = QT_TRANSLATE_NOOP("ThinPart", "Automatic")
+
+PAGES = (_CLASSIFICATION, _DISPLAY, _AUTOMATIC)
+"""Titles of the pages on which people set preferences, in their order."""
+
+_OF_DIAGONAL = QT_TRANSLATE_NOOP("ThinPart", "of the diagonal")
+_MM = QT_TRANSLATE_NOOP("ThinPart", "mm")
 
 
 @dataclass(frozen=True)
@@ -17,37 +34,176 @@ class Preference:
     ----------
     name : str
         Key in FreeCAD's parameters.
-    default : str, int or tuple
+    default : str, bool, int, float or tuple
         A tuple is a colour: red, green and blue from 0 to 1.
     meaning : str
         One line for people.
+    title : str
+        What it is called on its page; empty for what has no place on a page.
+    page, group : str
+        One of `PAGES`, and the heading on it.
+    unit : str
+    range : tuple
+        Least and greatest value; empty where everything is allowed.
+    zero : str
+        What 0 stands for, which then is allowed besides the range.
+    choices : tuple
+        ``(value, title)`` of everything that is allowed.
+    names : str
+        What a text names: ``profile`` or ``folder``.
+    needs : tuple
+        ``(name, value)`` of another preference without which this one has no effect.
     """
 
     name: str
     default: object
     meaning: str
+    title: str = ""
+    page: str = ""
+    group: str = ""
+    unit: str = ""
+    range: tuple = ()
+    zero: str = ""
+    choices: tuple = ()
+    names: str = ""
+    needs: tuple = ()
+
+    def allows(self, value):
+        """Whether it can have a value of the right type."""
+        if self.choices:
+            return value in [choice for choice, _ in self.choices]
+        if self.zero and value == 0:
+            return True
+        return not self.range or self.range[0] <= value <= self.range[1]
+
+
+def _on(page, group, *rows):
+    """The same preferences with their place."""
+    return tuple(replace(row, page=page, group=group) for row in rows)
 
 
 PREFERENCES = {each.name: each for each in (
-    Preference("Profile", "paper", "Thresholds to judge by: a shipped profile's name, or a file"),
-    Preference("MemoryMegabytes", 6144, "Memory that measuring a document may take"),
-    Preference("ThinColour", (0.84, 0.15, 0.12), "Faces that are thin on at least half their area"),
-    Preference("PartlyThinColour", (0.96, 0.60, 0.11), "Faces that are thin on less of their area"),
+    *_on(
+        _CLASSIFICATION, QT_TRANSLATE_NOOP("ThinPart", "Verdict"),
+        Preference("Profile", "paper", QT_TRANSLATE_NOOP(
+            "ThinPart", "Thresholds to judge by: a shipped profile, or a file"),
+            title=QT_TRANSLATE_NOOP("ThinPart", "Thresholds"), names="profile"),
+    ),
+    *_on(
+        _CLASSIFICATION, QT_TRANSLATE_NOOP("ThinPart", "Surface mesh that is measured"),
+        Preference("LinearDeflection", AnalysisSettings.linear_deflection, QT_TRANSLATE_NOOP(
+            "ThinPart", "How far the mesh may lie from the surface, as a share of the part's diagonal; "
+            "where walls are thin it is made finer anyway"),
+            title=QT_TRANSLATE_NOOP("ThinPart", "Linear deflection"), unit=_OF_DIAGONAL,
+            range=LINEAR_DEFLECTIONS),
+        Preference("AngularDeflection", AnalysisSettings.angular_deflection, QT_TRANSLATE_NOOP(
+            "ThinPart", "Angle between neighbouring facets of a curved face"),
+            title=QT_TRANSLATE_NOOP("ThinPart", "Angular deflection"),
+            unit=QT_TRANSLATE_NOOP("ThinPart", "\u00b0"), range=ANGULAR_DEFLECTIONS),
+    ),
+    *_on(
+        _CLASSIFICATION, QT_TRANSLATE_NOOP("ThinPart", "Info files"),
+        Preference("InfoFolder", "", QT_TRANSLATE_NOOP(
+            "ThinPart", "A folder for the info files, in which the folders of the documents are "
+            "repeated; it may lie on another computer. Empty: beside each document"),
+            title=QT_TRANSLATE_NOOP("ThinPart", "Folder"), names="folder",
+            zero=QT_TRANSLATE_NOOP("ThinPart", "beside each document")),
+    ),
+    *_on(
+        _CLASSIFICATION, QT_TRANSLATE_NOOP("ThinPart", "Limits"),
+        Preference("Jobs", 0, QT_TRANSLATE_NOOP(
+            "ThinPart", "Files of a folder that are measured at once"),
+            title=QT_TRANSLATE_NOOP("ThinPart", "Files at once"), range=(1, 1024),
+            zero=QT_TRANSLATE_NOOP("ThinPart", "one per processor")),
+        Preference("Seconds", 600, QT_TRANSLATE_NOOP(
+            "ThinPart", "Time that one file of a folder, or a document that is classified automatically, "
+            "may take"),
+            title=QT_TRANSLATE_NOOP("ThinPart", "Time per file"),
+            unit=QT_TRANSLATE_NOOP("ThinPart", "s"), range=(1, 7 * 24 * 3600)),
+        Preference("MemoryMegabytes", 6144, QT_TRANSLATE_NOOP(
+            "ThinPart", "Memory that measuring one document may take"),
+            title=QT_TRANSLATE_NOOP("ThinPart", "Memory per file"),
+            unit=QT_TRANSLATE_NOOP("ThinPart", "MB"), range=(700, 1_000_000)),
+    ),
+    *_on(
+        _DISPLAY, QT_TRANSLATE_NOOP("ThinPart", "Walls that are shown as thin"),
+        Preference("ThinLimit", "verdict", QT_TRANSLATE_NOOP(
+            "ThinPart", "Under which thickness a wall is coloured as thin; the verdict does not "
+            "depend on it"),
+            title=QT_TRANSLATE_NOOP("ThinPart", "Thin under"), choices=(
+                ("verdict", QT_TRANSLATE_NOOP("ThinPart", "what the verdict is based on")),
+                ("millimetres", QT_TRANSLATE_NOOP("ThinPart", "a thickness in mm")),
+                ("share", QT_TRANSLATE_NOOP("ThinPart", "a share of the part's diagonal")))),
+        Preference("ThinLimitMillimetres", 2.0, QT_TRANSLATE_NOOP(
+            "ThinPart", "Thickness under which a wall is coloured as thin"),
+            title=QT_TRANSLATE_NOOP("ThinPart", "Thickness"), unit=_MM, range=(0.001, 100_000.0),
+            needs=("ThinLimit", "millimetres")),
+        Preference("ThinLimitShare", 0.05, QT_TRANSLATE_NOOP(
+            "ThinPart", "Share of the part's diagonal under which a wall is coloured as thin"),
+            title=QT_TRANSLATE_NOOP("ThinPart", "Share"), unit=_OF_DIAGONAL, range=(0.0005, 1.0),
+            needs=("ThinLimit", "share")),
+    ),
+    *_on(
+        _DISPLAY, QT_TRANSLATE_NOOP("ThinPart", "Colours"),
+        Preference("ThinColour", (0.84, 0.15, 0.12), QT_TRANSLATE_NOOP(
+            "ThinPart", "Faces that are thin on at least half their area"),
+            title=QT_TRANSLATE_NOOP("ThinPart", "Thin faces")),
+        Preference("PartlyThinColour", (0.96, 0.60, 0.11), QT_TRANSLATE_NOOP(
+            "ThinPart", "Faces that are thin on less of their area"),
+            title=QT_TRANSLATE_NOOP("ThinPart", "Faces thin in places")),
+        Preference("UnmeasuredColour", (0.55, 0.55, 0.55), QT_TRANSLATE_NOOP(
+            "ThinPart", "What is under no wall that could be measured, in the heat map"),
+            title=QT_TRANSLATE_NOOP("ThinPart", "Not measured")),
+    ),
+    *_on(
+        _DISPLAY, QT_TRANSLATE_NOOP("ThinPart", "Heat map of the thickness"),
+        Preference("HeatMapColours", "viridis", QT_TRANSLATE_NOOP(
+            "ThinPart", "Colours from the thinnest to the thickest wall"),
+            title=QT_TRANSLATE_NOOP("ThinPart", "Colours"), choices=tuple(
+                (each, each) for each in ("viridis", "cividis", "plasma", "inferno", "magma"))),
+        Preference("HeatMapReversed", False, QT_TRANSLATE_NOOP(
+            "ThinPart", "The first colour stands for the thickest wall"),
+            title=QT_TRANSLATE_NOOP("ThinPart", "Reversed")),
+        Preference("HeatMapBands", 0, QT_TRANSLATE_NOOP(
+            "ThinPart", "Into how many steps the colours are divided"),
+            title=QT_TRANSLATE_NOOP("ThinPart", "Bands"), range=(2, 64),
+            zero=QT_TRANSLATE_NOOP("ThinPart", "smooth")),
+    ),
+    *_on(
+        _AUTOMATIC, QT_TRANSLATE_NOOP("ThinPart", "On every save"),
+        Preference("AutomaticClassification", False, QT_TRANSLATE_NOOP(
+            "ThinPart", "Each document is classified in the background when it is saved; the status "
+            "bar shows the verdict"),
+            title=QT_TRANSLATE_NOOP("ThinPart", "Classify in the background")),
+    ),
+    *_on(
+        _AUTOMATIC, QT_TRANSLATE_NOOP("ThinPart", "Warnings"),
+        Preference("WarnOfCategory", True, QT_TRANSLATE_NOOP(
+            "ThinPart", "Compared with what the info file said before"),
+            title=QT_TRANSLATE_NOOP("ThinPart", "When the category of a part changes"),
+            needs=("AutomaticClassification", True)),
+        Preference("WarnWallUnder", 0.0, QT_TRANSLATE_NOOP(
+            "ThinPart", "When the thinnest wall of a part falls under this thickness, or is under it in a "
+            "part that was not classified before"),
+            title=QT_TRANSLATE_NOOP("ThinPart", "When a wall is under"), unit=_MM,
+            range=(0.001, 100_000.0), zero=QT_TRANSLATE_NOOP("ThinPart", "off"),
+            needs=("AutomaticClassification", True)),
+    ),
     Preference("FolderHistory", "[]", "Folders that were classified, the last one first, as JSON"),
     Preference("FolderFormats", "FreeCAD STEP IGES BREP Mesh", "Formats taken from a folder"),
     Preference("FolderInclude", "", "Patterns of the names taken from a folder; empty: all"),
     Preference("FolderExclude", "", "Patterns of the names left out of a folder"),
     Preference("FolderUsesInfoFolder", 0, "1: info files of a folder go into FolderInfoFolder"),
-    Preference("FolderInfoFolder", "", "Where info files of a folder go, if not beside documents"),
+    Preference("FolderInfoFolder", "", "Where info files of a folder go, if not where all go"),
     Preference("FolderProfile", "", "Thresholds to judge a folder by; empty: those of Profile"),
-    Preference("FolderJobs", 0, "Files of a folder that are measured at once; 0: one per processor"),
+    Preference("FolderJobs", -1, "Files of a folder that are measured at once; -1: as Jobs says"),
+    Preference("FolderSeconds", 0, "Seconds that one file of a folder may take; 0: as Seconds says"),
     Preference("Libraries", "[]", "Folders of classified parts that are searched, as JSON"),
-    Preference("FolderSeconds", 600, "Seconds that one file of a folder may take"),
 )}
 
 
 def preference(name):
-    """Value of a preference, its default where the user set none.
+    """Value of a preference, its default where the user set none or somebody has spoilt it.
 
     Raises
     ------
@@ -55,11 +211,18 @@ def preference(name):
         When no such preference is declared.
     """
     declared, group = PREFERENCES[name], load_freecad().ParamGet(GROUP)
-    if isinstance(declared.default, tuple):
-        return _colour(group.GetUnsigned(name, _packed(declared.default)))
-    if isinstance(declared.default, int):
-        return group.GetInt(name, declared.default)
-    return group.GetString(name, declared.default) or declared.default
+    default = declared.default
+    if isinstance(default, tuple):
+        return _colour(group.GetUnsigned(name, _packed(default)))
+    if isinstance(default, bool):
+        return group.GetBool(name, default)
+    if isinstance(default, int):
+        value = group.GetInt(name, default)
+    elif isinstance(default, float):
+        value = group.GetFloat(name, default)
+    else:
+        value = group.GetString(name, default) or default
+    return value if declared.allows(value) else default
 
 
 def set_preference(name, value):
@@ -70,18 +233,42 @@ def set_preference(name, value):
     KeyError
         When no such preference is declared.
     ThinPartError
-        kind ``usage`` where the value is of another type than the default.
+        kind ``usage`` where the value is of another type than the default, or not allowed.
     """
     declared, group = PREFERENCES[name], load_freecad().ParamGet(GROUP)
     value = declared.default if value is None else value
-    if type(value) is not type(declared.default):
-        raise ThinPartError(f"{name} cannot be {value!r}.", "usage")
+    if type(value) is not type(declared.default) or not declared.allows(value):
+        raise ThinPartError(f"{declared.title or name} cannot be {value!r}.", "usage")
     if isinstance(value, tuple):
         group.SetUnsigned(name, _packed(value))
+    elif isinstance(value, bool):
+        group.SetBool(name, value)
     elif isinstance(value, int):
         group.SetInt(name, value)
+    elif isinstance(value, float):
+        group.SetFloat(name, value)
     else:
         group.SetString(name, value)
+
+
+def preferred_analysis():
+    """AnalysisSettings that the user wants documents to be measured by."""
+    return AnalysisSettings(linear_deflection=preference("LinearDeflection"),
+                            angular_deflection=preference("AngularDeflection"))
+
+
+def preferred_thin_limit():
+    """Where a wall begins to be shown as thin: ``millimetres`` or ``share`` and the value; None for the
+    verdict's own limit.
+
+    Returns
+    -------
+    dict or None
+    """
+    chosen = preference("ThinLimit")
+    if chosen == "verdict":
+        return None
+    return {chosen: preference("ThinLimitMillimetres" if chosen == "millimetres" else "ThinLimitShare")}
 
 
 def preference_list(name):

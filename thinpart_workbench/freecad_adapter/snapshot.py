@@ -17,7 +17,7 @@ MOST_FACES = 20_000
 """Faces of the history of one part."""
 
 
-def write_snapshot(parts, folder, settings, profile, maps=False):
+def write_snapshot(parts, folder, settings, profile, thin_limit=None, maps=False):
     """Write parts and what is to be done with them.
 
     Parameters
@@ -29,6 +29,8 @@ def write_snapshot(parts, folder, settings, profile, maps=False):
     settings : AnalysisSettings
     profile : dict
         Content of a profile.
+    thin_limit : dict, optional
+        See `preferred_thin_limit`.
     maps : bool
         Whether thickness maps are wanted beside the records, and what made each face.
 
@@ -58,7 +60,8 @@ def write_snapshot(parts, folder, settings, profile, maps=False):
         if maps:
             entries[-1]["history"], shapes = _planned_history(part, number, MOST_SHAPES - len(waiting))
             waiting += [(os.path.join(folder, name), shape) for name, shape in shapes]
-    job = {"parts": entries, "settings": settings.content(), "profile": profile, "maps": maps}
+    job = {"parts": entries, "settings": settings.content(), "profile": profile,
+           "thin_limit": thin_limit, "maps": maps}
     with open(os.path.join(folder, JOB), "w", encoding="utf-8") as file:
         json.dump(job, file)
     return _written(waiting)
@@ -88,7 +91,7 @@ def read_snapshot(folder):
     Returns
     -------
     job : dict
-        ``parts``, ``settings``, ``profile``, ``maps``.
+        ``parts``, ``settings``, ``profile``, ``thin_limit``, ``maps``.
     read : callable
         From an entry of ``job["parts"]`` to a part.
     """

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from ..core.colour_scale import COLOUR_MAPS, UNMEASURED, ColourScale
 from .bootstrap import load_freecad
+from .settings import QT_TRANSLATE_NOOP
 from .source_signature import global_placement, same_place, same_signature, signature
 
 TYPE = "ThinPart::Thickness"
@@ -37,30 +38,49 @@ class Property:
 
 
 PROPERTIES = (
-    Property("Sources", "App::PropertyLinkListGlobal", "Base", None, "What was measured"),
-    Property("Map", "App::PropertyFileIncluded", "Base", None, "The measured thickness", 16 | _HIDDEN),
-    Property("Signature", "App::PropertyString", "Base", None, "The sources' shapes when measured",
-             _FOUND | _HIDDEN),
+    Property("Sources", "App::PropertyLinkListGlobal", "Base", None,
+             QT_TRANSLATE_NOOP("App::Property", "What was measured")),
+    Property("Map", "App::PropertyFileIncluded", "Base", None,
+             QT_TRANSLATE_NOOP("App::Property", "The measured thickness"), 16 | _HIDDEN),
+    Property("Signature", "App::PropertyString", "Base", None,
+             QT_TRANSLATE_NOOP("App::Property", "The sources' shapes when measured"), _FOUND | _HIDDEN),
     Property("SourcePlacements", "App::PropertyPlacementList", "Base", None,
-             "Where the sources stood when measured", _FOUND | _HIDDEN),
-    Property("Stale", "App::PropertyBool", "Base", None, "Whether the sources have changed since", _FOUND),
-    Property("Diagonal", "App::PropertyFloat", "Base", None, "Of the largest part's box, mm", _FOUND),
-    Property("Thinnest", "App::PropertyFloat", "Base", None, "Thinnest wall of the map, mm", _FOUND),
-    Property("Thickest", "App::PropertyFloat", "Base", None, "Thickest wall of the map, mm", _FOUND),
-    Property("RangeUnit", "App::PropertyEnumeration", "Scale", RANGE_UNITS, "Unit of Low and High", 16),
+             QT_TRANSLATE_NOOP("App::Property", "Where the sources stood when measured"), _FOUND | _HIDDEN),
+    Property("Stale", "App::PropertyBool", "Base", None,
+             QT_TRANSLATE_NOOP("App::Property", "Whether the sources have changed since"), _FOUND),
+    Property("Diagonal", "App::PropertyFloat", "Base", None,
+             QT_TRANSLATE_NOOP("App::Property", "Of the largest part's box, mm"), _FOUND),
+    Property("Thinnest", "App::PropertyFloat", "Base", None,
+             QT_TRANSLATE_NOOP("App::Property", "Thinnest wall of the map, mm"), _FOUND),
+    Property("Thickest", "App::PropertyFloat", "Base", None,
+             QT_TRANSLATE_NOOP("App::Property", "Thickest wall of the map, mm"), _FOUND),
+    Property("RangeUnit", "App::PropertyEnumeration", "Scale", RANGE_UNITS,
+             QT_TRANSLATE_NOOP("App::Property", "Unit of Low and High"), 16),
     Property("AutomaticRange", "App::PropertyBool", "Scale", True,
-             "Whether colours run from the thinnest to the thickest wall", 16),
-    Property("Low", "App::PropertyFloat", "Scale", None, "Thickness at the lower end of the colours", 16),
-    Property("High", "App::PropertyFloat", "Scale", None, "Thickness at the upper end of the colours", 16),
-    Property("ColourMap", "App::PropertyEnumeration", "Scale", COLOUR_MAPS, "Colours from thin to thick", 16),
-    Property("Reversed", "App::PropertyBool", "Scale", None, "Whether the colours run the other way", 16),
-    Property("Bands", "App::PropertyInteger", "Scale", None, "Number of steps; 0: smooth", 16),
-    Property("UnmeasuredColour", "App::PropertyColor", "Scale", UNMEASURED, "Where nothing was measured", 16),
-    Property("Threshold", "App::PropertyFloat", "Thin", None, "Walls under it are thin, mm", 16),
-    Property("ThinOnly", "App::PropertyBool", "Thin", None, "Whether only thin walls are coloured", 16),
-    Property("ProbePoints", "App::PropertyVectorList", "Probes", None, "Where thickness was asked for", 16),
-    Property("ProbeOpposites", "App::PropertyVectorList", "Probes", None, "The opposite sides of those", 16),
-    Property("ProbeValues", "App::PropertyFloatList", "Probes", None, "The thickness there, mm", 16),
+             QT_TRANSLATE_NOOP("App::Property", "Whether colours run from the thinnest to the thickest wall"),
+             16),
+    Property("Low", "App::PropertyFloat", "Scale", None,
+             QT_TRANSLATE_NOOP("App::Property", "Thickness at the lower end of the colours"), 16),
+    Property("High", "App::PropertyFloat", "Scale", None,
+             QT_TRANSLATE_NOOP("App::Property", "Thickness at the upper end of the colours"), 16),
+    Property("ColourMap", "App::PropertyEnumeration", "Scale", COLOUR_MAPS,
+             QT_TRANSLATE_NOOP("App::Property", "Colours from thin to thick"), 16),
+    Property("Reversed", "App::PropertyBool", "Scale", None,
+             QT_TRANSLATE_NOOP("App::Property", "Whether the colours run the other way"), 16),
+    Property("Bands", "App::PropertyInteger", "Scale", None,
+             QT_TRANSLATE_NOOP("App::Property", "Number of steps; 0: smooth"), 16),
+    Property("UnmeasuredColour", "App::PropertyColor", "Scale", UNMEASURED,
+             QT_TRANSLATE_NOOP("App::Property", "Where nothing was measured"), 16),
+    Property("Threshold", "App::PropertyFloat", "Thin", None,
+             QT_TRANSLATE_NOOP("App::Property", "Walls under it are thin, mm"), 16),
+    Property("ThinOnly", "App::PropertyBool", "Thin", None,
+             QT_TRANSLATE_NOOP("App::Property", "Whether only thin walls are coloured"), 16),
+    Property("ProbePoints", "App::PropertyVectorList", "Probes", None,
+             QT_TRANSLATE_NOOP("App::Property", "Where thickness was asked for"), 16),
+    Property("ProbeOpposites", "App::PropertyVectorList", "Probes", None,
+             QT_TRANSLATE_NOOP("App::Property", "The opposite sides of those"), 16),
+    Property("ProbeValues", "App::PropertyFloatList", "Probes", None,
+             QT_TRANSLATE_NOOP("App::Property", "The thickness there, mm"), 16),
 )
 """Every property of the object. Those of the group Scale and Thin say how it looks; see `scale_of`."""
 
@@ -143,10 +163,12 @@ class ThicknessObject:
         """
         was_stale, seen = thickness.Stale, self._seen
         self.check(thickness)
-        view = getattr(thickness, "ViewObject", None)
-        again = was_stale and thickness.Stale and seen is not None and same_signature(seen, self._seen)
-        if again and view is not None and hasattr(view.Proxy, "ask_for_measuring"):
-            view.Proxy.ask_for_measuring()
+        view = getattr(getattr(thickness, "ViewObject", None), "Proxy", None)
+        if not hasattr(view, "ask_for_measuring"):
+            return  # there is no window
+        view.move()
+        if was_stale and thickness.Stale and seen is not None and same_signature(seen, self._seen):
+            view.ask_for_measuring()
 
     def check(self, thickness):
         """Compare the sources with what was measured, and set `Stale`; whether that has changed."""

@@ -1,4 +1,7 @@
-"""The part record of what is active in FreeCAD's window."""
+"""The part that is active in FreeCAD's window, and where its record is."""
+
+import os
+from collections import namedtuple
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -6,23 +9,28 @@ import FreeCADGui as Gui
 from ..core.errors import ThinPartError
 from ..freecad_adapter.active_part import parts_meant
 from ..freecad_adapter.document_parts import document_content
-from ..workflow.kept_notes import info_file_of, the_record
+from ..workflow.info_location import preferred_info_location
 from .chosen_in_window import active_place, selected_places
 from .classify import current_session
 from .document_observer import OBSERVER
 from .part_dialog import ask_for_part
 from .qt import translate
 
+ActiveRecord = namedtuple("ActiveRecord", "name label shown info_file")
+ActiveRecord.__doc__ = """A part, and what is known of it without looking at a file.
+
+`shown` is the record that the Classify panel has of it, None where it has none. `info_file` is where a
+record may be stored that is just as new; None where there is none.
+"""
+
 
 def active_record():
-    """The record of the part that is selected or active.
+    """The part that is selected or active.
 
     Returns
     -------
-    record : dict or None
+    ActiveRecord or None
         None where the user was asked for a part and named none.
-    info_file : str or None
-        Where it is from; None for a classification that is not stored.
 
     Raises
     ------
@@ -36,18 +44,19 @@ def active_record():
                         active_place(document))
     chosen = parts[0] if len(parts) == 1 else ask_for_part(parts, Gui.getMainWindow())
     if chosen is None:
-        return None, None
+        return None
     session = current_session()
     shown = session.record_of(document.Name, chosen.name) if session is not None else None
-    if shown is not None and OBSERVER.differs_from_file(document):
-        return shown, None  # newer than what may be stored
-    try:
-        info_file = info_file_of(document.FileName) if document.FileName else None
-        if info_file is not None:
-            return the_record(info_file, chosen.name), str(info_file)
-    except ThinPartError:
-        pass  # not stored, or without this part
-    if shown is not None:
-        return shown, None
-    raise ThinPartError(translate(
-        "ThinPart", "'{}' was not classified yet: classify the part first.").format(chosen.label), "missing")
+    info_file = None
+    if document.FileName and (shown is None or not OBSERVER.differs_from_file(document)):
+        info_file = os.fspath(preferred_info_location(document.FileName))
+    active = ActiveRecord(chosen.name, chosen.label, shown, info_file)
+    if shown is None and info_file is None:
+        raise ThinPartError(not_classified(active), "missing")
+    return active
+
+
+def not_classified(active):
+    """A sentence on a part that has no record."""
+    return translate(
+        "ThinPart", "'{}' was not classified yet: classify the part first.").format(active.label)

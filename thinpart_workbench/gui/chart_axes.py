@@ -1,7 +1,5 @@
 """What charts of a thickness distribution have in common: their plot, its heights, and texts under it."""
 
-import math
-
 from .qt import QtCore, QtGui, QtWidgets
 
 
@@ -45,10 +43,3 @@ class ChartAxes(QtWidgets.QWidget):
         left = max(0.0, min(x - width / 2, self.width() - width))
         painter.drawText(QtCore.QRectF(left, y, width, self.fontMetrics().height()),
                          QtCore.Qt.AlignCenter, text)
-
-
-def round_up(value):
-    """The next of 1, 2, 2.5, 5 times a power of ten."""
-    power = 10.0 ** math.floor(math.log10(value))
-    return next(each * power for each in (1.0, 2.0, 2.5, 5.0, 10.0)
-                if each * power >= value * (1.0 - 1e-9))

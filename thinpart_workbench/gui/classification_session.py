@@ -1,26 +1,19 @@
 """One classification in the window: from the click to the colours and the info file."""
 
-import FreeCAD as App
 import FreeCADGui as Gui
 
-from ..core.analysis_settings import AnalysisSettings
-from ..core.criteria import load_profile
 from ..core.errors import ThinPartError
 from ..freecad_adapter.active_part import parts_meant
-from ..freecad_adapter.document_parts import document_content, document_parts
 from ..freecad_adapter.face_owners import face_owners
-from ..freecad_adapter.same_parts import same_parts
-from ..freecad_adapter.settings import preference
 from ..freecad_adapter.thin_colours import preferred_colours
-from ..workflow.document_analysis import DocumentAnalysis
 from .chosen_in_window import active_place, selected_places
-from .document_observer import OBSERVER
-from .document_run import DocumentRun
 from .face_colours import FACE_COLOURS
+from .measured_document import MeasuredDocument
 from .part_dialog import ask_for_part
+from .part_list import part_rows
 from .qt import QtCore, translate
 from .sentences import translated
-from .task_panel import TaskPanel
+from .task_panel import PanelForm, TaskPanel
 
 
 class ClassificationSession(QtCore.QObject):
@@ -29,33 +22,41 @@ class ClassificationSession(QtCore.QObject):
     Parameters
     ----------
     document : FreeCAD.Document or None
+
+    Attributes
+    ----------
+    measured : MeasuredDocument
     """
 
     def __init__(self, document):
         super().__init__()
-        self._name = document.Name if document is not None else None
-        self._analysis = None
-        self._run = None
-        self.panel = TaskPanel()
-        self._form = self.panel.form
+        self.measured = MeasuredDocument(document, self)
+        self.measured.progressed.connect(self._show_progress)
+        self.measured.measured.connect(self._show_measured)
+        self.measured.ended.connect(self._show_end)
+        self.measured.info_file_changed.connect(self._show_info_file)
+        self._shown = None  # name of the part whose result is to be seen
+        self._form = PanelForm()
+        self.panel = TaskPanel(self._form)
         self._form.cancelled.connect(self.cancel)
-        self._form.save_asked.connect(self._save)
+        self._form.save_asked.connect(self.measured.save)
         self._form.again_asked.connect(self._again)
-        self.panel.closed.connect(self._stop)
+        self._form.parts.part_chosen.connect(self._show_part)
+        self.panel.closed.connect(self.measured.leave)
 
     @property
     def document_name(self):
         """Name of the document, None where there is none."""
-        return self._name
+        return self.measured.name
 
     @property
     def is_running(self):
         """Whether something is being measured."""
-        return self._run is not None and self._run.is_running
+        return self.measured.is_running
 
     def record_of(self, document_name, part_name):
         """The record of a part of the document, None where it is another document or not measured."""
-        if self._analysis is None or document_name != self._name:
+        if self._analysis is None or document_name != self.document_name:
             return None
         return self._analysis.records.get(part_name)
 
@@ -81,11 +82,12 @@ class ClassificationSession(QtCore.QObject):
 
     def cancel(self):
         """Stop measuring, as asked; what is there already stays."""
-        self._stop()
-        if self._chosen_record is None:
+        self.measured.stop()
+        if self._shown_record is None:
             self._form.show_message(translate("ThinPart", "Cancelled. Nothing was changed."))
             self._form.show_info("", can_repeat=True)
             return
+        self._colour_all()
         self._form.show_ended()
         self._form.show_info(translate(
             "ThinPart", "Cancelled: no info file was written, since other parts of the document "
@@ -93,123 +95,108 @@ class ClassificationSession(QtCore.QObject):
 
     def close(self):
         """End everything and take the panel away."""
-        self._stop()
+        self.measured.leave()
         self.panel.hide()
 
     @property
-    def _document(self):
-        if self._name is None:
-            raise ThinPartError(translate(
-                "ThinPart", "There is no document: open or create one first."), "empty")
-        return App.getDocument(self._name)
+    def _analysis(self):
+        return self.measured.analysis
 
     @property
-    def _chosen_record(self):
-        return self._analysis and self._analysis.records.get(self._analysis.chosen.name)
+    def _shown_record(self):
+        return self._analysis and self._analysis.shown.get(self._shown)
 
     def _new_analysis(self):
-        document = self._document
-        content = document_content(document)
-        parts = content.parts
-        candidates = parts_meant(document, parts, selected_places(document),
-                                 active_place(document))
+        document, content = self.measured.document, self.measured.content()
+        selected, active = selected_places(document), active_place(document)
+        candidates = parts_meant(document, content.parts, selected, active)
         chosen = candidates[0]
-        if len(candidates) > 1:
+        if len(candidates) > 1 and selected:
             chosen = ask_for_part(candidates, Gui.getMainWindow())
         if chosen is None:
             return None
-        profile = load_profile(preference("Profile"))
-        return DocumentAnalysis(parts, chosen, AnalysisSettings(), profile.content,
-                                content.broken)
+        return self.measured.analysis_of(content.parts, chosen, content.broken)
 
     def _measure(self, analysis):
-        self._analysis = analysis
+        self._shown = analysis.chosen.name
         self._form.show_running(analysis.chosen.label)
-        self._run = DocumentRun(analysis, preference("MemoryMegabytes"), self)
-        self._run.progressed.connect(self._show_progress)
-        self._run.measured.connect(self._show_measured)
-        self._run.ended.connect(self._show_end)
         try:
-            self._run.start()
+            self.measured.measure(analysis)
         except ThinPartError as error:
             self._form.show_message(translated(error))
+            return
+        self._show_list()
 
-    def _show_progress(self, progress):
-        labels = {part.name: part.label for part in self._analysis.parts}
-        label = labels[progress["part"]]
-        stage = translate("ThinPart", "Making the surface mesh of {}").format(label)
-        if progress["stage"] == "measure":
-            stage = translate("ThinPart", "Measuring the walls of {}").format(label)
-        if progress["part"] != self._analysis.chosen.name:
-            stage = translate("ThinPart", "For the info file: {}").format(stage)
-        self._form.show_progress(self._analysis.share_done(progress), stage)
+    def _show_progress(self, fraction, stage):
+        self._form.show_progress(fraction, stage)
 
     def _show_measured(self, name):
-        if name != self._analysis.chosen.name:
-            return
-        record = self._chosen_record
-        if record is None:
-            return  # its failure is told at the end
-        self._form.show_result(record, self._analysis.profile)
-        self._form.result.show_legend(self._colour(record))
+        self._show_list()
+        if name != self._shown or self._shown_record is None:
+            return  # a failure is told at the end
+        self._form.show_result(self._shown_record, self._analysis.profile)
+        self._show_legend(self._colour([name]))
+
+    def _show_part(self, name):
+        """Show another part of the list; one that is not measured yet is shown when it is."""
+        self._shown = name
+        failure = self._analysis.failures.get(name)
+        self._form.show_part(self._shown_record, self._analysis.profile,
+                             translated(failure["message"]) if failure else "")
+        if self._shown_record is not None:
+            self._show_legend(self._is_coloured(name))
+
+    def _show_legend(self, is_coloured):
+        own_limit = None if self._analysis.thin_limit is None else self._shown_record["thin_limit_mm"]
+        self._form.result.show_legend(is_coloured, own_limit)
+
+    def _show_list(self):
+        self._form.parts.show_parts(part_rows(self._analysis), self._analysis.profile)
+        self._form.parts.select_part(self._shown)
 
     def _show_end(self, sentence):
-        failure = self._analysis.failures.get(self._analysis.chosen.name)
+        failure = self._analysis.failures.get(self._shown)
         if failure is not None and not sentence:
             sentence = translated(failure["message"])
-        if self._chosen_record is None:
+        if not self._analysis.records:
             self._form.show_message(sentence)
             self._form.show_info("", can_repeat=True)
             return
         self._form.show_ended(sentence)
-        if self._analysis.is_complete:
-            self._write_info()
-        else:
-            self._form.show_info(translate(
-                "ThinPart", "No info file was written, since not every part was measured."),
-                can_repeat=True)
+        self._colour_all()
+        self.measured.write_info_file()
 
-    def _colour(self, record):
-        """Colour the thin faces; whether there are any."""
-        if not self._is_as_measured():
+    def _show_info_file(self, state):
+        self._form.show_info(state.sentence, state.can_save, state.can_repeat, state.tool_tip)
+
+    def _colour_all(self):
+        """Colour what is not coloured yet: the chosen part is, since it was measured."""
+        if len(self._analysis.parts) > 1:
+            self._colour(list(self._analysis.records))
+            if self._shown_record is not None:
+                self._show_legend(self._is_coloured(self._shown))
+
+    def _colour(self, names):
+        """Colour the thin faces of parts; whether there are any."""
+        if not self.measured.is_as_measured():
             return False
-        document, colours = self._document, preferred_colours(record)
-        FACE_COLOURS.show(document, [
-            (owner, {indices[face]: rgb for face, rgb in colours.items()})
-            for owner, indices in face_owners(document, self._analysis.chosen)
-        ])
-        return bool(colours) and FACE_COLOURS.is_shown(document)
+        document, owners = self.measured.document, {}
+        for name in names:
+            colours = preferred_colours(self._analysis.shown[name])
+            for owner, indices in face_owners(document, self._part(name)):
+                # One object may draw several parts, such as a compound.
+                known = owners.setdefault(owner.Name, (owner, {}))[1]
+                known.update({indices[face]: rgb for face, rgb in colours.items()})
+        FACE_COLOURS.show(document, list(owners.values()))
+        return any(self._is_coloured(name) for name in names)
 
-    def _is_as_measured(self):
-        return same_parts(self._analysis.parts, document_parts(self._document))
+    def _is_coloured(self, name):
+        return bool(preferred_colours(self._analysis.shown[name])) and any(
+            FACE_COLOURS.is_coloured(owner)
+            for owner, _ in face_owners(self.measured.document, self._part(name)))
 
-    def _write_info(self):
-        document = self._document
-        if not self._is_as_measured():
-            self._form.show_info(translate(
-                "ThinPart", "The document has changed since it was measured: no info file was "
-                "written. Classify it again."), can_repeat=True)
-            return
-        if OBSERVER.differs_from_file(document):
-            self._form.show_info(translate(
-                "ThinPart", "No info file was written, because the document is not saved."),
-                can_save=True)
-            return
-        try:
-            path = self._analysis.write_info_file(document.FileName)
-        except ThinPartError as error:
-            self._form.show_info(translate("ThinPart", "No info file: {}").format(translated(error)))
-            return
-        self._form.show_info(translate(
-            "ThinPart", "Info file, beside the document: {}").format(path.name), tool_tip=str(path))
-
-    def _save(self):
-        document = self._document
-        # FreeCAD saves what its active view shows, and asks for a name where there is none yet.
-        App.setActiveDocument(document.Name)
-        Gui.runCommand("Std_Save")
-        if not OBSERVER.differs_from_file(document):
-            self._write_info()
+    def _part(self, name):
+        return next(part for part in self._analysis.parts if part.name == name)
 
     def _again(self):
         try:
@@ -219,7 +206,3 @@ class ClassificationSession(QtCore.QObject):
             return
         if analysis is not None:
             self._measure(analysis)
-
-    def _stop(self):
-        if self._run is not None:
-            self._run.stop()

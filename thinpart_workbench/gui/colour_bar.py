@@ -167,8 +167,7 @@ class _Drawing:
             else:
                 swatch = QtCore.QRect(em, top + round(0.25 * em), em, em)
                 rgb = self._content.colours.of_values([np.nan])[0].tolist()
-                painter.fillRect(swatch, QtGui.QColor(*rgb))
-                painter.setPen(colour(_INK))
+                painter.setBrush(QtGui.QColor(*rgb))
                 painter.drawRect(swatch)
             painter.drawText(em, top + round(1.1 * em), text)
             top += line

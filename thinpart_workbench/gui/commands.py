@@ -7,6 +7,9 @@ from .classify import can_classify, classify_active_document
 from .classify_folder import show_folder_dialog
 from .face_colours import FACE_COLOURS
 from .find_parts import toggle_find_parts
+from .preferences_pages import show_preferences
+from .report import can_report, show_report_dialog
+from .show_thickness import can_show_thickness, show_thickness
 
 # Marks a text for translation; FreeCAD translates it by the command's name.
 QT_TRANSLATE_NOOP = App.Qt.QT_TRANSLATE_NOOP
@@ -34,6 +37,28 @@ class Classify:
         classify_active_document()
 
 
+class ShowThickness:
+    """Show in colours how thick the walls of a part are."""
+
+    def GetResources(self):
+        """Icon, text and tool tip."""
+        return {
+            "Pixmap": "ThinPart_ShowThickness",
+            "MenuText": QT_TRANSLATE_NOOP("ThinPart_ShowThickness", "Show thickness"),
+            "ToolTip": QT_TRANSLATE_NOOP(
+                "ThinPart_ShowThickness", "Colours the selected parts, or all of them, by the thickness of "
+                "their walls, and tells how much of the surface lies over which wall"),
+        }
+
+    def IsActive(self):
+        """With a document, while no other task is open."""
+        return can_show_thickness()
+
+    def Activated(self):
+        """Measure what is meant, or show the map that is selected."""
+        show_thickness()
+
+
 class ClassifyFolder:
     """Classify all parts of a folder."""
 
@@ -54,6 +79,28 @@ class ClassifyFolder:
     def Activated(self):
         """Show the dialog."""
         show_folder_dialog()
+
+
+class Report:
+    """Write pages with pictures about the parts of a document."""
+
+    def GetResources(self):
+        """Icon, text and tool tip."""
+        return {
+            "Pixmap": "ThinPart_Report",
+            "MenuText": QT_TRANSLATE_NOOP("ThinPart_Report", "Report\u2026"),
+            "ToolTip": QT_TRANSLATE_NOOP(
+                "ThinPart_Report", "Writes a page with pictures, walls and criteria about every part of the "
+                "document, to read, print or hand on"),
+        }
+
+    def IsActive(self):
+        """With a document."""
+        return can_report()
+
+    def Activated(self):
+        """Show the dialog."""
+        show_report_dialog()
 
 
 class FindParts:
@@ -100,11 +147,36 @@ class ClearColours:
         FACE_COLOURS.clear(App.ActiveDocument)
 
 
+class Preferences:
+    """Open the preferences."""
+
+    def GetResources(self):
+        """Icon, text and tool tip."""
+        return {
+            "Pixmap": "ThinPart_Preferences",
+            "MenuText": QT_TRANSLATE_NOOP("ThinPart_Preferences", "ThinPart preferences\u2026"),
+            "ToolTip": QT_TRANSLATE_NOOP(
+                "ThinPart_Preferences", "Opens the preferences: thresholds, surface mesh, info files, "
+                "colours and automatic classification"),
+        }
+
+    def IsActive(self):
+        """Always."""
+        return True
+
+    def Activated(self):
+        """Show the first page."""
+        show_preferences()
+
+
 COMMANDS = {
     "ThinPart_Classify": Classify,
+    "ThinPart_ShowThickness": ShowThickness,
     "ThinPart_ClassifyFolder": ClassifyFolder,
+    "ThinPart_Report": Report,
     "ThinPart_FindParts": FindParts,
     "ThinPart_ClearColours": ClearColours,
+    "ThinPart_Preferences": Preferences,
 }
 
 

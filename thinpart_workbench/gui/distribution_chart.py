@@ -1,57 +1,13 @@
 """The thickness distribution of a part as a bar chart."""
 
-import math
-from dataclasses import dataclass
-
 from ..core.distribution import BINS
-from .chart_axes import ChartAxes, round_up
+from ..core.distribution_bars import bars, round_up
+from .chart_axes import ChartAxes
 from .qt import QtCore, QtGui, QtWidgets, translate
 from .verdict_text import number, percent
 
-MOST_BARS = 40
 _THIN, _THICK, _LIMIT = (QtGui.QColor(214, 38, 31), QtGui.QColor(95, 130, 170),
                          QtGui.QColor(150, 20, 20))
-
-
-@dataclass(frozen=True)
-class Bar:
-    """A range of thickness and the share of the area over it.
-
-    Attributes
-    ----------
-    low, high : int
-        Bins of x, the last one excluded.
-    area : float
-    """
-
-    low: int
-    high: int
-    area: float
-
-
-def bars(bins, area, limit):
-    """Group the bins of a distribution into bars of one width.
-
-    Parameters
-    ----------
-    bins : list of int
-    area : list of float
-    limit : float
-        x of the thin limit; a bar ends there if that is possible.
-
-    Returns
-    -------
-    list of Bar
-        From 0 on, without gaps.
-    """
-    limit_bin = round(limit * BINS)
-    end = max([*bins, limit_bin], default=0) + 1
-    least = math.ceil(end / MOST_BARS)
-    width = next((each for each in range(least, 3 * least + 1) if limit_bin % each == 0), least)
-    shares = [0.0] * math.ceil(end / width)
-    for index, share in zip(bins, area):
-        shares[index // width] += share
-    return [Bar(place * width, (place + 1) * width, share) for place, share in enumerate(shares)]
 
 
 class DistributionChart(ChartAxes):

@@ -1,7 +1,8 @@
 """The distributions of two parts over each other."""
 
 from ..core.distribution import BINS
-from .chart_axes import ChartAxes, round_up
+from ..core.distribution_bars import round_up
+from .chart_axes import ChartAxes
 from .qt import QtCore, QtGui, number_of, translate
 
 _PENS = (

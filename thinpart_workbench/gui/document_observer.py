@@ -18,7 +18,8 @@ class DocumentObserver:
 
     def __init__(self):
         self._changed = set()
-        self._on_close = []
+        self._revisions = {}
+        self._on_close, self._on_save, self._on_activate = [], [], []
 
     def differs_from_file(self, document):
         """Whether the objects of a document are not those in its file, or it has none."""
@@ -26,9 +27,26 @@ class DocumentObserver:
             return True
         return document.Name in self._changed and Gui.getDocument(document.Name).Modified
 
+    def revision(self, name):
+        """Number that is another one after every change of the objects of a document."""
+        return self._revisions.get(name, 0)
+
     def on_close(self, call):
         """Have a function called with the name of every document that is closed."""
         self._on_close.append(call)
+
+    def on_save(self, call):
+        """Have a function called with the name of every document that was saved; copies do not count."""
+        self._on_save.append(call)
+
+    def on_activate(self, call):
+        """Have a function called whenever another document becomes the active one."""
+        self._on_activate.append(call)
+
+    def slotActivateDocument(self, _document):
+        """Another document is active."""
+        for call in self._on_activate:
+            call()
 
     def slotChangedObject(self, changed, name):
         """An object was changed."""
@@ -65,6 +83,8 @@ class DocumentObserver:
         FACE_COLOURS.resume(document)
         if file == document.FileName:
             self._changed.discard(document.Name)
+            for call in self._on_save:
+                call(document.Name)
 
     def slotDeletedDocument(self, document):
         """A document is about to be closed."""
@@ -79,6 +99,7 @@ class DocumentObserver:
         # While a document is being opened, every property of every object is set once.
         if not document.Restoring:
             self._changed.add(document.Name)
+            self._revisions[document.Name] = self.revision(document.Name) + 1
         look_soon()
 
 

@@ -64,7 +64,7 @@ class DocumentRun(QtCore.QObject):
             self._folder = tempfile.mkdtemp(prefix="thinpart-")
             self._unwritten = write_snapshot(
                 self._analysis.in_turn, self._folder, self._analysis.settings,
-                self._analysis.profile_content, self._analysis.maps)
+                self._analysis.profile_content, self._analysis.thin_limit, self._analysis.maps)
         except OSError as error:
             self._remove_folder()
             raise ThinPartError(translate(
@@ -116,6 +116,8 @@ class DocumentRun(QtCore.QObject):
             self.mapped.emit(line["map"]["part"], line["map"]["file"])
         elif kind == "done":
             self._done = True
+            # Nothing more comes, and nobody waits until the process has cleared its memory away.
+            self._finished()
         else:
             name = line["record"]["name"] if kind == "record" else line["failure"]["part"]
             self.measured.emit(name)

@@ -6,6 +6,7 @@ import FreeCADGui as Gui
 
 from .appearance import appearance, fingerprint, paint, set_appearance, unrecorded
 from .qt import translate
+from .transaction import transaction
 
 
 class FaceColours:
@@ -34,19 +35,23 @@ class FaceColours:
                    if colours or self._original(document, owner) is not None]
         if not painted:
             return
-        with _transaction(document, translate("ThinPart", "Colour thin faces")):
+        with _unsaved_transaction(document, translate("ThinPart", "Colour thin faces")):
             for owner, colours in painted:
                 self._paint(document, owner, colours)
 
     def clear(self, document):
         """Put every object of a document back to what it was before it was coloured."""
-        with _transaction(document, translate("ThinPart", "Clear thin colours")):
+        with _unsaved_transaction(document, translate("ThinPart", "Clear thin colours")):
             for owner, original in self._coloured(document):
                 set_appearance(owner.ViewObject, original)
 
     def is_shown(self, document):
         """Whether anything in a document is coloured."""
         return any(True for _ in self._coloured(document))
+
+    def is_coloured(self, owner):
+        """Whether an object is coloured."""
+        return self._original(owner.Document, owner) is not None
 
     def drop(self, owner):
         """Put an object back whose shape has changed: its colours tell of faces that were."""
@@ -103,16 +108,11 @@ class FaceColours:
 
 
 @contextmanager
-def _transaction(document, name):
+def _unsaved_transaction(document, name):
     view = Gui.getDocument(document.Name)
     was_modified = view.Modified
-    document.openTransaction(name)
-    try:
+    with transaction(document, name):
         yield
-    except BaseException:
-        document.abortTransaction()
-        raise
-    document.commitTransaction()
     if not was_modified:
         # These colours are never saved, so there is nothing to save. FreeCAD 0.20 does not listen.
         try:

@@ -5,7 +5,7 @@ from pathlib import Path
 from ..core.criteria import load_profile
 from ..core.errors import ThinPartError
 from ..freecad_adapter.settings import preference
-from .active_record import active_record
+from .active_record import active_record, not_classified
 from .flow_layout import FlowLayout
 from .found_table import FILE, SCORE, FoundTable
 from .found_view import FoundView
@@ -86,12 +86,17 @@ class FindDock(QtWidgets.QDockWidget):
     def find_like_active(self):
         """Find the parts that are most like the one that is active in the window."""
         try:
-            record, info_file = active_record()
+            active = active_record()
         except ThinPartError as error:
             self._tell(translated(error))
             return
-        if record is not None:
-            self._find_like(record["label"], record, info_file)
+        if active is None:
+            return
+        if active.info_file is None:
+            self._find_like(active.label, active.shown, None)
+        else:
+            self._active_when_there = active
+            self._search.want_record(active)
 
     def end(self):
         """Stop everything that goes on, without losing what was written."""
@@ -228,6 +233,7 @@ class FindDock(QtWidgets.QDockWidget):
         self._search.want_record(part)
 
     _like_when_there = None
+    _active_when_there = None
 
     def _find_like(self, name, record, info_file):
         self._wanted = {"name": name, "record": record, "like": {
@@ -282,7 +288,20 @@ class FindDock(QtWidgets.QDockWidget):
                 self._find_like(told["record"]["label"], told["record"], told["info_file"])
             else:
                 self._tell(translated(told["sentence"]))
+        active = self._active_when_there
+        if active is not None and key == (active.info_file, active.name):
+            self._active_when_there = None
+            self._take_active(active, told)
         self._details.show_record(told)
+
+    def _take_active(self, active, told):
+        self._tell("")
+        if "record" in told:
+            self._find_like(active.label, told["record"], active.info_file)
+        elif active.shown is not None:
+            self._find_like(active.label, active.shown, None)  # not stored
+        else:
+            self._tell(not_classified(active))
 
     def _take_kept(self, kept):
         self._details.kept.show_kept(kept)

@@ -9,7 +9,7 @@ _SHARE = 4.0
 """So many times the wall's thickness is seen."""
 
 _TILT = np.radians(50.0)
-"""Between the line of sight and the wall: its outer side is seen, and the line through it at three quarters."""
+"""Between the line of sight and the wall: its outer side is seen, and most of the line through it."""
 
 _MILLISECONDS = 300
 _flights = []

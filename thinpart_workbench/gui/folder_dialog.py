@@ -39,7 +39,8 @@ class FolderDialog(QtWidgets.QDialog):
         self._run.ended.connect(self._show_end)
         column = QtWidgets.QVBoxLayout(self)
         self._form = FolderForm(self)
-        self._form.show_settings(kept_settings())
+        self._kept = kept_settings()
+        self._form.show_settings(self._kept)
         column.addWidget(self._form)
         self._message = text_line(self, column, "ThinPart_FolderMessage")
         self._add_run_row(column)
@@ -66,6 +67,7 @@ class FolderDialog(QtWidgets.QDialog):
             self._tell(translated(error))
             return
         keep_settings(settings)
+        self._kept = kept_settings()
         self._form.show_settings(settings)
         self._settings = settings
         self._results.begin(settings, profile)
@@ -117,6 +119,13 @@ class FolderDialog(QtWidgets.QDialog):
             if answer == "stop" and self.is_running:
                 self.cancel()
         super().reject()
+
+    def showEvent(self, event):
+        """The preferences may have changed since it was shown last."""
+        super().showEvent(event)
+        before, self._kept = self._kept, kept_settings()
+        if before != self._kept and not self.is_running:
+            self._form.follow(before, self._kept)
 
     def closeEvent(self, event):
         """The window's own button asks as well; FreeCAD, which closes all windows as it ends, not."""

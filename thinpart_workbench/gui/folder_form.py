@@ -1,8 +1,9 @@
 """The widgets in which a folder, and how it is classified, is chosen."""
 
-import os
+from dataclasses import replace
 
 from .flow_layout import FlowLayout
+from .folder_field import absolute
 from .folder_settings import FORMATS, FolderSettings, folder_history
 from .profile_box import ProfileBox
 from .qt import QtCore, QtWidgets, translate
@@ -36,21 +37,35 @@ class FolderForm(QtWidgets.QWidget):
         self._include.setText(settings.include)
         self._exclude.setText(settings.exclude)
         (self._beside if settings.beside else self._in_folder).setChecked(True)
+        self._show_preferred(settings.preferred_folder)
         self._info_folder.setText(settings.info_folder)
         self._profile.choose(settings.profile)
         self._jobs.setValue(settings.jobs)
         self._seconds.setValue(settings.seconds)
         self._force.setChecked(settings.force)
 
+    def follow(self, before, now):
+        """Take over what has changed in the preferences, where the user has chosen nothing else here.
+
+        Parameters
+        ----------
+        before, now : FolderSettings
+            As the preferences were and are.
+        """
+        chosen = self.settings()
+        changes = {name: getattr(now, name) for name in ("profile", "jobs", "seconds")
+                   if getattr(chosen, name) == getattr(before, name)}
+        self.show_settings(replace(chosen, preferred_folder=now.preferred_folder, **changes))
+
     def settings(self):
         """FolderSettings as they are chosen; nothing is checked yet."""
         return FolderSettings(
-            folder=_absolute(self._folder.currentText()),
+            folder=absolute(self._folder.currentText()),
             formats=tuple(name for name, box in self._formats.items() if box.isChecked()),
             include=self._include.text().strip(), exclude=self._exclude.text().strip(),
-            beside=self._beside.isChecked(), info_folder=_absolute(self._info_folder.text()),
-            profile=self._profile.currentData(), jobs=self._jobs.value(),
-            seconds=self._seconds.value(), force=self._force.isChecked(),
+            beside=self._beside.isChecked(), preferred_folder=self._preferred,
+            info_folder=absolute(self._info_folder.text()), profile=self._profile.currentData(),
+            jobs=self._jobs.value(), seconds=self._seconds.value(), force=self._force.isChecked(),
         )
 
     def _add_folder(self):
@@ -94,8 +109,7 @@ class FolderForm(QtWidgets.QWidget):
         place = QtWidgets.QWidget(self)
         row = QtWidgets.QHBoxLayout(place)
         row.setContentsMargins(0, 0, 0, 0)
-        self._beside = self._named(QtWidgets.QRadioButton(
-            translate("ThinPart", "&beside each document"), place), "InfoBeside")
+        self._beside = self._named(QtWidgets.QRadioButton(place), "InfoBeside")
         self._in_folder = self._named(QtWidgets.QRadioButton(
             translate("ThinPart", "&in the folder"), place), "InfoInFolder")
         self._info_folder = self._named(QtWidgets.QLineEdit(place), "InfoFolder")
@@ -110,6 +124,12 @@ class FolderForm(QtWidgets.QWidget):
             each.setEnabled(False)
             self._in_folder.toggled.connect(each.setEnabled)
         self._row(3, translate("ThinPart", "Info files"), place, choose)
+
+    def _show_preferred(self, folder):
+        self._preferred = folder
+        self._beside.setToolTip(folder)
+        self._beside.setText(translate("ThinPart", "in the pre&ferred folder") if folder
+                             else translate("ThinPart", "&beside each document"))
 
     def _add_profile(self):
         self._profile = self._named(ProfileBox(self), "Profile")
@@ -155,7 +175,3 @@ class FolderForm(QtWidgets.QWidget):
             self, translate("ThinPart", "Choose a folder"), now)
         if folder:
             take(folder)
-
-
-def _absolute(text):
-    return os.path.abspath(os.path.expanduser(text.strip())) if text.strip() else ""

@@ -1,4 +1,4 @@
-"""A folder that is being classified: the command line at work in another process."""
+"""Files that are being measured: the command line at work in another process."""
 
 import json
 import os
@@ -38,7 +38,12 @@ _PROGRAM = "thinpart: "
 
 
 class FolderRun(QtCore.QObject):
-    """Runs ``classify`` for a folder and turns what it prints into rows.
+    """Runs a command for files and turns what it prints into rows.
+
+    Parameters
+    ----------
+    command : str
+        ``classify``, or another one that tells the same.
 
     Signals
     -------
@@ -57,8 +62,9 @@ class FolderRun(QtCore.QObject):
     state_changed = Signal(str)
     ended = Signal(object)
 
-    def __init__(self, parent=None):
+    def __init__(self, parent=None, command="classify"):
         super().__init__(parent)
+        self._command = command
         self._process = None
         self._slice = QtCore.QTimer(self, singleShot=True)
         self._slice.timeout.connect(self._take_slice)
@@ -75,7 +81,7 @@ class FolderRun(QtCore.QObject):
 
         Parameters
         ----------
-        settings : FolderSettings
+        settings : FolderSettings or ReportSettings
         only : iterable of str, optional
             Absolute paths; nothing else in the folder is classified.
 
@@ -87,7 +93,7 @@ class FolderRun(QtCore.QObject):
         program = python_program()
         self._folder = settings.folder
         self._stack = ExitStack()
-        arguments = ["-m", "thinpart_workbench", "classify", "--json", "--control",
+        arguments = ["-m", "thinpart_workbench", self._command, "--json", "--control",
                      *settings.arguments()]
         try:
             if only:

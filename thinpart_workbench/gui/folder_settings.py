@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from ..core.criteria import load_profile
 from ..core.errors import ThinPartError
 from ..freecad_adapter.settings import preference, preference_list, set_preference, set_preference_list
+from ..storage.info_file import info_path
+from ..workflow.info_location import info_location
 from .qt import translate
 
 FORMATS = {
@@ -33,7 +35,9 @@ class FolderSettings:
     include, exclude : str
         Patterns of names, separated by semicolons; empty stands for all and for none.
     beside : bool
-        Whether info files go beside their documents, and not into `info_folder`.
+        Whether info files go where those of all documents go, and not into `info_folder`.
+    preferred_folder : str
+        Where those of all documents go; empty for beside each document.
     info_folder : str
     profile : str
         A shipped profile's name, or a file.
@@ -50,6 +54,7 @@ class FolderSettings:
     include: str = ""
     exclude: str = ""
     beside: bool = True
+    preferred_folder: str = ""
     info_folder: str = ""
     profile: str = "paper"
     jobs: int = 0
@@ -77,7 +82,9 @@ class FolderSettings:
             raise _refused(translate("ThinPart", "Choose at least one format."))
         if not self.beside and not self.info_folder:
             raise _refused(translate("ThinPart", "Choose the folder for the info files."))
-        if not _can_write(self.folder if self.beside else self.info_folder):
+        # The preferred folder may be on another computer: the process that uses it looks at it.
+        if not (self.beside and self.preferred_folder) and not _can_write(
+                self.folder if self.beside else self.info_folder):
             raise _refused(translate(
                 "ThinPart", "Info files cannot be written in {}: choose another folder for them."
             ).format(self.folder if self.beside else self.info_folder))
@@ -88,16 +95,26 @@ class FolderSettings:
         unwanted = [ending for name, endings in FORMATS.items() if name not in self.formats
                     for ending in endings]
         arguments = [self.folder, "--profile", self.profile, "--timeout", str(self.seconds),
-                     "--memory", str(preference("MemoryMegabytes"))]
+                     "--memory", str(preference("MemoryMegabytes")),
+                     "--linear-deflection", str(preference("LinearDeflection")),
+                     "--angular-deflection", str(preference("AngularDeflection"))]
         # With '=': a pattern may start with a dash.
         arguments += [f"--include={each}" for each in _patterns(self.include)]
         arguments += [f"--exclude={each}" for each in _patterns(self.exclude)]
         arguments += [f"--exclude=*{ending}" for ending in unwanted]
         if not self.beside:
             arguments += ["--info-dir", self.info_folder]
+        elif self.preferred_folder:
+            arguments += ["--info-dir", self.preferred_folder, "--info-tree", os.sep]
         if self.jobs:
             arguments += ["--jobs", str(self.jobs)]
         return arguments + (["--force"] if self.force else [])
+
+    def info_file(self, document):
+        """Path of the info file of a document of the folder."""
+        if self.beside:
+            return info_location(document, self.preferred_folder)
+        return info_path(document, self.info_folder, self.folder)
 
 
 def _patterns(text):
@@ -125,9 +142,11 @@ def kept_settings():
         folder=(folder_history() or [""])[0],
         formats=tuple(name for name in FORMATS if name in formats),
         include=preference("FolderInclude"), exclude=preference("FolderExclude"),
-        beside=not preference("FolderUsesInfoFolder"), info_folder=preference("FolderInfoFolder"),
+        beside=not preference("FolderUsesInfoFolder"), preferred_folder=preference("InfoFolder"),
+        info_folder=preference("FolderInfoFolder"),
         profile=preference("FolderProfile") or preference("Profile"),
-        jobs=preference("FolderJobs"), seconds=preference("FolderSeconds"),
+        jobs=preference("Jobs") if preference("FolderJobs") < 0 else preference("FolderJobs"),
+        seconds=preference("FolderSeconds") or preference("Seconds"),
     )
 
 
@@ -141,10 +160,9 @@ def keep_settings(settings):
     set_preference("FolderUsesInfoFolder", int(not settings.beside))
     set_preference("FolderInfoFolder", settings.info_folder)
     # What is the same as everywhere else follows when that is changed.
-    same = settings.profile == preference("Profile")
-    set_preference("FolderProfile", "" if same else settings.profile)
-    set_preference("FolderJobs", settings.jobs)
-    set_preference("FolderSeconds", settings.seconds)
+    for name, value, same in (("Profile", settings.profile, ""), ("Jobs", settings.jobs, -1),
+                              ("Seconds", settings.seconds, 0)):
+        set_preference(f"Folder{name}", same if value == preference(name) else value)
 
 
 def folder_history():

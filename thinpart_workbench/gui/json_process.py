@@ -77,20 +77,27 @@ class JsonProcess(QtCore.QObject):
         for signal in (process.readyReadStandardOutput, process.readyReadStandardError,
                        process.finished, process.errorOccurred):
             signal.disconnect()
-        # It may outlive whoever has started it.
+        # It may outlive whoever has started it, though not FreeCAD.
+        quitting = QtWidgets.QApplication.instance().aboutToQuit
         process.setParent(QtWidgets.QApplication.instance())
-        process.finished.connect(process.deleteLater)
+
+        def wait():
+            _wait_for(process)
+
+        def forget(*_):
+            quitting.disconnect(wait)
+            process.deleteLater()
+
+        quitting.connect(wait)
+        process.finished.connect(forget)
         process.closeWriteChannel()
 
     def end_now(self):
         """End it and wait for that, since FreeCAD itself ends."""
         process = self._clear()
         if process is not None:
-            process.blockSignals(True)
             process.closeWriteChannel()
-            if not process.waitForFinished(_PATIENCE):
-                process.kill()
-                process.waitForFinished(_PATIENCE)
+            _wait_for(process)
 
     def _take_slice(self):
         end = time.monotonic() + SLICE_SECONDS
@@ -133,6 +140,13 @@ class JsonProcess(QtCore.QObject):
         if process is not None:
             QtWidgets.QApplication.instance().aboutToQuit.disconnect(self.end_now)
         return process
+
+
+def _wait_for(process):
+    process.blockSignals(True)
+    if not process.waitForFinished(_PATIENCE):
+        process.kill()
+        process.waitForFinished(_PATIENCE)
 
 
 def started(process):

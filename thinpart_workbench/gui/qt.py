@@ -23,6 +23,17 @@ def translate(context, text):
     return QtCore.QCoreApplication.translate(context, text)
 
 
+def translated_mark(text):
+    """As `translate`, of a text that is marked for translation where it is declared.
+
+    Parameters
+    ----------
+    text : str
+        From `PREFERENCES`.
+    """
+    return QtCore.QCoreApplication.translate("ThinPart", text) if text else ""
+
+
 def execute(dialog):
     """Show a dialog until the user answers it, under the name that this Qt has for that."""
     return (getattr(dialog, "exec", None) or dialog.exec_)()

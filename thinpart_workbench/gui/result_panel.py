@@ -3,9 +3,9 @@
 import os
 
 from ..core.errors import ThinPartError
-from ..storage.info_file import info_path
 from .open_part import DANGEROUS, ask_to_dare, open_part
 from .path_delegate import PathDelegate
+from .path_question import ask_about_path
 from .qt import QtCore, QtGui, QtWidgets, Signal, execute, translate
 from .result_filter import ResultFilter
 from .result_table import CATEGORY, FILE, PART, ResultTable
@@ -120,9 +120,11 @@ class ResultPanel(QtWidgets.QWidget):
         row = self._current_row()
         if row is None:
             return
-        info_folder = None if self._settings.beside else self._settings.info_folder
-        path = info_path(self._path(row), info_folder, self._settings.folder)
-        if not path.is_file():
+        path = self._settings.info_file(self._path(row))
+        ask_about_path(path.is_file, lambda there: self._show_place(row, path, there), self)
+
+    def _show_place(self, row, path, there):
+        if not there:
             self.failed.emit(translate("ThinPart", "{} has no info file.").format(row.file))
         elif QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(os.fspath(path.parent))):
             self.told.emit("")

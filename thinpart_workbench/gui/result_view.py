@@ -6,7 +6,7 @@ from .qt import QtCore, QtWidgets, colour, translate
 from .sentences import translated
 from .thin_faces import legend
 from .verdict_text import (
-    category_colour, category_title, how_sure, number, percent, why,
+    bound_text, category_colour, category_title, how_sure, number, percent, why,
 )
 
 
@@ -25,6 +25,7 @@ class ResultView(QtWidgets.QWidget):
         self._legend.setObjectName("ThinPart_Legend")
         column.addWidget(self._legend)
         self._fill_legend()
+        self._own_limit = text_line(self, column, "ThinPart_OwnLimit")
         self._box = text_line(self, column, "ThinPart_Box")
         self._walls = text_line(self, column, "ThinPart_Walls")
         self._chart = DistributionChart(self)
@@ -63,9 +64,19 @@ class ResultView(QtWidgets.QWidget):
         self._table.show_evidence(record["evidence"])
         show_text(self._warnings, "\n".join("\u26a0 " + translated(each) for each in record["warnings"]))
 
-    def show_legend(self, shown):
-        """Say what the colours on the part mean, where it has some."""
+    def show_legend(self, shown, own_limit=None):
+        """Say what the colours on the part mean, where it has some.
+
+        Parameters
+        ----------
+        shown : bool
+        own_limit : float, optional, mm
+            Where walls are shown as thin under another limit than the verdict's.
+        """
         self._legend.setVisible(shown)
+        show_text(self._own_limit, "" if own_limit is None else translate(
+            "ThinPart", "Shown as thin: under {}\u00a0mm, as the preferences say. The verdict does not "
+            "depend on it.").format(number(own_limit)))
 
     def _add_headline(self, column):
         row = QtWidgets.QHBoxLayout()
@@ -149,8 +160,4 @@ def _walls(thickness):
         "ThinPart", "Walls: thinnest {}\u00a0mm, median {}\u00a0mm, greatest {}\u00a0mm "
         "(\u00b1\u00a0{}\u00a0mm)"
     ).format(number(thickness["min"]), number(thickness["median"]), number(thickness["max"]),
-             _bound(thickness["error_bound"]))
-
-
-def _bound(millimetres):
-    return f"{millimetres:.2g}" if millimetres >= 0.001 else "<\u00a00.001"
+             bound_text(thickness["error_bound"]))

@@ -4,6 +4,8 @@ from pathlib import Path
 
 import FreeCADGui as Gui
 
+from .measuring_progress import MeasuringProgress
+from .part_list import PartList
 from .qt import QtCore, QtGui, QtWidgets, Signal, number_of, translate
 from .result_view import ResultView, show_text, text_line
 
@@ -32,7 +34,11 @@ class PanelForm(QtWidgets.QWidget):
         # The task view has margins of its own, and not much room.
         column.setContentsMargins(6, 6, 6, 6)
         self.message = text_line(self, column, "ThinPart_Message")
-        self._add_progress(column)
+        self._progress = MeasuringProgress(self)
+        self._progress.cancelled.connect(self.cancelled)
+        column.addWidget(self._progress)
+        self.parts = PartList(self)
+        column.addWidget(self.parts)
         self.result = ResultView(self)
         column.addWidget(self.result)
         self.info_text = text_line(self, column, "ThinPart_InfoText")
@@ -49,25 +55,31 @@ class PanelForm(QtWidgets.QWidget):
         """Show one sentence and nothing else."""
         show_text(self.message, sentence)
         self._progress.hide()
+        self.parts.hide()
         self.result.hide()
         self.show_info("")
 
     def show_running(self, label):
         """Show that a part is being measured."""
         self.show_message("")
-        self._progress.show()
-        self.show_progress(0.0, translate("ThinPart", "Starting to measure {}").format(label))
+        self._progress.begin(label)
 
     def show_progress(self, fraction, stage):
         """How much is done, and what is being done."""
-        self._bar.setValue(round(1000 * fraction))
-        self._stage.setText(stage)
+        self._progress.show_progress(fraction, stage)
 
     def show_result(self, record, profile):
         """Show a part record; progress stays while other parts are being measured."""
         show_text(self.message, "")
         self.result.show_record(record, profile)
         self.result.show()
+
+    def show_part(self, record, profile, failure):
+        """Show the record of a part, or why there is none; whatever else is going on goes on."""
+        show_text(self.message, failure)
+        self.result.setVisible(record is not None)
+        if record is not None:
+            self.result.show_record(record, profile)
 
     def show_ended(self, sentence=""):
         """Measuring is over; a sentence where it ended otherwise than it should."""
@@ -81,21 +93,6 @@ class PanelForm(QtWidgets.QWidget):
         self.save_button.setVisible(can_save)
         self.again_button.setVisible(can_repeat)
 
-    def _add_progress(self, column):
-        self._progress = QtWidgets.QWidget(self)
-        self._progress.setObjectName("ThinPart_Progress")
-        rows = QtWidgets.QVBoxLayout(self._progress)
-        rows.setContentsMargins(0, 0, 0, 0)
-        self._stage = text_line(self._progress, rows, "ThinPart_Stage")
-        row = QtWidgets.QHBoxLayout()
-        self._bar = QtWidgets.QProgressBar(self._progress)
-        self._bar.setObjectName("ThinPart_ProgressBar")
-        self._bar.setRange(0, 1000)
-        row.addWidget(self._bar, 1)
-        rows.addLayout(row)
-        self._button(row, "ThinPart_CancelButton", translate("ThinPart", "Cancel"), self.cancelled)
-        column.addWidget(self._progress)
-
     def _button(self, layout, name, text, signal):
         button = QtWidgets.QPushButton(text, self)
         button.setObjectName(name)
@@ -106,6 +103,11 @@ class PanelForm(QtWidgets.QWidget):
 
 class TaskPanel(QtCore.QObject):
     """What FreeCAD's task view wants to hold.
+
+    Parameters
+    ----------
+    form : QWidget or list of QWidget
+        A box of the task view each.
 
     Signals
     -------
@@ -119,9 +121,9 @@ class TaskPanel(QtCore.QObject):
 
     closed = Signal()
 
-    def __init__(self):
+    def __init__(self, form):
         super().__init__()
-        self.form = PanelForm()
+        self.form = form
         self._is_open = False
 
     @property
@@ -139,7 +141,8 @@ class TaskPanel(QtCore.QObject):
         """
         Gui.Control.showDialog(self)
         self._is_open = True
-        self.form.destroyed.connect(self._gone)
+        first = self.form[0] if isinstance(self.form, list) else self.form
+        first.destroyed.connect(self._gone)
 
     def hide(self):
         """Take the panel away."""

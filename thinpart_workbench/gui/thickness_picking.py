@@ -62,8 +62,8 @@ class ThicknessPicker(QtCore.QObject):
     Signals
     -------
     hovered(object)
-        None, or a dict: ``part`` and ``face`` (numbers from 0), ``place``, ``thickness`` (mm, None where nothing
-        was measured), ``point`` and ``opposite`` (ndarray of shape (3,), mm, in the document).
+        None, or a dict: ``part`` and ``face`` (numbers from 0), ``place``, ``thickness`` (mm, None where
+        nothing was measured), ``point`` and ``opposite`` (ndarray of shape (3,), mm, in the document).
     probed()
         A probe was pinned.
     """
@@ -232,7 +232,8 @@ def _label(widget):
     label = QtWidgets.QLabel(widget)
     label.setObjectName("ThinPart_Hover")
     label.setAttribute(QtCore.Qt.WA_TransparentForMouseEvents)
-    label.setStyleSheet("background: white; color: #1a1a1a; border: 1px solid #808080; padding: 2px 5px;")
+    label.setStyleSheet(
+        "QLabel { background: white; color: #1a1a1a; border: 1px solid #808080; padding: 2px 5px; }")
     label.hide()
     return label
 

@@ -13,10 +13,12 @@ from .colour_bar import BarContent
 from .map_nodes import MapNodes
 from .measure_requests import ask_for_measuring
 from .probe_nodes import ProbeNodes
+from .sentences import translated
 from .thickness_colours import ThicknessColours
 from .thickness_watch import look_soon
 
 _ICONS = Path(__file__).resolve().parents[2] / "resources" / "icons"
+QT_TRANSLATE_NOOP = App.Qt.QT_TRANSLATE_NOOP
 MODES = ("Facets and edges", "Facets", "Edges")
 _COLOURING = ("RangeUnit", "Low", "High", "ColourMap", "Reversed", "Bands", "UnmeasuredColour", "Threshold",
               "ThinOnly", "Stale", "Diagonal")
@@ -34,7 +36,7 @@ class ThicknessView:
         self._start()
         if "Transparency" not in view.PropertiesList:
             view.addProperty("App::PropertyPercent", "Transparency", "Display Options",
-                             "Of the facets, in percent")
+                             QT_TRANSLATE_NOOP("App::Property", "Of the facets, in percent"))
         # Painting over the facets, as FreeCAD does with what is selected, would show another thickness.
         view.SelectionStyle = "BoundBox"
         view.Proxy = self
@@ -127,7 +129,7 @@ class ThicknessView:
             except ThinPartError as error:
                 self._nodes.show([])
                 self._shown, self._failed = None, version
-                App.Console.PrintError(f"{thickness.Label}: {error}\n")
+                App.Console.PrintError(f"{thickness.Label}: {translated(error)}\n")
             self._colour()
         self._probes.show(probes_of(thickness))
         self.move()
@@ -139,10 +141,10 @@ class ThicknessView:
             self._nodes.move(matrix)
             self._probes.move(matrix)
 
-    def highlight(self, low, high=None):
-        """Grey what lies not over walls from `low` to `high` mm; None ends that."""
+    def highlight(self, low, high=None, faces=None):
+        """Grey what lies not over walls from `low` to `high` mm, or not on `faces`; None ends that."""
         self._between = None if low is None else (low, high)
-        self._faces = None
+        self._faces = faces
         self._colour()
 
     def highlight_faces(self, faces):
@@ -163,6 +165,13 @@ class ThicknessView:
         thickness = self._view.Object
         return BarContent(self.colours, unit_in_mm(thickness), thickness.Thinnest, thickness.Thickest,
                           thickness.Threshold, self._has_unmeasured)
+
+    def doubleClicked(self, view):
+        """In the tree: open the panel."""
+        from .show_thickness import show_thickness_map
+
+        show_thickness_map(view.Object)
+        return True
 
     def ask_for_measuring(self):
         """The object was recomputed although it is out of date."""

@@ -1,6 +1,8 @@
 """A part's verdict in words."""
 
 from ..core.categories import NORMAL, UNKNOWN
+from ..core.number_text import bound_text, number, percent  # noqa: F401 - the panels take them from here
+from ..core.verdict_reasons import deciding_criteria, nearest_other
 from .qt import translate
 from .sentences import translated
 
@@ -36,6 +38,17 @@ def category_words(category, title):
     return known.get(category) or translated(title)
 
 
+def category_word(category, profile):
+    """A category in a word or two, for narrow tables; see `category_title`."""
+    known = {
+        "thin": translate("ThinPart", "thin"),
+        "thin_features": translate("ThinPart", "thin features"),
+        NORMAL: translate("ThinPart", "normal"),
+        UNKNOWN: translate("ThinPart", "not known"),
+    }
+    return known.get(category) or category_title(category, profile)
+
+
 def category_colour(category):
     """Red, green and blue of a category's swatch."""
     return _UNKNOWN_COLOUR if category == UNKNOWN else _COLOURS.get(category, _OTHER_COLOUR)
@@ -45,8 +58,7 @@ def why(record):
     """One sentence: what decided."""
     if record["category"] == UNKNOWN:
         return translated(record["reason"])
-    deciding = [row for row in record["evidence"]
-                if row["holds"] and row["category"] == record["category"]]
+    deciding = deciding_criteria(record)
     if not deciding:
         return translate("ThinPart", "No criterion holds: its walls are thick all over.")
     named = "; ".join(translate("ThinPart", "{}, {}").format(
@@ -73,46 +85,9 @@ def how_sure(record, profile):
     return translate("ThinPart", "Borderline, close to '{}': margin {}").format(other, margin)
 
 
-def nearest_other(record):
-    """The category that the part would get if the quantity nearest its threshold passed it."""
-    rows, own = record["evidence"], record["category"]
-    deciding = [row["margin"] for row in rows if row["holds"] and row["category"] == own]
-    before = rows
-    if deciding:
-        first = next(index for index, row in enumerate(rows) if row["category"] == own)
-        before = rows[:first]
-    nearly = [row for row in before if row["holds"] is False and row["margin"] is not None]
-    nearest = max(nearly, key=lambda row: row["margin"], default=None)
-    if nearest is not None and (not deciding or -nearest["margin"] <= max(deciding)):
-        return nearest["category"]
-    later = rows[len(before):]
-    return next((row["category"] for row in later if row["holds"] and row["category"] != own),
-                NORMAL)
-
-
 def holds_text(holds):
     """A symbol and a word for whether something holds."""
     if holds is None:
         return "? " + translate("ThinPart", "unknown")
     return "\u2713 " + translate("ThinPart", "yes") if holds else "\u2717 " + translate(
         "ThinPart", "no")
-
-
-def percent(share):
-    """A share as people read it; empty for None, and 0 below a twentieth of a percent."""
-    if share is None:
-        return ""
-    value = 100.0 * share
-    if abs(value) >= 1000.0:
-        return ">999\u00a0%" if value > 0 else "<\u2212999\u00a0%"
-    # Sums of shares may end a rounding below 0.
-    value = 0.0 if abs(value) < 0.05 else value
-    digits = 0 if abs(value) >= 9.95 or value == 0.0 else 1
-    return f"{value:.{digits}f}\u00a0%".replace("-", "\u2212")
-
-
-def number(value):
-    """A quantity with three significant digits, never in powers of ten unless it is tiny."""
-    if value is None:
-        return "\u2013"
-    return f"{value:.0f}" if abs(value) >= 1000.0 else f"{value:.3g}"

@@ -11,6 +11,11 @@ MENU_TEXT = "ThinPart"
 TOOL_TIP = translate("ThinPart", "Tells before meshing whether a part is thin, and where")
 
 
+def add_icons():
+    """Make the icons known; called once, when FreeCAD starts."""
+    Gui.addIconPath(ICONS)
+
+
 def initialize(workbench):
     """Add commands, tool bar and menu.
 
@@ -20,7 +25,6 @@ def initialize(workbench):
     """
     from .commands import add_commands
 
-    Gui.addIconPath(ICONS)
     names = add_commands()
     workbench.appendToolbar("ThinPart", names)
     workbench.appendMenu("&ThinPart", names)

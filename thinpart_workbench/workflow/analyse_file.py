@@ -11,6 +11,7 @@ from ..freecad_adapter.linked_files import linked_files
 from ..storage.info_file import (
     info_content, is_current, new_source, source_is_unchanged, stored_info, write_info,
 )
+from .report_pages import PageWriter, ReportPages
 
 
 @dataclass(frozen=True)
@@ -37,6 +38,7 @@ class FileTask:
     profile: dict = field(default_factory=lambda: load_profile("paper").content)
     force: bool = False
     thumbnails: bool = False
+    pages: ReportPages = None
 
 
 def analyse_file(task, report=None):
@@ -52,7 +54,8 @@ def analyse_file(task, report=None):
     -------
     dict
         ``file``, ``parts`` (part records), ``failures`` (``{"part", "label", "kind",
-        "message"}``), ``reused`` (bool), ``seconds``. Without any part nothing is kept.
+        "message"}``), ``reused`` (bool), ``seconds``; with pages also ``faces``, lines for the table of faces
+        by part. Without any part nothing is kept.
 
     Raises
     ------
@@ -71,7 +74,8 @@ def analyse_file(task, report=None):
     source = new_source(task.file, linked_files(task.file), task.info_file)
     found = read_parts(task.file)
     read_seconds = time.perf_counter() - started
-    records, failures = _analyse_parts(found.parts, task, source["sha256"], read_seconds, report)
+    writer = task.pages and PageWriter(task.pages, source, task.settings.content(), task.profile)
+    records, failures = _analyse_parts(found.parts, task, source["sha256"], read_seconds, writer, report)
     failures += [broken.failure() for broken in found.broken]
     if not records and len(failures) == 1:
         raise ThinPartError(failures[0]["message"], failures[0]["kind"])
@@ -85,15 +89,13 @@ def analyse_file(task, report=None):
             write_info(task.info_file, content)
         except ThinPartError as error:
             failures = [*failures, _failure(None, None, error.kind, str(error))]
-    return _outcome(task, content["parts"], failures, False, started)
+    outcome = _outcome(task, content["parts"], failures, False, started)
+    return outcome if writer is None else {**outcome, "faces": writer.faces}
 
 
-def _analyse_parts(parts, task, sha256, read_seconds, report):
+def _analyse_parts(parts, task, sha256, read_seconds, writer, report):
     from .analyse_part import analyse_part
     from .part_thumbnail import keep_thumbnail
-
-    def show(measurement, record):
-        keep_thumbnail(measurement.field.mesh, record, sha256)
 
     profile = profile_from(task.profile)
     records, failures = [], []
@@ -101,9 +103,14 @@ def _analyse_parts(parts, task, sha256, read_seconds, report):
         def part_report(stage, fraction, number=number):
             report(stage, (number + fraction) / len(parts))
 
+        def show(measurement, record, part=part):
+            if task.thumbnails:
+                keep_thumbnail(measurement.field.mesh, record, sha256)
+            if writer is not None:
+                writer.write(part, measurement, record)
+
         try:
-            record = analyse_part(part, task.settings, profile, report and part_report,
-                                  show if task.thumbnails else None)
+            record = analyse_part(part, task.settings, profile, report and part_report, show)
         except ThinPartError as error:
             if error.kind == "cancelled":
                 raise

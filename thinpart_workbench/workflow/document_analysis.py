@@ -2,8 +2,8 @@
 
 from ..core.criteria import profile_from
 from ..core.errors import ThinPartError
-from ..freecad_adapter.linked_files import linked_files
-from ..storage.info_file import info_content, info_path, new_source, write_info
+from ..core.thin_faces import with_limit
+from .info_file_worker import file_stamp
 
 _MEASURED = 0.8
 """Share of the work on a part that is done before its map is made."""
@@ -23,16 +23,20 @@ class DocumentAnalysis:
         Content of a profile.
     broken : list of BrokenPart, optional
         What is no part although it should be one: it is told in the info file.
+    thin_limit : dict, optional
+        See `preferred_thin_limit`.
 
     Attributes
     ----------
     records, failures : dict
         By the name of the part.
+    shown : dict
+        The records as they are to be shown: with the user's own limit for what is thin, if there is one.
     maps : bool
         Whether thickness maps are wanted as well.
     """
 
-    def __init__(self, parts, chosen, settings, profile, broken=(), maps=False):
+    def __init__(self, parts, chosen, settings, profile, broken=(), thin_limit=None, maps=False):
         self.parts = parts
         self.chosen = chosen
         self.broken = broken
@@ -40,7 +44,9 @@ class DocumentAnalysis:
         self.maps = maps
         self.profile_content = profile
         self.profile = profile_from(profile)
+        self.thin_limit = thin_limit
         self.records = {}
+        self.shown = {}
         self.failures = {}
 
     @property
@@ -62,7 +68,11 @@ class DocumentAnalysis:
             Key of what came: ``record``, ``failure``, ``map``, ``progress`` or ``done``.
         """
         if "record" in line:
-            self.records[line["record"]["name"]] = line["record"]
+            record = line["record"]
+            self.records[record["name"]] = self.shown[record["name"]] = record
+            if "thin_limit_mm" in line:
+                self.shown[record["name"]] = with_limit(
+                    record, line["thin_limit_mm"], line["thin_shares"])
         elif "failure" in line:
             self.failures[line["failure"]["part"]] = line["failure"]
         return next(iter(line))
@@ -81,33 +91,36 @@ class DocumentAnalysis:
         begin, end = {"measure": (0.0, measured), "map": (measured, 1.0)}.get(progress["stage"], (0.0, 0.0))
         return (turn + begin + (end - begin) * progress["fraction"]) / len(self.parts)
 
-    def write_info_file(self, document_file):
-        """Write the info file of the document as it is on disk.
+    def info_job(self, document, folder):
+        """The job of `info_file_worker` for the document as it is on disk.
 
         Parameters
         ----------
-        document_file : str
+        document : str
+            Its file.
+        folder : str
+            For info files; see `info_location`.
 
         Returns
         -------
-        Path
-            Of the info file.
+        dict
 
         Raises
         ------
         ThinPartError
-            kind ``info_write``, or as `new_source`.
+            kind ``info_write`` where there is nothing to write.
         """
         if not self.records:
             raise ThinPartError("Nothing was measured that could be written.", "info_write")
-        path = info_path(document_file)
+        try:
+            stamp = file_stamp(document)
+        except OSError:
+            raise ThinPartError(f"There is no file {document} any more.", "missing") from None
         names = [part.name for part in self.parts]
-        content = info_content(
-            new_source(document_file, linked_files(document_file)),
-            self.settings.content(), self.profile_content,
-            [self.records[name] for name in names if name in self.records],
-            [self.failures[name] for name in names if name in self.failures]
+        return {
+            "document": document, "folder": folder, "stamp": stamp,
+            "settings": self.settings.content(), "profile": self.profile_content,
+            "records": [self.records[name] for name in names if name in self.records],
+            "failures": [self.failures[name] for name in names if name in self.failures]
             + [each.failure() for each in self.broken],
-        )
-        write_info(path, content)
-        return path
+        }

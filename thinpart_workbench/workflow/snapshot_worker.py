@@ -1,9 +1,11 @@
 """The process that measures a snapshot: ``python -m thinpart_workbench.workflow.snapshot_worker``.
 
 It prints one JSON object per line: ``{"progress": {"part", "stage", "fraction"}}``,
-``{"record": ...}``, ``{"failure": {"part", "label", "kind", "message"}}`` and at last ``{"done": true}``. Where the
-job asks for maps, ``{"map": {"part", "file"}}`` comes after the record: see `map_file`. What made each face is
-read once standard input has ended, for until then it is still being written.
+``{"record": ...}``, ``{"failure": {"part", "label", "kind", "message"}}`` and at last ``{"done": true}``.
+Where walls are to be shown as thin under another limit than the verdict's, ``thin_limit_mm`` and
+``thin_shares`` of the faces come beside the record. Where the job asks for maps, ``{"map": {"part", "file"}}``
+comes after the record: see `map_file`. What made each face is read once standard input has ended, for until
+then it is still being written.
 Whoever started it stops it by killing it; it writes nothing but these lines and the maps.
 """
 
@@ -38,7 +40,7 @@ def main(arguments):
     profile = profile_from(job["profile"])
     for entry in job["parts"]:
         try:
-            _analyse(entry, read, settings, profile, job["maps"] and folder, say)
+            _analyse(entry, read, settings, profile, job, folder, say)
         except ThinPartError as error:
             say(failure=_failure(entry, error.kind, str(error)))
         except MemoryError:
@@ -52,24 +54,38 @@ def _failure(entry, kind, message):
     return {"part": entry["name"], "label": entry["label"], "kind": kind, "message": message}
 
 
-def _analyse(entry, read, settings, profile, maps_folder, say):
+def _analyse(entry, read, settings, profile, job, folder, say):
     from .analyse_part import analyse_part
+
+    measured = []
 
     def report(stage, fraction):
         say(progress={"part": entry["name"], "stage": stage, "fraction": round(fraction, 4)})
 
+    def show(measurement, _record):
+        measured.append(measurement)
+
     started = time.perf_counter()
     part = read(entry)
     seconds = time.perf_counter() - started
-    shown = []
-    record = analyse_part(part, settings, profile, report, lambda measurement, _: shown.append(measurement))
+    record = analyse_part(part, settings, profile, report, show)
     record["seconds"] = {
         key: round(value, 4) for key, value in {"read": seconds, **record["seconds"]}.items()
     }
-    say(record=record)
-    if maps_folder:
-        say(map={"part": part.name,
-                 "file": _write_map(part, shown[0], record, entry, maps_folder, report)})
+    say(record=record, **_thin_faces(measured[0].field, record, job["thin_limit"]))
+    if job["maps"]:
+        say(map={"part": part.name, "file": _write_map(part, measured[0], record, entry, folder, report)})
+
+
+def _thin_faces(field, record, thin_limit):
+    """What is said beside a record of faces that are shown as thin under a limit of the user's own."""
+    from ..core.face_thickness import thin_shares
+    from ..core.thin_faces import limit_in_millimetres
+
+    if thin_limit is None:
+        return {}
+    limit = limit_in_millimetres(thin_limit, record["descriptors"]["diagonal_mm"])
+    return {"thin_limit_mm": limit, "thin_shares": thin_shares(field, limit).tolist()}
 
 
 def _write_map(part, measurement, record, entry, folder, report):

@@ -1,0 +1,271 @@
+"""The panel of a thickness map: histogram, threshold, faces, probes, parts, with mouse and keys."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import Part
+import pytest
+import window_actions as window
+from window_actions import V
+
+from thinpart_workbench.core.map_summary import share_between
+from thinpart_workbench.freecad_adapter.thickness_object import thickness_objects
+from thinpart_workbench.gui.qt import QtCore, QtWidgets
+from thinpart_workbench.workflow.document_maps import parts_of
+from thinpart_workbench.workflow.thickness_probes import probes_of
+
+
+@pytest.fixture
+def ribbed(document):
+    """The map of a ribbed block, its panel open."""
+    window.add_ribbed_block(document)
+    window.show_thickness()
+    window.settle(300)  # until the boxes have their sizes
+    thickness, = thickness_objects(document)
+    return thickness
+
+
+def chart():
+    return window.widget("ThinPart_ThicknessChart")
+
+
+def bar_place(thickness):
+    """The middle of the bar that holds a thickness in mm."""
+    shown = chart()
+    plot, bar = shown.plot(), shown.bar_at(shown.x_of(thickness) + 0.5)
+    return QtCore.QPoint(int(plot.left() + plot.width() * (bar + 0.5) / shown.count), int(plot.bottom()) - 3)
+
+
+def selected_faces():
+    return {name for each in Gui.Selection.getSelectionEx() for name in each.SubElementNames}
+
+
+def rib_faces(feature):
+    return {f"Face{number + 1}" for number, face in enumerate(feature.Shape.Faces)
+            if abs(face.Area - 2000) < 1 and abs(face.normalAt(0, 0).y) > 0.99}
+
+
+def test_a_bar_selects_the_faces_with_those_walls_and_esc_clears(ribbed):
+    feature = ribbed.Document.getObject("Ribbed")
+    window.mouse_click(chart(), bar_place(6.0))
+    assert selected_faces() == rib_faces(feature)
+    low, high = chart().chosen
+    share = share_between(parts_of(ribbed), low, high)
+    assert low <= 6.0 < high and f"{100 * share:.0f}\u00a0% of the area, on 2 faces" in window.text(
+        "ThinPart_ChosenShare")
+    assert ribbed.ViewObject.Proxy.colours.between == (low, high)
+    window.key(chart(), QtCore.Qt.Key_Escape)
+    assert selected_faces() == set() and ribbed.ViewObject.Proxy.colours.between is None
+    assert Gui.Control.activeDialog()
+
+
+def test_dragging_over_bars_selects_all_their_faces_and_a_click_beside_clears(ribbed):
+    window.mouse_drag(chart(), [bar_place(1.0), bar_place(20.0), bar_place(41.0)])
+    low, high = chart().chosen
+    assert low <= 1.0 and high > 41.0
+    faces = set()
+    part, = parts_of(ribbed)
+    for face, thickness in zip(part.map.face, part.map.thickness):
+        if low <= thickness < high:
+            faces.add(f"Face{face + 1}")
+    assert selected_faces() == faces and len(faces) > 2
+    window.mouse_click(chart(), QtCore.QPoint(2, 2))
+    assert chart().chosen is None and selected_faces() == set()
+
+
+def test_arrows_choose_bars(ribbed):
+    window.key(chart(), QtCore.Qt.Key_Right)
+    window.key(chart(), QtCore.Qt.Key_Right)
+    window.key(chart(), QtCore.Qt.Key_Right, QtCore.Qt.ShiftModifier)
+    assert chart().bars == (1, 2)
+
+
+def test_dragging_the_threshold_recolours_at_once_and_measures_nothing(ribbed):
+    window.mouse_click(window.widget("ThinPart_ThinOnly"), QtCore.QPoint(8, 10))
+    window.settle(50)
+    assert ribbed.ThinOnly
+    shown = chart()
+    y = int(shown.plot().center().y())
+    start = QtCore.QPoint(round(shown.x_of(shown.threshold)), y)
+    aim = QtCore.QPoint(round(shown.x_of(50.0)), y)
+    names, seen = window.workers, []
+
+    class Watch:
+        def slotChangedObject(self, changed, name):
+            if name == "Threshold":
+                seen.append((changed.Threshold, names()))
+
+    watch = Watch()
+    App.addDocumentObserver(watch)
+    try:
+        steps = [start + (aim - start) * (step / 6.0) for step in range(7)]
+        window.mouse_drag(shown, steps)
+    finally:
+        App.removeDocumentObserver(watch)
+    assert len(seen) > 1 and not any(running for _, running in seen)
+    window.settle(300)
+    assert ribbed.Threshold == pytest.approx(50.0, rel=0.05)
+    share = share_between(parts_of(ribbed), 0.0, ribbed.Threshold)
+    assert f"{100 * share:.0f}\u00a0%" in window.text("ThinPart_ThinShare")
+    assert window.widget("ThinPart_Threshold").value() == pytest.approx(ribbed.Threshold, abs=1e-3)
+    table = window.widget("ThinPart_FaceTable")
+    assert max(row.summary.thin_share for row in table.rows) == pytest.approx(1.0, abs=1e-6)
+    colours = ribbed.ViewObject.Proxy.colours.of_values([49.0, 60.0])
+    assert (colours[1] == 205).all() and not (colours[0] == 205).all()
+
+
+def test_a_threshold_as_share_of_the_diagonal(ribbed):
+    field, unit = window.widget("ThinPart_Threshold"), window.widget("ThinPart_ThresholdUnit")
+    unit.setCurrentIndex(1)
+    field.setValue(0.1)
+    window.settle(50)
+    assert ribbed.Threshold == pytest.approx(0.1 * ribbed.Diagonal)
+
+
+def test_the_scale_changes_map_bars_and_can_be_undone(ribbed):
+    before = chart().colours.copy()
+    combo = window.widget("ThinPart_ColourMap")
+    combo.setCurrentIndex(combo.findData("magma"))
+    window.settle(50)
+    assert ribbed.ColourMap == "magma" and (chart().colours != before).any()
+    window.widget("ThinPart_AutomaticRange").click()
+    window.widget("ThinPart_High").setValue(20.0)
+    window.widget("ThinPart_Bands").setValue(4)
+    window.widget("ThinPart_Reversed").click()
+    window.settle(50)
+    assert (ribbed.AutomaticRange, ribbed.High, ribbed.Bands, ribbed.Reversed) == (False, 20.0, 4, True)
+    Gui.runCommand("Std_Undo")
+    window.settle(50)
+    assert not ribbed.Reversed and not window.widget("ThinPart_Reversed").isChecked()
+
+
+def test_the_table_of_faces_sorts_by_every_column_and_selects_both_ways(ribbed):
+    table = window.widget("ThinPart_FaceTable")
+    feature = ribbed.Document.getObject("Ribbed")
+    assert len(table.rows) == len(feature.Shape.Faces)
+    for column in range(table.model().columnCount()):
+        for order in (QtCore.Qt.DescendingOrder, QtCore.Qt.AscendingOrder):
+            table.sortByColumn(column, order)
+            keys = [table.model().columns[column].key(row) for row in table.rows]
+            keys = [key for key in keys if key is not None]
+            assert keys == sorted(keys, reverse=order == QtCore.Qt.DescendingOrder)
+    table.sortByColumn(1, QtCore.Qt.AscendingOrder)
+    assert {row.name for row in table.rows[:2]} == rib_faces(feature)
+    place = table.visualRect(table.model().index(0, 0)).center()
+    window.mouse_click(table.viewport(), place)
+    assert selected_faces() == {table.rows[0].name}
+    assert ribbed.ViewObject.Proxy.colours.faces == {0: {table.rows[0].summary.face}}
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(ribbed.Document.Name, "Ribbed", "Face3")
+    assert table.current_row.name == "Face3"
+    assert ribbed.ViewObject.Proxy.colours.faces == {0: {2}}
+
+
+def test_a_click_on_the_map_in_the_view_selects_the_row_of_its_face(ribbed):
+    feature, table = ribbed.Document.getObject("Ribbed"), window.widget("ThinPart_FaceTable")
+    top = max(range(len(feature.Shape.Faces)), key=lambda face: feature.Shape.Faces[face].CenterOfMass.z)
+    view = Gui.getDocument(ribbed.Document.Name).ActiveView
+    view.viewTop()
+    view.fitAll()
+    window.settle(300)
+    viewport = view.graphicsView().viewport()
+    window.mouse_drag(viewport, [viewport.rect().center()])
+    window.settle(100)
+    assert table.current_row is not None and table.current_row.summary.face == top
+
+
+def test_the_camera_flies_to_the_thinnest_wall(ribbed):
+    view = Gui.getDocument(ribbed.Document.Name).ActiveView
+    view.viewAxonometric()
+    view.fitAll()
+    window.settle(100)
+    height = view.getCameraNode().height.getValue()
+    window.click("ThinPart_FlyButton")
+    window.settle(900)
+    camera = view.getCameraNode()
+    focus = view.getCameraNode().position.getValue().getValue()
+    look = view.getViewDirection()
+    middle = V(*focus) + look * camera.focalDistance.getValue()
+    assert camera.height.getValue() < height and middle.y == pytest.approx(30.0, abs=0.2) and middle.z > 40.0
+
+
+def test_probes_are_pinned_listed_visited_and_removed(ribbed):
+    view = Gui.getDocument(ribbed.Document.Name).ActiveView
+    view.viewTop()
+    view.fitAll()
+    window.settle(300)
+    window.click("ThinPart_ProbeButton")
+    viewport = view.graphicsView().viewport()
+    middle = viewport.rect().center()
+    for count, place in enumerate((middle, middle + QtCore.QPoint(40, 0))):
+        window.mouse_drag(viewport, [place])
+        window.wait_until(lambda: len(probes_of(ribbed)) == count + 1, 5)
+    assert [round(probe.value) for probe in probes_of(ribbed)] == [60, 60]
+    table = window.widget("ThinPart_ProbeTable")
+    window.wait_until(lambda: len(table.rows) == 2, 5)
+    assert [row.number for row in table.rows] == [0, 1]
+    window.click("ThinPart_ProbeButton")
+    view.viewAxonometric()
+    window.settle(100)
+    view.fitAll()
+    window.settle(100)
+    before = view.getCameraNode().height.getValue()
+    table.activated.emit(table.model().index(1, 0))
+    window.settle(900)
+    assert view.getCameraNode().height.getValue() != pytest.approx(before, rel=0.01)
+    table.selectRow(0)
+    window.click("ThinPart_RemoveProbe")
+    window.wait_until(lambda: len(table.rows) == 1, 5)
+    assert len(probes_of(ribbed)) == 1
+    window.click("ThinPart_ClearProbes")
+    window.wait_until(lambda: not table.rows, 5)
+    assert probes_of(ribbed) == [] and not window.widget("ThinPart_ClearProbes").isEnabled()
+    Gui.runCommand("Std_Undo")
+    window.wait_until(lambda: len(table.rows) == 1, 5)
+
+
+def test_a_mesh_has_no_faces_to_select_and_is_shown_all_the_same(document):
+    import Mesh
+
+    document.addObject("Mesh::Feature", "Soup").Mesh = Mesh.createBox(40, 30, 4)
+    window.show_thickness()
+    window.mouse_click(chart(), bar_place(4.0))
+    assert selected_faces() == set() and "of the area" in window.text("ThinPart_ChosenShare")
+
+
+def test_every_field_is_reached_by_tab(ribbed):
+    wanted = {"ThinPart_FlyButton", "ThinPart_ThicknessChart", "ThinPart_Threshold", "ThinPart_ThinOnly",
+              "ThinPart_ColourMap", "ThinPart_Bands", "ThinPart_FaceTable", "ThinPart_ProbeButton",
+              "ThinPart_ProbeTable"}
+    begun = window.widget("ThinPart_FlyButton")
+    names, each = set(), begun
+    while True:
+        each = each.nextInFocusChain()
+        if each is begun:
+            break
+        if each.isVisible() and each.focusPolicy() & QtCore.Qt.TabFocus:
+            names.add(each.objectName())
+    assert wanted <= names | {"ThinPart_FlyButton"}
+
+
+@pytest.mark.parametrize("larger", [1.0, 1.5])
+def test_nothing_is_cut_off_at_300_pixels(ribbed, larger):
+    for name in ("ThinPart_ThicknessHead", "ThinPart_DistributionBox", "ThinPart_ScaleBox",
+                 "ThinPart_FaceBox", "ThinPart_ProbeBox"):
+        box = window.widget(name)
+        font = box.font()
+        font.setPointSizeF(font.pointSizeF() * larger)
+        box.setFont(font)
+        window.settle(20)
+        assert box.minimumSizeHint().width() <= 300 - 36, name
+        box.setParent(None)
+        box.resize(264, 600)
+        box.show()
+        window.settle(50)
+        for label in box.findChildren(QtWidgets.QLabel):
+            if label.isVisible() and label.wordWrap():
+                assert label.height() >= label.heightForWidth(label.width()) - 1, label.objectName()
+        for button in box.findChildren(QtWidgets.QAbstractButton):
+            if button.isVisible() and button.text():
+                assert button.width() >= button.minimumSizeHint().width(), button.text()
+        box.hide()
+        box.deleteLater()

@@ -1,0 +1,281 @@
+"""Reports: whole pages that need nothing but themselves, whatever a part or file is called."""
+
+import csv
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote_to_bytes
+
+import pytest
+
+from program import ROOT, SAMPLES, group_ended, thinpart
+from thinpart_workbench.core.criteria import load_profile
+
+VOID = {"meta", "link", "br", "img", "input", "hr", "image", "rect", "line", "circle", "stop"}
+HOSTILE = "<script>alert('1')</script> \"&amp; \x1b[31m \u202e"
+
+
+class Page(HTMLParser):
+    """A page that was read: every tag is closed, and what it refers to is known."""
+
+    def __init__(self, path):
+        super().__init__(convert_charrefs=True)
+        self.open, self.tags, self.references, self.words = [], [], [], []
+        self.path = path
+        self.feed(path.read_bytes().decode("utf-8"))
+        self.close()
+        assert self.open == [], path
+
+    def handle_starttag(self, tag, attributes):
+        self.tags.append((tag, dict(attributes)))
+        self.references += [value for name, value in attributes if name in ("href", "src", "action", "data")]
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attributes):
+        self.handle_starttag(tag, attributes)
+        if tag not in VOID:
+            self.open.pop()
+
+    def handle_endtag(self, tag):
+        if tag not in VOID:
+            assert self.open.pop() == tag, self.path
+
+    def handle_data(self, data):
+        if self.open and self.open[-1] not in ("style", "script"):
+            self.words.append(data)
+
+    @property
+    def text(self):
+        return " ".join(" ".join(self.words).split())
+
+    def count(self, tag):
+        return sum(each == tag for each, _ in self.tags)
+
+    def targets(self):
+        """Files beside the page that it refers to, by their bytes."""
+        for reference in self.references:
+            if not reference.startswith(("data:", "#")):
+                yield Path(os.fsdecode(os.path.join(
+                    os.fsencode(self.path.parent), unquote_to_bytes(reference))))
+
+
+def pages(folder):
+    """Every page of a report by its name, each checked on its own."""
+    found = {}
+    for path in folder.rglob("*.html"):
+        page = found[path.relative_to(folder).as_posix()] = Page(path)
+        assert page.count("h1") == 1
+        assert not [each for each in page.references if re.match(r"(?!data:)\w+:|//", each)], path
+        assert all(target.exists() for target in page.targets()), path
+        assert not re.search(rb"url\((?!#)|@import", path.read_bytes())
+        assert all(attributes.get("alt") is not None for tag, attributes in page.tags if tag == "img")
+        drawn = [attributes for tag, attributes in page.tags if tag == "svg"]
+        assert all(attributes["role"] == "img" and attributes["aria-label"] for attributes in drawn)
+        headings = [attributes for tag, attributes in page.tags if tag == "th"]
+        assert headings and all("scope" in attributes for attributes in headings)
+    return found
+
+
+def read_csv(path):
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+@pytest.fixture(scope="module")
+def report(tmp_path_factory):
+    """A report on a tree with good and bad files, and everything it says."""
+    top = tmp_path_factory.mktemp("report")
+    parts = top / "parts"
+    (parts / "inner").mkdir(parents=True)
+    shutil.copy(SAMPLES / "assembly_of_three.FCStd", parts / "inner")
+    shutil.copy(SAMPLES / "ribbed_block.FCStd", parts / "inner")
+    shutil.copy(SAMPLES / "tube.step", parts / "a b#?%.step")
+    (parts / "damaged.step").write_text("ISO-10303-21;\nthis is no STEP file\n")
+    before = {path: path.read_bytes() for path in parts.rglob("*") if path.is_file()}
+    run = thinpart("report", parts, "-o", top / "out")
+    assert before == {path: path.read_bytes() for path in parts.rglob("*") if path.is_file()}
+    return run, top / "out"
+
+
+def test_it_says_what_failed_and_where_the_report_is(report):
+    run, folder = report
+    assert run.returncode == 1 and "damaged.step" in run.stderr
+    assert run.stdout == f"{folder / 'index.html'}\n"
+
+
+def test_every_part_has_a_page_that_is_whole(report):
+    _, folder = report
+    found = pages(folder)
+    assert set(found) == {
+        "index.html", "pages/inner/assembly_of_three.FCStd~BaseBlock.html",
+        "pages/inner/assembly_of_three.FCStd~CoverPlate.html",
+        "pages/inner/assembly_of_three.FCStd~DowelPin.html",
+        "pages/inner/ribbed_block.FCStd~RibbedBlock.html", next(n for n in found if "~Solid1" in n)}
+    for name, page in found.items():
+        if name != "index.html":
+            assert page.count("script") == 0 and page.count("image") == 3
+            assert page.references.count("../index.html" if "inner" not in name else "../../index.html") == 1
+
+
+def test_the_overview_counts_and_lists(report):
+    _, folder = report
+    page = Page(folder / "index.html")
+    assert "Wall thickness of 5 parts" in page.text
+    assert re.search(r"2 thin 2 thin features 1 normal 1 failed", page.text)
+    rows = [attributes["data-category"] for tag, attributes in page.tags
+            if tag == "tr" and "data-category" in attributes]
+    assert sorted(rows) == ["normal", "thin", "thin", "thin_features", "thin_features"]
+    assert "damaged.step" in page.text and "[unreadable]" in page.text
+
+
+def test_the_page_of_a_part_says_what_was_measured(report):
+    _, folder = report
+    page = Page(folder / "pages/inner/ribbed_block.FCStd~RibbedBlock.html")
+    assert "Part with thin features" in page.text and "It meets criteri" in page.text
+    assert "Thinnest wall 6 mm" in page.text and "100 \u00d7 60 \u00d7 60 mm" in page.text
+    assert "ThinPart 0.1.0" in page.text and "changed 20" in page.text
+    faces = page.text.partition("Its faces")[2].partition("How it was measured")[0]
+    assert re.search(r"Face\d+ Rib [\d.]+ 6 6 100 % ", faces)
+    assert faces.index(" 6 6 ") < faces.index(" 60 60 ")
+
+
+def test_the_tables_have_a_row_for_everything(report):
+    _, folder = report
+    parts, faces = read_csv(folder / "parts.csv"), read_csv(folder / "faces.csv")
+    assert [row["file"] for row in parts] == [
+        "a b#?%.step", "damaged.step", *["inner/assembly_of_three.FCStd"] * 3, "inner/ribbed_block.FCStd"]
+    ribbed = [row for row in faces if row["part"] == "RibbedBlock"]
+    assert min(float(row["thinnest_mm"]) for row in ribbed) == pytest.approx(6.0)
+    assert {row["face"] for row in ribbed} == {f"Face{k + 1}" for k in range(len(ribbed))}
+    assert all(row["made_by"] for row in ribbed)
+    assert not any(row["made_by"] for row in faces if row["file"].endswith(".step"))
+
+
+def test_labels_and_names_are_shown_and_never_run(tmp_path, document):
+    folder = tmp_path / os.fsdecode(b"caf\xe9 <b>")
+    folder.mkdir()
+    made = document.addObject("Part::Box", "Box")
+    made.Label = HOSTILE.replace("\x1b[31m", "")  # FreeCAD's own file takes no control characters
+    made.Length, made.Width, made.Height = 100, 80, 2
+    document.recompute()
+    file = tmp_path / "x'><img src=y onerror=z>.FCStd"
+    document.saveAs(str(file))
+    shutil.copy(SAMPLES / "tube.step", folder / "\x1b[31m<script>.step")
+    run = thinpart("report", file, folder, "-o", tmp_path / "out")
+    assert run.returncode == 0, run.stderr
+    found = pages(tmp_path / "out")
+    assert len(found) == 3
+    for name, page in found.items():
+        assert page.count("script") == (1 if name == "index.html" else 0)
+        assert page.count("b") <= 3 and not [a for _, a in page.tags if any(k.startswith("on") for k in a)]
+        assert not re.search("[\x00-\x08\x1b\u202e]", page.path.read_text(encoding="utf-8"))
+    texts = " ".join(page.text for page in found.values())
+    for shown in ("<script>alert('1')</script> \"&amp;", r"\u202e", r"\x1b[31m<script>", r"caf\udce9 <b>"):
+        assert shown in texts
+
+
+def test_a_page_has_what_was_kept_with_its_part(tmp_path):
+    shutil.copy(SAMPLES / "plate.step", tmp_path / "plate.step")
+    assert thinpart("classify", tmp_path / "plate.step").returncode == 0
+    run = thinpart("note", tmp_path / "plate.step", "--set", "shell <i>mesh</i>",
+                   "--link", "javascript:alert(1)")
+    assert run.returncode == 0, run.stderr
+    assert thinpart("report", tmp_path / "plate.step", "-o", tmp_path / "out").returncode == 0
+    page, = [page for name, page in pages(tmp_path / "out").items() if name != "index.html"]
+    assert "shell <i>mesh</i>" in page.text and "javascript:alert(1)" in page.text
+
+
+def test_its_own_pages_are_replaced_and_are_the_same(tmp_path):
+    def written():
+        run = thinpart("report", SAMPLES / "tube.step", "-o", tmp_path / "out")
+        assert run.returncode == 0, run.stderr
+        return {path.name: path.read_bytes() for path in (tmp_path / "out").rglob("*") if path.is_file()}
+
+    first = written()
+    assert first == written() and len(first) == 6
+
+
+@pytest.mark.parametrize("wrong", ["file", "below a file", "something else", "unwritable"])
+def test_a_place_that_cannot_be_taken(tmp_path, wrong):
+    folder = tmp_path / "out"
+    if wrong == "something else":
+        folder.mkdir()
+        (folder / "thesis.txt").write_text("mine")
+    elif wrong == "unwritable":
+        folder = Path("/proc/thinpart")
+    else:
+        folder.write_text("mine")
+    target = folder / "report" if wrong == "below a file" else folder
+    before = sorted(tmp_path.rglob("*"))
+    run = thinpart("report", SAMPLES / "tube.step", "-o", target)
+    assert run.returncode == 2 and run.stdout == ""
+    assert re.fullmatch(r"thinpart: [^\n]+[:;] give [^\n]+\n", run.stderr)
+    assert sorted(tmp_path.rglob("*")) == before
+
+
+def test_what_is_missing_is_said_before_anything_is_measured(tmp_path):
+    (tmp_path / "jinja2.py").write_text("raise ImportError('not whole')")
+    run = subprocess.run(
+        [sys.executable, "-m", "thinpart_workbench", "report", SAMPLES / "tube.step", "-o", tmp_path / "out"],
+        env=dict(os.environ, PYTHONPATH=f"{tmp_path}:{ROOT}"), capture_output=True, text=True, timeout=60)
+    assert run.returncode == 1 and not (tmp_path / "out").exists()
+    assert run.stderr == ("thinpart: Reports need Jinja2 (not whole): install it with 'apt-get install "
+                          "python3-jinja2'.\n")
+
+
+def test_an_empty_folder_has_no_report(tmp_path):
+    (tmp_path / "parts").mkdir()
+    run = thinpart("report", tmp_path / "parts", "-o", tmp_path / "out")
+    assert run.returncode == 1 and "There are no parts" in run.stderr and not (tmp_path / "out").exists()
+
+
+def test_nothing_but_failures_is_a_report_too(tmp_path):
+    (tmp_path / "a.step").write_bytes(b"")
+    run = thinpart("report", tmp_path / "a.step", "-o", tmp_path / "out")
+    assert run.returncode == 1
+    page = Page(tmp_path / "out" / "index.html")
+    assert "1 failed" in page.text and "is empty (0 bytes)" in page.text
+
+
+def test_a_run_that_is_killed_leaves_whole_pages(tmp_path):
+    parts = tmp_path / "parts"
+    parts.mkdir()
+    for number in range(12):
+        shutil.copy(SAMPLES / "tube.step", parts / f"{number}.step")
+    run = subprocess.Popen(
+        [sys.executable, "-m", "thinpart_workbench", "report", parts, "-o", tmp_path / "out", "--jobs", "2"],
+        env=dict(os.environ, PYTHONPATH=str(ROOT)), start_new_session=True)
+    end = time.monotonic() + 120
+    while len(list((tmp_path / "out").rglob("*.html"))) < 2 and time.monotonic() < end:
+        time.sleep(0.02)
+    os.kill(run.pid, signal.SIGKILL)
+    run.wait()
+    assert group_ended(run.pid)
+    left = list((tmp_path / "out").rglob("*.html"))
+    assert 2 <= len(left) < 12
+    for path in left:
+        assert Page(path).text.endswith("ThinPart 0.1.0")
+    assert thinpart("report", parts, "-o", tmp_path / "out").returncode == 0
+    assert len(pages(tmp_path / "out")) == 13
+
+
+def test_the_profile_that_was_asked_for_judges(tmp_path):
+    profile = load_profile("paper").content
+    house = {**profile, "name": "house", "title": "House <rules>", "categories": [
+        {"name": "flat", "title": "Flat 'part'", "criteria": [
+            {"id": 1, "title": "Flat", "conditions": [
+                {"quantity": "D2/D3", "comparison": ">", "value": 2}]}]}]}
+    (tmp_path / "house.json").write_text(json.dumps(house))
+    run = thinpart("report", SAMPLES / "plate.step", "-o", tmp_path / "out",
+                   "--profile", tmp_path / "house.json")
+    assert run.returncode == 0, run.stderr
+    for page in pages(tmp_path / "out").values():
+        assert "Flat 'part'" in page.text and "House <rules>" in page.text

@@ -1,0 +1,32 @@
+"""The table of the faces of parts as a CSV file: a row per B-Rep face."""
+
+FACE_COLUMNS = (
+    "file", "part", "label", "face", "made_by", "area_mm2", "thinnest_mm", "median_mm", "thickest_mm",
+    "thin_share", "unmeasured_share", "wall_mm", "x1", "y1", "z1", "x2", "y2", "z2", "opposite_face")
+"""The last ones are the thinnest wall under the face: its thickness, both of its ends in mm, and where the
+second one lies."""
+
+
+def face_rows(file, record, features):
+    """Rows of the faces of a part, list of tuple.
+
+    Parameters
+    ----------
+    file : str
+        As it is named in the table.
+    record : dict
+        Part record.
+    features : list of str
+        What made each face, by its number; may be empty.
+    """
+    rows = []
+    for face in record["faces"]:
+        number = int(face["face"][len("Face"):]) - 1
+        made_by = features[number] if number < len(features) else ""
+        wall = face["witness"]
+        ends = [None] * 8 if wall is None else [
+            wall["distance"], *wall["points"][0], *wall["points"][1], wall["opposite_face"]]
+        rows.append((
+            file, record["name"], record["label"], face["face"], made_by, face["area_mm2"], face["min"],
+            face["median"], face["max"], face["thin_share"], face["unmeasured_share"], *ends))
+    return rows
