@@ -26,7 +26,7 @@ if IN_FREECAD:
         _clean()
         yield
         _clean()
-        window.wait_until(lambda: window.workers() == [], 10)
+        window.wait_until(lambda: window.workers() == [], 10)  # one that has said all is not waited for
 
     def _clean():
         end_session()

@@ -179,7 +179,7 @@ def workers(*names):
     found = []
     for stat in Path("/proc").glob("[0-9]*/stat"):
         try:
-            fields = stat.read_text().rpartition(")")[2].split()
+            fields = stat.read_text(errors="replace").rpartition(")")[2].split()
             command = (stat.parent / "cmdline").read_text(errors="replace")
         except OSError:
             continue  # it ended while being looked at

@@ -42,7 +42,6 @@ class DocumentRun(QtCore.QObject):
         self._megabytes = megabytes
         self._folder = None
         self._process = None
-        self._done = False
         self._errors = b""
         self._unwritten = iter(())
 
@@ -100,6 +99,19 @@ class DocumentRun(QtCore.QObject):
         self._unwritten = iter(())
         self._remove_folder()
 
+    def _leave_process(self):
+        """Nothing more comes: nobody waits until the process has cleared its memory away."""
+        process, self._process = self._process, None
+        application = QtWidgets.QApplication.instance()
+        application.aboutToQuit.disconnect(self.stop)
+        for signal in (process.readyReadStandardOutput, process.readyReadStandardError,
+                       process.finished, process.errorOccurred):
+            signal.disconnect()
+        process.setParent(application)
+        process.finished.connect(process.deleteLater)
+        process.kill()
+        self._remove_folder()
+
     def _read(self):
         while self._process is not None and self._process.canReadLine():
             try:
@@ -115,9 +127,8 @@ class DocumentRun(QtCore.QObject):
         elif kind == "map":
             self.mapped.emit(line["map"]["part"], line["map"]["file"])
         elif kind == "done":
-            self._done = True
-            # Nothing more comes, and nobody waits until the process has cleared its memory away.
-            self._finished()
+            self._leave_process()
+            self.ended.emit("")
         else:
             name = line["record"]["name"] if kind == "record" else line["failure"]["part"]
             self.measured.emit(name)
@@ -132,9 +143,8 @@ class DocumentRun(QtCore.QObject):
         if self._process is None:
             return  # whoever was told of the last line has stopped the run
         self.stop()
-        if not self._done:
-            App.Console.PrintLog(self._errors.decode("utf-8", "replace") + "\n")
-        self.ended.emit("" if self._done else self._reason())
+        App.Console.PrintLog(self._errors.decode("utf-8", "replace") + "\n")
+        self.ended.emit(self._reason())
 
     def _failed_to_start(self, error):
         if error == QtCore.QProcess.FailedToStart:

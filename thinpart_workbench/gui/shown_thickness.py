@@ -89,13 +89,17 @@ class ShownThickness(QtCore.QObject):
 
     def leave(self):
         """Let go of everything; what only belonged to the panel goes from the view."""
+        # FreeCAD calls its observers whether Qt's part of them is there or not: first of all they go.
+        self._watch.end()
+        self._selection.end()
         for signal, slot in self._connections:
-            signal.disconnect(slot)
+            try:
+                signal.disconnect(slot)
+            except RuntimeError:
+                continue  # FreeCAD has taken the box away already
         self._draw.stop()
         self._settled.stop()
         self._picker.stop()
-        self._watch.end()
-        self._selection.end()
         self._picker.deleteLater()
         try:
             if not self._is_gone:
