@@ -23,7 +23,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-SECONDS = 1800
+SECONDS = 2700
 LANGUAGES = ("German", "French")
 CLOSED_WHILE = ("part", "folder", "library", "document")
 

@@ -12,7 +12,7 @@ def _go():
     output = open(os.path.join(home, "output.txt"), "w", encoding="utf-8", buffering=1)
     sys.stdout = sys.stderr = output
     faulthandler.enable(output)
-    faulthandler.dump_traceback_later(840, exit=True, file=output)
+    faulthandler.dump_traceback_later(2640, exit=True, file=output)
     status = 1
     try:
         import pytest
