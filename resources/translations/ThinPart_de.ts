@@ -112,7 +112,7 @@ Sein Volumen ist nicht bekannt.</translation>
     </message>
     <message>
         <source>&amp;All parts together</source>
-        <translation>&amp;Alle Bauteile zusammen</translation>
+        <translation>Alle Bauteile &amp;zusammen</translation>
     </message>
     <message>
         <source>&amp;Browse…</source>
@@ -128,7 +128,7 @@ Sein Volumen ist nicht bekannt.</translation>
     </message>
     <message>
         <source>&amp;Fly to thinnest place</source>
-        <translation>Zur &amp;dünnsten Stelle</translation>
+        <translation>Zur dünn&amp;sten Stelle</translation>
     </message>
     <message>
         <source>&amp;Folder</source>
@@ -140,7 +140,7 @@ Sein Volumen ist nicht bekannt.</translation>
     </message>
     <message>
         <source>&amp;Measure again</source>
-        <translation>Erneut &amp;messen</translation>
+        <translation>Erne&amp;ut messen</translation>
     </message>
     <message>
         <source>&amp;Measure again what has not changed</source>
@@ -152,7 +152,7 @@ Sein Volumen ist nicht bekannt.</translation>
     </message>
     <message>
         <source>&amp;Only thin walls in colour</source>
-        <translation>Nur &amp;dünne Wände in Farbe</translation>
+        <translation>Nur dünne &amp;Wände in Farbe</translation>
     </message>
     <message>
         <source>&amp;Open it in the browser when it is ready</source>
@@ -204,7 +204,7 @@ Sein Volumen ist nicht bekannt.</translation>
     </message>
     <message>
         <source>&amp;Write report</source>
-        <translation>Bericht s&amp;chreiben</translation>
+        <translation>Bericht sch&amp;reiben</translation>
     </message>
     <message>
         <source>&amp;beside each document</source>
@@ -1476,7 +1476,7 @@ Sein Volumen ist nicht bekannt.</translation>
     </message>
     <message>
         <source>thin features</source>
-        <translation>dünne Bereiche</translation>
+        <translation>teils dünn</translation>
     </message>
     <message>
         <source>thin in places</source>

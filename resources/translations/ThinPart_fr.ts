@@ -140,7 +140,7 @@ Son volume n’est pas connu.</translation>
     </message>
     <message>
         <source>&amp;Measure again</source>
-        <translation>&amp;Mesurer à nouveau</translation>
+        <translation>Mesurer à &amp;nouveau</translation>
     </message>
     <message>
         <source>&amp;Measure again what has not changed</source>
@@ -200,7 +200,7 @@ Son volume n’est pas connu.</translation>
     </message>
     <message>
         <source>&amp;Whole range</source>
-        <translation>&amp;Toute la plage</translation>
+        <translation>Toute la pla&amp;ge</translation>
     </message>
     <message>
         <source>&amp;Write report</source>
@@ -288,7 +288,7 @@ Son volume n’est pas connu.</translation>
     </message>
     <message>
         <source>C&amp;lear all</source>
-        <translation>&amp;Tout effacer</translation>
+        <translation>Tout e&amp;ffacer</translation>
     </message>
     <message>
         <source>Cancel</source>

@@ -8,7 +8,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import Part
 
-from thinpart_workbench.gui.qt import QtCore, QtGui, QtWidgets
+from thinpart_workbench.gui.qt import QtCore, QtGui, QtWidgets, translate
 
 SAMPLES = Path(__file__).resolve().parents[2] / "resources" / "samples"
 V = App.Vector
@@ -123,7 +123,7 @@ def wait_until_measured():
     """Wait until nothing is being measured and the panel says what came out."""
     wait_until(lambda: not is_shown("ThinPart_Progress")
                and (is_shown("ThinPart_Headline") or is_shown("ThinPart_Message"))
-               and not text("ThinPart_InfoText").startswith("Writing"))
+               and text("ThinPart_InfoText") != translate("ThinPart", "Writing the info file\u2026"))
 
 
 def show_thickness():
