@@ -24,9 +24,10 @@ def add_map(document, *sources):
 
 def _mapped(document, part):
     mesh, _ = part.surface_mesh(SETTINGS, SETTINGS.linear_deflection)
-    shown = thickness_map(measure(mesh, SETTINGS))
-    record = {"name": part.name, "label": part.label, "thin_limit_mm": 7.0}
-    return MappedPart(record, shown, [], _places(document, part))
+    measurement = measure(mesh, SETTINGS)
+    record = {"name": part.name, "label": part.label, "thin_limit_mm": 7.0,
+              "descriptors": {"diagonal_mm": measurement.descriptors.box.diagonal}}
+    return MappedPart(record, thickness_map(measurement), [], _places(document, part))
 
 
 def _places(document, part):

@@ -10,6 +10,7 @@ import pytest
 
 import made_maps
 from thinpart_workbench.core.errors import ThinPartError
+from thinpart_workbench.freecad_adapter.settings import set_preference
 from thinpart_workbench.freecad_adapter.source_signature import same_signature, signature
 from thinpart_workbench.freecad_adapter.thickness_object import (
     SHARE, is_thickness, motion, scale_of, thickness_objects,
@@ -49,6 +50,27 @@ def test_its_scale_is_that_of_the_walls(thickness):
     assert thickness.High == pytest.approx(0.5 * thickness.Diagonal)
     thickness.AutomaticRange = True
     assert thickness.High == pytest.approx(30.0, abs=1e-3)
+
+
+WANTED = {"HeatMapColours": "magma", "HeatMapReversed": True, "HeatMapBands": 5, "UnmeasuredColour": (1.0, 0.0, 0.0),
+          "ThinLimit": "millimetres", "ThinLimitMillimetres": 2.5}
+
+
+@pytest.fixture
+def preferences(freecad):
+    """Preferences other than the defaults, taken back afterwards."""
+    for name, value in WANTED.items():
+        set_preference(name, value)
+    yield
+    for name in WANTED:
+        set_preference(name, None)
+
+
+def test_a_new_one_begins_with_what_the_user_prefers(preferences, document, plate):
+    thickness = made_maps.add_map(document, plate)
+    scale = scale_of(thickness)
+    assert (scale.colour_map, scale.reversed, scale.bands) == ("magma", True, 5)
+    assert scale.unmeasured == pytest.approx((1.0, 0.0, 0.0)) and thickness.Threshold == 2.5
 
 
 def test_it_is_stale_once_the_source_is_another_one_and_not_before(document, plate, thickness):

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from ..core.colour_scale import COLOUR_MAPS, UNMEASURED, ColourScale
 from .bootstrap import load_freecad
-from .settings import QT_TRANSLATE_NOOP
+from .settings import QT_TRANSLATE_NOOP, preference
 from .source_signature import global_placement, same_place, same_signature, signature
 
 TYPE = "ThinPart::Thickness"
@@ -27,6 +27,8 @@ class Property:
     meaning : str
     flags : int
         FreeCAD's ``App::Prop_`` flags.
+    preference : str
+        Name of the preference that a new object takes in place of the default.
     """
 
     name: str
@@ -35,6 +37,7 @@ class Property:
     default: object
     meaning: str
     flags: int = 0
+    preference: str = ""
 
 
 PROPERTIES = (
@@ -64,13 +67,13 @@ PROPERTIES = (
     Property("High", "App::PropertyFloat", "Scale", None,
              QT_TRANSLATE_NOOP("App::Property", "Thickness at the upper end of the colours"), 16),
     Property("ColourMap", "App::PropertyEnumeration", "Scale", COLOUR_MAPS,
-             QT_TRANSLATE_NOOP("App::Property", "Colours from thin to thick"), 16),
+             QT_TRANSLATE_NOOP("App::Property", "Colours from thin to thick"), 16, "HeatMapColours"),
     Property("Reversed", "App::PropertyBool", "Scale", None,
-             QT_TRANSLATE_NOOP("App::Property", "Whether the colours run the other way"), 16),
+             QT_TRANSLATE_NOOP("App::Property", "Whether the colours run the other way"), 16, "HeatMapReversed"),
     Property("Bands", "App::PropertyInteger", "Scale", None,
-             QT_TRANSLATE_NOOP("App::Property", "Number of steps; 0: smooth"), 16),
+             QT_TRANSLATE_NOOP("App::Property", "Number of steps; 0: smooth"), 16, "HeatMapBands"),
     Property("UnmeasuredColour", "App::PropertyColor", "Scale", UNMEASURED,
-             QT_TRANSLATE_NOOP("App::Property", "Where nothing was measured"), 16),
+             QT_TRANSLATE_NOOP("App::Property", "Where nothing was measured"), 16, "UnmeasuredColour"),
     Property("Threshold", "App::PropertyFloat", "Thin", None,
              QT_TRANSLATE_NOOP("App::Property", "Walls under it are thin, mm"), 16),
     Property("ThinOnly", "App::PropertyBool", "Thin", None,
@@ -226,11 +229,14 @@ def _complete(thickness):
         if each.name in thickness.PropertiesList:
             continue
         thickness.addProperty(each.type, each.name, each.group, each.meaning, each.flags)
+        start = each.default
         if each.type == "App::PropertyEnumeration":
             setattr(thickness, each.name, list(each.default))
-            setattr(thickness, each.name, each.default[0])
-        elif each.default is not None:
-            setattr(thickness, each.name, each.default)
+            start = each.default[0]
+        if each.preference:
+            start = preference(each.preference)
+        if start is not None:
+            setattr(thickness, each.name, start)
 
 
 def _is_undoing(document):

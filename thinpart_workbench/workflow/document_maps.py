@@ -6,6 +6,8 @@ import tempfile
 import numpy as np
 
 from ..core.map_summary import range_of
+from ..core.thin_faces import limit_in_millimetres
+from ..freecad_adapter.settings import preferred_thin_limit
 from ..freecad_adapter.thickness_object import ThicknessObject
 from ..storage.map_file import read_maps, write_maps
 
@@ -108,5 +110,8 @@ def _diagonal(part):
 
 
 def _thin_limit(parts):
+    own = preferred_thin_limit()
+    if own is not None:
+        return min(limit_in_millimetres(own, part.record["descriptors"]["diagonal_mm"]) for part in parts)
     limits = [part.record.get("thin_limit_mm") for part in parts]
     return min((each for each in limits if each), default=0.0)
