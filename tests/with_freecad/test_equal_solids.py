@@ -1,9 +1,14 @@
 """Equal solids are one part, wherever they stand; mirror images and near likes are not."""
 
+from functools import cached_property
+
 import pytest
 
 from thinpart_workbench.freecad_adapter.bootstrap import load_freecad
+from thinpart_workbench.freecad_adapter.equal_solids import equal_part
+from thinpart_workbench.freecad_adapter.part import SolidPart
 from thinpart_workbench.freecad_adapter.part_files import read_parts
+from thinpart_workbench.freecad_adapter.solid_measures import SolidMeasures
 
 load_freecad()
 
@@ -50,3 +55,23 @@ def test_what_is_only_nearly_equal_is_another_part(tmp_path):
     # Equal volumes and areas, the hole elsewhere.
     drilled = [plate.cut(Part.makeCylinder(4, 10, Vector(x, 20, -5))) for x in (20, 35)]
     assert parts_of(tmp_path, plate, *others, *drilled) == [(f"Solid{n}", 1) for n in range(1, 6)]
+
+
+def test_each_solid_is_measured_once_however_many_it_is_compared_with(monkeypatch):
+    measured = []
+
+    class Counting(SolidMeasures):
+        @cached_property
+        def volume(self):
+            measured.append(self)
+            return super().volume
+
+    monkeypatch.setattr("thinpart_workbench.freecad_adapter.part.SolidMeasures", Counting)
+    monkeypatch.setattr("thinpart_workbench.freecad_adapter.equal_solids.SolidMeasures", Counting)
+    parts = []
+    for number in range(20):
+        solid = Part.makeBox(10 + number, 5, 3)
+        assert equal_part(parts, solid) is None
+        parts.append(SolidPart(f"Box{number}", "", shape=solid))
+    assert equal_part(parts, turned(Part.makeBox(29, 5, 3))) is parts[19]
+    assert len(measured) <= 2 * 21

@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from .part import SolidPart
+from .solid_measures import SolidMeasures
 
 _EQUAL_MEASURES = 1e-7
 """Relative difference of volumes and areas of one solid that was written and read twice."""
@@ -33,7 +34,8 @@ def equal_part(parts, solid):
     """
     solids = [part for part in parts if isinstance(part, SolidPart)]
     shared = (part for part in solids if part.shape.isPartner(solid))
-    return next(shared, None) or next((part for part in solids if _is_equal(part.shape, solid)), None)
+    measures = SolidMeasures(solid)
+    return next(shared, None) or next((part for part in solids if _is_equal(part.measures, measures)), None)
 
 
 def motion(one, other):
@@ -41,17 +43,17 @@ def motion(one, other):
     if one.isPartner(other):
         placed = other.Placement.multiply(one.Placement.inverse())
         return np.array(placed.toMatrix().A).reshape(4, 4)
-    return _motion(_points(one), _points(other))
+    return _motion(SolidMeasures(one).points, SolidMeasures(other).points)
 
 
 def _is_equal(one, other):
-    if any(len(getattr(one, kind)) != len(getattr(other, kind)) for kind in ("Faces", "Edges", "Vertexes")):
+    if one.counts != other.counts:
         return False
-    if not (_agree(one.Volume, other.Volume) and _agree(one.Area, other.Area)):
+    if not (_agree(one.volume, other.volume) and _agree(one.area, other.area)):
         return False
-    if not all(_agree(mine.Area, its.Area) for mine, its in zip(one.Faces, other.Faces)):
+    if not all(map(_agree, one.face_areas, other.face_areas)):
         return False
-    points, others = _points(one), _points(other)
+    points, others = one.points, other.points
     if len(points) != len(others):
         return False
     diagonal = float(np.linalg.norm(np.ptp(points, axis=0)))
@@ -62,20 +64,6 @@ def _is_equal(one, other):
 
 def _agree(one, other):
     return math.isclose(one, other, rel_tol=_EQUAL_MEASURES, abs_tol=1e-300)
-
-
-def _points(shape):
-    """Points of a shape in the order of what they lie on, ndarray of shape (k, 3)."""
-    points = [corner.Point for corner in shape.Vertexes]
-    for edge in shape.Edges:
-        if not edge.Degenerated:
-            first, last = edge.ParameterRange
-            points += [edge.valueAt(first + share * (last - first)) for share in (0.3, 0.7)]
-    for face in shape.Faces:
-        left, right, low, high = face.ParameterRange
-        points += [face.valueAt(left + share * (right - left), low + share * (high - low))
-                   for share in (0.4, 0.7)]
-    return np.array([tuple(point) for point in points]).reshape(-1, 3)
 
 
 def _motion(points, others):

@@ -1,11 +1,13 @@
 """One part as it was found in a file or document, before anything is measured."""
 
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 
 from ..core.chord_error import chord_error
 from ..core.surface_mesh import surface_mesh
+from .solid_measures import SolidMeasures
 from .tessellation import tessellate
 
 
@@ -65,6 +67,11 @@ class SolidPart(Part):
     """
 
     shape: object = None
+
+    @cached_property
+    def measures(self):
+        """The `SolidMeasures` of the shape."""
+        return SolidMeasures(self.shape)
 
     @property
     def can_be_finer(self):
