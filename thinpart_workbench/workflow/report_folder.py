@@ -129,8 +129,8 @@ def _summary(record, pages):
     thin = sum(face["area_mm2"] * face["thin_share"] for face in record["faces"])
     return PartSummary(
         pages.place, record["label"], record["instances"], record["category"],
-        measured["thickness_mm"]["min"], thin / measured["area_mm2"], record["margin"], record["borderline"], tuple(measured["box_mm"]),
-        measured["diagonal_mm"], len(record["warnings"]), address(pages.page(record["name"])),
+        measured["thickness_mm"]["min"], thin / measured["area_mm2"], record["margin"], record["borderline"],
+        tuple(measured["box_mm"]), measured["diagonal_mm"], len(record["warnings"]), address(pages.page(record["name"])),
         address(pages.picture(record["name"])),
     )
 
