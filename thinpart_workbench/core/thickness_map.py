@@ -7,6 +7,7 @@ import numpy as np
 
 from .facet_refinement import cut_sides, side_keys, side_lengths
 from .inward_rays import InwardRays
+from .map_outline import outline
 from .progress import portion, tell
 from .ray_casting import INNER
 from .sampling import SurfaceSamples
@@ -81,6 +82,11 @@ class ThicknessMap:
     def normals(self):
         """ndarray of shape (m, 3): unit outward normals."""
         return self._area_vectors / np.maximum(self.areas, np.finfo(float).tiny)[:, None]
+
+    @cached_property
+    def outline(self):
+        """ndarray of shape (k, 2), int32: rows of `points` between which the lines of the part run."""
+        return outline(self)
 
     @property
     def measured(self):

@@ -4,7 +4,6 @@ import numpy as np
 from pivy import coin
 
 from .array_fields import fill_numbers, fill_points
-from .outlines import Outlines
 
 EDGE_COLOUR = (0.12, 0.12, 0.14)
 
@@ -27,7 +26,7 @@ class MapNodes:
         self.facets, self.edges = coin.SoSeparator(), coin.SoSeparator()
         self._moved = coin.SoMatrixTransform()
         self._parts = []  # (map, its SoPackedColor)
-        self._painted = self._outlines = None
+        self._painted = None
         light = coin.SoLightModel()
         light.model = coin.SoLightModel.BASE_COLOR  # as the colour bar shows them
         behind = coin.SoPolygonOffset()  # the edges
@@ -58,11 +57,9 @@ class MapNodes:
         for group in self._content:
             group.removeAllChildren()
         self._parts, self._painted = [], None
-        if self._outlines is not None:
-            self._outlines.stop()
-        edges = [coin.SoGroup() for _ in parts]
-        for part, lines in zip(parts, edges):
+        for part in parts:
             colour, facets = _facets(part.map)
+            lines = _lines(part.map)
             self._parts.append((part.map, colour))
             for matrix in part.places:
                 placed = matrix.copy()
@@ -74,10 +71,6 @@ class MapNodes:
                     place.addChild(transform)
                     place.addChild(node)
                     group.addChild(place)
-        maps = [part.map for part in parts]
-        self._outlines = Outlines(maps, lambda found: [
-            _fill_lines(*each) for each in zip(edges, maps, found)])
-        self._outlines.start()
 
     def colour(self, colours, opacity=1.0):
         """Colour all facets.
@@ -124,8 +117,9 @@ def _facets(shown):
     return colour, group
 
 
-def _fill_lines(group, shown, sides):
-    points, lines = coin.SoCoordinate3(), coin.SoIndexedLineSet()
+def _lines(shown):
+    group, points, lines = coin.SoGroup(), coin.SoCoordinate3(), coin.SoIndexedLineSet()
+    sides = shown.outline
     used, rows = np.unique(sides, return_inverse=True)
     fill_points(points.point, shown.points[used])
     indices = np.full((len(sides), 3), -1, dtype=np.int32)
@@ -133,3 +127,4 @@ def _fill_lines(group, shown, sides):
     fill_numbers(lines.coordIndex, indices.ravel())
     group.addChild(points)
     group.addChild(lines)
+    return group

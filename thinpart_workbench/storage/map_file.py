@@ -30,6 +30,7 @@ def write_maps(path, parts):
     for number, part in enumerate(parts):
         arrays.update({f"{name}_{number}": getattr(part.map, name) for name in _ARRAYS})
         arrays[f"places_{number}"] = part.places
+        arrays[f"outline_{number}"] = part.map.outline
     content = {"version": VERSION, "parts": [
         {"record": part.record, "features": part.features} for part in parts]}
     with open(path, "wb") as file:
@@ -52,13 +53,15 @@ def read_maps(path):
                 raise ThinPartError(
                     f"The thickness map {os.path.basename(path)} is of a newer ThinPart: update ThinPart or "
                     "measure the part again.", "unreadable")
-            return [
-                MappedPart(entry["record"],
-                           ThicknessMap(*(file[f"{name}_{number}"] for name in _ARRAYS)),
-                           entry["features"], file[f"places_{number}"])
-                for number, entry in enumerate(content["parts"])
-            ]
+            return [_part(file, number, entry) for number, entry in enumerate(content["parts"])]
     except (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile):
         raise ThinPartError(
             f"The thickness map {os.path.basename(path)} cannot be read: measure the part again.",
             "unreadable") from None
+
+
+def _part(file, number, entry):
+    shown = ThicknessMap(*(file[f"{name}_{number}"] for name in _ARRAYS))
+    # Found by the process that measured: it takes 0.2 s where there are 200,000 facets.
+    vars(shown)["outline"] = file[f"outline_{number}"]
+    return MappedPart(entry["record"], shown, entry["features"], file[f"places_{number}"])
