@@ -39,8 +39,7 @@ def _links_of(file):
     try:
         with zipfile.ZipFile(file) as archive:
             text = archive.read("Document.xml").decode("utf-8", "surrogateescape")
-    except (OSError, EOFError, KeyError, ValueError, RuntimeError, NotImplementedError,
-            zipfile.BadZipFile, zlib.error):
+    except (OSError, EOFError, KeyError, ValueError, RuntimeError, zipfile.BadZipFile, zlib.error):
         # Whatever a damaged archive raises: what cannot be read links to nothing, and reading the
         # document itself says why it cannot be read.
         return []

@@ -98,7 +98,7 @@ def _face_of_triangle(mesh, faces):
 def _is_plane(face):
     try:
         return face.Surface.TypeId == "Part::GeomPlane"
-    except (TypeError, NotImplementedError, RuntimeError):
+    except (TypeError, RuntimeError):
         # FreeCAD's versions differ in what they raise for a surface that they have no class for. It is
         # taken as curved: its chord error is then measured rather than left out.
         return False
