@@ -8,7 +8,7 @@ from thinpart_workbench.core.colour_scale import COLOUR_MAPS, ColourScale, colou
 from thinpart_workbench.core.errors import ThinPartError
 from thinpart_workbench.core.facet_refinement import cut_sides, side_keys
 from thinpart_workbench.core.map_summary import (
-    area_by_thickness, between, face_summaries, range_of, share_between,
+    area_by_thickness, between, face_summaries, range_of, share_between, telling_range,
 )
 from thinpart_workbench.core.mapped_part import MappedPart
 from thinpart_workbench.core.measurement import measure
@@ -135,6 +135,8 @@ def test_summaries_agree_with_each_other():
     assert shares == pytest.approx([20000 / total, 1800 / total, 800 / total], rel=1e-4)
     assert share_between([plate, cube], 5.0, 50.0) == pytest.approx(shares[1])
     assert range_of([plate, cube]) == pytest.approx((2.0, 100.0), rel=1e-4)
+    assert telling_range([plate]) == pytest.approx((2.0, 4.0), rel=1e-4)
+    assert telling_range([cube]) == pytest.approx((10.0, 10.0), rel=1e-4)
     faces = face_summaries(plate.map, 5.0)
     assert sum(each.area for each in faces) == pytest.approx(20800.0, rel=1e-5)
     thin = plate.map.areas[between(plate.map, 0.0, 5.0)].sum()

@@ -70,15 +70,6 @@ def _show_thickness(make, picture, act=lambda: None):
     window.settle(100)
 
 
-def _narrow_range():
-    """From 3 to 15 mm: one wall along the casting is 100 mm thick."""
-    import window_actions as window
-
-    window.widget("ThinPart_AutomaticRange").click()
-    window.widget("ThinPart_Low").setValue(3.0)
-    window.widget("ThinPart_High").setValue(15.0)
-
-
 def _links():
     """Ribbed blocks, tubes and plates, each a few times."""
     import FreeCAD as App
@@ -229,7 +220,6 @@ def _go():
         _classify("ribbed_block", Path(arguments[1], "classify.png"))
         _classify("thin_walled_casting", Path(arguments[1], "classify_casting.png"))
         _show_thickness(lambda: _opened("thin_walled_casting"), Path(arguments[1], "thickness.png"),
-                        _narrow_range)
         _show_thickness(_links, Path(arguments[1], "thickness_assembly.png"), _choose_second_part)
         _classify_folder(Path(arguments[1]))
         _find(Gui.getMainWindow(), Path(arguments[1]))

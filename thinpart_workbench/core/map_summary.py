@@ -5,6 +5,9 @@ from typing import Optional
 
 import numpy as np
 
+MOST_OF_THE_AREA = 0.9
+"""Share of the measured area that a map's colours tell apart at first."""
+
 
 @dataclass(frozen=True)
 class FaceSummary:
@@ -74,6 +77,23 @@ def range_of(parts):
     if not values:
         return None
     return float(min(each.min() for each in values)), float(max(each.max() for each in values))
+
+
+def telling_range(parts):
+    """The range of thickness in which most of the surface can be told apart, mm; None where nothing was measured.
+
+    From the thinnest wall to that under which `MOST_OF_THE_AREA` of the measured area lies, or to twice the thinnest:
+    the length of a cup, seen through its rim, would leave one colour to its wall.
+    """
+    ends = range_of(parts)
+    if ends is None:
+        return None
+    thickness = np.concatenate([part.map.thickness[part.map.measured] for part in parts])
+    area = np.concatenate([len(part.places) * part.map.areas[part.map.measured] for part in parts])
+    order = np.argsort(thickness)
+    cumulative = np.cumsum(area[order])
+    high = float(thickness[order[np.searchsorted(cumulative, MOST_OF_THE_AREA * cumulative[-1])]])
+    return ends[0], min(ends[1], max(high, 2.0 * ends[0]))
 
 
 def face_summaries(shown, threshold):

@@ -5,7 +5,7 @@ import tempfile
 
 import numpy as np
 
-from ..core.map_summary import range_of
+from ..core.map_summary import range_of, telling_range
 from ..core.thin_faces import limit_in_millimetres
 from ..freecad_adapter.settings import preferred_thin_limit
 from ..freecad_adapter.thickness_object import ThicknessObject
@@ -38,6 +38,10 @@ def new_thickness_object(document, sources, parts):
     thickness.Sources = sources
     _keep(thickness, parts)
     thickness.Threshold = _thin_limit(parts)
+    low, high = telling_range(parts) or (0.0, 0.0)
+    if high < thickness.Thickest:
+        thickness.AutomaticRange = False
+        thickness.Low, thickness.High = low, high
     return thickness
 
 
