@@ -219,7 +219,7 @@ def _go():
         _arrange(Gui.getMainWindow())
         _classify("ribbed_block", Path(arguments[1], "classify.png"))
         _classify("thin_walled_casting", Path(arguments[1], "classify_casting.png"))
-        _show_thickness(lambda: _opened("thin_walled_casting"), Path(arguments[1], "thickness.png"),
+        _show_thickness(lambda: _opened("thin_walled_casting"), Path(arguments[1], "thickness.png"))
         _show_thickness(_links, Path(arguments[1], "thickness_assembly.png"), _choose_second_part)
         _classify_folder(Path(arguments[1]))
         _find(Gui.getMainWindow(), Path(arguments[1]))
