@@ -1563,6 +1563,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>{} mm</translation>
     </message>
     <message>
+        <source>{} mm and more: {} of the area</source>
+        <translation>{} mm und mehr: {} der Oberfläche</translation>
+    </message>
+    <message>
         <source>{} of the area lies over walls thinner than {} mm</source>
         <translation>{} der Oberfläche liegen über Wänden dünner als {} mm</translation>
     </message>

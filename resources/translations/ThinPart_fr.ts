@@ -1563,6 +1563,10 @@ Son volume n’est pas connu.</translation>
         <translation>{} mm</translation>
     </message>
     <message>
+        <source>{} mm and more: {} of the area</source>
+        <translation>{} mm et plus : {} de la surface</translation>
+    </message>
+    <message>
         <source>{} of the area lies over walls thinner than {} mm</source>
         <translation>{} de la surface a des parois plus minces que {} mm</translation>
     </message>

@@ -2,6 +2,7 @@
 
 import FreeCAD as App
 import FreeCADGui as Gui
+import numpy as np
 import Part
 import pytest
 import window_actions as window
@@ -70,6 +71,26 @@ def test_dragging_over_bars_selects_all_their_faces_and_a_click_beside_clears(ri
     assert selected_faces() == faces and len(faces) > 2
     window.mouse_click(chart(), QtCore.QPoint(2, 2))
     assert chart().chosen is None and selected_faces() == set()
+
+
+def test_few_walls_that_are_much_thicker_share_the_last_bar(document):
+    """A cup: seen through its rim or across its bottom, it is as thick as it is high or wide."""
+    cup = Part.makeCylinder(20, 130).cut(Part.makeCylinder(18, 128, V(0, 0, 2)))
+    window.add(document, "Cup", cup)
+    window.show_thickness()
+    window.settle(300)
+    thickness, = thickness_objects(document)
+    shown, last = chart(), chart().count - 1
+    assert thickness.Thickest == pytest.approx(130.0, rel=1e-3)
+    assert shown.edges[-1] < 20.0 and np.count_nonzero(shown.shares > 0.01) >= 2
+    thick = 2 * np.pi * (20 ** 2 - 18 ** 2) + 2 * np.pi * 20 * 2
+    assert shown.shares[last] == pytest.approx(thick / cup.Area, rel=0.05)
+    assert shown.bar_text(last).startswith(f"{shown.edges[last]:.3g} mm and more: ")
+    window.mouse_click(shown, bar_place(shown.edges[-2:].mean()))
+    assert shown.chosen[0] < 20.0 < 130.0 < shown.chosen[1] < 131.0
+    assert selected_faces() == {
+        f"Face{number + 1}" for number, face in enumerate(cup.Faces)
+        if face.BoundBox.ZMax > 129.0 and face.BoundBox.XLength > 39.0 or face.BoundBox.ZMax < 1.0}
 
 
 def test_arrows_choose_bars(ribbed):

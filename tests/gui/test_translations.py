@@ -203,10 +203,12 @@ def test_a_profile_of_ones_own_keeps_its_titles(tmp_path, sample):
 def test_the_language_can_be_changed_while_freecad_runs():
     from thinpart_workbench.gui.sentences import translated
 
+    before = Gui.getLocale()
     try:
         Gui.setLocale("English")
         assert translated("It holds no triangles.") == "It holds no triangles."
         Gui.setLocale("German")
         assert translated("It holds no triangles.") == "Es enthält keine Dreiecke."
     finally:
-        Gui.setLocale(Gui.getLocale() if not CODE else {"de": "German", "fr": "French"}[CODE])
+        Gui.setLocale(before)
+    assert Gui.getLocale() == before

@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from .columns import corners_of, dot
+
 _CUTS = {
     # Sides that are cut, as bits, and the facets that remain: corners are 0 to 2, and 3 to 5 the middles of
     # the sides from corners 0, 1 and 2 to the next.
@@ -28,8 +30,12 @@ def side_lengths(points, facets):
     -------
     ndarray of shape (m, 3), mm
     """
-    corners = points[facets]
-    return np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
+    corners = corners_of(np.ascontiguousarray(points.T), facets)
+    lengths = np.empty((3, len(facets)))
+    for corner in range(3):
+        side = corners[:, (corner + 1) % 3] - corners[:, corner]
+        np.sqrt(dot(side, side), out=lengths[corner])
+    return lengths.T
 
 
 def cut_sides(points, facets, cut):

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from .columns import dot
 from .facet_refinement import side_keys
 
 CREASE = np.radians(30.0)
@@ -30,15 +31,8 @@ def outline(shown):
     count = np.diff(np.append(new, len(key)))
     pairs = new[count == 2]
     one, other = order[pairs] // 3, order[pairs + 1] // 3
-    normal = _unit_normals(shown)
-    bent = np.einsum("ij,ij->i", normal[one], normal[other]) < np.cos(CREASE)
+    normals = shown.normals.T
+    bent = dot(normals[:, one], normals[:, other]) < np.cos(CREASE)
     drawn = np.concatenate([pairs[(shown.face[one] != shown.face[other]) | bent], new[count != 2]])
     facet, corner = order[drawn] // 3, order[drawn] % 3
     return np.column_stack([shown.facets[facet, corner], shown.facets[facet, (corner + 1) % 3]])
-
-
-def _unit_normals(shown):
-    a, b, c = (shown.points[shown.facets[:, corner]] for corner in range(3))
-    normal = np.cross(b - a, c - a)
-    length = np.sqrt(np.einsum("ij,ij->i", normal, normal))
-    return normal / np.maximum(length, np.finfo(np.float32).tiny)[:, None]

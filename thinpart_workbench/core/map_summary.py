@@ -112,7 +112,9 @@ def face_summaries(shown, threshold):
     """
     order = np.lexsort([shown.thickness, shown.face])  # nan comes last
     area, thickness = shown.areas[order], shown.thickness[order]
-    faces, start = np.unique(shown.face[order], return_index=True)
+    face = shown.face[order]
+    start = np.flatnonzero(np.concatenate([[True], face[1:] != face[:-1]]))
+    faces = face[start]
     measured = np.isfinite(thickness)
     total = np.maximum(np.add.reduceat(area, start), np.finfo(float).tiny)
     known = np.add.reduceat(np.where(measured, area, 0.0), start)

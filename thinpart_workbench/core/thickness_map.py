@@ -5,6 +5,7 @@ from functools import cached_property
 
 import numpy as np
 
+from .columns import corners_of, cross, dot
 from .facet_refinement import cut_sides, side_keys, side_lengths
 from .inward_rays import InwardRays
 from .map_outline import outline
@@ -70,18 +71,19 @@ class ThicknessMap:
 
     @cached_property
     def _area_vectors(self):
-        corners = self.corners
-        return 0.5 * np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        """ndarray of shape (3, m): outward normals as long as the facets are large."""
+        corners = corners_of(np.ascontiguousarray(self.points.T, dtype=np.float64), self.facets)
+        return 0.5 * cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
 
     @cached_property
     def areas(self):
         """ndarray of shape (m,), mm2."""
-        return np.linalg.norm(self._area_vectors, axis=1)
+        return np.sqrt(dot(self._area_vectors, self._area_vectors))
 
     @cached_property
     def normals(self):
         """ndarray of shape (m, 3): unit outward normals."""
-        return self._area_vectors / np.maximum(self.areas, np.finfo(float).tiny)[:, None]
+        return (self._area_vectors / np.maximum(self.areas, np.finfo(float).tiny)).T
 
     @cached_property
     def outline(self):
@@ -123,7 +125,8 @@ class ThicknessMap:
             plane = self.normal(there)
             along = inward @ plane
             if abs(along) > np.cos(NONPARALLEL_BELOW):
-                distance = float((self.corners[there, 0] + self.origin - point) @ plane / along)
+                corner = self.points[self.facets[there, 0]] + self.origin
+                distance = float((corner - point) @ plane / along)
         return distance, point + distance * inward
 
 

@@ -31,7 +31,6 @@ class DistributionBox(QtWidgets.QWidget):
     def __init__(self, parent=None):
         super().__init__(parent)
         self.setObjectName("ThinPart_DistributionBox")
-        self.setWindowTitle(translate("ThinPart", "Distribution"))
         self._is_set, self._diagonal = False, 1.0
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(6, 6, 6, 6)
@@ -51,10 +50,10 @@ class DistributionBox(QtWidgets.QWidget):
         self._step.timeout.connect(lambda: self.threshold_changed.emit(self.chart.threshold, False))
         self.show_choice(None, 0.0, 0)
 
-    def show_shares(self, edges, shares, diagonal):
+    def show_shares(self, edges, shares, greatest, diagonal):
         """See `ThicknessChart.show_shares`."""
         self._diagonal = diagonal
-        self.chart.show_shares(edges, shares, diagonal)
+        self.chart.show_shares(edges, shares, greatest, diagonal)
         self._show_field()
 
     def show_threshold(self, threshold, share, thin_only):

@@ -19,7 +19,6 @@ class FaceBox(QtWidgets.QWidget):
     def __init__(self, parent=None):
         super().__init__(parent)
         self.setObjectName("ThinPart_FaceBox")
-        self.setWindowTitle(translate("ThinPart", "Faces"))
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(6, 6, 6, 6)
         self._words = text_line(self, column, "ThinPart_FaceWords")

@@ -41,7 +41,6 @@ class ProbeBox(QtWidgets.QWidget):
     def __init__(self, parent=None):
         super().__init__(parent)
         self.setObjectName("ThinPart_ProbeBox")
-        self.setWindowTitle(translate("ThinPart", "Probes"))
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(6, 6, 6, 6)
         row = QtWidgets.QWidget(self)

@@ -1,37 +1,15 @@
 """The table of results while a folder is classified, for Qt's views."""
 
-from dataclasses import dataclass
-
 from ..core.errors import KINDS
 from .qt import QtCore, QtGui, Signal, colour, number_of, translate
 from .result_order import FAILED, ResultOrder
+from .row_table import RowColumn
 from .sentences import translated
 from .verdict_text import category_colour, category_title, number
 
 FAILED_COLOUR = (0.80, 0.07, 0.07)
 _REARRANGE = 500
 """Milliseconds after which rows that came since are put in their places."""
-
-
-@dataclass(frozen=True)
-class ResultColumn:
-    """A column.
-
-    Attributes
-    ----------
-    title : str
-    text : callable
-        From a PartRow to what is shown.
-    key : callable
-        From a PartRow to what is sorted by: a text, or a number or None.
-    is_number : bool
-        Whether it stands on the right.
-    """
-
-    title: str
-    text: object
-    key: object
-    is_number: bool = False
 
 
 class ResultTable(QtCore.QAbstractTableModel):
@@ -176,16 +154,16 @@ class ResultTable(QtCore.QAbstractTableModel):
 
     def _new_columns(self):
         return (
-            ResultColumn(translate("ThinPart", "File"), lambda row: row.file,
+            RowColumn(translate("ThinPart", "File"), lambda row: row.file,
                          lambda row: row.file.casefold()),
-            ResultColumn(translate("ThinPart", "Part"), _part, lambda row: _part(row).casefold()),
-            ResultColumn(translate("ThinPart", "Category"), self._category_text,
+            RowColumn(translate("ThinPart", "Part"), _part, lambda row: _part(row).casefold()),
+            RowColumn(translate("ThinPart", "Category"), self._category_text,
                          self._category_text),
-            ResultColumn(translate("ThinPart", "Criteria"), _criteria, _criteria),
-            ResultColumn(translate("ThinPart", "Box mm"), _box, lambda row: row.d1_mm, True),
+            RowColumn(translate("ThinPart", "Criteria"), _criteria, _criteria),
+            RowColumn(translate("ThinPart", "Box mm"), _box, lambda row: row.d1_mm, True),
             _quantity("V/VBB", "volume_ratio"),
             _quantity(translate("ThinPart", "Thinnest mm"), "thinnest_mm"),
-            ResultColumn(translate("ThinPart", "Instances"),
+            RowColumn(translate("ThinPart", "Instances"),
                          lambda row: "" if row.instances is None else str(row.instances),
                          lambda row: row.instances, True),
         )
@@ -210,7 +188,7 @@ def _quantity(title, name):
     def value(row):
         return getattr(row, name)
 
-    return ResultColumn(
+    return RowColumn(
         title, lambda row: "" if row.error_kind else number(value(row)), value, True)
 
 

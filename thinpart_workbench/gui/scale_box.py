@@ -19,7 +19,6 @@ class ScaleBox(QtWidgets.QWidget):
     def __init__(self, parent=None):
         super().__init__(parent)
         self.setObjectName("ThinPart_ScaleBox")
-        self.setWindowTitle(translate("ThinPart", "Colours"))
         self._is_set = False
         form = new_form(self)
         self._add_range(form)
@@ -161,9 +160,8 @@ def narrow_combo(parent, name):
 
 def _stripe(name):
     table = colour_table(name)
-    image = QtGui.QImage(48, 12, QtGui.QImage.Format_RGB32)
+    image = QtGui.QImage(48, 1, QtGui.QImage.Format_RGB32)
     for x in range(48):
         rgb = table[round(x / 47 * (len(table) - 1))]
-        for y in range(12):
-            image.setPixel(x, y, QtGui.QColor(*(int(part) for part in rgb)).rgb())
-    return QtGui.QIcon(QtGui.QPixmap.fromImage(image))
+        image.setPixel(x, 0, QtGui.QColor(*(int(part) for part in rgb)).rgb())
+    return QtGui.QIcon(QtGui.QPixmap.fromImage(image.scaled(48, 12)))

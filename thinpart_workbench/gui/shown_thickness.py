@@ -3,7 +3,9 @@
 import FreeCADGui as Gui
 import numpy as np
 
-from ..core.map_summary import area_by_thickness, between, face_summaries, share_between
+from ..core.map_summary import (
+    area_by_thickness, between, face_summaries, range_of, share_between, telling_range,
+)
 from ..workflow.document_maps import parts_of
 from ..workflow.thickness_probes import moved_matrix, probes_of
 from .face_selection import FaceSelection, face_near
@@ -25,6 +27,9 @@ _SURROUNDINGS = 0.15
 
 _ON_FACE = 1e-3
 """Share of the diagonal within which a place that was clicked lies on a face: the view rounds it."""
+
+_BEYOND_MOST = 1.25
+"""Bars go this far beyond the walls of most of the area; the few that are much thicker share the last one."""
 
 _SETTLED = 200
 """Milliseconds without another threshold until the table of faces follows."""
@@ -139,12 +144,21 @@ class ShownThickness(QtCore.QObject):
         self._boxes.head.show_stale(self.thickness.Stale)
 
     def _show_bars(self):
-        edges = bar_edges(self.thickness.Thickest or 1.0)
-        shares, _ = area_by_thickness(self._told, edges)
-        self._boxes.distribution.show_shares(edges, shares, self._diagonal)
+        greatest, last = self._thickness_in_bars()
+        edges = bar_edges(last)
+        shares, _ = area_by_thickness(self._told, np.append(edges[:-1], max(edges[-1], greatest)))
+        self._boxes.distribution.show_shares(edges, shares, greatest, self._diagonal)
         self._boxes.distribution.show_choice(None, 0.0, 0)
         self._show_colours()
         self._show_threshold()
+
+    def _thickness_in_bars(self):
+        """Thickest wall of what is told, and up to where bars of one width go, both in mm."""
+        if range_of(self._told) is None:
+            return 1.0, 1.0
+        greatest = range_of(self._told)[1]
+        told_apart = max(_BEYOND_MOST * telling_range(self._told)[1], 2.0 * self.thickness.Threshold)
+        return greatest, greatest if greatest <= 2.0 * told_apart else told_apart
 
     def _show_colours(self):
         edges = self._boxes.distribution.chart.edges

@@ -14,10 +14,10 @@ _NEAR = 5
 _LINE = QtGui.QColor(20, 20, 20)
 
 
-def bar_edges(greatest):
+def bar_edges(last):
     """Edges of bars from 0 to a thickness, of a width that people like: ndarray of shape (k + 1,), mm."""
-    width = round_up(greatest / BARS)
-    return width * np.arange(int(np.ceil(greatest / width * (1.0 - 1e-6))) + 1)
+    width = round_up(last / BARS)
+    return width * np.arange(int(np.ceil(last / width * (1.0 - 1e-6))) + 1)
 
 
 class ThicknessChart(ChartAxes):
@@ -44,6 +44,7 @@ class ThicknessChart(ChartAxes):
         self.setFocusPolicy(QtCore.Qt.StrongFocus)
         self.edges, self.shares, self.colours = np.zeros(1), np.zeros(0), np.zeros((0, 3), np.uint8)
         self.threshold, self._diagonal = 0.0, 1.0
+        self._greatest = 0.0  # the last bar goes on to it
         self.bars = None  # first and last of those that are chosen
         self._begun = None  # bar at which choosing began
         self._holds_line = False
@@ -55,16 +56,17 @@ class ThicknessChart(ChartAxes):
         if self.bars is None:
             return None
         first, last = self.bars
-        high = self.edges[last + 1]
+        if last < self.count - 1:
+            return float(self.edges[first]), float(self.edges[last + 1])
         # What is as thick as the last edge is in the last bar.
-        return float(self.edges[first]), float(np.nextafter(high, np.inf) if last == self.count - 1 else high)
+        return float(self.edges[first]), float(np.nextafter(max(self.edges[-1], self._greatest), np.inf))
 
     @property
     def count(self):
         """Number of bars."""
         return len(self.shares)
 
-    def show_shares(self, edges, shares, diagonal):
+    def show_shares(self, edges, shares, greatest, diagonal):
         """Show other bars; none of them is chosen.
 
         Parameters
@@ -72,10 +74,12 @@ class ThicknessChart(ChartAxes):
         edges : ndarray of shape (k + 1,), mm
             Evenly spaced, from 0 on.
         shares : ndarray of shape (k,)
+        greatest : float, mm
+            Thickest wall; where that is beyond the last edge, the last bar holds all up to it.
         diagonal : float, mm
             The second scale tells shares of it.
         """
-        self.edges, self.shares, self._diagonal = edges, shares, diagonal
+        self.edges, self.shares, self._greatest, self._diagonal = edges, shares, greatest, diagonal
         self.bars = None
         self.update()
 
@@ -108,6 +112,9 @@ class ThicknessChart(ChartAxes):
 
     def bar_text(self, bar):
         """What a bar says about itself."""
+        if bar == self.count - 1 and self._greatest > self.edges[-1]:
+            return translate("ThinPart", "{} mm and more: {} of the area").format(
+                number(float(self.edges[bar])), percent(float(self.shares[bar])))
         return translate("ThinPart", "{} to {} mm: {} of the area").format(
             number(float(self.edges[bar])), number(float(self.edges[bar + 1])),
             percent(float(self.shares[bar])))

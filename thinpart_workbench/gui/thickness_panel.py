@@ -8,7 +8,7 @@ from ..freecad_adapter.settings import preference
 from .distribution_box import DistributionBox
 from .face_box import FaceBox
 from .probe_box import ProbeBox
-from .qt import QtCore, QtGui
+from .qt import QtCore, QtGui, QtWidgets, translate
 from .scale_box import ScaleBox
 from .sentences import translated
 from .shown_thickness import ShownThickness
@@ -19,30 +19,36 @@ ICON = Path(__file__).resolve().parents[2] / "resources" / "icons" / "ThinPart_S
 
 
 class ThicknessPanel(QtCore.QObject):
-    """The boxes, most of them hidden while there is no map.
+    """The boxes; all but the head are hidden, and made one by one, while there is no map.
 
     Attributes
     ----------
     panel : TaskPanel
     head : ThicknessHead
-    scale : ScaleBox
-    distribution : DistributionBox
-    faces : FaceBox
-    probes : ProbeBox
+    distribution : DistributionBox or None
+    scale : ScaleBox or None
+    faces : FaceBox or None
+    probes : ProbeBox or None
+        None until they are made; there with the first map.
     """
 
     def __init__(self, parent=None):
         super().__init__(parent)
-        self.head, self.scale, self.distribution = ThicknessHead(), ScaleBox(), DistributionBox()
-        self.faces, self.probes = FaceBox(), ProbeBox()
-        for box in (self.head, *self._others):
-            box.setWindowIcon(QtGui.QIcon(str(ICON)))
-        self.panel = TaskPanel([self.head, *self._others])
+        self.head = ThicknessHead()
+        self.distribution = self.scale = self.faces = self.probes = None
+        self._places = {
+            "distribution": (_place(translate("ThinPart", "Distribution")), DistributionBox),
+            "scale": (_place(translate("ThinPart", "Colours")), ScaleBox),
+            "faces": (_place(translate("ThinPart", "Faces")), FaceBox),
+            "probes": (_place(translate("ThinPart", "Probes")), ProbeBox),
+        }
+        self.head.setWindowIcon(_icon())
+        self.panel = TaskPanel([self.head, *(place for place, _ in self._places.values())])
         self._shown = None
-
-    @property
-    def _others(self):
-        return [self.distribution, self.scale, self.faces, self.probes]
+        # To make all of them at once takes longer than the window may stand still.
+        self._next = QtCore.QTimer(self, singleShot=True, interval=0)
+        self._next.timeout.connect(self._make_next)
+        self.panel.closed.connect(self._next.stop)
 
     @property
     def thickness(self):
@@ -53,10 +59,13 @@ class ThicknessPanel(QtCore.QObject):
         """Open the panel without a map."""
         self.panel.show()
         self._show_others(False)
+        self._next.start()
 
     def show_map(self, thickness):
         """Show a map, or one sentence where it cannot be read."""
         self.leave()
+        while self._make_next():
+            pass
         try:
             self._shown = ShownThickness(thickness, self, _profile())
         except ThinPartError as error:
@@ -71,14 +80,39 @@ class ThicknessPanel(QtCore.QObject):
             shown, self._shown = self._shown, None
             shown.leave()
 
+    def _make_next(self):
+        """Make one more box, if it is not there; False where all are."""
+        name = next((name for name in self._places if getattr(self, name) is None), None)
+        if name is None:
+            return False
+        place, kind = self._places[name]
+        box = kind(place)
+        place.layout().addWidget(box)
+        setattr(self, name, box)
+        self._next.start()
+        return True
+
     def _close(self):
         self.leave()
         # Not within FreeCAD's own removing of the object.
         QtCore.QTimer.singleShot(0, self.panel.hide)
 
     def _show_others(self, are_there):
-        for widget in self._others:
-            _box_around(widget).setVisible(are_there)
+        for place, _ in self._places.values():
+            _box_around(place).setVisible(are_there)
+
+
+def _icon():
+    return QtGui.QIcon(str(ICON))
+
+
+def _place(title):
+    """Where a box will be in the task view, under its title."""
+    place = QtWidgets.QWidget()
+    place.setWindowTitle(title)
+    place.setWindowIcon(_icon())
+    QtWidgets.QVBoxLayout(place).setContentsMargins(0, 0, 0, 0)
+    return place
 
 
 def _profile():

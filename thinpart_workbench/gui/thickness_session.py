@@ -27,6 +27,9 @@ class ThicknessSession(QtCore.QObject):
         # The map has just come into the view: the window has its turn before the boxes are filled.
         self._soon = QtCore.QTimer(self, singleShot=True, interval=0)
         self._soon.timeout.connect(self._show_measured)
+        # The same for the panel, before the part is written for the process that measures it.
+        self._opened = QtCore.QTimer(self, singleShot=True, interval=0)
+        self._opened.timeout.connect(self.measure)
         self._boxes = ThicknessPanel(self)
         self.panel = self._boxes.panel
         head = self._boxes.head
@@ -57,10 +60,10 @@ class ThicknessSession(QtCore.QObject):
         return self._boxes.thickness
 
     def start(self):
-        """Open the panel, and start to measure if there is no map to show."""
+        """Open the panel, and start to measure soon if there is no map to show."""
         self._boxes.begin()
         if self._thickness is None:
-            self.measure()
+            self._opened.start()
         else:
             self._boxes.show_map(self._thickness)
 
@@ -99,6 +102,7 @@ class ThicknessSession(QtCore.QObject):
         self._boxes.head.show_info_file(state.sentence, state.can_save, state.tool_tip)
 
     def _leave(self):
+        self._opened.stop()
         self._soon.stop()
         self._measuring.leave()
         self._boxes.leave()
