@@ -58,8 +58,9 @@ class ThicknessChart(ChartAxes):
         first, last = self.bars
         if last < self.count - 1:
             return float(self.edges[first]), float(self.edges[last + 1])
-        # What is as thick as the last edge is in the last bar.
-        return float(self.edges[first]), float(np.nextafter(max(self.edges[-1], self._greatest), np.inf))
+        # What is as thick as the last edge is in the last bar; maps hold float32.
+        end = np.float32(max(self.edges[-1], self._greatest))
+        return float(self.edges[first]), float(np.nextafter(end, np.float32(np.inf)))
 
     @property
     def count(self):
