@@ -28,6 +28,12 @@ class ThinPartWorkbench(Gui.Workbench):
 
         initialize(self)
 
+    def Activated(self):
+        """Called whenever the workbench is opened: a part will soon be measured."""
+        from thinpart_workbench.gui.ready_process import READY
+
+        READY.make_soon()
+
     def GetClassName(self):
         """A workbench written in Python."""
         return "Gui::PythonWorkbench"

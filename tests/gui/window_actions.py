@@ -9,6 +9,7 @@ import FreeCADGui as Gui
 import Part
 
 from thinpart_workbench.gui.qt import QtCore, QtGui, QtWidgets, translate
+from thinpart_workbench.gui.ready_process import READY
 
 SAMPLES = Path(__file__).resolve().parents[2] / "resources" / "samples"
 V = App.Vector
@@ -175,6 +176,7 @@ def workers(*names):
     """Process ids of processes that this FreeCAD started and that still run.
 
     Those of which the command line holds one of the names; `WORKERS`, which measure, where none is given.
+    The one that waits for something to measure is none of them.
     """
     found = []
     for stat in Path("/proc").glob("[0-9]*/stat"):
@@ -183,7 +185,7 @@ def workers(*names):
             command = (stat.parent / "cmdline").read_text(errors="replace")
         except OSError:
             continue  # it ended while being looked at
-        if int(fields[1]) == os.getpid() and fields[0] != "Z" and any(
+        if int(fields[1]) == os.getpid() and fields[0] != "Z" and int(stat.parent.name) != READY.number and any(
                 each in command for each in names or WORKERS):
             found.append(int(stat.parent.name))
     return found

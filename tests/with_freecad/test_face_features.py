@@ -202,12 +202,16 @@ def test_a_history_that_is_cut_off_names_nothing_that_it_does_not_know(document,
     assert set(made_by(document)) == {""}
 
 
+def job_line(folder):
+    return json.dumps({"folder": str(folder), "megabytes": 6000}).encode() + b"\n"
+
+
 def in_worker(part, folder, shapes):
     """The features that the worker finds in a snapshot with so many shapes of the history."""
     steps = write_snapshot([part], str(folder), AnalysisSettings(), load_profile("paper").content, maps=True)
     for _ in range(shapes):
         next(steps)
-    run = subprocess.run([sys.executable, "-m", WORKER, str(folder), "6000"], stdin=subprocess.DEVNULL,
+    run = subprocess.run([sys.executable, "-m", WORKER], input=job_line(folder),
                          env=dict(os.environ, PYTHONPATH=str(ROOT)), capture_output=True, timeout=120)
     line, = [each["map"] for each in map(json.loads, run.stdout.splitlines()) if "map" in each]
     mapped, = read_maps(line["file"])
@@ -233,9 +237,11 @@ def test_the_worker_waits_for_the_end_of_its_input(document, freecad, tmp_path):
     document.recompute()
     part, = document_parts(document)
     steps = write_snapshot([part], str(tmp_path), AnalysisSettings(), load_profile("paper").content, maps=True)
-    worker = subprocess.Popen([sys.executable, "-m", WORKER, str(tmp_path), "6000"], stdin=subprocess.PIPE,
+    worker = subprocess.Popen([sys.executable, "-m", WORKER], stdin=subprocess.PIPE,
                               env=dict(os.environ, PYTHONPATH=str(ROOT)), stdout=subprocess.PIPE)
     try:
+        worker.stdin.write(job_line(tmp_path))
+        worker.stdin.flush()
         while "record" not in json.loads(worker.stdout.readline()):
             pass
         list(steps)

@@ -9,10 +9,10 @@ import FreeCAD as App
 from ..core.errors import ThinPartError
 from ..freecad_adapter.snapshot import write_snapshot
 from .qt import QtCore, QtWidgets, Signal, translate
+from .ready_process import READY
 from .sentences import translated
-from .worker_python import new_process, python_program
+from .worker_python import listen
 
-WORKER = "thinpart_workbench.workflow.snapshot_worker"
 _OUT_OF_MEMORY = ("bad_alloc", "MemoryError", "Unable to allocate", "OutOfMemory", "length_error")
 
 
@@ -58,22 +58,24 @@ class DocumentRun(QtCore.QObject):
         ThinPartError
             When the snapshot cannot be written or there is no Python.
         """
-        program = python_program()
+        process = READY.take()
         try:
             self._folder = tempfile.mkdtemp(prefix="thinpart-")
             self._unwritten = write_snapshot(
                 self._analysis.in_turn, self._folder, self._analysis.settings,
                 self._analysis.profile_content, self._analysis.thin_limit, self._analysis.maps)
         except OSError as error:
+            process.kill()
+            process.deleteLater()
             self._remove_folder()
             raise ThinPartError(translate(
                 "ThinPart", "There is no room for temporary files ({}): nothing was measured."
             ).format(error.strerror), "failed") from None
-        process = new_process(self, self._read, self._read_errors, self._finished, self._failed_to_start)
-        process.setWorkingDirectory(self._folder)
+        process.setParent(self)
+        listen(process, self._read, self._read_errors, self._finished, self._failed_to_start)
         QtWidgets.QApplication.instance().aboutToQuit.connect(self.stop)
         self._process = process
-        process.start(program, ["-m", WORKER, self._folder, str(self._megabytes)])
+        process.write(json.dumps({"folder": self._folder, "megabytes": self._megabytes}).encode() + b"\n")
         self._write_on()
 
     def _write_on(self):
@@ -96,6 +98,7 @@ class DocumentRun(QtCore.QObject):
             process.kill()
             process.waitForFinished(3000)
             process.deleteLater()
+            READY.make_soon()
         self._unwritten = iter(())
         self._remove_folder()
 
@@ -111,6 +114,7 @@ class DocumentRun(QtCore.QObject):
         process.finished.connect(process.deleteLater)
         process.kill()
         self._remove_folder()
+        READY.make_soon()
 
     def _read(self):
         while self._process is not None and self._process.canReadLine():

@@ -13,7 +13,7 @@ from ..storage.part_table import failed_row, measured_row
 from ..workflow.temporary_folder import temporary_folder
 from .qt import QtCore, QtWidgets, Signal, translate
 from .sentences import translated
-from .worker_python import new_process, python_program
+from .worker_python import listen, new_process, python_program
 
 DONE, STOPPED, REFUSED, LOST = "done", "stopped", "refused", "lost"
 """How a run ended: to its end; as asked; it would not begin; unexpectedly."""
@@ -107,7 +107,8 @@ class FolderRun(QtCore.QObject):
         self._stopping = self._has_ended = False
         self._rest, self._last_lines = b"", deque(maxlen=_LAST_LINES)
         self._rows, self._told = [], 0.0
-        self._process = new_process(self, self._gather, self._gather, self._finished, self._failed_to_start)
+        self._process = new_process(self)
+        listen(self._process, self._gather, self._gather, self._finished, self._failed_to_start)
         QtWidgets.QApplication.instance().aboutToQuit.connect(self.end_now)
         self._process.start(program, arguments)
 

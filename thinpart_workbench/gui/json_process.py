@@ -8,7 +8,7 @@ import FreeCAD as App
 from ..core.errors import ThinPartError
 from .qt import QtCore, QtWidgets, Signal, translate
 from .sentences import translated
-from .worker_python import new_process, python_program
+from .worker_python import listen, new_process, python_program
 
 SLICE_SECONDS = 0.015
 """After reading for this long the window has its turn."""
@@ -59,8 +59,9 @@ class JsonProcess(QtCore.QObject):
         """
         program = python_program()
         self._errors = b""
-        self._process = new_process(self, self._slice.start, self._keep_errors,
-                                    lambda *_: self._slice.start(), self._failed_to_start)
+        self._process = new_process(self)
+        listen(self._process, self._slice.start, self._keep_errors, lambda *_: self._slice.start(),
+               self._failed_to_start)
         QtWidgets.QApplication.instance().aboutToQuit.connect(self.end_now)
         self._process.start(program, ["-m", f"thinpart_workbench.workflow.{self._module}"])
 

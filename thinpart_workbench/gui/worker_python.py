@@ -58,12 +58,23 @@ def python_environment():
     return environment
 
 
-def new_process(parent, output, errors, finished, failed):
-    """QProcess, not yet started, for `python_program`, which steps back behind the window.
+def new_process(parent):
+    """QProcess, not yet started, for `python_program`, which steps back behind the window."""
+    process = QtCore.QProcess(parent)
+    environment = QtCore.QProcessEnvironment()
+    for name, value in python_environment().items():
+        environment.insert(name, value)
+    process.setProcessEnvironment(environment)
+    process.started.connect(lambda: _step_back(process))
+    return process
+
+
+def listen(process, output, errors, finished, failed):
+    """Connect a process.
 
     Parameters
     ----------
-    parent : QObject
+    process : QProcess
     output, errors : callable
         Called when there is something to read on its standard output or error.
     finished : callable
@@ -71,17 +82,10 @@ def new_process(parent, output, errors, finished, failed):
     failed : callable
         Takes a ``QProcess.ProcessError``.
     """
-    process = QtCore.QProcess(parent)
-    environment = QtCore.QProcessEnvironment()
-    for name, value in python_environment().items():
-        environment.insert(name, value)
-    process.setProcessEnvironment(environment)
-    process.started.connect(lambda: _step_back(process))
     process.readyReadStandardOutput.connect(output)
     process.readyReadStandardError.connect(errors)
     process.finished.connect(finished)
     process.errorOccurred.connect(failed)
-    return process
 
 
 def _step_back(process):

@@ -1,7 +1,9 @@
 """The process that measures a snapshot: ``python -m thinpart_workbench.workflow.snapshot_worker``.
 
-It prints one JSON object per line: ``{"progress": {"part", "stage", "fraction"}}``,
-``{"record": ...}``, ``{"failure": {"part", "label", "kind", "message"}}`` and at last ``{"done": true}``.
+It loads what measuring takes and then waits for one line on standard input: ``{"folder", "megabytes"}``, the
+snapshot and the address space that may be used. It prints one JSON object per line:
+``{"progress": {"part", "stage", "fraction"}}``, ``{"record": ...}``,
+``{"failure": {"part", "label", "kind", "message"}}`` and at last ``{"done": true}``.
 Where walls are to be shown as thin under another limit than the verdict's, ``thin_limit_mm`` and
 ``thin_shares`` of the faces come beside the record. Where the job asks for maps, ``{"map": {"part", "file"}}``
 comes after the record: see `map_file`. What made each face is read once standard input has ended, for until
@@ -12,6 +14,7 @@ Whoever started it stops it by killing it; it writes nothing but these lines and
 import json
 import os
 import resource
+import select
 import sys
 import time
 
@@ -19,11 +22,19 @@ from ..core.analysis_settings import AnalysisSettings
 from ..core.criteria import profile_from
 from ..core.errors import ThinPartError
 
+PATIENCE = 600.0
+"""Seconds without a job after which it ends; loading everything anew takes less than one."""
 
-def main(arguments):
-    """Measure the snapshot in a folder, within an address space of so many megabytes."""
-    folder, megabytes = arguments[0], int(arguments[1])
+
+def main():
+    """Measure one snapshot."""
     lines = _private_stdout()
+    read_snapshot = _load()
+    asked = _first_line()
+    if not asked:
+        return
+    folder, megabytes = asked["folder"], asked["megabytes"]
+    os.chdir(folder)
     limit = megabytes * 1024 * 1024
     resource.setrlimit(resource.RLIMIT_AS, (limit, resource.getrlimit(resource.RLIMIT_AS)[1]))
 
@@ -31,10 +42,6 @@ def main(arguments):
         lines.write(json.dumps(line, ensure_ascii=False) + "\n")
         lines.flush()
 
-    from ..freecad_adapter.bootstrap import load_freecad
-    from ..freecad_adapter.snapshot import read_snapshot
-
-    load_freecad()
     job, read = read_snapshot(folder)
     settings = AnalysisSettings(**job["settings"])
     profile = profile_from(job["profile"])
@@ -48,6 +55,34 @@ def main(arguments):
                 entry, "memory", f"{entry['label']} needs more than {megabytes} MB of memory: "
                                  "raise the limit in the preferences."))
     say(done=True)
+
+
+def _load():
+    """Load what every snapshot needs, and return what reads one."""
+    from ..freecad_adapter.bootstrap import load_freecad
+
+    load_freecad()
+    import MeshPart  # noqa: F401
+    import Part  # noqa: F401
+
+    from ..core import thickness_map  # noqa: F401
+    from ..freecad_adapter.snapshot import read_snapshot
+    from . import analyse_part  # noqa: F401
+
+    return read_snapshot
+
+
+def _first_line():
+    """The job; None where nobody has one. What comes after it stays in the pipe."""
+    line = b""
+    while not line.endswith(b"\n"):
+        if not select.select([0], [], [], PATIENCE)[0]:
+            return None
+        byte = os.read(0, 1)
+        if not byte:
+            return None
+        line += byte
+    return json.loads(line)
 
 
 def _failure(entry, kind, message):
@@ -118,4 +153,4 @@ def _private_stdout():
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    main()
