@@ -54,6 +54,19 @@ def load_freecad():
     return freecad
 
 
+def load_meshing():
+    """Import FreeCAD with all that reading and meshing solids takes, which is otherwise loaded by the first part.
+
+    Raises
+    ------
+    ThinPartError
+        See `load_freecad`.
+    """
+    load_freecad()
+    for name in ("Part", "MeshPart"):
+        importlib.import_module(name)
+
+
 def has_home():
     """Whether FreeCAD has a home folder that it can use.
 

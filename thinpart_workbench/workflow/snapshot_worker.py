@@ -59,12 +59,9 @@ def main():
 
 def _load():
     """Load what every snapshot needs, and return what reads one."""
-    from ..freecad_adapter.bootstrap import load_freecad
+    from ..freecad_adapter.bootstrap import load_meshing
 
-    load_freecad()
-    import MeshPart  # noqa: F401
-    import Part  # noqa: F401
-
+    load_meshing()
     from ..core import thickness_map  # noqa: F401
     from ..freecad_adapter.snapshot import read_snapshot
     from . import analyse_part  # noqa: F401
