@@ -223,6 +223,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>„{}“ wurde noch nicht klassifiziert: Klassifizieren Sie zuerst das Bauteil.</translation>
     </message>
     <message>
+        <source>1 probe was removed: the surface is no longer where it was.</source>
+        <translation>1 Messpunkt wurde entfernt: Die Oberfläche ist nicht mehr dort, wo er war.</translation>
+    </message>
+    <message>
         <source>A folder for the info files, in which the folders of the documents are repeated; it may lie on another computer. Empty: beside each document</source>
         <translation>Ein Ordner für die Infodateien, in dem die Ordner der Dokumente nachgebildet werden; er darf auf einem anderen Rechner liegen. Leer: neben jedem Dokument</translation>
     </message>
@@ -1131,6 +1135,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Es ist kein Platz für temporäre Dateien ({}): Nichts wurde gemessen.</translation>
     </message>
     <message>
+        <source>There is no room for the thickness map ({}): nothing was changed.</source>
+        <translation>Für die Wandstärkenkarte ist kein Platz ({}): Es wurde nichts geändert.</translation>
+    </message>
+    <message>
         <source>Thickness</source>
         <translation>Wandstärke</translation>
     </message>
@@ -1585,6 +1593,10 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>{} parts, {} in all</source>
         <translation>{} Bauteile, insgesamt {}</translation>
+    </message>
+    <message>
+        <source>{} probes were removed: the surface is no longer where they were.</source>
+        <translation>{} Messpunkte wurden entfernt: Die Oberfläche ist nicht mehr dort, wo sie waren.</translation>
     </message>
     <message>
         <source>{} s</source>

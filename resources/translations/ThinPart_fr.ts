@@ -223,6 +223,10 @@ Son volume n’est pas connu.</translation>
         <translation>« {} » n’a pas encore été classifiée : classifiez d’abord la pièce.</translation>
     </message>
     <message>
+        <source>1 probe was removed: the surface is no longer where it was.</source>
+        <translation>1 sonde a été retirée : la surface ne se trouve plus à cet endroit.</translation>
+    </message>
+    <message>
         <source>A folder for the info files, in which the folders of the documents are repeated; it may lie on another computer. Empty: beside each document</source>
         <translation>Un dossier pour les fichiers d’information, où les dossiers des documents sont reproduits ; il peut se trouver sur un autre ordinateur. Vide : à côté de chaque document</translation>
     </message>
@@ -1131,6 +1135,10 @@ Son volume n’est pas connu.</translation>
         <translation>Il n’y a pas de place pour les fichiers temporaires ({}) : rien n’a été mesuré.</translation>
     </message>
     <message>
+        <source>There is no room for the thickness map ({}): nothing was changed.</source>
+        <translation>Il n’y a pas de place pour la carte des épaisseurs ({}) : rien n’a été modifié.</translation>
+    </message>
+    <message>
         <source>Thickness</source>
         <translation>Épaisseur</translation>
     </message>
@@ -1585,6 +1593,10 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>{} parts, {} in all</source>
         <translation>{} pièces, {} au total</translation>
+    </message>
+    <message>
+        <source>{} probes were removed: the surface is no longer where they were.</source>
+        <translation>{} sondes ont été retirées : la surface ne se trouve plus à ces endroits.</translation>
     </message>
     <message>
         <source>{} s</source>

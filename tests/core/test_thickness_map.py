@@ -8,7 +8,7 @@ from thinpart_workbench.core.colour_scale import COLOUR_MAPS, ColourScale, colou
 from thinpart_workbench.core.errors import ThinPartError
 from thinpart_workbench.core.facet_refinement import cut_sides, side_keys
 from thinpart_workbench.core.map_summary import (
-    area_by_thickness, between, face_summaries, range_of, share_between, telling_range,
+    are_between, area_by_thickness, between, face_summaries, range_of, share_between, telling_range,
 )
 from thinpart_workbench.core.mapped_part import MappedPart
 from thinpart_workbench.core.measurement import measure
@@ -51,6 +51,18 @@ def test_a_plate_is_as_thick_as_it_is(measure_by):
     on_top = np.abs(np.ptp(corners[:, :, 2], axis=1)) < 1e-6
     assert shown.thickness[on_top] == pytest.approx(2.0, abs=1e-4)
     assert shown.thickness[~on_top] == pytest.approx(100.0, abs=1e-3)
+
+
+@pytest.mark.parametrize("wall", [0.7, 0.9, 1.4, 1.8])
+def test_a_wall_on_an_edge_of_the_histogram_is_above_it_everywhere(wall):
+    """As float32, these are a little less than their decimals."""
+    sheet = MappedPart({}, _map(made_meshes.box(50, 40, wall)), [], np.eye(4)[None])
+    shares, _ = area_by_thickness([sheet], np.arange(5) * wall)
+    assert shares[0] == 0.0 and shares[1] > 0.9
+    assert share_between([sheet], 0.0, wall) == 0.0
+    assert share_between([sheet], wall, 2 * wall) == pytest.approx(shares[1])
+    assert are_between(sheet.map.thickness, wall, np.inf)[sheet.map.measured].all()
+    assert all(each.thin_share == 0.0 for each in face_summaries(sheet.map, wall))
 
 
 def test_a_rib_is_seen_where_it_is():

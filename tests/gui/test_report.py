@@ -4,10 +4,14 @@ from pathlib import Path
 
 import FreeCAD as App
 import FreeCADGui as Gui
+import Part
 import pytest
 import window_actions as window
 
+from thinpart_workbench.freecad_adapter.settings import set_preference
 from thinpart_workbench.gui.qt import QtCore, QtGui
+from thinpart_workbench.storage.info_file import read_info
+from thinpart_workbench.workflow.kept_notes import keep_with_part
 
 
 class Browser(QtCore.QObject):
@@ -75,6 +79,31 @@ def test_a_report_is_written_beside_the_document_and_opened(saved, browser, tmp_
     assert not window.is_shown("ThinPart_ReportProgress")
     window.click("ThinPart_ReportLook")
     assert browser.opened == [str(overview)] * 2
+
+
+def test_it_measures_by_the_preferences_and_has_the_notes_of_their_folder(document, browser, tmp_path):
+    window.add(document, "Tube", Part.makeCylinder(20, 30).cut(Part.makeCylinder(18, 30)))
+    document.saveAs(str(tmp_path / "block.FCStd"))
+    library = tmp_path / "library"
+    library.mkdir()
+    wanted = {"InfoFolder": str(library), "AngularDeflection": 1.0}
+    try:
+        for name, value in wanted.items():
+            set_preference(name, value)
+        window.classify()
+        window.wait_until(lambda: "preferred folder" in window.text("ThinPart_InfoText"))
+        info, = library.rglob("*.thinpart.json")
+        keep_with_part(info, notes="Ask before thinning this")
+        opened()
+        window.click("ThinPart_ReportStart")
+        wait_for_end()
+    finally:
+        for name in wanted:
+            set_preference(name, None)
+    page, = (tmp_path / "block-report").rglob("pages/*.html")
+    triangles = read_info(info)["parts"][0]["triangles"]
+    assert "Ask before thinning this" in page.read_text()
+    assert f"{triangles} triangles" in page.read_text() and triangles > 1200
 
 
 def test_who_does_not_want_to_look_need_not(saved, browser):

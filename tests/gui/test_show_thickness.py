@@ -13,7 +13,9 @@ import window_actions as window
 from window_actions import V
 
 from thinpart_workbench.freecad_adapter.thickness_object import thickness_objects
+from thinpart_workbench.gui import document_run
 from thinpart_workbench.gui.show_thickness import is_measuring_again
+from thinpart_workbench.gui.thickness_picking import add_probe
 from thinpart_workbench.workflow.document_maps import parts_of
 
 
@@ -181,6 +183,71 @@ def test_a_changed_part_makes_the_map_stale_and_recomputing_it_measures_again(do
     window.wait_until(lambda: not is_measuring_again())
     assert not thickness.Stale
     assert parts_of(thickness)[0].map.thickness.min() == pytest.approx(5.0, abs=1e-3)
+
+
+def test_moving_what_has_changed_measures_nothing_unasked(document):
+    plate = window.add(document, "Plate", Part.makeBox(40, 30, 4))
+    window.show_thickness()
+    window.mouse_click(window.close_button())
+    thickness, = thickness_objects(document)
+    plate.Shape = Part.makeBox(40, 30, 7)
+    document.recompute()
+    window.settle(100)
+    for x in (10, 20):
+        plate.Placement.Base.x = x
+        document.recompute()
+        window.settle(100)
+        assert thickness.Stale and not is_measuring_again() and window.workers() == []
+
+
+def test_measuring_again_takes_new_copies_for_sources_too(document):
+    plate = window.add(document, "Plate", Part.makeBox(40, 30, 4))
+    window.show_thickness()
+    thickness, = thickness_objects(document)
+    link = document.addObject("App::Link", "Copy")
+    link.LinkedObject = plate
+    link.Placement.Base.x = 100
+    plate.Shape = Part.makeBox(40, 30, 7)
+    document.recompute()
+    window.settle(100)
+    window.click("ThinPart_AgainButton")
+    window.wait_until(lambda: "Thinnest wall 7" in window.text("ThinPart_Walls"))
+    assert {each.Name for each in thickness.Sources} == {"Plate", "Copy"}
+    assert len(parts_of(thickness)[0].places) == 2 and not thickness.Stale
+    link.Placement.Base.x = 130
+    document.recompute()
+    window.settle(100)
+    assert thickness.Stale
+
+
+def test_probes_that_the_surface_has_left_are_told_of(document):
+    plate = window.add(document, "Plate", Part.makeBox(40, 30, 4))
+    window.show_thickness()
+    thickness, = thickness_objects(document)
+    add_probe(thickness, (20, 15, 4), (20, 15, 0), 4.0)
+    plate.Shape = Part.makeBox(40, 30, 7)
+    document.recompute()
+    window.settle(100)
+    window.click("ThinPart_AgainButton")
+    window.wait_until(lambda: "1 probe was removed" in window.text("ThinPart_Message"))
+    assert not thickness.ProbeValues
+
+
+def test_a_full_disk_is_told_and_leaves_nothing_behind(document, monkeypatch):
+    """A disk that is full cannot be had in a test."""
+    def write(*_):
+        raise RuntimeError("Writing of BREP failed")  # FreeCAD has a class of its own for it
+
+    window.add(document, "Plate", Part.makeBox(40, 30, 4))
+    folders = _temporary_folders()
+    with monkeypatch.context() as patch:
+        patch.setattr(document_run, "write_snapshot", write)
+        window.press("ThinPart_ShowThickness")
+        window.wait_until(lambda: "no room for temporary files" in window.text("ThinPart_Message"))
+    assert window.workers() == [] and _temporary_folders() == folders
+    window.click("ThinPart_AgainButton")
+    window.wait_until(window.is_thickness_told)
+    assert len(thickness_objects(document)) == 1
 
 
 def test_cancel_half_way_leaves_nothing_behind(document):

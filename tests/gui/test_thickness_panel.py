@@ -104,7 +104,7 @@ def test_dragging_the_threshold_recolours_at_once_and_measures_nothing(ribbed):
     window.mouse_click(window.widget("ThinPart_ThinOnly"), QtCore.QPoint(8, 10))
     window.settle(50)
     assert ribbed.ThinOnly
-    shown = chart()
+    shown, before = chart(), ribbed.Threshold
     y = int(shown.plot().center().y())
     start = QtCore.QPoint(round(shown.x_of(shown.threshold)), y)
     aim = QtCore.QPoint(round(shown.x_of(50.0)), y)
@@ -123,6 +123,12 @@ def test_dragging_the_threshold_recolours_at_once_and_measures_nothing(ribbed):
     finally:
         App.removeDocumentObserver(watch)
     assert len(seen) > 1 and not any(running for _, running in seen)
+    window.settle(300)
+    assert ribbed.Threshold == pytest.approx(50.0, rel=0.05)
+    ribbed.Document.undo()
+    window.settle(300)
+    assert ribbed.Threshold == pytest.approx(before)
+    ribbed.Document.redo()
     window.settle(300)
     assert ribbed.Threshold == pytest.approx(50.0, rel=0.05)
     share = share_between(parts_of(ribbed), 0.0, ribbed.Threshold)

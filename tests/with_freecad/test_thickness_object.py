@@ -10,8 +10,10 @@ import pytest
 
 import made_maps
 from thinpart_workbench.core.errors import ThinPartError
+from thinpart_workbench.freecad_adapter.document_parts import document_parts
+from thinpart_workbench.freecad_adapter.part_places import sources_of
 from thinpart_workbench.freecad_adapter.settings import set_preference
-from thinpart_workbench.freecad_adapter.source_signature import same_signature, signature
+from thinpart_workbench.freecad_adapter.source_signature import global_placement, same_signature, signature
 from thinpart_workbench.freecad_adapter.thickness_object import (
     SHARE, is_thickness, motion, scale_of, thickness_objects,
 )
@@ -114,6 +116,45 @@ def test_sources_that_part_from_each_other_leave_it_stale(freecad, document, pla
     assert thickness.Stale and motion(thickness) is None
 
 
+def test_a_link_to_a_container_that_moves_leaves_it_stale(freecad, document, plate):
+    """The plate itself stays where it is, and FreeCAD knows two ways that lead to it."""
+    container = document.addObject("App::Part", "Container")
+    container.addObject(plate)
+    link = document.addObject("App::Link", "Copy")
+    link.LinkedObject = container
+    link.Placement.Base.x = 100
+    document.recompute()
+    sources = sources_of(document, document_parts(document))
+    assert {each.Name for each in sources} == {"Plate", "Copy"}
+    assert global_placement(plate).Base.x == 0
+    thickness = made_maps.add_map(document, *sources)
+    link.Placement.Base.x = 130
+    document.recompute()
+    assert global_placement(plate).Base.x == 0 and thickness.Stale
+    link.Placement.Base.x = 100
+    document.recompute()
+    assert not thickness.Stale
+
+
+def test_one_of_many_holes_makes_another_shape(freecad, document):
+    import Part
+
+    def sieve(radius):
+        holes = [Part.makeCircle(1 if (x, y) != (17, 21) else radius, freecad.Vector(3 * x + 2, 3 * y + 2))
+                 for x in range(30) for y in range(40)]
+        plate = Part.Face([Part.makePolygon([freecad.Vector(*each) for each in (
+            (0, 0), (100, 0), (100, 130), (0, 130), (0, 0))]), *map(Part.Wire, holes)])
+        return plate.extrude(freecad.Vector(0, 0, 2))
+
+    feature = document.addObject("Part::Feature", "Sieve")
+    feature.Shape = sieve(1)
+    before = signature([feature])
+    feature.Shape = sieve(1)
+    assert same_signature(before, signature([feature]))
+    feature.Shape = sieve(1.05)
+    assert len(feature.Shape.Vertexes) > 2400 and not same_signature(before, signature([feature]))
+
+
 def test_a_source_that_is_removed_leaves_it_stale(document, plate, thickness):
     document.removeObject(plate.Name)
     document.recompute()
@@ -169,7 +210,7 @@ def test_undo_and_redo(document, plate):
     document.openTransaction("Measure again")
     plate.Length = 50
     document.recompute()
-    set_parts(thickness, made_maps.mapped_parts(document))
+    set_parts(thickness, thickness.Sources, made_maps.mapped_parts(document))
     document.commitTransaction()
     assert not thickness.Stale and thickness.Thickest == pytest.approx(50.0, abs=1e-3)
     document.undo()
@@ -186,7 +227,7 @@ def test_measured_again_it_keeps_probes_that_still_lie_on_the_part(document, pla
     thickness.ColourMap, thickness.Threshold = "magma", 3.0
     plate.Height = 4
     document.recompute()
-    assert set_parts(thickness, made_maps.mapped_parts(document)) == 1
+    assert set_parts(thickness, thickness.Sources, made_maps.mapped_parts(document)) == 1
     probe, = probes_of(thickness)
     assert probe.value == pytest.approx(4.0, abs=1e-4)
     assert probe.opposite == pytest.approx((5, 5, 4), abs=1e-4)

@@ -19,7 +19,8 @@ from .control_input import listen
 from .file_run import analyse_planned
 from .part_rows import PartRows
 from .run_options import (
-    add_choice, add_conversation, add_limits, add_measuring, limits_of, search_documents, settings_of,
+    add_choice, add_conversation, add_info_place, add_limits, add_measuring, info_tree, limits_of,
+    search_documents, settings_of,
 )
 from .run_report import new_report, standard_output
 from .stop_signals import stop_signals
@@ -33,11 +34,7 @@ def add_arguments(parser):
                         help="classify only the files that LIST names (absolute paths, each ended by a "
                              "NUL byte); the PATHs then only say which tree --info-dir mirrors")
     parser.add_argument("--no-info", action="store_true", help="write no info files")
-    parser.add_argument("--info-dir", metavar="DIR",
-                        help="keep the info files in this folder instead of beside the parts")
-    parser.add_argument("--info-tree", metavar="TOP",
-                        help="the folder whose tree --info-dir mirrors (default: the folder that all "
-                             "PATHs share)")
+    add_info_place(parser, "keep the info files in this folder instead of beside the parts")
     parser.add_argument("--no-thumbnails", action="store_true",
                         help="keep no pictures of the parts in the cache")
     parser.add_argument("--force", action="store_true",
@@ -96,7 +93,7 @@ def _listed(options):
             "names the parts.", "usage",
         ) from None
     paths = [os.fsdecode(each) for each in content.split(b"\0") if each]
-    tree = os.path.join(_tree(options), "")
+    tree = os.path.join(info_tree(options), "")
     for path in paths:
         if not os.path.isabs(path):
             raise ThinPartError(
@@ -120,20 +117,7 @@ def _new_task(options):
 def _info_place(options):
     if options.no_info:
         return lambda file: None
-    return info_place(options.info_dir, _tree(options))
-
-
-def _tree(options):
-    """Top of the tree that the folder for info files mirrors."""
-    shared = common_folder(options.paths)
-    if options.info_tree is None:
-        return shared
-    top = os.path.abspath(options.info_tree)
-    if os.path.commonpath([top, shared]) != top:
-        raise ThinPartError(
-            f"{shared} does not lie below {top}: name a folder after --info-tree that holds all PATHs.",
-            "usage")
-    return top
+    return info_place(options.info_dir, info_tree(options))
 
 
 def _check_info_folder(folder):

@@ -11,7 +11,8 @@ from ..workflow.run_plan import info_place, plan_run
 from .control_input import listen
 from .file_run import analyse_planned
 from .run_options import (
-    add_choice, add_conversation, add_limits, add_measuring, limits_of, search_documents, settings_of,
+    add_choice, add_conversation, add_info_place, add_limits, add_measuring, info_tree, limits_of,
+    search_documents, settings_of,
 )
 from .run_report import new_report, standard_output
 from .stop_signals import stop_signals
@@ -23,9 +24,8 @@ def add_arguments(parser):
     parser.add_argument("-o", "--output", metavar="DIR", required=True,
                         help="folder of the report: a new or an empty one, or that of an earlier report, "
                              "whose pages are replaced")
-    parser.add_argument("--info-dir", metavar="DIR",
-                        help="take notes that are kept with the parts from the info files in this folder "
-                             "instead of those beside the parts")
+    add_info_place(parser, "take notes that are kept with the parts from the info files in this folder "
+                           "instead of those beside the parts")
     add_measuring(parser)
     add_limits(parser)
     add_conversation(parser)
@@ -41,7 +41,7 @@ def run(options):
             listen(control)
         documents, failures = search_documents(options, control, report)
         tree = common_folder(options.paths)
-        folder = ReportFolder(options.output, tree, profile, info_place(options.info_dir, tree))
+        folder = ReportFolder(options.output, tree, profile, info_place(options.info_dir, info_tree(options)))
         with closing(folder):
             new_task = _new_task(options, profile, folder)
             planned = plan_run(documents, new_task, lambda file: None, options.jobs)

@@ -6,7 +6,7 @@ from dataclasses import fields
 
 from ..core.analysis_settings import BOXES, MEASURES, AnalysisSettings
 from ..core.errors import ThinPartError
-from ..workflow.find_documents import NameFilter, find_documents
+from ..workflow.find_documents import NameFilter, common_folder, find_documents
 from ..workflow.worker_pool import LEAST_MEGABYTES, Limits, failure
 
 _MOST = 10 ** 9
@@ -21,6 +21,33 @@ def add_choice(parser):
                              "whose path below the folder it matches; may be given several times")
     parser.add_argument("--exclude", metavar="GLOB", action="append", default=[],
                         help="of folders, leave out what it matches, in the same way")
+
+
+def add_info_place(parser, meaning):
+    """Declare the options that say where the info files lie."""
+    parser.add_argument("--info-dir", metavar="DIR", help=meaning)
+    parser.add_argument("--info-tree", metavar="TOP",
+                        help="the folder whose tree --info-dir mirrors (default: the folder that all "
+                             "PATHs share)")
+
+
+def info_tree(options):
+    """Top of the tree that the folder for info files mirrors, str.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``usage`` where not all PATHs lie below it.
+    """
+    shared = common_folder(options.paths)
+    if options.info_tree is None:
+        return shared
+    top = os.path.abspath(options.info_tree)
+    if os.path.commonpath([top, shared]) != top:
+        raise ThinPartError(
+            f"{shared} does not lie below {top}: name a folder after --info-tree that holds all PATHs.",
+            "usage")
+    return top
 
 
 def add_measuring(parser):

@@ -40,7 +40,8 @@ def area_by_thickness(parts, edges):
     parts : list of MappedPart
         Each counts as often as it stands somewhere.
     edges : ndarray of shape (k + 1,), mm
-        Ascending; the last bin includes its upper edge.
+        Ascending; the last bin includes its upper edge. Rounded as the maps are, to float32: so a sheet of
+        0.7 mm is in the bin that begins there.
 
     Returns
     -------
@@ -48,6 +49,7 @@ def area_by_thickness(parts, edges):
     unmeasured : float
         Both of all area.
     """
+    edges = np.asarray(edges, dtype=np.float32)
     bins, unmeasured, total = np.zeros(len(edges) - 1), 0.0, 0.0
     for part in parts:
         shown, times = part.map, len(part.places)
@@ -66,8 +68,14 @@ def share_between(parts, low, high):
 
 def between(shown, low, high):
     """ndarray of shape (m,), bool: facets over walls of at least `low` and less than `high`, mm."""
+    return are_between(shown.thickness, low, high)
+
+
+def are_between(thickness, low, high):
+    """Which thicknesses, rounded as the maps are, are at least `low` and less than `high`, mm; nan never is."""
+    thickness = np.asarray(thickness, dtype=np.float32)
     with np.errstate(invalid="ignore"):
-        return (shown.thickness >= low) & (shown.thickness < high)
+        return (thickness >= np.float32(low)) & (thickness < np.float32(high))
 
 
 def range_of(parts):
@@ -119,8 +127,7 @@ def face_summaries(shown, threshold):
     total = np.maximum(np.add.reduceat(area, start), np.finfo(float).tiny)
     known = np.add.reduceat(np.where(measured, area, 0.0), start)
     count = np.add.reduceat(measured.astype(np.int64), start)
-    with np.errstate(invalid="ignore"):
-        thin = np.add.reduceat(np.where(thickness < threshold, area, 0.0), start)
+    thin = np.add.reduceat(np.where(are_between(thickness, 0.0, threshold), area, 0.0), start)
     cumulative = np.cumsum(area)
     # The first of each face's facets up to which half of its measured area lies.
     middle = np.searchsorted(cumulative, cumulative[start] - area[start] + 0.5 * known)

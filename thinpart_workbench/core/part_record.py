@@ -16,6 +16,16 @@ SIGNIFICANT_DIGITS = 9
 """Digits that are written. Those below are rounding and differ between processors."""
 
 
+def face_name(number):
+    """FreeCAD's name of a face, from its number from 0."""
+    return f"Face{number + 1}"
+
+
+def face_number(entry):
+    """The face, from 0, that an entry of a record's ``faces`` is about; faces without triangles have none."""
+    return int(entry["face"][len("Face"):]) - 1
+
+
 def part_record(part, mesh, measurement, classification, paper, faces, error_bound, deflection):
     """Assemble the record of one part.
 
@@ -173,7 +183,7 @@ def _has_teeth(paper):
 
 def _face(face):
     return {
-        "face": f"Face{face.face + 1}",
+        "face": face_name(face.face),
         "area_mm2": face.area,
         "min": face.minimum,
         "median": face.median,
@@ -191,7 +201,7 @@ def _witness(witness):
     return {
         "distance": witness.distance,
         "points": [witness.point.tolist(), witness.opposite.tolist()],
-        "opposite_face": f"Face{witness.opposite_face + 1}",
+        "opposite_face": face_name(witness.opposite_face),
     }
 
 

@@ -1,5 +1,7 @@
 """Which faces of a part are shown as thin."""
 
+from .part_record import face_number
+
 MOSTLY = 0.5
 """Thin share of a face's area from which the face as a whole is shown as thin."""
 
@@ -59,6 +61,6 @@ def thin_face_colours(record, thin, partly):
     for face in record["faces"]:
         if face["thin_share"] * face["area_mm2"] <= least:
             continue
-        number = int(face["face"][len("Face"):]) - 1
+        number = face_number(face)
         colours[number] = thin if face["thin_share"] >= MOSTLY else partly
     return colours

@@ -5,6 +5,7 @@ import numpy as np
 from .equal_solids import motion
 from .face_owners import face_indices
 from .part import SolidPart
+from .source_signature import links_on_the_way
 
 
 def places_of(document, part, measured):
@@ -42,14 +43,17 @@ def sources_of(document, parts):
     Returns
     -------
     list of App.DocumentObject
-        Of what lies in another document, the link that leads there.
+        Of what lies in another document, the link that leads there; of what lies in linked containers, the
+        links too.
     """
     found = {}
     for part in parts:
         for place in part.occurrences:
+            root = document.getObject(place.root)
             chain = [each for each in _chain(document, place) if each.Document == document]
-            if chain:
-                found.setdefault(chain[-1].Name, chain[-1])
+            # A link to a container moves what lies in that, which itself stays where it is.
+            for each in (*chain[-1:], *links_on_the_way(root, place.path)):
+                found.setdefault(each.Name, each)
     return list(found.values())
 
 

@@ -8,8 +8,9 @@ _DIGITS = 9
 _EQUAL = 1e-8
 """Difference of two measures, in units of the part, below which they are the same: digits and rounding."""
 
-_MOST_CORNERS, _MOST_FACES = 1000, 100
-"""So many are looked at, spread over all. Areas and volumes would cost half a second per 1000 faces."""
+_MOST_CORNERS, _MOST_FACES = 20_000, 100
+"""So many are looked at, spread over all: what changes a part moves a corner, be it that of one hole's seam.
+Areas and volumes would cost half a second per 1000 faces."""
 
 _MOST_KNOWN = 500
 
@@ -48,10 +49,19 @@ def _same(one, other):
 
 def global_placement(source):
     """Where an object stands in its document, containers included: FreeCAD.Placement."""
-    for root, path in getattr(source, "Parents", ()):
-        if root.Document == source.Document:
-            return root.getSubObject(path, retType=3)
-    return source.getSubObject("", retType=3)
+    ways = [(root, path) for root, path in getattr(source, "Parents", ()) if root.Document == source.Document]
+    if not ways:
+        return source.getSubObject("", retType=3)
+    # FreeCAD gives them in any order. Where the object itself stands does not depend on links to its container.
+    root, path = min(ways, key=lambda way: (len(links_on_the_way(*way)), way[0].Name, way[1]))
+    return root.getSubObject(path, retType=3)
+
+
+def links_on_the_way(root, path):
+    """Links of a document that a sub-object path leads through, its end included: list of DocumentObject."""
+    return [each for each in (root.getSubObjectList(path) if path else [root])
+            if each is not None and each.Document == root.Document
+            and (each.isDerivedFrom("App::Link") or each.isDerivedFrom("App::LinkElement"))]
 
 
 def same_place(one, other):

@@ -130,7 +130,7 @@ class ThicknessObject:
 
     def _start(self):
         self._unit = None  # what Low and High are in at present, to convert them
-        self._seen = None  # signature of the sources when they were last looked at
+        self._seen = None  # the sources when they were last looked at, see `_look`
         self.kept_parts = None  # see `document_maps`
 
     def dumps(self):
@@ -170,13 +170,13 @@ class ThicknessObject:
         if not hasattr(view, "ask_for_measuring"):
             return  # there is no window
         view.move()
-        if was_stale and thickness.Stale and seen is not None and same_signature(seen, self._seen):
+        if was_stale and thickness.Stale and seen is not None and _same_look(seen, self._seen):
             view.ask_for_measuring()
 
     def check(self, thickness):
         """Compare the sources with what was measured, and set `Stale`; whether that has changed."""
-        self._seen = signature(thickness.Sources)
-        stale = not (thickness.Sources and same_signature(thickness.Signature, self._seen)) or (
+        self._seen = _look(thickness.Sources)
+        stale = not (thickness.Sources and same_signature(thickness.Signature, self._seen[0])) or (
             motion(thickness) is None)
         if stale == thickness.Stale:
             return False
@@ -185,8 +185,8 @@ class ThicknessObject:
 
     def measured(self, thickness):
         """Take the sources as they are for what was measured."""
-        self._seen = thickness.Signature = signature(thickness.Sources)
-        thickness.SourcePlacements = [global_placement(each) for each in thickness.Sources]
+        self._seen = _look(thickness.Sources)
+        thickness.Signature, thickness.SourcePlacements = self._seen
         thickness.Stale = False
 
     def _follow(self, thickness, name):
@@ -203,6 +203,16 @@ class ThicknessObject:
         for each, value in (("Low", low), ("High", high)):
             if getattr(thickness, each) != value:
                 setattr(thickness, each, value)
+
+
+def _look(sources):
+    """The shapes of objects, as `signature`, and where they stand, list of Placement."""
+    return signature(sources), [global_placement(each) for each in sources]
+
+
+def _same_look(one, other):
+    return same_signature(one[0], other[0]) and len(one[1]) == len(other[1]) and all(
+        map(same_place, one[1], other[1]))
 
 
 def motion(thickness):

@@ -64,13 +64,13 @@ class DocumentRun(QtCore.QObject):
             self._unwritten = write_snapshot(
                 self._analysis.in_turn, self._folder, self._analysis.settings,
                 self._analysis.profile_content, self._analysis.thin_limit, self._analysis.maps)
-        except OSError as error:
+        except Exception as error:  # FreeCAD raises classes of its own where a disk is full
             process.kill()
             process.deleteLater()
             self._remove_folder()
             raise ThinPartError(translate(
                 "ThinPart", "There is no room for temporary files ({}): nothing was measured."
-            ).format(error.strerror), "failed") from None
+            ).format(getattr(error, "strerror", None) or error), "failed") from None
         process.setParent(self)
         listen(process, self._read, self._read_errors, self._finished, self._failed_to_start)
         QtWidgets.QApplication.instance().aboutToQuit.connect(self.stop)

@@ -9,6 +9,7 @@ import numpy as np
 from ..core.map_search import MapSearch
 from ..freecad_adapter.document_parts import document_parts
 from ..freecad_adapter.part_places import face_at, face_paths
+from .document_observer import OBSERVER
 from .qt import QtCore, Signal
 
 MOST = 2000
@@ -23,7 +24,7 @@ class FaceSelection(QtCore.QObject):
     thickness : FreeCAD.DocumentObject
         The map of the parts.
     names : list of str
-        Of the parts, in the order of the map.
+        Of the parts, in the order of the map; to be set where the map is another one.
 
     Signals
     -------
@@ -38,8 +39,8 @@ class FaceSelection(QtCore.QObject):
 
     def __init__(self, thickness, names, parent=None):
         super().__init__(parent)
-        self._document, self._map, self._names = thickness.Document.Name, thickness.Name, names
-        self._known, self._is_ours = None, False
+        self._document, self._map, self.names = thickness.Document.Name, thickness.Name, names
+        self._known, self._is_ours = (None, None), False
         Gui.Selection.addObserver(self, 0)
 
     def end(self):
@@ -96,16 +97,17 @@ class FaceSelection(QtCore.QObject):
                 self.map_selected.emit(place)
             return
         part, face = face_at(self._parts(), App.getDocument(document), name, path)
-        if part is not None and part.name in self._names:
-            self.face_selected.emit(self._names.index(part.name), face)
+        if part is not None and part.name in self.names:
+            self.face_selected.emit(self.names.index(part.name), face)
 
     def _part(self, number):
-        return next((part for part in self._parts() if part.name == self._names[number]), None)
+        return next((part for part in self._parts() if part.name == self.names[number]), None)
 
     def _parts(self):
-        if self._known is None:
-            self._known = document_parts(App.getDocument(self._document))
-        return self._known
+        revision = OBSERVER.revision(self._document)
+        if self._known[0] != revision:
+            self._known = revision, document_parts(App.getDocument(self._document))
+        return self._known[1]
 
     @contextmanager
     def _ourselves(self):

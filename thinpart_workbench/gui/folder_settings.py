@@ -8,6 +8,7 @@ from ..core.errors import ThinPartError
 from ..freecad_adapter.settings import preference, preference_list, set_preference, set_preference_list
 from ..storage.info_file import info_path
 from ..workflow.info_location import info_location
+from .command_arguments import info_place_arguments, measuring_arguments
 from .qt import translate
 
 FORMATS = {
@@ -95,17 +96,15 @@ class FolderSettings:
         unwanted = [ending for name, endings in FORMATS.items() if name not in self.formats
                     for ending in endings]
         arguments = [self.folder, "--profile", self.profile, "--timeout", str(self.seconds),
-                     "--memory", str(preference("MemoryMegabytes")),
-                     "--linear-deflection", str(preference("LinearDeflection")),
-                     "--angular-deflection", str(preference("AngularDeflection"))]
+                     *measuring_arguments()]
         # With '=': a pattern may start with a dash.
         arguments += [f"--include={each}" for each in _patterns(self.include)]
         arguments += [f"--exclude={each}" for each in _patterns(self.exclude)]
         arguments += [f"--exclude=*{ending}" for ending in unwanted]
         if not self.beside:
             arguments += ["--info-dir", self.info_folder]
-        elif self.preferred_folder:
-            arguments += ["--info-dir", self.preferred_folder, "--info-tree", os.sep]
+        else:
+            arguments += info_place_arguments(self.preferred_folder)
         if self.jobs:
             arguments += ["--jobs", str(self.jobs)]
         return arguments + (["--force"] if self.force else [])

@@ -140,24 +140,28 @@ class MeasuredDocument(QtCore.QObject):
         self._writing.end()
         self.analysis, self._is_whole = analysis, is_whole
         self._revision = OBSERVER.revision(self.name)
-        if is_whole:
-            AUTOMATIC.leave_to_panel(self.name)
         self._run = DocumentRun(analysis, preference("MemoryMegabytes"), self)
         self._run.progressed.connect(self._tell_progress)
         self._run.measured.connect(self.measured)
         self._run.mapped.connect(self.mapped)
         self._run.ended.connect(self._end)
         self._run.start()
+        if is_whole:
+            AUTOMATIC.leave_to_panel(self.name)
 
     def stop(self):
         """Stop measuring; what is there already stays."""
         self._stop_run()
-        AUTOMATIC.take_over(self.name)
+        self.give_up()
 
     def leave(self):
         """The panel is gone: nothing is measured for nobody, but an info file is written to its end."""
         self._stop_run()
         self._writing.end()
+        self.give_up()
+
+    def give_up(self):
+        """There will be no info file from here: what was left to the panel is classified by itself."""
         AUTOMATIC.take_over(self.name)
 
     def keep(self):
@@ -190,7 +194,7 @@ class MeasuredDocument(QtCore.QObject):
         refused = self._refusal(now)
         if refused is not None:
             self.info_file_changed.emit(refused)
-            AUTOMATIC.take_over(self.name)
+            self.give_up()
             return
         try:
             job = self.analysis.info_job(self.document.FileName, preference("InfoFolder"))
@@ -241,7 +245,7 @@ class MeasuredDocument(QtCore.QObject):
 
     def _end(self, sentence):
         if not self.analysis.records:
-            AUTOMATIC.take_over(self.name)  # there will be no info file from here
+            self.give_up()
         self.ended.emit(sentence)
 
     def _is_stamp_of_file(self):

@@ -10,6 +10,8 @@ import FreeCADGui as Gui
 from ..core.errors import ThinPartError
 from ..freecad_adapter.settings import preference
 from ..workflow.report_folder import OVERVIEW
+from .command_arguments import info_place_arguments, measuring_arguments
+from .document_observer import OBSERVER
 from .folder_run import DONE, STOPPED, FolderRun
 from .push_button import add_button
 from .qt import QtCore, QtGui, QtWidgets, translate
@@ -41,8 +43,9 @@ class ReportSettings:
 
     def arguments(self):
         """list of str: arguments of ``report`` without those of the conversation with it."""
-        return [self.document, f"--output={self.output}", "--profile", preference("Profile"),
-                "--memory", str(preference("MemoryMegabytes"))]
+        return [self.document, f"--output={self.output}", *measuring_arguments(),
+                "--profile", preference("Profile"), "--timeout", str(preference("Seconds")),
+                *info_place_arguments(preference("InfoFolder"))]
 
 
 def proposed_folder(document_file):
@@ -144,7 +147,7 @@ class ReportDialog(QtWidgets.QDialog):
         if not document.FileName or not os.path.exists(document.FileName):
             return translate("ThinPart", "The document has never been saved, and a report is about a saved "
                                          "one: save it first.")
-        if Gui.getDocument(self._document).Modified:
+        if OBSERVER.differs_from_file(document):
             return translate("ThinPart", "The document has changes that are not saved, and a report is about "
                                          "what is saved: save it first.")
         return ""

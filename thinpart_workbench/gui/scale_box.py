@@ -1,6 +1,7 @@
 """The scale of a thickness map: its range, colours and steps."""
 
 from ..core.colour_scale import COLOUR_MAPS, colour_table
+from ..freecad_adapter.settings import PREFERENCES
 from ..freecad_adapter.thickness_object import MILLIMETRES, SHARE
 from .qt import QtCore, QtGui, QtWidgets, Signal, colour, translate
 
@@ -82,7 +83,7 @@ class ScaleBox(QtWidgets.QWidget):
         form.addRow("", self._reversed)
         self._bands = QtWidgets.QSpinBox(self)
         self._bands.setObjectName("ThinPart_Bands")
-        self._bands.setRange(0, 24)
+        self._bands.setRange(0, PREFERENCES["HeatMapBands"].range[1])
         self._bands.setSpecialValueText(translate("ThinPart", "smooth"))
         self._bands.valueChanged.connect(lambda value: self._tell(Bands=value))
         form.addRow(translate("ThinPart", "Bands"), self._bands)

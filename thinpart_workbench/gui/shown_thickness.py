@@ -3,6 +3,7 @@
 import FreeCADGui as Gui
 import numpy as np
 
+from ..core.errors import ThinPartError
 from ..core.map_summary import (
     area_by_thickness, between, face_summaries, range_of, share_between, telling_range,
 )
@@ -13,6 +14,7 @@ from .fly_to import fly_to
 from .object_watch import ObjectWatch
 from .part_list import PartRow
 from .qt import QtCore, Signal, translate
+from .sentences import translated
 from .thickness_chart import bar_edges
 from .thickness_colours import ThicknessColours
 from .thickness_picking import ThicknessPicker, probe_ends, remove_probe
@@ -68,6 +70,7 @@ class ShownThickness(QtCore.QObject):
             thickness, [part.record["name"] for part in self._parts], self)
         self._picker = ThicknessPicker(thickness)
         self._is_gone = False
+        self._before_dragging = None  # the threshold, while its line is being moved
         self._waiting = set()  # properties that have changed since the boxes were drawn
         self._draw = QtCore.QTimer(self, singleShot=True, interval=0)
         self._draw.timeout.connect(self._follow)
@@ -188,7 +191,12 @@ class ShownThickness(QtCore.QObject):
     def _follow(self):
         changed, self._waiting = self._waiting, set()
         if "Map" in changed:
-            self._parts = parts_of(self.thickness)
+            try:
+                self._parts = parts_of(self.thickness)
+            except ThinPartError as error:
+                self._boxes.head.show_message(translated(error), can_repeat=True)
+                return
+            self._selection.names = [part.record["name"] for part in self._parts]
             if self._chosen is not None and self._chosen >= len(self._parts):
                 self._chosen = None
             self._show_all()
@@ -212,10 +220,15 @@ class ShownThickness(QtCore.QObject):
                 setattr(self.thickness, name, value)
 
     def _set_threshold(self, threshold, is_final):
-        if is_final:
-            self._change({"Threshold": threshold})
-        else:
+        if not is_final:
+            if self._before_dragging is None:
+                self._before_dragging = self.thickness.Threshold
             self.thickness.Threshold = threshold
+            return
+        before, self._before_dragging = self._before_dragging, None
+        if before is not None:
+            self.thickness.Threshold = before  # what Undo goes back to
+        self._change({"Threshold": threshold})
 
     def _choose_part(self, name):
         self._chosen = next(number for number, part in enumerate(self._parts) if part.record["name"] == name)

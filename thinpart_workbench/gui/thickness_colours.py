@@ -6,6 +6,7 @@ from typing import Optional
 import numpy as np
 
 from ..core.colour_scale import ColourScale
+from ..core.map_summary import are_between
 from ..freecad_adapter.thickness_object import scale_of
 
 NEUTRAL = (205, 205, 205)
@@ -51,10 +52,9 @@ class ThicknessColours:
         values = np.asarray(values, dtype=np.float64)
         colours = self.scale.colours(values)
         if self.thin_below is not None:
-            colours[values >= self.thin_below] = NEUTRAL
+            colours[are_between(values, self.thin_below, np.inf)] = NEUTRAL
         if self.between is not None:
-            low, high = self.between
-            colours[~((values >= low) & (values <= high))] = GREYED
+            colours[~are_between(values, *self.between)] = GREYED
         return self._faded(colours)
 
     def of_facets(self, number, shown):

@@ -102,20 +102,28 @@ class ThicknessMeasuring(QtCore.QObject):
         sentences += [translate("ThinPart", "{}: {}").format(
             failure["label"], translated(failure["message"]))
             for failure in analysis.failures.values()]
+        now = self.measured.parts_now() if analysis.records else None
         thickness = None
-        if self._maps:
-            now = self.measured.parts_now()
-            if now is None:
+        if now is not None:
+            # Before the map is in the document, which then differs from its file.
+            self.measured.write_info_file(now)
+        elif analysis.records:
+            self.measured.give_up()
+            sentences.append(translate(
+                "ThinPart", "The document has changed while it was measured: measure it again."))
+        if now is not None and self._maps:
+            try:
+                thickness, dropped = self._show(now)
+            except OSError as error:
                 sentences.append(translate(
-                    "ThinPart", "The document has changed while it was measured: measure it again."))
+                    "ThinPart", "There is no room for the thickness map ({}): nothing was changed.").format(
+                        error.strerror))
             else:
-                # Before the map is in the document, which then differs from its file.
-                self.measured.write_info_file(now)
-                thickness = self._show(now)
+                sentences += _told_of_dropped(dropped)
         self.ended.emit(thickness, "\n".join(sentences))
 
     def _show(self, now):
-        """Make or refresh the map of parts as they stand in the document now."""
+        """Make or refresh the map of parts as they stand in the document now; it, and how many probes are gone."""
         document, parts = self.measured.document, []
         before = {part.name: part for part in self.measured.analysis.parts}
         for part in now:
@@ -126,19 +134,28 @@ class ThicknessMeasuring(QtCore.QObject):
         sources = sources_of(document, [part for part in now if part.name in self._maps])
         with transaction(document, translate("ThinPart", "Show thickness")):
             thickness = self._existing(document, sources)
-            if thickness is None:
-                thickness = new_thickness_object(document, sources, parts)
-                thickness.Label = translate("ThinPart", "Thickness")
-                ThicknessView(thickness.ViewObject)
-            else:
-                set_parts(thickness, parts)
-        return thickness
+            if thickness is not None:
+                return thickness, set_parts(thickness, sources, parts)
+            thickness = new_thickness_object(document, sources, parts)
+            thickness.Label = translate("ThinPart", "Thickness")
+            ThicknessView(thickness.ViewObject)
+        return thickness, 0
 
     def _existing(self, document, sources):
         if self._old is not None and document.getObject(self._old) is not None:
             return document.getObject(self._old)
         wanted = {source.Name for source in sources}
         return next((each for each in thickness_objects(document) if _names(each) == wanted), None)
+
+
+def _told_of_dropped(probes):
+    """Sentences about probes that the surface has gone from, list of str."""
+    if not probes:
+        return []
+    if probes == 1:
+        return [translate("ThinPart", "1 probe was removed: the surface is no longer where it was.")]
+    return [translate("ThinPart", "{} probes were removed: the surface is no longer where they were.").format(
+        probes)]
 
 
 def _names(thickness):

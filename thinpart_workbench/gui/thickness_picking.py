@@ -10,6 +10,7 @@ from ..workflow.document_maps import map_version, parts_of
 from ..workflow.thickness_probes import Probe, moved_matrix, probes_of, set_probes, wall_at_place
 from .qt import QtCore, QtWidgets, Signal, translate
 from .thickness_text import thickness_text
+from .transaction import transaction
 from .view_ray import line_of_sight, seen_first
 
 _STILL = 3
@@ -46,10 +47,8 @@ def probe_ends(thickness, number):
 
 
 def _set(thickness, probes, name):
-    document = thickness.Document
-    document.openTransaction(name)
-    set_probes(thickness, probes)
-    document.commitTransaction()
+    with transaction(thickness.Document, name):
+        set_probes(thickness, probes)
 
 
 class ThicknessPicker(QtCore.QObject):

@@ -1,5 +1,7 @@
 """The table of the faces of parts as a CSV file: a row per B-Rep face."""
 
+from ..core.part_record import face_number
+
 FACE_COLUMNS = (
     "file", "part", "label", "face", "made_by", "area_mm2", "thinnest_mm", "median_mm", "thickest_mm",
     "thin_share", "unmeasured_share", "wall_mm", "x1", "y1", "z1", "x2", "y2", "z2", "opposite_face")
@@ -21,7 +23,7 @@ def face_rows(file, record, features):
     """
     rows = []
     for face in record["faces"]:
-        number = int(face["face"][len("Face"):]) - 1
+        number = face_number(face)
         made_by = features[number] if number < len(features) else ""
         wall = face["witness"]
         ends = [None] * 8 if wall is None else [

@@ -45,12 +45,14 @@ def new_thickness_object(document, sources, parts):
     return thickness
 
 
-def set_parts(thickness, parts):
+def set_parts(thickness, sources, parts):
     """Put the maps of parts that were measured again into an object; scale and threshold stay.
 
     Parameters
     ----------
     thickness : FreeCAD.DocumentObject
+    sources : list of FreeCAD.DocumentObject
+        See `new_thickness_object`.
     parts : list of MappedPart
 
     Returns
@@ -66,6 +68,7 @@ def set_parts(thickness, parts):
 
     carried = carried_probes(thickness, parts)
     dropped = len(probes_of(thickness)) - len(carried)
+    thickness.Sources = sources
     _keep(thickness, parts)
     set_probes(thickness, carried)
     return dropped

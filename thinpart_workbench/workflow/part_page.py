@@ -8,6 +8,7 @@ from ..core.criteria import profile_from
 from ..core.descriptors import quantity_named
 from ..core.distribution import BINS
 from ..core.distribution_bars import bars, round_up
+from ..core.part_record import face_number
 from ..core.part_views import HEIGHT, WIDTH, thinnest_wall
 from ..core.verdict_reasons import deciding_criteria, nearest_other
 from ..storage.png import png_bytes
@@ -168,8 +169,7 @@ def _condition(condition):
 
 def _faces(record, features):
     """The thinnest first, those without a wall last."""
-    faces = [
-        {**face, "feature": feature} for face, feature in zip(
-            record["faces"], [*features, *[""] * (len(record["faces"]) - len(features))])
-    ]
+    # Faces without triangles have no entry.
+    faces = [{**face, "feature": dict(enumerate(features)).get(face_number(face), "")}
+             for face in record["faces"]]
     return sorted(faces, key=lambda face: (face["min"] is None, face["min"] or 0.0))

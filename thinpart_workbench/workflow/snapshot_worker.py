@@ -15,7 +15,6 @@ import json
 import os
 import resource
 import select
-import sys
 import time
 
 from ..core.analysis_settings import AnalysisSettings
