@@ -11,7 +11,7 @@ from ..freecad_adapter.snapshot import write_snapshot
 from .qt import QtCore, QtWidgets, Signal, translate
 from .ready_process import READY
 from .sentences import translated
-from .worker_python import listen
+from .worker_python import hand_over, listen
 
 _OUT_OF_MEMORY = ("bad_alloc", "MemoryError", "Unable to allocate", "OutOfMemory", "length_error")
 
@@ -105,12 +105,8 @@ class DocumentRun(QtCore.QObject):
     def _leave_process(self):
         """Nothing more comes: nobody waits until the process has cleared its memory away."""
         process, self._process = self._process, None
-        application = QtWidgets.QApplication.instance()
-        application.aboutToQuit.disconnect(self.stop)
-        for signal in (process.readyReadStandardOutput, process.readyReadStandardError,
-                       process.finished, process.errorOccurred):
-            signal.disconnect()
-        process.setParent(application)
+        QtWidgets.QApplication.instance().aboutToQuit.disconnect(self.stop)
+        hand_over(process)
         process.finished.connect(process.deleteLater)
         process.kill()
         self._remove_folder()

@@ -8,7 +8,7 @@ import FreeCAD as App
 from ..core.errors import ThinPartError
 from .qt import QtCore, QtWidgets, Signal, translate
 from .sentences import translated
-from .worker_python import listen, new_process, python_program
+from .worker_python import hand_over, listen, new_process, python_program
 
 SLICE_SECONDS = 0.015
 """After reading for this long the window has its turn."""
@@ -75,12 +75,8 @@ class JsonProcess(QtCore.QObject):
         process = self._clear()
         if process is None:
             return
-        for signal in (process.readyReadStandardOutput, process.readyReadStandardError,
-                       process.finished, process.errorOccurred):
-            signal.disconnect()
-        # It may outlive whoever has started it, though not FreeCAD.
+        hand_over(process)
         quitting = QtWidgets.QApplication.instance().aboutToQuit
-        process.setParent(QtWidgets.QApplication.instance())
 
         def wait():
             _wait_for(process)

@@ -135,11 +135,13 @@ class ThicknessMeasuring(QtCore.QObject):
         with transaction(document, translate("ThinPart", "Show thickness")):
             thickness = self._existing(document, sources)
             if thickness is not None:
-                return thickness, set_parts(thickness, sources, parts)
-            thickness = new_thickness_object(document, sources, parts)
-            thickness.Label = translate("ThinPart", "Thickness")
-            ThicknessView(thickness.ViewObject)
-        return thickness, 0
+                dropped = set_parts(thickness, sources, parts)
+            else:
+                thickness, dropped = new_thickness_object(document, sources, parts), 0
+                thickness.Label = translate("ThinPart", "Thickness")
+                ThicknessView(thickness.ViewObject)
+        thickness.ViewObject.Proxy.appear()
+        return thickness, dropped
 
     def _existing(self, document, sources):
         if self._old is not None and document.getObject(self._old) is not None:

@@ -13,12 +13,16 @@ from .colour_bar import BarContent
 from .map_nodes import MapNodes
 from .measure_requests import ask_for_measuring
 from .probe_nodes import ProbeNodes
+from .qt import QtCore
 from .sentences import translated
 from .thickness_colours import ThicknessColours
 from .thickness_watch import look_soon
 
 _ICONS = Path(__file__).resolve().parents[2] / "resources" / "icons"
 QT_TRANSLATE_NOOP = App.Qt.QT_TRANSLATE_NOOP
+_TURN = 15
+"""Milliseconds between two groups of facets that appear: the view draws the first meanwhile."""
+
 MODES = ("Facets and edges", "Facets", "Edges")
 _COLOURING = ("RangeUnit", "Low", "High", "ColourMap", "Reversed", "Bands", "UnmeasuredColour", "Threshold",
               "ThinOnly", "Stale", "Diagonal")
@@ -134,6 +138,11 @@ class ThicknessView:
         self._probes.show(probes_of(thickness))
         self.move()
 
+    def appear(self):
+        """Have the facets appear one group after the other, as the window may not stand still for all of them."""
+        self._nodes.withhold()
+        self._appear_more()
+
     def move(self):
         """Follow the sources to where they stand now."""
         if self._shown is not None:
@@ -176,6 +185,10 @@ class ThicknessView:
     def ask_for_measuring(self):
         """The object was recomputed although it is out of date."""
         ask_for_measuring(self._view.Object)
+
+    def _appear_more(self):
+        if self._nodes.show_more():
+            QtCore.QTimer.singleShot(_TURN, self._appear_more)
 
     def _colour(self):
         if self._shown is not None and hasattr(self._view.Object, "ProbeValues"):

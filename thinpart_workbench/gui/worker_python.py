@@ -7,7 +7,7 @@ from pathlib import Path
 import FreeCAD as App
 
 from ..core.errors import ThinPartError
-from .qt import QtCore, translate
+from .qt import QtCore, QtWidgets, translate
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 
@@ -86,6 +86,14 @@ def listen(process, output, errors, finished, failed):
     process.readyReadStandardError.connect(errors)
     process.finished.connect(finished)
     process.errorOccurred.connect(failed)
+
+
+def hand_over(process):
+    """Nobody listens to a process any more; it may outlive whoever has started it, though not FreeCAD."""
+    for signal in (process.readyReadStandardOutput, process.readyReadStandardError, process.finished,
+                   process.errorOccurred):
+        signal.disconnect()
+    process.setParent(QtWidgets.QApplication.instance())
 
 
 def _step_back(process):
