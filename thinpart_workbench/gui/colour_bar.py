@@ -7,7 +7,7 @@ import numpy as np
 
 from .qt import QtCore, QtGui, colour, translate
 from .thickness_colours import ThicknessColours
-from .thickness_text import number_text, thickness_text
+from .thickness_text import thickness_text, tick_text
 
 _INK = (0.1, 0.1, 0.1)
 _WARNING = (0.75, 0.0, 0.0)
@@ -130,8 +130,8 @@ class _Drawing:
 
     def _tick_text(self, value):
         unit = self._content.unit
-        text = number_text(value / unit)
-        return text if unit == 1.0 else f"{text}  ({number_text(value)})"
+        text = tick_text(value / unit)
+        return text if unit == 1.0 else f"{text}  ({tick_text(value)})"
 
     def _draw(self, painter, above, below, ticks, length):
         em, line = self._em, self._line
