@@ -11,6 +11,7 @@ from window_actions import V
 from thinpart_workbench.core.map_summary import share_between
 from thinpart_workbench.freecad_adapter.thickness_object import thickness_objects
 from thinpart_workbench.gui.qt import QtCore, QtWidgets
+from thinpart_workbench.gui.thickness_chart import bar_edges
 from thinpart_workbench.workflow.document_maps import parts_of
 from thinpart_workbench.workflow.thickness_probes import probes_of
 
@@ -32,8 +33,8 @@ def chart():
 def bar_place(thickness):
     """The middle of the bar that holds a thickness in mm."""
     shown = chart()
-    plot, bar = shown.plot(), shown.bar_at(shown.x_of(thickness) + 0.5)
-    return QtCore.QPoint(int(plot.left() + plot.width() * (bar + 0.5) / shown.count), int(plot.bottom()) - 3)
+    bar = int(np.searchsorted(shown.edges, thickness, side="right")) - 1
+    return QtCore.QPoint(int(shown.x_of(shown.edges[bar:bar + 2].mean())), int(shown.plot().bottom()) - 3)
 
 
 def selected_faces():
@@ -91,6 +92,14 @@ def test_few_walls_that_are_much_thicker_share_the_last_bar(document):
     assert selected_faces() == {
         f"Face{number + 1}" for number, face in enumerate(cup.Faces)
         if face.BoundBox.ZMax > 129.0 and face.BoundBox.XLength > 39.0 or face.BoundBox.ZMax < 1.0}
+
+
+@pytest.mark.parametrize("last", [0.03, 1.0, 10.0, 54.5, 137.0, 2600.0])
+def test_bars_lie_around_round_values_and_reach_the_thickest_wall(last):
+    edges = bar_edges(last)
+    widths = np.diff(edges)
+    assert edges[0] == 0.0 and edges[-1] >= last and 20 <= len(widths) <= 42
+    assert widths[1:] == pytest.approx(2.0 * widths[0]) and edges[-2] < last
 
 
 def test_arrows_choose_bars(ribbed):

@@ -15,9 +15,13 @@ _LINE = QtGui.QColor(20, 20, 20)
 
 
 def bar_edges(last):
-    """Edges of bars from 0 to a thickness, of a width that people like: ndarray of shape (k + 1,), mm."""
+    """Edges of bars from 0 to a thickness, ndarray of shape (k + 1,), mm.
+
+    The bars lie around multiples of a width that people like, so that a wall of 3 mm, which is 2.999 mm at some
+    places, is in one bar; the first is half as wide.
+    """
     width = round_up(last / BARS)
-    return width * np.arange(int(np.ceil(last / width * (1.0 - 1e-6))) + 1)
+    return np.concatenate([[0.0], width * (np.arange(int(np.ceil(last / width + 0.5 - 1e-6))) + 0.5)])
 
 
 class ThicknessChart(ChartAxes):
@@ -73,7 +77,7 @@ class ThicknessChart(ChartAxes):
         Parameters
         ----------
         edges : ndarray of shape (k + 1,), mm
-            Evenly spaced, from 0 on.
+            From 0 on.
         shares : ndarray of shape (k,)
         greatest : float, mm
             Thickest wall; where that is beyond the last edge, the last bar holds all up to it.
@@ -109,7 +113,8 @@ class ThicknessChart(ChartAxes):
         plot = self.plot()
         if not self.count or not plot.left() <= x <= plot.right():
             return None
-        return min(int((x - plot.left()) / plot.width() * self.count), self.count - 1)
+        thickness = (x - plot.left()) / plot.width() * self.edges[-1]
+        return min(int(np.searchsorted(self.edges, thickness, side="right")) - 1, self.count - 1)
 
     def bar_text(self, bar):
         """What a bar says about itself."""
@@ -238,10 +243,10 @@ class ThicknessChart(ChartAxes):
         return float(f"{share * self.edges[-1]:.3g}")
 
     def _draw_bars(self, painter, plot, top):
-        width = plot.width() / self.count
         frame = QtGui.QColor(self.palette().text().color())
         for bar, share in enumerate(self.shares):
-            left = plot.left() + bar * width
+            left = self.x_of(self.edges[bar])
+            width = self.x_of(self.edges[bar + 1]) - left
             is_chosen = self.bars is not None and self.bars[0] <= bar <= self.bars[1]
             if is_chosen:
                 back = QtGui.QColor(self.palette().highlight().color())
