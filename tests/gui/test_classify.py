@@ -163,10 +163,10 @@ def test_a_worker_that_dies_is_one_sentence(document):
 def test_a_worker_that_cannot_begin_is_one_sentence(document, monkeypatch):
     from thinpart_workbench.freecad_adapter.settings import PREFERENCES, set_preference
 
-    # Less than people can set, so that it has no room to begin.
+    # Less than people can set, so that it has no room at all.
     monkeypatch.setitem(PREFERENCES, "MemoryMegabytes", replace(
         PREFERENCES["MemoryMegabytes"], range=(100, 1000)))
-    window.add_ribbed_block(document)
+    window.add(document, "Sieve", window.slow_shape())
     set_preference("MemoryMegabytes", 150)
     try:
         window.classify()
