@@ -136,8 +136,11 @@ def show_thickness():
 
 def is_thickness_told():
     """Whether nothing is being measured and the panel shows a map or a sentence."""
-    return not is_shown("ThinPart_Progress") and (
-        is_shown("ThinPart_ThicknessVerdict") or is_shown("ThinPart_Message"))
+    if is_shown("ThinPart_Progress"):
+        return False
+    if is_shown("ThinPart_ThicknessVerdict"):
+        return is_shown("ThinPart_DistributionBox")  # the boxes come one turn of the window later
+    return is_shown("ThinPart_Message")
 
 
 def close_button():

@@ -90,10 +90,17 @@ class ThicknessMap:
         """ndarray of shape (k, 2), int32: rows of `points` between which the lines of the part run."""
         return outline(self)
 
-    @property
+    @cached_property
     def measured(self):
         """ndarray of shape (m,), bool."""
         return np.isfinite(self.thickness)
+
+    @cached_property
+    def ends(self):
+        """(float, float) or None: least and greatest thickness, mm; None where nothing was measured."""
+        if not self.measured.any():
+            return None
+        return float(np.nanmin(self.thickness)), float(np.nanmax(self.thickness))
 
     def normal(self, facet):
         """ndarray of shape (3,): unit outward normal of one facet."""

@@ -126,7 +126,7 @@ def set_matrix(transform, matrix):
 def _facets(shown):
     group, colour = coin.SoGroup(), coin.SoPackedColor()
     points = coin.SoCoordinate3()
-    fill_points(points.point, shown.points[shown.facets].reshape(-1, 3))
+    fill_points(points.point, np.take(shown.points, shown.facets.ravel(), axis=0, mode="clip"))
     group.addChild(colour)
     group.addChild(points)
     rows = np.full((shown.count, 4), -1, dtype=np.int32)

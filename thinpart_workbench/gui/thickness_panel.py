@@ -45,10 +45,13 @@ class ThicknessPanel(QtCore.QObject):
         self.head.setWindowIcon(_icon())
         self.panel = TaskPanel([self.head, *(place for place, _ in self._places.values())])
         self._shown = None
-        # To make all of them at once takes longer than the window may stand still.
+        # To make, to fill and to show all of them at once takes longer than the window may stand still.
         self._next = QtCore.QTimer(self, singleShot=True, interval=0)
         self._next.timeout.connect(self._make_next)
-        self.panel.closed.connect(self._next.stop)
+        self._filled = QtCore.QTimer(self, singleShot=True, interval=0)
+        self._filled.timeout.connect(lambda: self._show_others(True))
+        for timer in (self._next, self._filled):
+            self.panel.closed.connect(timer.stop)
 
     @property
     def thickness(self):
@@ -72,7 +75,7 @@ class ThicknessPanel(QtCore.QObject):
             self.head.show_message(translated(error), can_repeat=True)
             return
         self._shown.removed.connect(self._close)
-        self._show_others(True)
+        self._filled.start()
 
     def leave(self):
         """Let go of the map; what only belonged to the panel goes from the view."""
