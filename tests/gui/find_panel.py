@@ -74,7 +74,7 @@ def ready(dock):
 
 def answered(dock):
     window.settle(20)
-    window.wait_until(lambda: not typing(dock) and not dock.is_waiting, 60)
+    window.wait_until(lambda: not typing(dock) and not dock.is_waiting, 180)
     window.settle(20)
 
 

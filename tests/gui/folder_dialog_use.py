@@ -81,7 +81,7 @@ def progress():
 
 
 def wait_for_end():
-    window.wait_until(lambda: window.widget("ThinPart_FolderStart").isEnabled(), 120)
+    window.wait_until(lambda: window.widget("ThinPart_FolderStart").isEnabled(), 300)
 
 
 def run(folder, **choices):

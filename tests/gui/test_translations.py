@@ -166,7 +166,7 @@ def test_the_panel_that_finds_parts(tmp_path, monkeypatch):
     assert damaged.startswith(below("The info file {} cannot be read ({}).").partition("{")[0])
     view.selectRow(rows["plate"])
     next(each for each in view.menu().actions() if each.objectName() == "ThinPart_FoundSimilar").trigger()
-    window.wait_until(lambda: window.is_shown("ThinPart_EndLike") and not dock.is_waiting, 60)
+    window.wait_until(lambda: window.is_shown("ThinPart_EndLike") and not dock.is_waiting, 180)
     window.settle(300)
     assert dock.windowTitle() == said("Find parts")
     choices = window.widget("ThinPart_FindChoices")

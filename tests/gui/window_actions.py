@@ -26,8 +26,8 @@ def settle(milliseconds=30):
         time.sleep(0.002)
 
 
-def wait_until(condition, seconds=60.0):
-    """Wait until something is so; fail where it never is."""
+def wait_until(condition, seconds=180.0):
+    """Wait until something is so; fail where it never is, or takes long even for a machine that is busy."""
     end = time.monotonic() + seconds
     while not condition():
         assert time.monotonic() < end, "it took too long"
