@@ -164,9 +164,11 @@ class ShownThickness(QtCore.QObject):
         return greatest, greatest if greatest <= 2.0 * told_apart else told_apart
 
     def _show_colours(self):
-        edges = self._boxes.distribution.chart.edges
-        colours = ThicknessColours.of(self.thickness).of_values(0.5 * (edges[1:] + edges[:-1]))
-        self._boxes.distribution.chart.show_colours(colours)
+        chart = self._boxes.distribution.chart
+        middles = 0.5 * (chart.edges[1:] + chart.edges[:-1])
+        if chart.greatest > chart.edges[-1]:
+            middles[-1] = chart.greatest
+        chart.show_colours(ThicknessColours.of(self.thickness).of_values(middles))
 
     def _show_threshold(self):
         threshold = self.thickness.Threshold

@@ -48,7 +48,7 @@ class ThicknessChart(ChartAxes):
         self.setFocusPolicy(QtCore.Qt.StrongFocus)
         self.edges, self.shares, self.colours = np.zeros(1), np.zeros(0), np.zeros((0, 3), np.uint8)
         self.threshold, self._diagonal = 0.0, 1.0
-        self._greatest = 0.0  # the last bar goes on to it
+        self.greatest = 0.0  # the last bar goes on to it
         self.bars = None  # first and last of those that are chosen
         self._begun = None  # bar at which choosing began
         self._holds_line = False
@@ -63,7 +63,7 @@ class ThicknessChart(ChartAxes):
         if last < self.count - 1:
             return float(self.edges[first]), float(self.edges[last + 1])
         # What is as thick as the last edge is in the last bar; maps hold float32.
-        end = np.float32(max(self.edges[-1], self._greatest))
+        end = np.float32(max(self.edges[-1], self.greatest))
         return float(self.edges[first]), float(np.nextafter(end, np.float32(np.inf)))
 
     @property
@@ -84,7 +84,7 @@ class ThicknessChart(ChartAxes):
         diagonal : float, mm
             The second scale tells shares of it.
         """
-        self.edges, self.shares, self._greatest, self._diagonal = edges, shares, greatest, diagonal
+        self.edges, self.shares, self.greatest, self._diagonal = edges, shares, greatest, diagonal
         self.bars = None
         self.update()
 
@@ -118,7 +118,7 @@ class ThicknessChart(ChartAxes):
 
     def bar_text(self, bar):
         """What a bar says about itself."""
-        if bar == self.count - 1 and self._greatest > self.edges[-1]:
+        if bar == self.count - 1 and self.greatest > self.edges[-1]:
             return translate("ThinPart", "{} mm and more: {} of the area").format(
                 number(float(self.edges[bar])), percent(float(self.shares[bar])))
         return translate("ThinPart", "{} to {} mm: {} of the area").format(
