@@ -5,7 +5,7 @@ import numpy as np
 from .equal_solids import motion
 from .face_owners import face_indices
 from .part import SolidPart
-from .source_signature import links_on_the_way
+from .source_signature import links_in
 
 
 def places_of(document, part, measured):
@@ -49,10 +49,9 @@ def sources_of(document, parts):
     found = {}
     for part in parts:
         for place in part.occurrences:
-            root = document.getObject(place.root)
             chain = [each for each in _chain(document, place) if each.Document == document]
             # A link to a container moves what lies in that, which itself stays where it is.
-            for each in (*chain[-1:], *links_on_the_way(root, place.path)):
+            for each in (*chain[-1:], *links_in(chain)):
                 found.setdefault(each.Name, each)
     return list(found.values())
 

@@ -53,14 +53,13 @@ def global_placement(source):
     if not ways:
         return source.getSubObject("", retType=3)
     # FreeCAD gives them in any order. Where the object itself stands does not depend on links to its container.
-    root, path = min(ways, key=lambda way: (len(links_on_the_way(*way)), way[0].Name, way[1]))
+    root, path = min(ways, key=lambda way: (len(links_in(way[0].getSubObjectList(way[1]))), way[0].Name, way[1]))
     return root.getSubObject(path, retType=3)
 
 
-def links_on_the_way(root, path):
-    """Links of a document that a sub-object path leads through, its end included: list of DocumentObject."""
-    return [each for each in (root.getSubObjectList(path) if path else [root])
-            if each is not None and each.Document == root.Document
+def links_in(chain):
+    """Those of some objects that are links: list of FreeCAD.DocumentObject."""
+    return [each for each in chain if each is not None
             and (each.isDerivedFrom("App::Link") or each.isDerivedFrom("App::LinkElement"))]
 
 

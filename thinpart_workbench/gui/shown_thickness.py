@@ -157,9 +157,10 @@ class ShownThickness(QtCore.QObject):
 
     def _thickness_in_bars(self):
         """Thickest wall of what is told, and up to where bars of one width go, both in mm."""
-        if range_of(self._told) is None:
+        ends = range_of(self._told)
+        if ends is None:
             return 1.0, 1.0
-        greatest = range_of(self._told)[1]
+        greatest = ends[1]
         told_apart = max(_BEYOND_MOST * telling_range(self._told)[1], 2.0 * self.thickness.Threshold)
         return greatest, greatest if greatest <= 2.0 * told_apart else told_apart
 

@@ -42,7 +42,7 @@ class ThicknessPanel(QtCore.QObject):
             "faces": (_place(translate("ThinPart", "Faces")), FaceBox),
             "probes": (_place(translate("ThinPart", "Probes")), ProbeBox),
         }
-        self.head.setWindowIcon(_icon())
+        self.head.setWindowIcon(QtGui.QIcon(str(ICON)))
         self.panel = TaskPanel([self.head, *(place for place, _ in self._places.values())])
         self._shown = None
         # To make, to fill and to show all of them at once takes longer than the window may stand still.
@@ -105,15 +105,11 @@ class ThicknessPanel(QtCore.QObject):
             _box_around(place).setVisible(are_there)
 
 
-def _icon():
-    return QtGui.QIcon(str(ICON))
-
-
 def _place(title):
     """Where a box will be in the task view, under its title."""
     place = QtWidgets.QWidget()
     place.setWindowTitle(title)
-    place.setWindowIcon(_icon())
+    place.setWindowIcon(QtGui.QIcon(str(ICON)))
     QtWidgets.QVBoxLayout(place).setContentsMargins(0, 0, 0, 0)
     return place
 
