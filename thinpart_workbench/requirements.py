@@ -88,6 +88,8 @@ TABLE = (
     Requirement("python3-jsonschema", "checks info files against their schema", _module("jsonschema"), ("test",)),
     Requirement("xvfb", "is the screen that the window's tests run on", _program("xvfb-run"), ("test",)),
     Requirement("xauth", "lets FreeCAD onto that screen", _program("xauth"), ("test",)),
+    Requirement("git", "makes the repositories that FreeCAD's Addon Manager installs from", _program("git"), ("test",)),
+    Requirement("python3-git", "lets the Addon Manager of FreeCAD 0.20 use git", _module("git"), ("test",)),
     Requirement("imagemagick", "takes the screenshots", _program("import"), ("test",)),
 )
 

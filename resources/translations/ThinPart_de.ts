@@ -1167,6 +1167,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Dünn unter</translation>
     </message>
     <message>
+        <source>ThinPart is there twice: {} is used, {} is not. Remove one of them.</source>
+        <translation>ThinPart ist zweimal da: {} wird benutzt, {} nicht. Entfernen Sie eines davon.</translation>
+    </message>
+    <message>
         <source>ThinPart: {}</source>
         <translation>ThinPart: {}</translation>
     </message>

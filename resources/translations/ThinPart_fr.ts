@@ -1167,6 +1167,10 @@ Son volume n’est pas connu.</translation>
         <translation>Mince sous</translation>
     </message>
     <message>
+        <source>ThinPart is there twice: {} is used, {} is not. Remove one of them.</source>
+        <translation>ThinPart est présent deux fois : {} est utilisé, {} ne l’est pas. Supprimez l’un des deux.</translation>
+    </message>
+    <message>
         <source>ThinPart: {}</source>
         <translation>ThinPart : {}</translation>
     </message>
