@@ -106,6 +106,8 @@ class Since1_0:
         from Addon import MissingDependencies
 
         def missing():
+            if not hasattr(MissingDependencies, "import_from_addon"):
+                return MissingDependencies(addon, [addon])  # 1.0
             found = MissingDependencies()
             found.import_from_addon(addon, [addon])
             return found
