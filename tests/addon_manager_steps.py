@@ -1,6 +1,5 @@
 """What a user does in FreeCAD's Addon Manager, by the Addon Manager's own classes; runs inside FreeCAD.
 
-``NAME``, ``URL``, ``BRANCH``, ``ROUTE`` ("git" or "zip"), ``PROXY`` and ``STEP`` are set before this text, and ``tell``.
 The Addon Managers of 0.20, 1.0 and 1.1 are three programs: each has its own class of steps here.
 """
 
@@ -20,7 +19,7 @@ except (ImportError, AttributeError):
     from PySide import QtGui as QtWidgets
 
 PREFERENCES = App.ParamGet("User parameter:BaseApp/Preferences/Addons")
-FOLDER = os.path.join(App.getUserAppDataDir(), "Mod", NAME)
+MOD = os.path.join(App.getUserAppDataDir(), "Mod")
 PACKAGES = ("numpy", "scipy", "pebble", "rich", "jinja2")
 VERSION = tuple(int(part) for part in App.Version()[:2])
 
@@ -57,10 +56,12 @@ def nothing_installed(checker, packages):
 class Since1_0:
     """Classes that are meant to be called by others."""
 
-    def __init__(self):
+    def __init__(self, route):
         import NetworkManager
         from addonmanager_installer import AddonInstaller
 
+        # 1.0 takes the zip where there is no git; 1.1 takes it wherever it is not told otherwise.
+        PREFERENCES.SetBool("disableGit", route == "zip" and VERSION < (1, 1))
         NetworkManager.InitializeNetworkManager()
         # Otherwise it asks for a newer list in the internet.
         AddonInstaller._load_local_allowed_packages_list()
@@ -127,20 +128,16 @@ class Since1_0:
     def icon(self, addon):
         return addon.metadata.icon
 
-    def tags(self, addon):
-        return sorted(addon.tags)
-
-
 class Only0_20:
     """Workers and a window that do it all."""
 
-    def __init__(self):
+    def __init__(self, route):
         import addonmanager_workers
         import NetworkManager
 
         NetworkManager.InitializeNetworkManager()
         # Without GitPython, which is no part of FreeCAD, it takes the zip. This is its own switch.
-        addonmanager_workers.NOGIT = ROUTE == "zip"
+        addonmanager_workers.NOGIT = route == "zip"
 
     def listed(self):
         """The add-on as the list shows it. Lists of FreeCAD's in the internet are answered here: there is nothing in them."""
@@ -195,7 +192,7 @@ class Only0_20:
 
         QtCore.QTimer.singleShot(300, agree)
         CommandAddonManager.remove(window, addon)
-        return not os.path.exists(FOLDER)
+        return not os.path.exists(os.path.join(MOD, addon.name))
 
     def dependencies(self, addon):
         """0.20 knows no optional packages: all are asked for, by the names that they are imported by."""
@@ -215,34 +212,47 @@ class Only0_20:
     def icon(self, addon):
         return addon.metadata.Icon
 
-    def tags(self, addon):
-        return sorted(addon.tags)
+def do(step, name, url, branch, route, proxy):
+    """One visit to the Addon Manager.
 
+    Parameters
+    ----------
+    step : str
+        "install", "check", "update" or "remove".
+    name, url, branch : str
+        The add-on's folder, and the custom repository.
+    route : str
+        "git" or "zip".
+    proxy : str
+        "host:port", or "" for none.
 
-PREFERENCES.SetString("CustomRepositories", f"{URL} {BRANCH}")
-PREFERENCES.SetString("force_git_in_repos", NAME if ROUTE == "git" else "")
-# 1.0 takes the zip where there is no git; 1.1 takes it wherever it is not told otherwise.
-PREFERENCES.SetBool("disableGit", ROUTE == "zip" and VERSION < (1, 1))
-if PROXY:
-    PREFERENCES.SetBool("NoProxyCheck", False)
-    PREFERENCES.SetBool("UserProxyCheck", True)
-    PREFERENCES.SetString("ProxyUrl", PROXY)
-steps = Only0_20() if VERSION < (1, 0) else Since1_0()
-addon = steps.listed()
-before = [addon.name, addon.url, addon.branch, addon.status().name]
-
-if STEP == "install":
-    steps.install(addon)
-    tell({"before": before, "address": [addon.url, addon.branch], "dependencies": steps.dependencies(addon),
-          "readme": steps.readme(addon), "icon": steps.icon(addon), "tags": steps.tags(addon),
-          "workbench": addon.contains_workbench()})
-elif STEP == "check":
-    tell({"before": before, "status": steps.check(addon), "address": [addon.url, addon.branch]})
-elif STEP == "update":
-    found = steps.check(addon)
-    steps.install(addon)
-    tell({"before": before, "found": found, "after": steps.check(addon)})
-elif STEP == "remove":
-    # It was installed in a FreeCAD before: what it is, is read as the list reads it.
-    addon.load_metadata_file(os.path.join(FOLDER, "package.xml"))
-    tell({"before": before, "removed": steps.remove(addon)})
+    Returns
+    -------
+    dict
+        What was seen; JSON can hold it.
+    """
+    PREFERENCES.SetString("CustomRepositories", f"{url} {branch}")
+    PREFERENCES.SetString("force_git_in_repos", name if route == "git" else "")
+    if proxy:
+        PREFERENCES.SetBool("NoProxyCheck", False)
+        PREFERENCES.SetBool("UserProxyCheck", True)
+        PREFERENCES.SetString("ProxyUrl", proxy)
+    steps = (Only0_20 if VERSION < (1, 0) else Since1_0)(route)
+    addon = steps.listed()
+    seen = {"before": [addon.name, addon.url, addon.branch, addon.status().name]}
+    if step == "install":
+        steps.install(addon)
+        seen.update(workbench=addon.contains_workbench(), dependencies=steps.dependencies(addon),
+                    readme=steps.readme(addon), icon=steps.icon(addon), tags=sorted(addon.tags))
+    elif step == "check":
+        seen["status"] = steps.check(addon)
+    elif step == "update":
+        seen["found"] = steps.check(addon)
+        steps.install(addon)
+        seen["after"] = steps.check(addon)
+    elif step == "remove":
+        # It was installed by a FreeCAD before: what it is, is read as the list reads it.
+        addon.load_metadata_file(os.path.join(MOD, name, "package.xml"))
+        seen["removed"] = steps.remove(addon)
+    seen["address"] = [addon.url, addon.branch]
+    return seen

@@ -15,8 +15,7 @@ import pytest
 from started_freecad import environment, start_freecad
 
 ROOT = Path(__file__).resolve().parents[2]
-TESTS = ROOT / "tests"
-STEPS = (TESTS / "addon_manager_steps.py").read_text(encoding="utf-8")
+STEPS = (ROOT / "tests" / "addon_manager_steps.py").read_text(encoding="utf-8")
 NAME, BRANCH = "thinpart", "main"
 REQUIRED, OPTIONAL = ["numpy", "scipy"], ["jinja2", "pebble", "rich"]
 
@@ -123,8 +122,9 @@ class User:
         self.proxy = host.address if behind_proxy else ""
 
     def does(self, step):
-        names = f"NAME, URL, BRANCH, ROUTE, STEP, PROXY = {(NAME, self.url, BRANCH, self.route, step, self.proxy)!r}\n"
-        return start_freecad(self.home, names + STEPS)
+        """What was seen at a visit to the Addon Manager of a FreeCAD that was started for it."""
+        call = f"\ntell(do{(step, NAME, self.url, BRANCH, self.route, self.proxy)!r})\n"
+        return start_freecad(self.home, STEPS + call)
 
     @property
     def folder(self):
@@ -179,7 +179,8 @@ def test_it_is_installed_runs_is_updated_and_goes(user, host):
     assert run.returncode == 0 and f"is installed already, {user.folder}" in run.stdout
 
     # A new commit arrives, and what it removes goes.
-    assert user.does("check")["status"] != "UPDATE_AVAILABLE"
+    checked = user.does("check")
+    assert checked["status"] != "UPDATE_AVAILABLE" and checked["address"] == [user.url, BRANCH]
     (host.work / "CHANGELOG.md").unlink()
     (host.work / "thinpart_workbench" / "new_module.py").write_text('"""New."""\n')
     host.commit("second")
