@@ -4,7 +4,8 @@
     python3 tests/gui/run_in_freecad.py --close part|folder|library|document
     python3 tests/gui/run_in_freecad.py [OPTIONS] --screenshots docs/screenshots
 
-Options: --language German starts FreeCAD in that language, --scale 1.5 draws everything larger.
+Options: --language German starts FreeCAD in that language, --scale 1.5 draws everything larger,
+--theme "FreeCAD Dark" takes the colours of one of FreeCAD's own preference packs.
 
 The status is pytest's; a FreeCAD that crashes, hangs or ends without a complete report is a
 failure. After all tests of the window, those of the translations run in every language, and FreeCAD is
@@ -27,8 +28,10 @@ SECONDS = 2700
 LANGUAGES = ("German", "French")
 CLOSED_WHILE = ("part", "folder", "library", "document")
 
-Look = namedtuple("Look", "language scale", defaults=("English", 1.0))
-"""FreeCAD's language, and how much larger everything is drawn."""
+THEMES = "/usr/share/freecad/Gui/PreferencePacks"
+
+Look = namedtuple("Look", "language scale theme", defaults=("English", 1.0, ""))
+"""FreeCAD's language, how much larger everything is drawn, and the preference pack with its colours."""
 
 
 def run(script, arguments, home, seconds=SECONDS, look=Look()):
@@ -55,6 +58,8 @@ def run(script, arguments, home, seconds=SECONDS, look=Look()):
     settings = home / "user.cfg"
     settings.write_text((HERE / "user.cfg").read_text(encoding="utf-8").replace(
         "LANGUAGE", look.language), encoding="utf-8")
+    if look.theme:
+        _add_theme(settings, look.theme)
     environment = dict(
         os.environ, HOME=os.fspath(home), XDG_RUNTIME_DIR=os.fspath(runtime),
         XDG_CONFIG_HOME=os.fspath(home), XDG_DATA_HOME=os.fspath(home), TMPDIR=os.fspath(temporary),
@@ -72,6 +77,24 @@ def run(script, arguments, home, seconds=SECONDS, look=Look()):
                               stderr=subprocess.STDOUT, cwd=ROOT).returncode
 
 
+def _add_theme(settings, name):
+    """Add what a preference pack of this FreeCAD says to settings: what choosing the theme does."""
+    into = ElementTree.parse(settings)
+    pack = ElementTree.parse(os.path.join(THEMES, name, f"{name}.cfg"))
+    _add_settings(into.getroot(), pack.getroot())
+    into.write(settings, encoding="UTF-8", xml_declaration=True)
+
+
+def _add_settings(into, more):
+    there = {(each.tag, each.get("Name")): each for each in into}
+    for each in more:
+        old = there.get((each.tag, each.get("Name")))
+        if each.tag == "FCParamGroup" and old is not None:
+            _add_settings(old, each)
+        else:
+            into.append(each)
+
+
 def main(arguments):
     """Run the tests, or make the screenshots, and return the status."""
     parser = argparse.ArgumentParser(add_help=False, allow_abbrev=False)
@@ -79,8 +102,9 @@ def main(arguments):
     parser.add_argument("--close", choices=CLOSED_WHILE)
     parser.add_argument("--language", default=Look().language)
     parser.add_argument("--scale", type=float, default=Look().scale)
+    parser.add_argument("--theme", default=Look().theme)
     options, rest = parser.parse_known_args(arguments)
-    look = Look(options.language, options.scale)
+    look = Look(options.language, options.scale, options.theme)
     if options.screenshots:
         return _in_a_home(lambda home: _make_screenshots(Path(options.screenshots), home, look))
     status = 0 if options.close else _in_a_home(lambda home: _run_tests(rest, home, look))

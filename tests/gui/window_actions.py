@@ -150,7 +150,7 @@ def close_button():
     def look():
         found[:] = [each for box in Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
                     for each in box.buttons()
-                    if each.isVisible() and box.standardButton(each) == box.Close]
+                    if each.isVisible() and box.standardButton(each) == QtWidgets.QDialogButtonBox.Close]
         return found
 
     wait_until(look, 10)

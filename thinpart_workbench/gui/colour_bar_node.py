@@ -3,6 +3,7 @@
 from pivy import coin
 
 from .colour_bar import bar_image
+from .qt import upside_down
 
 
 class ColourBarNode:
@@ -61,7 +62,9 @@ class ColourBarNode:
         if self._content is None or not action.isOfType(coin.SoGLRenderAction.getClassTypeId()):
             return
         state = action.getState()
-        width, height = coin.SoViewportRegionElement.get(state).getViewportSizePixels().getValue()
+        # By index: what getValue() returns is a bare pointer in newer versions of pivy.
+        size = coin.SoViewportRegionElement.get(state).getViewportSizePixels()
+        width, height = size[0], size[1]
         if not width or not height:
             return
         if (width, height) != self._size:
@@ -69,7 +72,7 @@ class ColourBarNode:
             # No larger than a narrow picture allows.
             image = bar_image(self._content, min(height, round(1.2 * width)))
             size = coin.SbVec2s(image.width(), image.height())
-            self._image.image.setValue(size, 4, bytes(image.mirrored().constBits()))
+            self._image.image.setValue(size, 4, bytes(upside_down(image).constBits()))
         seen = coin.SoViewVolumeElement.get(state)
         margin = max(4, round(0.012 * height)) + 0.5
         depth = seen.getNearDist() + 0.5 * seen.getDepth()

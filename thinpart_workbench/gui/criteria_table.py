@@ -1,11 +1,15 @@
 """The table of criteria: one group per criterion, one row per condition."""
 
 from ..core.descriptors import quantity_named
-from .qt import QtCore, QtGui, QtWidgets, translate
+from .qt import QtCore, QtGui, QtWidgets, soon, translate
 from .sentences import translated
+from .theme import is_theme_change, readable
 from .verdict_text import holds_text, number, percent
 
-_GREEN, _GREY = QtGui.QColor(30, 110, 50), QtGui.QColor(110, 110, 110)
+_HOLDS = QtGui.QColor(30, 110, 50), QtGui.QColor(115, 215, 135)
+_DOES_NOT = QtGui.QColor(110, 110, 110), QtGui.QColor(160, 160, 160)
+"""Colours of letters, on light and on dark."""
+
 QUANTITY, VALUE, THRESHOLD, HOLDS, MARGIN = range(5)
 
 
@@ -14,6 +18,7 @@ class CriteriaTable(QtWidgets.QTreeWidget):
 
     def __init__(self, parent=None):
         super().__init__(parent)
+        self._evidence = []
         self.setObjectName("ThinPart_CriteriaTable")
         self.setColumnCount(5)
         self.setHeaderLabels([
@@ -43,12 +48,16 @@ class CriteriaTable(QtWidgets.QTreeWidget):
         evidence : list of dict
             As in a part record.
         """
+        self._evidence = evidence
         self.clear()
+        holds, does_not = QtGui.QBrush(readable(self, *_HOLDS)), QtGui.QBrush(readable(self, *_DOES_NOT))
         for row in evidence:
             group = _group(row)
+            if row["holds"]:
+                group.setForeground(0, holds)
             self.addTopLevelItem(group)
             group.setFirstColumnSpanned(True)
-            group.addChildren([_condition(each) for each in row["conditions"]])
+            group.addChildren([_condition(each, does_not) for each in row["conditions"]])
             group.setExpanded(row["holds"] is not False)
         self._fit()
 
@@ -71,7 +80,13 @@ class CriteriaTable(QtWidgets.QTreeWidget):
     def resizeEvent(self, event):
         """Make room for a scroll bar where the panel is too narrow."""
         super().resizeEvent(event)
-        QtCore.QTimer.singleShot(0, self._fit)
+        soon(self, self._fit)
+
+    def changeEvent(self, event):
+        """Letters keep colours that can be read when FreeCAD's theme changes."""
+        super().changeEvent(event)
+        if is_theme_change(event) and self._evidence:
+            self.show_evidence(self._evidence)
 
 
 def _group(row):
@@ -84,11 +99,10 @@ def _group(row):
     font = group.font(0)
     font.setBold(bool(row["holds"]))
     group.setFont(0, font)
-    group.setForeground(0, QtGui.QBrush(_GREEN) if row["holds"] else QtGui.QBrush())
     return group
 
 
-def _condition(condition):
+def _condition(condition, does_not):
     quantity = quantity_named(condition["quantity"])
     value = number(condition["value"])
     if condition["value"] is None and quantity.absent_means is not None:
@@ -106,7 +120,7 @@ def _condition(condition):
         if column in (VALUE, THRESHOLD, MARGIN):
             item.setTextAlignment(column, QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
         if condition["holds"] is False:
-            item.setForeground(column, QtGui.QBrush(_GREY))
+            item.setForeground(column, does_not)
     return item
 
 

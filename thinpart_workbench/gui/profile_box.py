@@ -13,7 +13,7 @@ class ProfileBox(QtWidgets.QComboBox):
 
     def __init__(self, parent=None):
         super().__init__(parent)
-        self.setSizeAdjustPolicy(self.AdjustToMinimumContentsLengthWithIcon)
+        self.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         self.setMinimumContentsLength(16)
         for path in sorted(PROFILES.glob("*.json")):
             self.addItem(_title(path.stem), path.stem)

@@ -122,7 +122,7 @@ class NumberField(QtWidgets.QDoubleSpinBox):
         super().__init__(parent)
         self.setRange(0.0, 1e6)
         self.setDecimals(3)
-        self.setStepType(self.AdaptiveDecimalStepType)
+        self.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
         self.setKeyboardTracking(False)
 
     def minimumSizeHint(self):
@@ -145,8 +145,8 @@ def new_form(parent):
     """A form whose fields go under their titles where it is narrow."""
     form = QtWidgets.QFormLayout(parent)
     form.setContentsMargins(6, 6, 6, 6)
-    form.setRowWrapPolicy(form.WrapLongRows)
-    form.setFieldGrowthPolicy(form.AllNonFixedFieldsGrow)
+    form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
+    form.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
     return form
 
 
@@ -154,7 +154,7 @@ def narrow_combo(parent, name):
     """A combo box that may be narrower than its longest text."""
     combo = QtWidgets.QComboBox(parent)
     combo.setObjectName(name)
-    combo.setSizeAdjustPolicy(combo.AdjustToMinimumContentsLengthWithIcon)
+    combo.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
     combo.setMinimumContentsLength(6)
     return combo
 
