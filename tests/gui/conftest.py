@@ -11,6 +11,7 @@ if IN_FREECAD:
     import FreeCAD as App
     import FreeCADGui as Gui
 
+    import complaints
     import window_actions as window
     from thinpart_workbench.gui.automatic_classification import AUTOMATIC
     from thinpart_workbench.gui.classify import end_session
@@ -19,13 +20,19 @@ if IN_FREECAD:
     from thinpart_workbench.gui.notices import NOTICES
     from thinpart_workbench.gui.report import end_report_dialog
 
+    complaints.listen()
+
     @pytest.fixture(autouse=True)
-    def clean_window():
-        """No document, no panel and no worker, before and after."""
+    def clean_window(request):
+        """No document, no panel and no worker, before and after, and nothing to complain of."""
         Gui.activateWorkbench("ThinPartWorkbench")
         _clean()
+        complaints.take()
         yield
         _clean()
+        found = complaints.take()
+        allowed = request.node.get_closest_marker("complains")
+        assert [each for each in found if not allowed or not any(text in each for text in allowed.args)] == []
         window.wait_until(lambda: window.workers() == [], 10)  # one that has said all is not waited for
 
     def _clean():

@@ -66,6 +66,7 @@ class DocumentRun(QtCore.QObject):
                 self._analysis.profile_content, self._analysis.thin_limit, self._analysis.maps)
         except Exception as error:  # FreeCAD raises classes of its own where a disk is full
             process.kill()
+            process.waitForFinished(3000)
             process.deleteLater()
             self._remove_folder()
             raise ThinPartError(translate(

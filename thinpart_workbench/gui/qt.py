@@ -34,6 +34,13 @@ def translated_mark(text):
     return QtCore.QCoreApplication.translate("ThinPart", text) if text else ""
 
 
+def grouped(count):
+    """A count with its thousands apart, as the user's country writes it; FreeCAD 1.1 tells Qt not to."""
+    locale = QtCore.QLocale()
+    locale.setNumberOptions(locale.numberOptions() & ~QtCore.QLocale.OmitGroupSeparator)
+    return locale.toString(int(count))
+
+
 def execute(dialog):
     """Show a dialog until the user answers it, under the name that this Qt has for that."""
     return (getattr(dialog, "exec", None) or dialog.exec_)()

@@ -4,6 +4,7 @@ from ..core.colour_scale import COLOUR_MAPS, colour_table
 from ..freecad_adapter.settings import PREFERENCES
 from ..freecad_adapter.thickness_object import MILLIMETRES, SHARE
 from .qt import QtCore, QtGui, QtWidgets, Signal, colour, translate
+from .wheel import keep_from_wheel
 
 
 class ScaleBox(QtWidgets.QWidget):
@@ -83,6 +84,7 @@ class ScaleBox(QtWidgets.QWidget):
         form.addRow("", self._reversed)
         self._bands = QtWidgets.QSpinBox(self)
         self._bands.setObjectName("ThinPart_Bands")
+        keep_from_wheel(self._bands)
         self._bands.setRange(0, PREFERENCES["HeatMapBands"].range[1])
         self._bands.setSpecialValueText(translate("ThinPart", "smooth"))
         self._bands.valueChanged.connect(lambda value: self._tell(Bands=value))
@@ -124,6 +126,7 @@ class NumberField(QtWidgets.QDoubleSpinBox):
         self.setDecimals(3)
         self.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
         self.setKeyboardTracking(False)
+        keep_from_wheel(self)
 
     def minimumSizeHint(self):
         """Room for some digits, not for a million with decimals."""
@@ -156,6 +159,7 @@ def narrow_combo(parent, name):
     combo.setObjectName(name)
     combo.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
     combo.setMinimumContentsLength(6)
+    keep_from_wheel(combo)
     return combo
 
 
