@@ -8,6 +8,9 @@ from .theme import plot_ground, readable, text_colour
 LEAST, MOST = 0, 1
 _HANDLES = QtGui.QColor(240, 240, 240), QtGui.QColor(70, 70, 70)
 """Colour of a handle, on light and on dark."""
+_CHOSEN = QtGui.QColor(52, 116, 186), QtGui.QColor(110, 165, 225)
+"""Colour of the bars between the handles, on light and on dark: a theme's own highlight may be pale."""
+
 _STEP = 0.02
 """Share of the scale that an arrow key moves a handle by."""
 
@@ -110,7 +113,7 @@ class RangeSlider(QtWidgets.QWidget):
         plot = self._plot()
         painter.fillRect(plot, plot_ground(self))
         left, right = self.place_of(LEAST), self.place_of(MOST)
-        chosen, other = self.palette().highlight().color(), text_colour(self, 80)
+        chosen, other = readable(self, *_CHOSEN), text_colour(self, 80)
         top, width = max([*self._counts, 1]), plot.width() / max(1, len(self._counts))
         for number, count in enumerate(self._counts):
             if count:
