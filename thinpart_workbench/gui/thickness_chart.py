@@ -271,7 +271,7 @@ class ThicknessChart(ChartAxes):
         painter.setPen(text_colour(self))
         painter.drawLine(plot.bottomLeft(), plot.bottomRight())
         line, span = self.fontMetrics().height(), float(self.edges[-1])
-        step = round_up(span / max(1.0, plot.width() / (5.5 * self.fontMetrics().averageCharWidth()) - 1.0))
+        step = round_up(span / max(1.0, plot.width() / (7.5 * self.fontMetrics().averageCharWidth()) - 1.0))
         for count in range(int(span / step * (1.0 + 1e-9)) + 1):
             thickness = count * step
             x = self.x_of(thickness)
