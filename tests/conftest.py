@@ -34,3 +34,12 @@ def real_samples():
     if not (folder / "manifest.csv").is_file():
         pytest.skip("the labelled sample parts are not on this machine")
     return folder
+
+
+@pytest.fixture(scope="session")
+def training_parts():
+    """Folder of third-party parts to learn from, which are not part of the repository."""
+    folder = Path(os.environ.get("THINPART_TRAINING", ROOT.parent / "shared" / "training"))
+    if not folder.is_dir():
+        pytest.skip("the parts to learn from are not on this machine")
+    return folder
