@@ -10,7 +10,7 @@ from thinpart_workbench.freecad_adapter.settings import GROUP
 from thinpart_workbench.gui.qt import QtCore, QtGui, QtWidgets
 from thinpart_workbench.gui.result_table import FILE, PART
 
-MANY = 8
+MANY = 5
 CANCELLED = "cancelled: what was done is kept, Start does the rest"
 
 

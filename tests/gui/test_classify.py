@@ -103,8 +103,7 @@ def test_the_window_never_waits(document):
     document.removeObject(block.Name)
     window.add(document, "Sieve", window.slow_shape())
     # Other programs on the machine may hold the window up once; the program itself would always.
-    longest = min(_longest_gap(window.classify) for _ in range(3))
-    assert longest < 0.3
+    assert any(_longest_gap(window.classify) < 0.3 for _ in range(3))
 
 
 def _longest_gap(action):
