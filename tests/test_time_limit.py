@@ -24,10 +24,10 @@ def test_keeps_the_exception_to_itself():
         pass
 
 def test_polls():
-    with time_limit.waiting_for("the impossible"):
-        while not time_limit.expired():
-            time.sleep(0.01)
-    raise AssertionError(time_limit.expired())
+    time_limit.wait_until(lambda: False, "the impossible")
+
+def test_polls_for_a_moment():
+    time_limit.wait_until(lambda: False, lambda: "Godot", 0.1)
 
 @pytest.fixture
 def slow_end():
@@ -74,11 +74,12 @@ def run(tmp_path):
 def test_each_is_told_with_what_it_waited_for(run):
     ended = run(HANGING)
     said = ended.stdout
-    assert ended.returncode == 1 and "4 failed, 1 passed, 1 error" in said, said
+    assert ended.returncode == 1 and "5 failed, 1 passed, 1 error" in said, said
     assert "test_it.py::test_waits_for_a_program has not ended after 0.5 s." in said
     assert "import time; time.sleep(60) a program that hangs" in said
     assert "test_it.py::test_keeps_the_exception_to_itself has not ended after 0.5 s." in said
-    assert "test_it.py::test_polls has not ended after 0.5 s." in said and "It waits for the impossible." in said
+    assert "test_it.py::test_polls has not ended after 0.5 s." in said and "It waits for the impossible\n" in said
+    assert "AssertionError: waited 0.1 s for Godot" in said
     assert "test_it.py::test_is_not_taken_down (what comes after it) has not ended after 0.5 s." in said
 
 

@@ -3,6 +3,7 @@
 import faulthandler
 import os
 import signal
+import time
 import traceback
 from contextlib import contextmanager
 from pathlib import Path
@@ -77,9 +78,36 @@ def untold():
     return told
 
 
+def wait_until(condition, what, seconds=60.0, pause=lambda: time.sleep(0.02)):
+    """Wait until something is so, for no longer than the test may take; fail where it never is.
+
+    Parameters
+    ----------
+    condition : callable
+    what : str or callable
+        In words what is waited for; asked once it has not come.
+    seconds : float
+    pause : callable
+        Between one look and the next.
+
+    Raises
+    ------
+    AssertionError
+        Says what was waited for and what goes on around.
+    """
+    what = what if callable(what) else (lambda text=what: text)
+    end = time.monotonic() + seconds
+    with _waiting_for(what):
+        while not condition():
+            if expired():
+                raise AssertionError(expired())
+            if time.monotonic() > end:
+                raise AssertionError(f"waited {seconds:g} s for {what()}\n{around()}")
+            pause()
+
+
 @contextmanager
-def waiting_for(what):
-    """Whatever happens in here waits for something, and looks often whether `expired` says anything."""
+def _waiting_for(what):
     _limit.waits.append(what)
     try:
         yield
@@ -99,7 +127,7 @@ def _expired(_, frame):
 
 def _said(frame):
     said = [f"{_limit.name} has not ended after {_limit.seconds:g} s."]
-    said += [f"It waits for {what}." for what in _limit.waits[-1:]]
+    said += [f"It waits for {what()}" for what in _limit.waits[-1:]]
     ours = [each for each in traceback.extract_stack(frame) if Path(each.filename).is_relative_to(HERE)]
     said += [f"  {Path(each.filename).relative_to(HERE.parent)}:{each.lineno}: {each.line}" for each in ours[-4:]]
     return "\n".join([*said, around()])
@@ -111,13 +139,14 @@ def around():
     return "\n".join(filter(None, [*said, _limit.look()]))
 
 
-def children():
-    """(process id, command line) of the processes that this one has started and that still run."""
+def children(process=None):
+    """(process id, command line) of the processes that one, or this one, has started and that still run."""
+    process = os.getpid() if process is None else process
     for stat in Path("/proc").glob("[0-9]*/stat"):
         try:
             state, parent = stat.read_text(errors="replace").rpartition(")")[2].split()[:2]
             command = (stat.parent / "cmdline").read_text(errors="replace").replace("\0", " ").strip()
         except OSError:
             continue  # it ended while being looked at
-        if int(parent) == os.getpid() and state != "Z":
+        if int(parent) == process and state != "Z":
             yield int(stat.parent.name), command

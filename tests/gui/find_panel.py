@@ -51,7 +51,7 @@ def no_libraries():
     yield
     find_parts.end_find_parts()
     set_preference_list("Libraries", [])
-    window.wait_until(lambda: not workers(), 20)
+    window.wait_until(lambda: not workers())
 
 
 def workers():
@@ -68,13 +68,13 @@ def opened(*roots):
 
 
 def ready(dock):
-    window.wait_until(lambda: not dock.is_refreshing, 120)
+    window.wait_until(lambda: not dock.is_refreshing)
     answered(dock)
 
 
 def answered(dock):
     window.settle(20)
-    window.wait_until(lambda: not typing(dock) and not dock.is_waiting, 180)
+    window.wait_until(lambda: not typing(dock) and not dock.is_waiting)
     window.settle(20)
 
 

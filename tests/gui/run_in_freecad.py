@@ -154,7 +154,7 @@ def _run_once(arguments, done, home, look, seconds):
 
 def _closes_cleanly(home, what):
     """0 where a FreeCAD that is closed while it works ends and leaves nothing behind, or 1."""
-    status = _shown(run(HERE / "close_while_working.py", [os.fspath(HERE), what], home, 60), home)
+    status = _shown(run(HERE / "close_while_working.py", [os.fspath(HERE), what], home, 120), home)
     left = [each.name for each in (home / "temporary").glob("thinpart-*")]
     left += _working(os.fspath(home))
     if what == "folder" and not _some_are_done(home / "parts"):

@@ -181,7 +181,7 @@ def test_closing_the_document_stops_the_worker_and_takes_the_panel_away(document
     window.press("ThinPart_Classify")
     window.wait_until(window.workers)
     App.closeDocument(document.Name)
-    window.wait_until(lambda: not Gui.Control.activeDialog(), 5)
+    window.wait_until(lambda: not Gui.Control.activeDialog())
     assert window.workers() == []
 
 
@@ -190,7 +190,7 @@ def test_closing_the_panel_stops_the_worker(document):
     window.press("ThinPart_Classify")
     window.wait_until(window.workers)
     window.mouse_click(window.close_button())
-    window.wait_until(lambda: not Gui.Control.activeDialog(), 5)
+    window.wait_until(lambda: not Gui.Control.activeDialog())
     assert window.workers() == []
 
 

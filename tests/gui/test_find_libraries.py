@@ -45,7 +45,7 @@ def test_reclassify_previews_and_writes(library, other_profile):
     assert ["Thin part", "9"] in [[name, after] for name, _, after in rows]
     assert sum(int(now) for _, now, _ in rows) == 9
     assert before == {path.name: path.read_bytes() for path in library.glob("*.thinpart.json")}
-    window.wait_until(window.widget("ThinPart_ReclassifyWrite").isEnabled, 10)
+    window.wait_until(window.widget("ThinPart_ReclassifyWrite").isEnabled)
     said = []
     window.answer("ThinPart_ReclassifyQuestion", lambda box: (
         said.append(box.text()), box.button(QtWidgets.QMessageBox.Yes).click()))
@@ -195,7 +195,7 @@ def test_closing_while_loading(many, tmp_path, monkeypatch):
     window.wait_until(lambda: "info files read" in window.widget("ThinPart_LibraryProgress").text())
     assert workers()
     dock.close()
-    window.wait_until(lambda: not workers(), 20)
+    window.wait_until(lambda: not workers())
 
 
 def test_stopping_a_refresh_keeps_what_was_read(many, tmp_path, monkeypatch):
@@ -268,4 +268,4 @@ def test_cancelling_a_preview(many_opened):
                       or window.text("ThinPart_ReclassifyMessage"))
     window.click("ThinPart_ReclassifyCancel")
     window.wait_until(lambda: "Stopped after" in window.text("ThinPart_ReclassifyMessage"))
-    window.wait_until(window.widget("ThinPart_ReclassifyPreview").isEnabled, 20)
+    window.wait_until(window.widget("ThinPart_ReclassifyPreview").isEnabled)

@@ -41,13 +41,7 @@ def wait_until(condition, what=None, seconds=60.0):
         In words; the condition's own source where nothing is given.
     seconds : float
     """
-    what = what or _source_of(condition)
-    end = time.monotonic() + seconds
-    with time_limit.waiting_for(what):
-        while not condition():
-            assert not time_limit.expired(), time_limit.expired()
-            assert time.monotonic() < end, f"waited {seconds:g} s for {what}\n{time_limit.around()}"
-            settle(10)
+    time_limit.wait_until(condition, what or (lambda: _source_of(condition)), seconds, lambda: settle(10))
 
 
 def _source_of(condition):
@@ -159,7 +153,7 @@ def tool_button(command):
 def press(command):
     """Press a command's button in the tool bar."""
     button = tool_button(command)
-    wait_until(button.isEnabled, 5)  # FreeCAD looks every 300 ms which commands are active
+    wait_until(button.isEnabled)  # FreeCAD looks every 300 ms which commands are active
     mouse_click(button)
 
 
@@ -180,7 +174,7 @@ def show_thickness():
     """Press the button and wait for the map, or for a sentence why there is none."""
     press("ThinPart_ShowThickness")
     settle(50)  # FreeCAD shows the new panel in its own time
-    wait_until(is_thickness_told, 120)
+    wait_until(is_thickness_told)
 
 
 def is_thickness_told():
@@ -202,11 +196,11 @@ def close_button():
                     if each.isVisible() and box.standardButton(each) == box.Close]
         return found
 
-    wait_until(look, 10)
+    wait_until(look)
     return found[0]
 
 
-def answer(dialog_name, act, seconds=20.0):
+def answer(dialog_name, act, seconds=60.0):
     """Have a modal dialog answered once it is there."""
     end = time.monotonic() + seconds
 

@@ -7,7 +7,6 @@ import shutil
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import jsonschema
@@ -15,6 +14,7 @@ import numpy as np
 import pytest
 
 import made_meshes
+import time_limit
 from program import ROOT, SAMPLES, SCHEMA, failures, group_ended, records, thinpart
 from thinpart_workbench.freecad_adapter.mesh_file_check import check_mesh_file
 
@@ -329,7 +329,7 @@ def test_ctrl_c_keeps_what_was_done_and_leaves_nothing_running(tmp_path):
     )
     first = process.stdout.readline()
     os.killpg(process.pid, signal.SIGINT)
-    rest, errors = process.communicate(timeout=60)
+    rest, errors = process.communicate()
     assert process.returncode == 130 and "Traceback" not in errors
     done = len((first + rest).splitlines())
     infos = list(tmp_path.glob("*.thinpart.json"))
@@ -373,11 +373,9 @@ def test_temporary_folders_of_killed_runs_are_removed_by_the_next(tmp_path):
             [sys.executable, "-m", "thinpart_workbench", "classify", str(folder), "--no-info"],
             env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL, start_new_session=True)
-        for _ in range(200):
-            if any((temporary / name / "lock").exists() for name in left() - before):
-                return process, (left() - before).pop()
-            time.sleep(0.05)
-        raise AssertionError("no temporary folder")
+        time_limit.wait_until(lambda: any((temporary / name / "lock").exists() for name in left() - before),
+                              "a temporary folder with its lock")
+        return process, (left() - before).pop()
 
     foreign = temporary / "thinpart-run-of-somebody"
     foreign.mkdir()
