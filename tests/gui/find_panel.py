@@ -38,6 +38,10 @@ def library(classified, tmp_path, monkeypatch):
     return tmp_path / "library"
 
 
+uses_many = pytest.mark.timeout(180)  # the first of them writes all these files
+"""For the tests that take `many`."""
+
+
 @pytest.fixture(scope="session")
 def many(classified, tmp_path_factory):
     folder = tmp_path_factory.mktemp("many")
