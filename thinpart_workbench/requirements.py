@@ -83,11 +83,11 @@ TABLE = (
     Requirement("gmsh", "makes the volume meshes that --check compares", _program("gmsh"), ("size --check",)),
     Requirement("python3-distributed", "spreads the work over a cluster", _module("distributed"), ("classify --dask", "test")),
     Requirement("python3-pytest", "runs the tests", _module("pytest"), ("test",)),
+    Requirement("python3-pytest-timeout", "ends a test that hangs", _module("pytest_timeout"), ("test",)),
     Requirement("python3-hypothesis", "makes up cases for the tests", _module("hypothesis"), ("test",)),
     Requirement("python3-pyflakes", "finds names that nothing defines", _module("pyflakes"), ("test",)),
     Requirement("python3-jsonschema", "checks info files against their schema", _module("jsonschema"), ("test",)),
-    Requirement("xvfb", "is the screen that the window's tests run on", _program("xvfb-run"), ("test",)),
-    Requirement("xauth", "lets FreeCAD onto that screen", _program("xauth"), ("test",)),
+    Requirement("xvfb", "is the screen that the window's tests run on", _program("Xvfb"), ("test",)),
     Requirement("imagemagick", "takes the screenshots", _program("import"), ("test",)),
 )
 
