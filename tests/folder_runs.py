@@ -10,6 +10,7 @@ import threading
 
 import jsonschema
 
+import time_limit
 from program import ROOT, SAMPLES, SCHEMA
 
 TUBE = SAMPLES / "tube.step"
@@ -67,17 +68,21 @@ class Run:
 
     def until(self, wanted):
         """Read on to the line that holds this; return it."""
-        while True:
-            line = self.lines.get(timeout=120)
-            self.said.append(line)
-            if wanted in line:
-                return line
+        def is_said():
+            while not self.lines.empty():
+                self.said.append(self.lines.get())
+                if wanted in self.said[-1]:
+                    return True
+            return False
+
+        time_limit.wait_until(is_said, lambda: f"a line with {wanted} on stderr, which ends in {self.said[-3:]}")
+        return self.said[-1]
 
     def end(self):
         """(exit status, records, JSON lines of stderr, sentences) once it has ended."""
-        status = self.process.wait(timeout=120)
+        status = self.process.wait()
         for thread in self.threads:
-            thread.join(timeout=60)
+            thread.join()
         while not self.lines.empty():
             self.said.append(self.lines.get())
         self.process.stdin.close()

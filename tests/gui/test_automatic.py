@@ -225,7 +225,7 @@ def test_closing_the_document_ends_it(document, tmp_path):
     App.closeDocument(document.Name)
     window.settle(50)
     assert not AUTOMATIC.is_busy
-    window.wait_until(lambda: not window.workers(), 10)
+    window.wait_until(lambda: not window.workers())
     assert not info(file).exists() and label() == "ThinPart: \u2013"
 
 
@@ -238,7 +238,7 @@ def test_saved_twice_quickly_only_the_last_one_counts(document, tmp_path):
     feature.Shape = Part.makeBox(10, 10, 10)
     document.save()
     wait()
-    window.wait_until(lambda: first not in window.workers(), 10)
+    window.wait_until(lambda: first not in window.workers())
     content = read_info(info(file))
     assert [part["category"] for part in content["parts"]] == ["normal"]
     assert source_is_unchanged(content["source"], file) and label() == "ThinPart: Normal part"
@@ -252,7 +252,7 @@ def test_many_documents_are_classified_one_after_the_other(tmp_path):
         document.saveAs(str(tmp_path / f"part{number}.FCStd"))
     window.settle(100)
     # One that was looking something up may still be ending.
-    window.wait_until(lambda: len(window.workers()) == 1, 10)
+    window.wait_until(lambda: len(window.workers()) == 1)
     assert AUTOMATIC.is_busy and not list(tmp_path.glob("*.json"))
     App.closeDocument(documents[1].Name)
     wait()
@@ -270,7 +270,7 @@ def test_what_is_known_of_an_opened_document_is_shown_and_not_measured(document,
     App.closeDocument(document.Name)
     written = info(plate).stat().st_mtime_ns
     again = App.openDocument(str(plate))
-    window.wait_until(lambda: label() == "ThinPart: Thin part", 20)
+    window.wait_until(lambda: label() == "ThinPart: Thin part")
     # Told that it was saved, though its file is the same: nothing is measured.
     OBSERVER.slotFinishSaveDocument(again, again.FileName)
     wait()
@@ -279,7 +279,7 @@ def test_what_is_known_of_an_opened_document_is_shown_and_not_measured(document,
     App.closeDocument(again.Name)
     info(plate).unlink()
     App.openDocument(str(plate))
-    window.wait_until(lambda: label() == "ThinPart: not classified", 20)
+    window.wait_until(lambda: label() == "ThinPart: not classified")
     assert not info(plate).exists()
 
 
@@ -339,7 +339,7 @@ def test_a_part_that_the_panel_measures_is_not_measured_twice(document, plate):
     window.wait_until(window.workers)
     automatic, = window.workers()
     window.press("ThinPart_Classify")
-    window.wait_until(lambda: automatic not in window.workers(), 10)
+    window.wait_until(lambda: automatic not in window.workers())
     document.save()  # while it is being measured, as it is
     window.settle(100)
     assert len(window.workers()) == 1 and not AUTOMATIC.is_busy and "measuring" in label()
@@ -362,7 +362,7 @@ def test_what_the_panel_has_measured_is_kept_when_the_document_is_saved(document
     document.saveAs(str(tmp_path / "ribbed.FCStd"))
     window.settle(100)
     assert window.workers() == []
-    window.wait_until(info(tmp_path / "ribbed.FCStd").exists, 20)
+    window.wait_until(info(tmp_path / "ribbed.FCStd").exists)
     window.wait_until_measured()
     assert "Info file" in window.text("ThinPart_InfoText")
     assert label() == "ThinPart: Part with thin features"
@@ -404,5 +404,5 @@ def test_switching_it_off_ends_what_is_under_way(document, tmp_path):
     document.saveAs(str(tmp_path / "sieve.FCStd"))
     window.wait_until(window.workers)
     set_preference("AutomaticClassification", False)
-    window.wait_until(lambda: not window.workers(), 10)
+    window.wait_until(lambda: not window.workers())
     assert not AUTOMATIC.is_busy and not info(tmp_path / "sieve.FCStd").exists()

@@ -103,8 +103,7 @@ def test_the_window_never_waits(document):
     document.removeObject(block.Name)
     window.add(document, "Sieve", window.slow_shape())
     # Other programs on the machine may hold the window up once; the program itself would always.
-    longest = min(_longest_gap(window.classify) for _ in range(3))
-    assert longest < 0.3
+    assert any(_longest_gap(window.classify) < 0.3 for _ in range(3))
 
 
 def _longest_gap(action):
@@ -182,7 +181,7 @@ def test_closing_the_document_stops_the_worker_and_takes_the_panel_away(document
     window.press("ThinPart_Classify")
     window.wait_until(window.workers)
     App.closeDocument(document.Name)
-    window.wait_until(lambda: not Gui.Control.activeDialog(), 5)
+    window.wait_until(lambda: not Gui.Control.activeDialog())
     assert window.workers() == []
 
 
@@ -191,7 +190,7 @@ def test_closing_the_panel_stops_the_worker(document):
     window.press("ThinPart_Classify")
     window.wait_until(window.workers)
     window.mouse_click(window.close_button())
-    window.wait_until(lambda: not Gui.Control.activeDialog(), 5)
+    window.wait_until(lambda: not Gui.Control.activeDialog())
     assert window.workers() == []
 
 

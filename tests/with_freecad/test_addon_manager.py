@@ -144,6 +144,7 @@ def files_in(folder):
             if each.is_file() and ".git" not in each.relative_to(folder).parts and "__pycache__" not in each.parts}
 
 
+@pytest.mark.timeout(240)  # starts seven FreeCADs, one after the other as their user does
 def test_it_is_installed_runs_is_updated_and_goes(user, host):
     # It is in the list, and installing it brings all of it.
     done = user.does("install")

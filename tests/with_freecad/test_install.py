@@ -51,7 +51,7 @@ def user_folder(home, freecad):
 def thinpart(home, command):
     return subprocess.run(
         [sys.executable, "-m", "thinpart_workbench", command], env=dict(environment(home), PYTHONPATH=os.fspath(ROOT)),
-        capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=60)
+        capture_output=True, text=True, stdin=subprocess.DEVNULL)
 
 
 def links(home):
@@ -203,6 +203,7 @@ def load():
 """ + "".join(f"    {line}\n" for line in WHAT_IS_LOADED.splitlines())
 
 
+@pytest.mark.timeout(120)  # FreeCAD copies, ends and starts again
 def test_it_survives_the_copy_of_the_settings_and_is_loaded_once(home, user_folder, freecad):
     """What FreeCAD 1.1 does at its first start where an older version was used; then it restarts itself."""
     if tuple(map(int, freecad.Version()[:2])) < (1, 1):

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+import time_limit
 from thinpart_workbench.core.errors import ThinPartError
 from thinpart_workbench.workflow.analyse_file import FileTask
 from thinpart_workbench.workflow.parent_death import end_with_parent  # noqa: F401 - programs import it from here
@@ -135,7 +136,7 @@ def test_what_is_held_comes_back_untouched(started):
 
 PARENT = """
 import os, sys
-sys.path[:0] = [{root!r}, {here!r}]
+sys.path[:0] = [{root!r}, {tests!r}, {here!r}]
 from test_workers import Workers, FileTask, do, end_with_parent
 if __name__ == "__main__":
     workers = Workers(1, 600.0, {folder!r}, do, end_with_parent, (os.getpid(),))
@@ -151,15 +152,12 @@ if __name__ == "__main__":
 @pytest.mark.parametrize("again", [False, True])
 def test_a_worker_that_is_busy_in_foreign_code_ends_with_its_parent(tmp_path, again):
     script = tmp_path / "parent.py"
-    script.write_text(PARENT.format(root=str(ROOT), here=str(Path(__file__).parent),
+    script.write_text(PARENT.format(root=str(ROOT), tests=str(ROOT / "tests"), here=str(Path(__file__).parent),
                                     folder=str(tmp_path), again=again))
     parent = subprocess.Popen([sys.executable, str(script)], start_new_session=True)
-    number = None
-    for _ in range(600):
-        if (tmp_path / "busy").exists() and (tmp_path / "busy").read_text():
-            number = int((tmp_path / "busy").read_text())
-            break
-        time.sleep(0.05)
+    busy = tmp_path / "busy"
+    time_limit.wait_until(lambda: busy.exists() and busy.read_text(), "the number of the busy worker")
+    number = int(busy.read_text())
     try:
         os.kill(number, 0)
         os.kill(parent.pid, signal.SIGKILL)

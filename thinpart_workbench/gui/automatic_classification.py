@@ -10,7 +10,7 @@ from .asked_process import AskedProcess
 from .document_observer import OBSERVER
 from .document_verdict_text import headline, reasons, warnings
 from .notices import NOTICES
-from .qt import QtCore, translate
+from .qt import QtCore, soon, translate
 from .sentences import translated
 from .task_session import open_session
 from .verdict_label import VerdictLabel
@@ -87,7 +87,7 @@ class AutomaticClassification(QtCore.QObject):
         if name in self._left:
             self._left.discard(name)
             # Not while FreeCAD closes the document, which ends the panel too.
-            QtCore.QTimer.singleShot(0, lambda: self._classify(name))
+            soon(self, lambda: self._classify(name))
 
     def take_from_panel(self, name, before, now):
         """The panel has written the info file."""
@@ -112,7 +112,7 @@ class AutomaticClassification(QtCore.QObject):
     def _saved(self, name):
         if self.is_on:
             # Saving is over when the window has its turn again.
-            QtCore.QTimer.singleShot(0, lambda: self._classify(name))
+            soon(self, lambda: self._classify(name))
 
     def _closed(self, name):
         self._drop(name)

@@ -1,6 +1,7 @@
 """What charts of a thickness distribution have in common: their plot, its heights, and texts under it."""
 
-from .qt import QtCore, QtGui, QtWidgets
+from .qt import QtCore, QtWidgets
+from .theme import text_colour
 
 
 class ChartAxes(QtWidgets.QWidget):
@@ -25,9 +26,7 @@ class ChartAxes(QtWidgets.QWidget):
 
     def draw_heights(self, painter, plot, top):
         """Draw lines at no, half and all of the height, which stands for a share of `top`."""
-        text = self.palette().text().color()
-        faint = QtGui.QColor(text)
-        faint.setAlpha(50)
+        text, faint = text_colour(self), text_colour(self, 50)
         height = self.fontMetrics().height()
         for share in (0.0, top / 2.0, top):
             y = plot.bottom() - plot.height() * share / top

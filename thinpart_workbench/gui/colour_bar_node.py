@@ -3,6 +3,8 @@
 from pivy import coin
 
 from .colour_bar import bar_image
+from .free_area import free_area
+from .qt import QtCore, upside_down
 
 
 class ColourBarNode:
@@ -10,8 +12,7 @@ class ColourBarNode:
 
     Parameters
     ----------
-    root : pivy.coin.SoGroup
-        Scene graph of the view.
+    view : View3DInventorPy
 
     Notes
     -----
@@ -19,8 +20,9 @@ class ColourBarNode:
     follows in the scene.
     """
 
-    def __init__(self, root):
-        self._root = root
+    def __init__(self, view):
+        self._root = root = view.getSceneGraph()
+        self._widget = view.graphicsView().viewport()
         self._content = self._size = None
         # FreeCAD's own kind of group: what is in it is not what 'fit all' fits.
         self.node = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
@@ -61,16 +63,33 @@ class ColourBarNode:
         if self._content is None or not action.isOfType(coin.SoGLRenderAction.getClassTypeId()):
             return
         state = action.getState()
-        width, height = coin.SoViewportRegionElement.get(state).getViewportSizePixels().getValue()
+        # By index: what getValue() returns is a bare pointer in newer versions of pivy.
+        size = coin.SoViewportRegionElement.get(state).getViewportSizePixels()
+        width, height = size[0], size[1]
         if not width or not height:
             return
-        if (width, height) != self._size:
-            self._size = width, height
+        free = self._free_area(width, height)
+        if (free.width(), free.height()) != self._size:
+            self._size = free.width(), free.height()
             # No larger than a narrow picture allows.
-            image = bar_image(self._content, min(height, round(1.2 * width)))
+            image = bar_image(self._content, min(free.height(), round(1.2 * free.width())))
             size = coin.SbVec2s(image.width(), image.height())
-            self._image.image.setValue(size, 4, bytes(image.mirrored().constBits()))
+            self._image.image.setValue(size, 4, bytes(upside_down(image).constBits()))
         seen = coin.SoViewVolumeElement.get(state)
-        margin = max(4, round(0.012 * height)) + 0.5
+        left = free.left() + max(4, round(0.012 * height)) + 0.5
+        middle = 1.0 - (free.top() + 0.5 * free.height()) / height
         depth = seen.getNearDist() + 0.5 * seen.getDepth()
-        self._place.translation = seen.getPlanePoint(depth, coin.SbVec2f(margin / width, 0.5))
+        self._place.translation = seen.getPlanePoint(depth, coin.SbVec2f(left / width, middle))
+
+    def _free_area(self, width, height):
+        """QRect of the pixels over which no dock of FreeCAD's lies; all of a picture that is saved."""
+        whole = QtCore.QRect(0, 0, width, height)
+        try:
+            ratio = self._widget.devicePixelRatioF()
+            if (round(self._widget.width() * ratio), round(self._widget.height() * ratio)) != (width, height):
+                return whole
+            free = free_area(self._widget)
+        except RuntimeError:
+            return whole  # the view is being closed
+        return QtCore.QRect(*(round(ratio * each) for each in (
+            free.left(), free.top(), free.width(), free.height())))

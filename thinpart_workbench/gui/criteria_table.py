@@ -1,11 +1,15 @@
 """The table of criteria: one group per criterion, one row per condition."""
 
 from ..core.descriptors import quantity_named
-from .qt import QtCore, QtGui, QtWidgets, translate
+from .qt import QtCore, QtGui, QtWidgets, soon, translate
 from .sentences import translated
+from .theme import is_theme_change, readable
 from .verdict_text import holds_text, number, percent
 
-_GREEN, _GREY = QtGui.QColor(30, 110, 50), QtGui.QColor(110, 110, 110)
+_HOLDS = QtGui.QColor(30, 110, 50), QtGui.QColor(115, 215, 135)
+_DOES_NOT = QtGui.QColor(110, 110, 110), QtGui.QColor(160, 160, 160)
+"""Colours of letters, on light and on dark."""
+
 QUANTITY, VALUE, THRESHOLD, HOLDS, MARGIN = range(5)
 
 
@@ -14,6 +18,7 @@ class CriteriaTable(QtWidgets.QTreeWidget):
 
     def __init__(self, parent=None):
         super().__init__(parent)
+        self._evidence = []
         self.setObjectName("ThinPart_CriteriaTable")
         self.setColumnCount(5)
         self.setHeaderLabels([
@@ -43,6 +48,7 @@ class CriteriaTable(QtWidgets.QTreeWidget):
         evidence : list of dict
             As in a part record.
         """
+        self._evidence = evidence
         self.clear()
         for row in evidence:
             group = _group(row)
@@ -50,7 +56,19 @@ class CriteriaTable(QtWidgets.QTreeWidget):
             group.setFirstColumnSpanned(True)
             group.addChildren([_condition(each) for each in row["conditions"]])
             group.setExpanded(row["holds"] is not False)
+        self._colour_rows()
         self._fit()
+
+    def _colour_rows(self):
+        holds, does_not = QtGui.QBrush(readable(self, *_HOLDS)), QtGui.QBrush(readable(self, *_DOES_NOT))
+        for index, row in enumerate(self._evidence):
+            group = self.topLevelItem(index)
+            if row["holds"]:
+                group.setForeground(0, holds)
+            for number, condition in enumerate(row["conditions"]):
+                if condition["holds"] is False:
+                    for column in range(self.columnCount()):
+                        group.child(number).setForeground(column, does_not)
 
     def _fit(self, *_):
         rows = sum(
@@ -71,7 +89,13 @@ class CriteriaTable(QtWidgets.QTreeWidget):
     def resizeEvent(self, event):
         """Make room for a scroll bar where the panel is too narrow."""
         super().resizeEvent(event)
-        QtCore.QTimer.singleShot(0, self._fit)
+        soon(self, self._fit)
+
+    def changeEvent(self, event):
+        """Letters keep colours that can be read when FreeCAD's theme changes."""
+        super().changeEvent(event)
+        if is_theme_change(event) and self._evidence:
+            soon(self, self._colour_rows)  # a theme may come while rows are being added
 
 
 def _group(row):
@@ -84,7 +108,6 @@ def _group(row):
     font = group.font(0)
     font.setBold(bool(row["holds"]))
     group.setFont(0, font)
-    group.setForeground(0, QtGui.QBrush(_GREEN) if row["holds"] else QtGui.QBrush())
     return group
 
 
@@ -105,8 +128,6 @@ def _condition(condition):
         item.setToolTip(column, meaning)
         if column in (VALUE, THRESHOLD, MARGIN):
             item.setTextAlignment(column, QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
-        if condition["holds"] is False:
-            item.setForeground(column, QtGui.QBrush(_GREY))
     return item
 
 

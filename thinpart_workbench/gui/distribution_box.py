@@ -4,9 +4,10 @@ from ..freecad_adapter.thickness_object import MILLIMETRES, SHARE
 from .flow_layout import FlowLayout
 from .qt import QtCore, QtWidgets, Signal, translate
 from .result_view import show_text, text_line
-from .scale_box import NumberField, narrow_combo
+from .scale_box import NumberField
 from .thickness_chart import ThicknessChart
 from .verdict_text import number, percent
+from .wheel import keep_from_wheel
 
 _STEP = 30
 """Milliseconds between two thresholds while the line is being moved: the colours follow, no faster."""
@@ -101,7 +102,10 @@ class DistributionBox(QtWidgets.QWidget):
         self._field.valueChanged.connect(self._field_changed)
         label.setBuddy(self._field)
         flow.addWidget(self._field)
-        self._unit = narrow_combo(row, "ThinPart_ThresholdUnit")
+        self._unit = QtWidgets.QComboBox(row)
+        self._unit.setObjectName("ThinPart_ThresholdUnit")
+        self._unit.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToContents)  # the row wraps where it is too wide
+        keep_from_wheel(self._unit)
         self._unit.addItem(translate("ThinPart", "mm"), MILLIMETRES)
         self._unit.addItem(translate("ThinPart", "of the diagonal"), SHARE)
         self._unit.currentIndexChanged.connect(lambda _: self._show_field())

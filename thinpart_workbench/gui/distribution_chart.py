@@ -4,10 +4,12 @@ from ..core.distribution import BINS
 from ..core.distribution_bars import bars, round_up
 from .chart_axes import ChartAxes
 from .qt import QtCore, QtGui, QtWidgets, translate
+from .theme import plot_ground, readable, text_colour
 from .verdict_text import number, percent
 
-_THIN, _THICK, _LIMIT = (QtGui.QColor(214, 38, 31), QtGui.QColor(95, 130, 170),
-                         QtGui.QColor(150, 20, 20))
+_THIN, _THICK = QtGui.QColor(214, 38, 31), QtGui.QColor(95, 130, 170)
+_LIMITS = QtGui.QColor(150, 20, 20), QtGui.QColor(255, 130, 120)
+"""Colour of the limit, on light and on dark."""
 
 
 class DistributionChart(ChartAxes):
@@ -64,7 +66,7 @@ class DistributionChart(ChartAxes):
             return
         painter = QtGui.QPainter(self)
         plot = self.plot()
-        painter.fillRect(plot, self.palette().base())
+        painter.fillRect(plot, plot_ground(self))
         top = round_up(max(bar.area for bar in self.bars) or 1.0)
         self.draw_heights(painter, plot, top)
         self._draw_bars(painter, plot, top)
@@ -90,8 +92,7 @@ class DistributionChart(ChartAxes):
 
     def _draw_widths(self, painter, plot):
         """Two scales under the bars: thickness in mm, and as a share of the diagonal."""
-        text = self.palette().text().color()
-        painter.setPen(text)
+        painter.setPen(text_colour(self))
         painter.drawLine(plot.bottomLeft(), plot.bottomRight())
         line = self.fontMetrics().height()
         step = round_up(self._span * self._diagonal / 4.0)
@@ -108,9 +109,10 @@ class DistributionChart(ChartAxes):
 
     def _draw_limit(self, painter, plot):
         x = plot.left() + plot.width() * self._limit / self._span
-        painter.setPen(QtGui.QPen(_LIMIT, 1.5, QtCore.Qt.DashLine))
+        limit = readable(self, *_LIMITS)
+        painter.setPen(QtGui.QPen(limit, 1.5, QtCore.Qt.DashLine))
         painter.drawLine(QtCore.QPointF(x, plot.top() - 2), QtCore.QPointF(x, plot.bottom()))
-        painter.setPen(QtGui.QPen(_LIMIT))
+        painter.setPen(limit)
         text = translate("ThinPart", "thin below {} mm").format(
             number(self._limit * self._diagonal))
         self.centred(painter, plot, x, 1, text)

@@ -4,12 +4,13 @@ from ..core.distribution import BINS
 from ..core.distribution_bars import round_up
 from .chart_axes import ChartAxes
 from .qt import QtCore, QtGui, number_of, translate
+from .theme import plot_ground, readable, text_colour
 
-_PENS = (
-    QtGui.QPen(QtGui.QColor(32, 74, 135), 2.5, QtCore.Qt.SolidLine),
-    QtGui.QPen(QtGui.QColor(206, 92, 0), 2.0, QtCore.Qt.DashLine),
+_LINES = (
+    (QtGui.QColor(32, 74, 135), QtGui.QColor(114, 159, 207), 2.5, QtCore.Qt.SolidLine),
+    (QtGui.QColor(206, 92, 0), QtGui.QColor(252, 175, 62), 2.0, QtCore.Qt.DashLine),
 )
-"""Of the part that others are compared with, and of the other one."""
+"""Colours on light and on dark, width and style: of the part that others are compared with, and of the other one."""
 
 
 class DistributionComparison(ChartAxes):
@@ -40,15 +41,19 @@ class DistributionComparison(ChartAxes):
             return
         painter = QtGui.QPainter(self)
         plot = self.plot()
-        painter.fillRect(plot, self.palette().base())
+        painter.fillRect(plot, plot_ground(self))
         self.draw_heights(painter, plot, 1.0)
         self._draw_widths(painter, plot)
         painter.setRenderHint(QtGui.QPainter.Antialiasing)
-        for steps, pen in zip(self.steps, _PENS):
+        for steps, pen in zip(self.steps, self._pens()):
             painter.setPen(pen)
             painter.drawPath(self._path(plot, steps))
         self._draw_legend(painter, plot)
         painter.end()
+
+    def _pens(self):
+        return [QtGui.QPen(readable(self, on_light, on_dark), width, style)
+                for on_light, on_dark, width, style in _LINES]
 
     def _path(self, plot, steps):
         path = QtGui.QPainterPath(plot.bottomLeft())
@@ -60,7 +65,7 @@ class DistributionComparison(ChartAxes):
         return path
 
     def _draw_widths(self, painter, plot):
-        painter.setPen(self.palette().text().color())
+        painter.setPen(text_colour(self))
         painter.drawLine(plot.bottomLeft(), plot.bottomRight())
         line = self.fontMetrics().height()
         for count in range(5):
@@ -74,12 +79,12 @@ class DistributionComparison(ChartAxes):
     def _draw_legend(self, painter, plot):
         """A line of its own style before each name, over the plot."""
         line, room = self.fontMetrics().height(), self.width() / len(self.names)
-        for number, (name, pen) in enumerate(zip(self.names, _PENS)):
+        for number, (name, pen) in enumerate(zip(self.names, self._pens())):
             left = 4 + number * room
             painter.setPen(pen)
             y = 2 + line / 2
             painter.drawLine(QtCore.QPointF(left, y), QtCore.QPointF(left + 2.2 * line, y))
-            painter.setPen(self.palette().text().color())
+            painter.setPen(text_colour(self))
             width = room - 2.6 * line - 8
             painter.drawText(QtCore.QRectF(left + 2.6 * line, 2, width, line),
                              QtCore.Qt.AlignLeft | QtCore.Qt.AlignVCenter,

@@ -8,7 +8,7 @@ import FreeCAD as App
 
 from ..core.errors import ThinPartError
 from ..freecad_adapter.snapshot import write_snapshot
-from .qt import QtCore, QtWidgets, Signal, translate
+from .qt import QtCore, QtWidgets, Signal, soon, translate
 from .ready_process import READY
 from .sentences import translated
 from .worker_python import hand_over, listen
@@ -66,6 +66,7 @@ class DocumentRun(QtCore.QObject):
                 self._analysis.profile_content, self._analysis.thin_limit, self._analysis.maps)
         except Exception as error:  # FreeCAD raises classes of its own where a disk is full
             process.kill()
+            process.waitForFinished(3000)
             process.deleteLater()
             self._remove_folder()
             raise ThinPartError(translate(
@@ -87,7 +88,7 @@ class DocumentRun(QtCore.QObject):
         except Exception:  # the end; or there is no room for it, which FreeCAD says in classes of its own
             self._process.closeWriteChannel()
         else:
-            QtCore.QTimer.singleShot(0, self._write_on)
+            soon(self, self._write_on)
 
     def stop(self):
         """End the process, if it runs, and remove what was written for it."""

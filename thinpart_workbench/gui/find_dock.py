@@ -11,11 +11,11 @@ from .found_table import FILE, SCORE, FoundTable
 from .found_view import FoundView
 from .library_list import LibraryList
 from .part_details import PartDetails
-from .part_filters import PartFilters, grouped
+from .part_filters import PartFilters
 from .part_pictures import PartPictures
 from .part_search import PartSearch
 from .push_button import add_button
-from .qt import QtCore, QtGui, QtWidgets, translate
+from .qt import QtCore, QtGui, QtWidgets, grouped, translate
 from .reclassify_panel import ReclassifyPanel
 from .result_view import show_text, text_line
 from .sentences import translated

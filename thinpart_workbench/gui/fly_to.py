@@ -3,6 +3,7 @@
 import numpy as np
 from pivy import coin
 
+from .free_area import free_area
 from .qt import QtCore
 
 _SHARE = 4.0
@@ -35,7 +36,7 @@ def fly_to(view, point, opposite, smallest=0.0, milliseconds=_MILLISECONDS):
     now = camera.orientation.getValue()
     target = _orientation(now, inward / thickness)
     size = max(_SHARE * thickness, smallest)
-    end = (target, 0.5 * (point + opposite), size)
+    end = _in_free_area(view, target, 0.5 * (point + opposite), size)
     start = (now, _focus(camera), _height(camera))
     if milliseconds <= 0:
         _place(camera, *end)
@@ -68,6 +69,17 @@ def _orientation(now, inward):
     side /= np.linalg.norm(side)
     wanted = np.cos(_TILT) * inward + np.sin(_TILT) * side
     return now * coin.SbRotation(coin.SbVec3f(*map(float, looks)), coin.SbVec3f(*map(float, wanted)))
+
+
+def _in_free_area(view, orientation, point, size):
+    """Where to look so that a point is in the middle of what no dock covers: orientation, focus and height."""
+    widget = view.graphicsView().viewport()
+    whole, free = widget.rect(), free_area(widget)
+    height = size * whole.height() / free.height()
+    pixel = height / min(whole.width(), whole.height())  # Coin's heights are those of the shorter side
+    middle = free.center() - whole.center()
+    right, up = (np.array(orientation.multVec(coin.SbVec3f(*axis)).getValue()) for axis in ((1, 0, 0), (0, 1, 0)))
+    return orientation, point - pixel * (middle.x() * right - middle.y() * up), height
 
 
 def _focus(camera):

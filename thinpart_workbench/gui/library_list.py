@@ -5,7 +5,7 @@ import os
 from ..freecad_adapter.settings import preference_list, set_preference_list
 from .flow_layout import FlowLayout
 from .push_button import add_button
-from .qt import QtCore, QtWidgets, Signal, translate
+from .qt import QtCore, QtWidgets, Signal, grouped, translate
 from .result_filter import colour_icon
 from .result_table import FAILED_COLOUR
 from .result_view import show_text, text_line
@@ -99,7 +99,7 @@ class LibraryList(QtWidgets.QWidget):
         chosen = {item.data(QtCore.Qt.UserRole) for item in self._list.selectedItems()}
         self._list.clear()
         for each in libraries:
-            count = QtCore.QLocale().toString(each["parts"])
+            count = grouped(each["parts"])
             item = QtWidgets.QListWidgetItem(
                 translate("ThinPart", "{} ({} parts)").format(each["root"], count), self._list)
             item.setData(QtCore.Qt.UserRole, each["root"])
@@ -121,16 +121,16 @@ class LibraryList(QtWidgets.QWidget):
             ``root``, ``done`` and ``total``; while info files are looked for, 0 and those found so far.
         """
         self._show_busy(True)
-        name, locale = os.path.basename(progress["root"]) or progress["root"], QtCore.QLocale()
+        name = os.path.basename(progress["root"]) or progress["root"]
         if progress["done"]:
             self._bar.setRange(0, progress["total"])
             self._bar.setValue(progress["done"])
             self._words.setText(translate("ThinPart", "{}: {} of {} info files read").format(
-                name, locale.toString(progress["done"]), locale.toString(progress["total"])))
+                name, grouped(progress["done"]), grouped(progress["total"])))
         else:
             self._bar.setRange(0, 0)
             self._words.setText(translate("ThinPart", "{}: looking for info files, {} so far").format(
-                name, locale.toString(progress["total"])))
+                name, grouped(progress["total"])))
 
     def show_failed(self, sentence):
         """The process is gone."""

@@ -5,13 +5,14 @@ from datetime import datetime, timedelta, timezone
 from ..core.categories import NORMAL, UNKNOWN
 from ..storage.part_query import FAILED
 from .flow_layout import FlowLayout
-from .qt import QtCore, QtWidgets, Signal, translate
+from .qt import QtCore, QtWidgets, Signal, grouped, translate
 from .range_filter import RangeFilter
 from .result_filter import colour_icon
 from .result_table import group_title
 from .result_view import show_text, text_line
 from .sentences import translated
 from .verdict_text import category_colour
+from .wheel import keep_from_wheel
 
 _TYPING = 300
 """Milliseconds after the last key until what was typed is looked for."""
@@ -168,6 +169,7 @@ class PartFilters(QtWidgets.QWidget):
             flow.addWidget(box)
         self._since = QtWidgets.QComboBox(self)
         self._since.setObjectName("ThinPart_FindSince")
+        keep_from_wheel(self._since)
         for title, days in ((translate("ThinPart", "Changed at any time"), 0),
                             (translate("ThinPart", "Changed in the last day"), 1),
                             (translate("ThinPart", "Changed in the last week"), 7),
@@ -188,8 +190,3 @@ def _show_count(box, title, count):
     text = f"{title} ({grouped(count)})"
     if box.text() != text:
         box.setText(text)
-
-
-def grouped(count):
-    """A number with its thousands apart, as the user's country writes it."""
-    return QtCore.QLocale().toString(int(count))

@@ -12,6 +12,7 @@ from .push_button import add_button
 from .qt import QtCore, QtWidgets, translate, translated_mark
 from .result_view import show_text, text_line
 from .sentences import translated
+from .wheel import keep_from_wheel
 
 _TYPING = 300
 """Milliseconds after the last key until a folder is looked at."""
@@ -85,13 +86,6 @@ class PreferencesForm(QtWidgets.QWidget):
                 set_preference(name, value)
                 self._kept[name] = value
 
-    def eventFilter(self, watched, event):
-        """The wheel scrolls the page; it changes only what was chosen before."""
-        if event.type() == QtCore.QEvent.Wheel and not watched.hasFocus():
-            event.ignore()
-            return True
-        return super().eventFilter(watched, event)
-
     def _add_groups(self, content):
         column = QtWidgets.QVBoxLayout(content)
         grids = {}
@@ -133,8 +127,7 @@ class PreferencesForm(QtWidgets.QWidget):
             grid.addWidget(field, row, 1, 1, 2 if declared.names else 1)
         for each in [field, *field.findChildren(QtWidgets.QWidget)]:
             if isinstance(each, (QtWidgets.QAbstractSpinBox, QtWidgets.QComboBox)):
-                each.setFocusPolicy(QtCore.Qt.StrongFocus)
-                each.installEventFilter(self)
+                keep_from_wheel(each)
 
     def _note(self, name):
         for declared in self._declared:

@@ -6,6 +6,7 @@ from ..core.criteria import PROFILES, load_profile
 from ..core.errors import ThinPartError
 from .qt import QtWidgets, translate
 from .sentences import translated
+from .wheel import keep_from_wheel
 
 
 class ProfileBox(QtWidgets.QComboBox):
@@ -13,8 +14,9 @@ class ProfileBox(QtWidgets.QComboBox):
 
     def __init__(self, parent=None):
         super().__init__(parent)
-        self.setSizeAdjustPolicy(self.AdjustToMinimumContentsLengthWithIcon)
+        self.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         self.setMinimumContentsLength(16)
+        keep_from_wheel(self)
         for path in sorted(PROFILES.glob("*.json")):
             self.addItem(_title(path.stem), path.stem)
 

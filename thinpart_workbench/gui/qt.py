@@ -34,6 +34,13 @@ def translated_mark(text):
     return QtCore.QCoreApplication.translate("ThinPart", text) if text else ""
 
 
+def grouped(count):
+    """A count with its thousands apart, as the user's country writes it; FreeCAD 1.1 tells Qt not to."""
+    locale = QtCore.QLocale()
+    locale.setNumberOptions(locale.numberOptions() & ~QtCore.QLocale.OmitGroupSeparator)
+    return locale.toString(int(count))
+
+
 def execute(dialog):
     """Show a dialog until the user answers it, under the name that this Qt has for that."""
     return (getattr(dialog, "exec", None) or dialog.exec_)()
@@ -46,4 +53,34 @@ def colour(rgb):
 
 def number_of(flags):
     """Flags as the number that FreeCAD wants, whichever way this Qt keeps them."""
-    return getattr(flags, "value", None) or int(flags)
+    value = getattr(flags, "value", None)
+    return int(flags) if value is None else value
+
+
+def mouse_place(event):
+    """QPoint where the mouse is within the widget that has the event."""
+    return event.position().toPoint() if hasattr(event, "position") else event.pos()
+
+
+def upside_down(image):
+    """A QImage with its first line last."""
+    return image.flipped() if hasattr(image, "flipped") else image.mirrored()
+
+
+def soon(owner, call):
+    """Call something when the window has its turn next, unless its owner has gone by then.
+
+    Parameters
+    ----------
+    owner : QObject
+    call : callable
+
+    Notes
+    -----
+    ``QTimer.singleShot`` has no owner: it would call a method of a widget that Qt has deleted.
+    """
+    timer = QtCore.QTimer(owner)
+    timer.setSingleShot(True)
+    timer.timeout.connect(call)
+    timer.timeout.connect(timer.deleteLater)
+    timer.start(0)

@@ -2,9 +2,15 @@
 
 import math
 
-from .qt import QtCore, QtGui, QtWidgets, Signal
+from .qt import QtCore, QtGui, QtWidgets, Signal, mouse_place
+from .theme import plot_ground, readable, text_colour
 
 LEAST, MOST = 0, 1
+_HANDLES = QtGui.QColor(240, 240, 240), QtGui.QColor(70, 70, 70)
+"""Colour of a handle, on light and on dark."""
+_CHOSEN = QtGui.QColor(52, 116, 186), QtGui.QColor(110, 165, 225)
+"""Colour of the bars between the handles, on light and on dark: a theme's own highlight may be pale."""
+
 _STEP = 0.02
 """Share of the scale that an arrow key moves a handle by."""
 
@@ -72,7 +78,7 @@ class RangeSlider(QtWidgets.QWidget):
 
     def mousePressEvent(self, event):
         """Take the nearer handle."""
-        x = event.pos().x()
+        x = mouse_place(event).x()
         places = self.place_of(LEAST), self.place_of(MOST)
         nearest_least = abs(x - places[LEAST]) < abs(x - places[MOST])
         if places[LEAST] == places[MOST]:
@@ -83,7 +89,7 @@ class RangeSlider(QtWidgets.QWidget):
     def mouseMoveEvent(self, event):
         """Move the handle that is held."""
         if event.buttons() & QtCore.Qt.LeftButton:
-            self._move_to(event.pos().x())
+            self._move_to(mouse_place(event).x())
 
     def mouseDoubleClickEvent(self, _event):
         """Choose everything again."""
@@ -104,10 +110,10 @@ class RangeSlider(QtWidgets.QWidget):
         """Draw bars, what is chosen of them, and the handles."""
         painter = QtGui.QPainter(self)
         painter.setRenderHint(QtGui.QPainter.Antialiasing)
-        plot, palette = self._plot(), self.palette()
-        painter.fillRect(plot, palette.base())
+        plot = self._plot()
+        painter.fillRect(plot, plot_ground(self))
         left, right = self.place_of(LEAST), self.place_of(MOST)
-        chosen, other = palette.highlight().color(), palette.mid().color()
+        chosen, other = readable(self, *_CHOSEN), text_colour(self, 80)
         top, width = max([*self._counts, 1]), plot.width() / max(1, len(self._counts))
         for number, count in enumerate(self._counts):
             if count:
@@ -117,7 +123,7 @@ class RangeSlider(QtWidgets.QWidget):
                 inside = left - 1 <= x + width / 2 <= right + 1
                 painter.fillRect(QtCore.QRectF(x, plot.bottom() - height, max(1.0, width - 1.0), height),
                                  chosen if inside else other)
-        painter.setPen(palette.text().color())
+        painter.setPen(text_colour(self))
         painter.drawLine(plot.bottomLeft(), plot.bottomRight())
         for which, x in ((LEAST, left), (MOST, right)):
             self._draw_handle(painter, x, plot, which)
@@ -126,9 +132,9 @@ class RangeSlider(QtWidgets.QWidget):
     def _draw_handle(self, painter, x, plot, which):
         radius = self._radius()
         held = self.hasFocus() and which == self._held
-        painter.setPen(QtGui.QPen(self.palette().text().color(), 2.0 if held else 1.0))
+        painter.setPen(QtGui.QPen(text_colour(self), 2.0 if held else 1.0))
         painter.drawLine(QtCore.QPointF(x, plot.top()), QtCore.QPointF(x, plot.bottom()))
-        painter.setBrush(self.palette().button())
+        painter.setBrush(readable(self, *_HANDLES))
         painter.drawEllipse(QtCore.QPointF(x, plot.bottom()), radius, radius)
 
     def _radius(self):

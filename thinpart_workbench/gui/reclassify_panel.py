@@ -4,10 +4,9 @@ from ..core.criteria import load_profile, profile_from
 from ..core.errors import ThinPartError
 from .flow_layout import FlowLayout
 from .json_process import JsonProcess, started
-from .part_filters import grouped
 from .profile_box import ProfileBox
 from .push_button import add_button
-from .qt import QtCore, QtWidgets, Signal, translate
+from .qt import QtCore, QtWidgets, Signal, grouped, translate
 from .question_box import is_confirmed
 from .result_filter import colour_icon
 from .result_view import show_text, text_line

@@ -68,7 +68,8 @@ class RowModel(QtCore.QAbstractTableModel):
         """Other content of as many rows; what is selected stays so, though not in its place."""
         self._given = list(rows)
         self._arrange()
-        self.dataChanged.emit(self.index(0, 0), self.index(len(self.rows) - 1, len(self.columns) - 1))
+        if self.rows:
+            self.dataChanged.emit(self.index(0, 0), self.index(len(self.rows) - 1, len(self.columns) - 1))
 
     def sort(self, column, order=QtCore.Qt.AscendingOrder):
         """Sort by a column; as given where it is negative. What has no value comes last both ways."""
@@ -139,9 +140,9 @@ class RowTable(QtWidgets.QTableView):
         self._lines, self._is_set = lines, False
         self._rows = RowModel(columns, self)
         self.setModel(self._rows)
-        self.setSelectionBehavior(self.SelectRows)
-        self.setSelectionMode(self.SingleSelection)
-        self.setHorizontalScrollMode(self.ScrollPerPixel)
+        self.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
+        self.setSelectionMode(QtWidgets.QAbstractItemView.SingleSelection)
+        self.setHorizontalScrollMode(QtWidgets.QAbstractItemView.ScrollPerPixel)
         self.setTabKeyNavigation(False)
         self.setAlternatingRowColors(True)
         self.setShowGrid(False)

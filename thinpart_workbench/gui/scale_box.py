@@ -4,6 +4,7 @@ from ..core.colour_scale import COLOUR_MAPS, colour_table
 from ..freecad_adapter.settings import PREFERENCES
 from ..freecad_adapter.thickness_object import MILLIMETRES, SHARE
 from .qt import QtCore, QtGui, QtWidgets, Signal, colour, translate
+from .wheel import keep_from_wheel
 
 
 class ScaleBox(QtWidgets.QWidget):
@@ -83,6 +84,7 @@ class ScaleBox(QtWidgets.QWidget):
         form.addRow("", self._reversed)
         self._bands = QtWidgets.QSpinBox(self)
         self._bands.setObjectName("ThinPart_Bands")
+        keep_from_wheel(self._bands)
         self._bands.setRange(0, PREFERENCES["HeatMapBands"].range[1])
         self._bands.setSpecialValueText(translate("ThinPart", "smooth"))
         self._bands.valueChanged.connect(lambda value: self._tell(Bands=value))
@@ -122,8 +124,9 @@ class NumberField(QtWidgets.QDoubleSpinBox):
         super().__init__(parent)
         self.setRange(0.0, 1e6)
         self.setDecimals(3)
-        self.setStepType(self.AdaptiveDecimalStepType)
+        self.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
         self.setKeyboardTracking(False)
+        keep_from_wheel(self)
 
     def minimumSizeHint(self):
         """Room for some digits, not for a million with decimals."""
@@ -145,8 +148,8 @@ def new_form(parent):
     """A form whose fields go under their titles where it is narrow."""
     form = QtWidgets.QFormLayout(parent)
     form.setContentsMargins(6, 6, 6, 6)
-    form.setRowWrapPolicy(form.WrapLongRows)
-    form.setFieldGrowthPolicy(form.AllNonFixedFieldsGrow)
+    form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
+    form.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
     return form
 
 
@@ -154,8 +157,9 @@ def narrow_combo(parent, name):
     """A combo box that may be narrower than its longest text."""
     combo = QtWidgets.QComboBox(parent)
     combo.setObjectName(name)
-    combo.setSizeAdjustPolicy(combo.AdjustToMinimumContentsLengthWithIcon)
+    combo.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
     combo.setMinimumContentsLength(6)
+    keep_from_wheel(combo)
     return combo
 
 

@@ -4,14 +4,16 @@ import numpy as np
 
 from ..core.distribution_bars import round_up
 from .chart_axes import ChartAxes
-from .qt import QtCore, QtGui, QtWidgets, Signal, translate
+from .qt import QtCore, QtGui, QtWidgets, Signal, mouse_place, translate
+from .theme import plot_ground, readable, text_colour
 from .verdict_text import number, percent
 
 BARS = 40
 _NEAR = 5
 """Pixels within which the mouse takes the line of the threshold."""
 
-_LINE = QtGui.QColor(20, 20, 20)
+_LINES = QtGui.QColor(20, 20, 20), QtGui.QColor(235, 235, 235)
+"""Of the threshold, on light and on dark."""
 
 
 def bar_edges(last):
@@ -150,7 +152,7 @@ class ThicknessChart(ChartAxes):
         """Take the line, or begin to choose; beside the plot: choose nothing."""
         if event.button() != QtCore.Qt.LeftButton or not self.count:
             return
-        place = event.pos()
+        place = mouse_place(event)
         if self._is_near_line(place):
             self._holds_line, self._pressed = True, place
             return
@@ -164,7 +166,8 @@ class ThicknessChart(ChartAxes):
 
     def mouseMoveEvent(self, event):
         """Move the line or choose more bars."""
-        x = event.pos().x()
+        place = mouse_place(event)
+        x = place.x()
         if self._holds_line:
             self._pressed = None
             self.threshold = self._thickness_at(x)
@@ -174,7 +177,7 @@ class ThicknessChart(ChartAxes):
             plot = self.plot()
             bar = self.bar_at(min(max(x, plot.left()), plot.right()))
             self._choose((min(self._begun, bar), max(self._begun, bar)))
-        self.setCursor(QtCore.Qt.SplitHCursor if self._holds_line or self._is_near_line(event.pos())
+        self.setCursor(QtCore.Qt.SplitHCursor if self._holds_line or self._is_near_line(place)
                        else QtCore.Qt.ArrowCursor)
 
     def mouseReleaseEvent(self, _event):
@@ -203,7 +206,7 @@ class ThicknessChart(ChartAxes):
             return
         painter = QtGui.QPainter(self)
         plot = self.plot()
-        painter.fillRect(plot, self.palette().base())
+        painter.fillRect(plot, plot_ground(self))
         top = round_up(float(self.shares.max()) or 1.0)
         self.draw_heights(painter, plot, top)
         self._draw_bars(painter, plot, top)
@@ -243,7 +246,7 @@ class ThicknessChart(ChartAxes):
         return float(f"{share * self.edges[-1]:.3g}")
 
     def _draw_bars(self, painter, plot, top):
-        frame = QtGui.QColor(self.palette().text().color())
+        frame = text_colour(self)
         for bar, share in enumerate(self.shares):
             left = self.x_of(self.edges[bar])
             width = self.x_of(self.edges[bar + 1]) - left
@@ -265,10 +268,10 @@ class ThicknessChart(ChartAxes):
 
     def _draw_scales(self, painter, plot):
         """Two scales under the bars: thickness in mm, and as a share of the diagonal."""
-        painter.setPen(self.palette().text().color())
+        painter.setPen(text_colour(self))
         painter.drawLine(plot.bottomLeft(), plot.bottomRight())
         line, span = self.fontMetrics().height(), float(self.edges[-1])
-        step = round_up(span / max(1.0, plot.width() / (5.5 * self.fontMetrics().averageCharWidth()) - 1.0))
+        step = round_up(span / max(1.0, plot.width() / (7.5 * self.fontMetrics().averageCharWidth()) - 1.0))
         for count in range(int(span / step * (1.0 + 1e-9)) + 1):
             thickness = count * step
             x = self.x_of(thickness)
@@ -282,9 +285,8 @@ class ThicknessChart(ChartAxes):
 
     def _draw_line(self, painter, plot):
         x = self.x_of(self.threshold)
-        colour = _LINE if self.palette().base().color().lightness() > 127 else QtGui.QColor(235, 235, 235)
-        painter.setPen(QtGui.QPen(colour, 2.0 if self._holds_line else 1.5, QtCore.Qt.DashLine))
+        painter.setPen(QtGui.QPen(readable(self, *_LINES), 2.0 if self._holds_line else 1.5, QtCore.Qt.DashLine))
         painter.drawLine(QtCore.QPointF(x, plot.top() - 2), QtCore.QPointF(x, plot.bottom()))
-        painter.setPen(self.palette().text().color())
+        painter.setPen(text_colour(self))
         self.centred(painter, plot, x, 1, translate("ThinPart", "thin below {} mm").format(
             number(self.threshold)))

@@ -72,7 +72,7 @@ class ThicknessDisplay:
                 bar = next((each for each in self._bars if each.is_in(root)), None)
                 content = self._content(document, last.get(document))
                 if content is not None:
-                    bar = bar or ColourBarNode(root)
+                    bar = bar or ColourBarNode(view)
                     bar.show(content)
                     bars.append(bar)
                 elif bar is not None:

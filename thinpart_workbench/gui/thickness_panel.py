@@ -8,7 +8,7 @@ from ..freecad_adapter.settings import preference
 from .distribution_box import DistributionBox
 from .face_box import FaceBox
 from .probe_box import ProbeBox
-from .qt import QtCore, QtGui, QtWidgets, translate
+from .qt import QtCore, QtGui, QtWidgets, soon, translate
 from .scale_box import ScaleBox
 from .sentences import translated
 from .shown_thickness import ShownThickness
@@ -98,7 +98,7 @@ class ThicknessPanel(QtCore.QObject):
     def _close(self):
         self.leave()
         # Not within FreeCAD's own removing of the object.
-        QtCore.QTimer.singleShot(0, self.panel.hide)
+        soon(self.panel, self.panel.hide)
 
     def _show_others(self, are_there):
         for place, _ in self._places.values():

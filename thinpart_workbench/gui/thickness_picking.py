@@ -8,7 +8,7 @@ from ..core.errors import ThinPartError
 from ..core.map_search import MapSearch
 from ..workflow.document_maps import map_version, parts_of
 from ..workflow.thickness_probes import Probe, moved_matrix, probes_of, set_probes, wall_at_place
-from .qt import QtCore, QtWidgets, Signal, translate
+from .qt import QtCore, QtWidgets, Signal, mouse_place, soon, translate
 from .thickness_text import thickness_text
 from .transaction import transaction
 from .view_ray import line_of_sight, seen_first
@@ -129,7 +129,7 @@ class ThicknessPicker(QtCore.QObject):
         """Look at what the mouse does, and leave it to the view."""
         kind = event.type()
         if kind == QtCore.QEvent.MouseMove:
-            self._place = widget, event.pos()
+            self._place = widget, mouse_place(event)
             if not self._timer.isActive():
                 self._timer.start(15)
         elif kind == QtCore.QEvent.Leave:
@@ -139,13 +139,13 @@ class ThicknessPicker(QtCore.QObject):
             # A second button held down turns or moves the view in most navigation styles.
             alone = event.button() == event.buttons() == QtCore.Qt.LeftButton
             plain = event.modifiers() == QtCore.Qt.NoModifier
-            self._pressed = event.pos() if alone and plain else None
+            self._pressed = mouse_place(event) if alone and plain else None
         elif kind == QtCore.QEvent.MouseButtonRelease and self._pressed is not None:
             if event.button() == QtCore.Qt.LeftButton and (
-                    (event.pos() - self._pressed).manhattanLength() <= _STILL):
+                    (mouse_place(event) - self._pressed).manhattanLength() <= _STILL):
                 # After the view has had the event.
-                place = event.pos()
-                QtCore.QTimer.singleShot(0, lambda: self._pin(widget, place))
+                place = mouse_place(event)
+                soon(self, lambda: self._pin(widget, place))
             self._pressed = None
         return False
 

@@ -123,6 +123,9 @@ class ThicknessView:
         thickness = self._view.Object
         if not hasattr(thickness, "Map") or not thickness.Map:
             return
+        if thickness.Document.Restoring:
+            look_soon()  # FreeCAD names the file before it has written it
+            return
         version = map_version(thickness)
         if version not in (self._shown, self._failed):
             try:

@@ -1,0 +1,39 @@
+"""What Qt, FreeCAD and Python complain of while a test runs, which a user would see in the Report view."""
+
+from thinpart_workbench.gui.qt import QtCore, QtWidgets
+
+# Of the screen without a desktop, or of FreeCAD's own window.
+_OTHERS = ("propagateSizeHints", "XDG_RUNTIME_DIR", "QStandardPaths", "Could not find any platform plugin",
+           "libpng", "QFont", "qt.qpa", "QXcb", "QSocketNotifier: Can only be used", "iCCP")
+
+_SIGNS = "Traceback", "Error:", "cannot be read"
+"""Of what went wrong in the Report view."""
+
+_messages = []
+
+
+def listen():
+    """Keep what Qt says from now on."""
+    QtCore.qInstallMessageHandler(_keep)
+
+
+def _keep(kind, _context, text):
+    if kind in (QtCore.QtMsgType.QtWarningMsg, QtCore.QtMsgType.QtCriticalMsg) and not any(
+            each in text for each in _OTHERS):
+        _messages.append(text)
+
+
+def take():
+    """list of str: what was complained of since the last call."""
+    view = _report_view()
+    found, _messages[:] = list(_messages), []
+    if view is not None:
+        found += [line for line in view.toPlainText().splitlines() if any(sign in line for sign in _SIGNS)]
+        view.clear()
+    return found
+
+
+def _report_view():
+    from FreeCADGui import getMainWindow
+
+    return getMainWindow().findChild(QtWidgets.QTextEdit, "Report view")
