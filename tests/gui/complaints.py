@@ -6,7 +6,7 @@ from thinpart_workbench.gui.qt import QtCore, QtWidgets
 _OTHERS = ("propagateSizeHints", "XDG_RUNTIME_DIR", "QStandardPaths", "Could not find any platform plugin",
            "libpng", "QFont", "qt.qpa", "QXcb", "QSocketNotifier: Can only be used", "iCCP")
 
-_SIGNS = "Traceback", "Error:", "cannot be read"
+_SIGNS = "Traceback", "Error:", "The thickness map "
 """Of what went wrong in the Report view."""
 
 _messages = []
