@@ -79,11 +79,14 @@ def started(tmp_path, request):
 def worker_processes():
     """Numbers of the worker processes of this one, those of either pool."""
     found = []
-    for folder in Path("/proc/self/task").iterdir():
-        for number in map(int, (folder / "children").read_text().split()):
-            command = Path(f"/proc/{number}/cmdline").read_bytes()
-            if b"spawn_main" in command or b"pool_worker" in command:
-                found.append(number)
+    for process in Path("/proc").glob("[0-9]*"):
+        try:
+            parent = int((process / "stat").read_text().rpartition(")")[2].split()[1])
+            command = (process / "cmdline").read_bytes()
+        except OSError:
+            continue  # it has ended meanwhile
+        if parent == os.getpid() and (b"spawn_main" in command or b"pool_worker" in command):
+            found.append(int(process.name))
     return found
 
 

@@ -1,8 +1,11 @@
 """The folders into which FreeCAD's Addon Manager installs Python packages for add-ons."""
 
+import importlib
+import importlib.util
 import os
 import site
 import sys
+from importlib.machinery import PathFinder
 from pathlib import Path
 
 import FreeCAD as App
@@ -21,6 +24,12 @@ def install_folder():
     if of_snap:
         return of_snap[0]
     return by_version if tuple(map(int, App.Version()[:2])) >= (0, 21) else top
+
+
+def has_package(name):
+    """Whether a package can be imported by FreeCAD's Python, also one that was installed since FreeCAD started."""
+    importlib.invalidate_caches()
+    return importlib.util.find_spec(name) is not None or PathFinder.find_spec(name, package_folders()) is not None
 
 
 def _of_snap():
