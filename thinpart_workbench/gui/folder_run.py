@@ -90,7 +90,7 @@ class FolderRun(QtCore.QObject):
         ThinPartError
             When there is no Python, or no room for the list of files.
         """
-        python_program()  # or there is nothing to start
+        program = python_program()
         self._folder = settings.folder
         self._stack = ExitStack()
         arguments = [self._command, "--json", "--control", *settings.arguments()]
@@ -109,7 +109,7 @@ class FolderRun(QtCore.QObject):
         self._process = new_process(self)
         listen(self._process, self._gather, self._gather, self._finished, self._failed_to_start)
         QtWidgets.QApplication.instance().aboutToQuit.connect(self.end_now)
-        start_module(self._process, "thinpart_workbench", arguments)
+        start_module(self._process, program, "thinpart_workbench", arguments)
 
     def pause(self):
         """Begin no further file until `resume`."""

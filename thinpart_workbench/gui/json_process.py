@@ -57,13 +57,13 @@ class JsonProcess(QtCore.QObject):
         ThinPartError
             When there is no Python.
         """
-        python_program()  # or there is nothing to start
+        program = python_program()
         self._errors = b""
         self._process = new_process(self)
         listen(self._process, self._slice.start, self._keep_errors, lambda *_: self._slice.start(),
                self._failed_to_start)
         QtWidgets.QApplication.instance().aboutToQuit.connect(self.end_now)
-        start_module(self._process, f"thinpart_workbench.workflow.{self._module}")
+        start_module(self._process, program, f"thinpart_workbench.workflow.{self._module}")
 
     def say(self, **content):
         """Send it an object; nothing happens where it does not run."""

@@ -8,7 +8,7 @@ import FreeCAD as App
 from ..core.errors import ThinPartError
 from ..freecad_adapter.additional_packages import install_folder
 from .qt import QtCore, QtWidgets, Signal, translate
-from .worker_python import listen, new_process, start_module
+from .worker_python import listen, new_process, python_program, start_module
 
 _NO_NETWORK = ("NewConnectionError", "ConnectTimeoutError", "ReadTimeoutError", "No matching distribution",
                "ProxyError", "SSLError")
@@ -50,7 +50,7 @@ class PackageInstallation(QtCore.QObject):
         ThinPartError
             Where there is no Python, or no place for the package.
         """
-        folder = install_folder()
+        program, folder = python_program(), install_folder()
         try:
             os.makedirs(folder, exist_ok=True)
         except OSError as error:
@@ -64,13 +64,8 @@ class PackageInstallation(QtCore.QObject):
         # Set first: a program that cannot be started may say so before `start` returns.
         self._process = process
         QtWidgets.QApplication.instance().aboutToQuit.connect(self.stop)
-        try:
-            start_module(process, "pip", [
-                "install", "--disable-pip-version-check", "--no-input", "--retries", "1", "--target", folder,
-                package])
-        except ThinPartError:
-            self._clear()
-            raise
+        start_module(process, program, "pip", [
+            "install", "--disable-pip-version-check", "--no-input", "--retries", "1", "--target", folder, package])
 
     def stop(self):
         """End pip, if it runs."""

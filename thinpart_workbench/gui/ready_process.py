@@ -82,7 +82,7 @@ class ReadyProcess:
         self._made_with = _surroundings()
         self._process = new_process(QtWidgets.QApplication.instance())
         self._process.setWorkingDirectory(tempfile.gettempdir())
-        start_module(self._process, WORKER)
+        start_module(self._process, self._made_with[0], WORKER)
 
 
 def _surroundings():

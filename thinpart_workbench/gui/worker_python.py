@@ -78,22 +78,19 @@ def new_process(parent):
     return process
 
 
-def start_module(process, module, arguments=()):
-    """Start a process of `new_process` with a module of ThinPart.
+def start_module(process, program, module, arguments=()):
+    """Start a process of `new_process` with a module.
 
     Parameters
     ----------
     process : QProcess
+    program : str
+        See `python_program`.
     module : str
         Its full name.
     arguments : iterable of str
-
-    Raises
-    ------
-    ThinPartError
-        Where there is no Python.
     """
-    (program, *given), variables = module_command(module, arguments, python_program())
+    (program, *given), variables = module_command(module, arguments, program)
     environment = process.processEnvironment()
     for name, value in variables.items():
         environment.insert(name, value)
