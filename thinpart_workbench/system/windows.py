@@ -1,7 +1,6 @@
 """The calls of Windows that Python has no functions for; nothing here is called elsewhere."""
 
 import ctypes
-from ctypes import wintypes
 from functools import lru_cache
 
 PROCESS_DUPLICATE, PROCESS_SET_INFORMATION = 0x0040, 0x0200
@@ -16,11 +15,15 @@ _NO_DIALOGS = 0x0001 | 0x0002  # SEM_FAILCRITICALERRORS, SEM_NOGPFAULTERRORBOX
 _BELOW_NORMAL = 0x4000
 
 
+# Not those of `ctypes.wintypes`, which have these sizes on Windows alone.
+_HANDLE, _DWORD, _BOOL = ctypes.c_void_p, ctypes.c_uint32, ctypes.c_int
+
+
 class _BasicLimits(ctypes.Structure):
-    _fields_ = [("process_time", ctypes.c_int64), ("job_time", ctypes.c_int64), ("flags", wintypes.DWORD),
+    _fields_ = [("process_time", ctypes.c_int64), ("job_time", ctypes.c_int64), ("flags", _DWORD),
                 ("least_working_set", ctypes.c_size_t), ("greatest_working_set", ctypes.c_size_t),
-                ("processes", wintypes.DWORD), ("affinity", ctypes.c_size_t),
-                ("priority", wintypes.DWORD), ("scheduling", wintypes.DWORD)]
+                ("processes", _DWORD), ("affinity", ctypes.c_size_t),
+                ("priority", _DWORD), ("scheduling", _DWORD)]
 
 
 class _ExtendedLimits(ctypes.Structure):
@@ -32,7 +35,7 @@ class _ExtendedLimits(ctypes.Structure):
 @lru_cache(maxsize=None)
 def _kernel():
     kernel = ctypes.WinDLL("kernel32", use_last_error=True)
-    handle, number, yes = wintypes.HANDLE, wintypes.DWORD, wintypes.BOOL
+    handle, number, yes = _HANDLE, _DWORD, _BOOL
     # Without these, handles would be cut to 32 bits.
     for name, result, arguments in (
             ("CreateJobObjectW", handle, [ctypes.c_void_p, ctypes.c_wchar_p]),
@@ -96,7 +99,7 @@ def give_handle(handle, process):
     kernel = _kernel()
     receiver = _checked(kernel.OpenProcess(PROCESS_DUPLICATE, False, process))
     try:
-        given = wintypes.HANDLE()
+        given = _HANDLE()
         _checked(kernel.DuplicateHandle(kernel.GetCurrentProcess(), handle, receiver, ctypes.byref(given),
                                         0, False, _SAME_ACCESS | _CLOSE_SOURCE))
     finally:
@@ -111,7 +114,7 @@ def bytes_in_pipe(handle):
     OSError
         Where nothing more comes, or it is no pipe.
     """
-    count = wintypes.DWORD()
+    count = _DWORD()
     _checked(_kernel().PeekNamedPipe(handle, None, 0, None, ctypes.byref(count), None))
     return count.value
 
