@@ -155,7 +155,10 @@ KERNEL = FakeKernel()
 
 
 def _add_windows():
+    import shutil
     import subprocess
+
+    shutil._use_fd_functions = False
 
     sys.modules["msvcrt"] = FakeMsvcrt()
     ctypes.WinDLL = lambda name, use_last_error: {"kernel32": KERNEL}[name]

@@ -126,7 +126,13 @@ class _Keeper(threading.Thread):
     def run(self):
         with without_ctrl_c():
             while (task := self._tasks.get()) is not None and not self._stopped:
-                if not self._do(task):
+                try:
+                    can_start = self._do(task)
+                except Exception as error:  # whoever waits for this task has to hear of it, and of the next ones
+                    self._end_worker()
+                    task.future.set_exception(error)
+                    continue
+                if not can_start:
                     self._gave_up(self, task)
                     break
         self._end_worker()
