@@ -158,7 +158,11 @@ def _add_windows():
     import shutil
     import subprocess
 
+    # The standard library chose these by what was there when it was imported.
     shutil._use_fd_functions = False
+    if hasattr(shutil, "_rmtree_unsafe"):
+        shutil._rmtree_impl = shutil._rmtree_unsafe
+    subprocess._USE_POSIX_SPAWN = subprocess._USE_VFORK = False
 
     sys.modules["msvcrt"] = FakeMsvcrt()
     ctypes.WinDLL = lambda name, use_last_error: {"kernel32": KERNEL}[name]

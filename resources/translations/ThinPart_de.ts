@@ -1770,8 +1770,8 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Flach und etwa so lang wie breit</translation>
     </message>
     <message>
-        <source>FreeCAD cannot be imported by {} ({}): install it with 'apt-get install freecad' or set FREECAD_LIB to its lib folder.</source>
-        <translation>FreeCAD kann von {} nicht importiert werden ({}): Installieren Sie es mit „apt-get install freecad“ oder setzen Sie FREECAD_LIB auf seinen lib-Ordner.</translation>
+        <source>FreeCAD cannot be imported by {} ({}): install it (Debian: 'apt-get install freecad') or set FREECAD_LIB to the folder with its FreeCAD.so or FreeCAD.pyd.</source>
+        <translation>FreeCAD kann von {} nicht importiert werden ({}): Installieren Sie es (Debian: „apt-get install freecad“) oder setzen Sie FREECAD_LIB auf den Ordner mit seiner FreeCAD.so oder FreeCAD.pyd.</translation>
     </message>
     <message>
         <source>FreeCAD cannot open {} ({}).</source>

@@ -45,6 +45,10 @@ class Report:
         """One file has ended."""
         self.failures(outcome)
 
+    def note(self, sentence):
+        """Something that holds for the whole run."""
+        _say(f"thinpart: {sentence}")
+
     def failures(self, outcome):
         """What could not be analysed, one sentence each."""
         errors = [outcome["error"]] if "error" in outcome else outcome["failures"]
@@ -145,6 +149,10 @@ class LineReport(Report):
     def failures(self, outcome):
         self._show("")
         super().failures(outcome)
+
+    def note(self, sentence):
+        self._show("")
+        super().note(sentence)
 
     def _told(self, progress):
         name = "Done" if progress.done == progress.total else self._name

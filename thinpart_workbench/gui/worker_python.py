@@ -9,6 +9,7 @@ import FreeCAD as App
 from .. import PACKAGES_VARIABLE
 from ..core.errors import ThinPartError
 from ..freecad_adapter.additional_packages import package_folders
+from ..requirements import FREECAD_MODULES
 from ..system.priority import step_back
 from ..system.python_process import CHECKOUT, RUN_VARIABLE, module_command
 from .qt import QtCore, QtWidgets, translate
@@ -17,8 +18,8 @@ from .qt import QtCore, QtWidgets, translate
 _UNSUITABLE = ("PYTHONSTARTUP", "PYTHONINSPECT", "PYTHONDEBUG", "PYTHONPATH", "PYTHONHOME",
                "PYTHONUNBUFFERED", "PYTHONOPTIMIZE", RUN_VARIABLE)
 
-_LIBRARIES = (("lib", "FreeCAD.so"), ("bin", "FreeCAD.pyd"))
-"""Where a bundle has FreeCAD's module: Linux and macOS; Windows."""
+_LIBRARIES = ("lib", "bin")
+"""Where a bundle may have FreeCAD's module: on Linux and macOS; on Windows."""
 
 
 def python_program():
@@ -55,9 +56,9 @@ def python_environment():
     home = os.environ.get("PYTHONHOME")
     if home and os.path.realpath(home) == os.path.realpath(sys.prefix):
         environment["PYTHONHOME"] = home
-    for folder, library in _LIBRARIES:
-        if os.path.isfile(os.path.join(App.getHomePath(), folder, library)):
-            environment.setdefault("FREECAD_LIB", os.path.join(App.getHomePath(), folder))
+    for folder in (os.path.join(App.getHomePath(), each) for each in _LIBRARIES):
+        if any(os.path.isfile(os.path.join(folder, module)) for module in FREECAD_MODULES):
+            environment.setdefault("FREECAD_LIB", folder)
     environment[PACKAGES_VARIABLE] = os.pathsep.join(package_folders())
     # The folder in which FreeCAD was started may hold a numpy.py.
     environment.update(PYTHONPATH=os.fspath(CHECKOUT), PYTHONSAFEPATH="1",
