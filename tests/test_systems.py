@@ -3,13 +3,15 @@
 What a simulation cannot show is said in docs/platforms.md.
 """
 
-import os
+import ntpath
 import subprocess
 import sys
 import textwrap
 from pathlib import Path
 
 import pytest
+
+from thinpart_workbench.system import file_paths
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -245,6 +247,44 @@ def test_the_cache_lies_where_the_system_has_such_things(system, place, monkeypa
     monkeypatch.setenv("HOME", str(tmp_path))
     program = "from thinpart_workbench.storage.cache_folder import cache_folder; print(cache_folder())"
     assert on(system, program) == [str(tmp_path / place / "thinpart")]
+
+
+# -- paths
+
+
+@pytest.fixture
+def on_windows_drives(monkeypatch):
+    monkeypatch.setattr(file_paths, "_path", ntpath)
+
+
+@pytest.mark.usefixtures("on_windows_drives")
+def test_paths_on_drives_of_windows():
+    assert file_paths.relative_path("C:\\parts\\in\\a.step", "C:\\parts") == "in/a.step"
+    assert file_paths.relative_path("C:\\a", "C:\\info\\deep") == "../../a"
+    assert file_paths.relative_path("D:\\parts\\a.step", "C:\\parts") == "D:/parts/a.step"
+    assert file_paths.place_in_tree("C:\\parts\\in", "C:\\parts") == "in"
+    assert file_paths.place_in_tree("D:\\parts\\in", "C:\\") == "D\\parts\\in"
+    assert file_paths.place_in_tree("\\\\server\\share\\in", "C:\\") == "server-share\\in"
+    assert file_paths.is_below("D:\\parts", "\\") and file_paths.is_below("D:\\parts\\in", "D:\\parts")
+    assert not file_paths.is_below("D:\\parts", "C:\\") and not file_paths.is_below("D:\\partsin", "D:\\parts")
+
+
+def test_paths_here(tmp_path):
+    assert file_paths.relative_path("/a/b\\c", "/a") == "b\\c"  # a name like others
+    assert file_paths.place_in_tree("/a/b", "/") == "a/b" and file_paths.is_below("/a/b", "/")
+    assert not file_paths.is_below("/ab", "/a")
+
+
+def test_a_file_on_windows_is_known_by_size_and_time_alone(tmp_path):
+    (tmp_path / "a.thinpart.json").write_text("{}")
+    told = on("win32", """
+        import os
+        from thinpart_workbench.storage.info_tree import scan, stamp_of
+        found, _ = scan(sys.argv[1])
+        print([*found.values()] == [stamp_of(os.stat(os.path.join(sys.argv[1], "a.thinpart.json")))],
+              [*found.values()][0].inode)
+    """, tmp_path)
+    assert told == ["True", "0"]
 
 
 # -- a worker pool on Windows

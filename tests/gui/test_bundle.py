@@ -41,6 +41,7 @@ from thinpart_workbench.freecad_adapter.additional_packages import install_folde
 from thinpart_workbench.freecad_adapter.settings import set_preference
 from thinpart_workbench.gui.ready_process import READY
 from thinpart_workbench.gui.worker_python import python_environment, python_program
+from thinpart_workbench.storage.info_file import read_info
 
 BARE = Path(__file__).resolve().parents[1] / "bare_python"
 PACKAGES = Path("/usr/lib/python3/dist-packages")
@@ -92,6 +93,13 @@ def test_freecadcmd_is_taken_where_there_is_no_python(bundle, document, monkeypa
     window.add_ribbed_block(document)
     window.classify()
     assert window.text("ThinPart_Headline") == "Part with thin features"
+
+
+def test_the_info_file_of_a_saved_part(saved, tmp_path):
+    window.classify()
+    window.wait_until(lambda: info(tmp_path / "block.FCStd").is_file(), 30)
+    part, = read_info(info(tmp_path / "block.FCStd"))["parts"]
+    assert part["category"] == "thin_features"
 
 
 def test_on_save(document, tmp_path):
