@@ -33,7 +33,7 @@ from test_find_libraries import (  # noqa: F401
     other_profile, test_reclassify_previews_and_writes,
 )
 from test_find_parts import test_criteria as test_a_library  # noqa: F401
-from test_report import Browser, browser, message, opened, saved, wait_for_end  # noqa: F401
+from test_report import browser, message, opened, saved, wait_for_end  # noqa: F401
 from test_show_thickness import (  # noqa: F401
     test_what_is_selected_is_measured_alone as test_a_thickness_map,
 )
