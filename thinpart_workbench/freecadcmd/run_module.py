@@ -16,7 +16,11 @@ def _run():
     module, *arguments = json.loads(os.environ["THINPART_RUN"])
     # FreeCADCmd has put this folder first, where no module is to be looked for.
     here = os.path.dirname(os.path.abspath(__file__))
-    sys.path[:] = [each for each in sys.path if os.path.abspath(each) != here]
+    # Since FreeCAD 1.1 its Python looks into no PYTHON variables.
+    asked = [each for each in os.environ.get("PYTHONPATH", "").split(os.pathsep) if each]
+    sys.path[:] = asked + [each for each in sys.path if each not in asked and os.path.abspath(each) != here]
+    for stream in (sys.stdout, sys.stderr):
+        stream.reconfigure(encoding="utf-8")
     sys.argv = [module, *arguments]
     try:
         runpy.run_module(module, run_name="__main__", alter_sys=True)
