@@ -2034,6 +2034,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Das Bauteil misst {} mm in der Diagonale: Prüfen Sie, ob die Einheit der Datei Millimeter ist.</translation>
     </message>
     <message>
+        <source>The parts lie on several drives: name those of one drive at a time.</source>
+        <translation>Die Bauteile liegen auf mehreren Laufwerken: Nennen Sie jeweils nur die eines Laufwerks.</translation>
+    </message>
+    <message>
         <source>The profile {} cannot be read ({}).</source>
         <translation>Das Profil {} kann nicht gelesen werden ({}).</translation>
     </message>

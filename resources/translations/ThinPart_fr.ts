@@ -2034,6 +2034,10 @@ Son volume n’est pas connu.</translation>
         <translation>La pièce mesure {} mm en diagonale : vérifiez que l’unité du fichier est le millimètre.</translation>
     </message>
     <message>
+        <source>The parts lie on several drives: name those of one drive at a time.</source>
+        <translation>Les pièces se trouvent sur plusieurs lecteurs : indiquez celles d’un seul lecteur à la fois.</translation>
+    </message>
+    <message>
         <source>The profile {} cannot be read ({}).</source>
         <translation>Le profil {} ne peut pas être lu ({}).</translation>
     </message>
