@@ -1,7 +1,6 @@
 """Runs over whole folders under way, for the tests that pause, stop and kill them."""
 
 import json
-import os
 import queue
 import shutil
 import subprocess
@@ -11,7 +10,7 @@ import threading
 import jsonschema
 
 import time_limit
-from program import ROOT, SAMPLES, SCHEMA
+from program import SAMPLES, SCHEMA, environment
 
 TUBE = SAMPLES / "tube.step"
 
@@ -45,7 +44,7 @@ class Run:
     def __init__(self, *arguments, first=b"", **options):
         self.process = subprocess.Popen(
             [sys.executable, "-m", "thinpart_workbench", "classify", *map(str, arguments)],
-            env=dict(os.environ, PYTHONPATH=str(ROOT)), stdin=subprocess.PIPE,
+            env=environment(), stdin=subprocess.PIPE,
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True, **options)
         self.lines, self.output, self.said = queue.Queue(), [], []
         self.tell(first)

@@ -13,12 +13,21 @@ SAMPLES = ROOT / "resources" / "samples"
 SCHEMA = json.loads((ROOT / "resources" / "info-file.schema.json").read_text(encoding="utf-8"))
 
 
+BARE_PYTHON = ROOT / "tests" / "bare_python"
+"""On PYTHONPATH it makes of a Python that of a FreeCAD bundle."""
+
+
+def environment(**more):
+    """The environment of the program: $THINPART_TEST_PATH holds folders for its PYTHONPATH beside the checkout."""
+    path = os.pathsep.join(filter(None, (os.environ.get("THINPART_TEST_PATH"), str(ROOT))))
+    return dict(os.environ, PYTHONPATH=path, **more)
+
+
 def thinpart(*arguments, cwd=None, **options):
     """Run a command to its end; where it has none, the test's time limit ends and names it."""
-    environment = dict(os.environ, PYTHONPATH=str(ROOT), COLUMNS="200")
     return subprocess.run(
         [sys.executable, "-m", "thinpart_workbench", *map(str, arguments)], cwd=cwd,
-        env=environment, capture_output=True, text=True, stdin=subprocess.DEVNULL,
+        env=environment(COLUMNS="200"), capture_output=True, text=True, stdin=subprocess.DEVNULL,
         **options,
     )
 

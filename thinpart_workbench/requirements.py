@@ -20,12 +20,17 @@ OLDEST_PYTHON = (3, 9)
 FREECAD_LIBS = ("/usr/lib/freecad/lib", "/usr/lib/freecad-python3/lib")
 
 
+# FreeCAD's own module: on Linux and macOS, and on Windows.
+FREECAD_MODULES = ("FreeCAD.so", "FreeCAD.pyd")
+
+
 def freecad_library():
-    """The folder with a FreeCAD.so that this Python can load, or None."""
+    """The folder with a FreeCAD module that this Python can load, or None."""
     for folder in (os.environ.get("FREECAD_LIB", ""),) + FREECAD_LIBS:
-        library = os.path.join(folder, "FreeCAD.so")
-        if folder and os.path.isfile(library) and _loads_here(library):
-            return folder
+        for name in FREECAD_MODULES:
+            library = os.path.join(folder, name)
+            if folder and os.path.isfile(library) and _loads_here(library):
+                return folder
     return None
 
 
@@ -37,6 +42,8 @@ def _loads_here(library):
     with open(library, "rb") as file:
         content = file.read()
     # The library names the Python that it was linked with, or none at all.
+    if library.endswith(".pyd"):
+        return b"python3%d.dll" % sys.version_info[1] in content.lower()
     return b"libpython3.%d." % sys.version_info[1] in content or b"libpython3." not in content
 
 

@@ -139,6 +139,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>&amp;Ordner:</translation>
     </message>
     <message>
+        <source>&amp;Install {}</source>
+        <translation>{} &amp;installieren</translation>
+    </message>
+    <message>
         <source>&amp;Measure again</source>
         <translation>Erne&amp;ut messen</translation>
     </message>
@@ -563,6 +567,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>FreeCAD kann {} nicht öffnen ({}).</translation>
     </message>
     <message>
+        <source>FreeCAD's Python has no pip, so {} was not installed: install it into {} by another Python's 'pip install --target'.</source>
+        <translation>FreeCADs Python hat kein pip, deshalb wurde {} nicht installiert: Installieren Sie es mit „pip install --target“ eines anderen Python nach {}.</translation>
+    </message>
+    <message>
         <source>From file…</source>
         <translation>Aus Datei…</translation>
     </message>
@@ -621,6 +629,10 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>Insert part</source>
         <translation>Bauteil einfügen</translation>
+    </message>
+    <message>
+        <source>Installing {}…</source>
+        <translation>{} wird installiert …</translation>
     </message>
     <message>
         <source>Instances</source>
@@ -891,6 +903,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Bericht über alle Bauteile von „{}“</translation>
     </message>
     <message>
+        <source>Reports need the Python package {}, which this FreeCAD does not have: install it from the internet into {}?</source>
+        <translation>Berichte brauchen das Python-Paket {}, das diesem FreeCAD fehlt: aus dem Internet nach {} installieren?</translation>
+    </message>
+    <message>
         <source>Restore defaults</source>
         <translation>Standardwerte wiederherstellen</translation>
     </message>
@@ -1043,6 +1059,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Der Ordner mit Ihren Bauteilen, einschließlich seiner Unterordner</translation>
     </message>
     <message>
+        <source>The folder {} for Python packages cannot be made ({}): {} was not installed.</source>
+        <translation>Der Ordner {} für Python-Pakete kann nicht angelegt werden ({}): {} wurde nicht installiert.</translation>
+    </message>
+    <message>
         <source>The folder {} has not answered for {} s: connect it, or choose another one for the info files.</source>
         <translation>Der Ordner {} antwortet seit {} s nicht: Verbinden Sie ihn oder wählen Sie einen anderen für die Infodateien.</translation>
     </message>
@@ -1069,6 +1089,10 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>The process that does this ended unexpectedly; the report view has its last words. Refresh the libraries to go on.</source>
         <translation>Der Prozess dafür wurde unerwartet beendet; seine letzten Meldungen stehen im Ausgabefenster. Aktualisieren Sie die Bibliotheken, um fortzufahren.</translation>
+    </message>
+    <message>
+        <source>The process that installs could not be started.</source>
+        <translation>Der Prozess, der installiert, konnte nicht gestartet werden.</translation>
     </message>
     <message>
         <source>The process that measures could not be started.</source>
@@ -1443,6 +1467,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>wird angehalten</translation>
     </message>
     <message>
+        <source>pip could not install {}; the report view has its words.</source>
+        <translation>pip konnte {} nicht installieren; seine Meldungen stehen im Ausgabefenster.</translation>
+    </message>
+    <message>
         <source>s</source>
         <translation>s</translation>
     </message>
@@ -1635,6 +1663,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>{} wurde in {} importiert.</translation>
     </message>
     <message>
+        <source>{} was not found in the index of Python packages: connect this computer to the internet, or set up pip's proxy, and try again.</source>
+        <translation>{} wurde im Verzeichnis der Python-Pakete nicht gefunden: Verbinden Sie diesen Computer mit dem Internet oder richten Sie den Proxy von pip ein, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
         <source>{}, {}</source>
         <translation>{} „{}“</translation>
     </message>
@@ -1742,8 +1774,8 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Flach und etwa so lang wie breit</translation>
     </message>
     <message>
-        <source>FreeCAD cannot be imported by {} ({}): install it with 'apt-get install freecad' or set FREECAD_LIB to its lib folder.</source>
-        <translation>FreeCAD kann von {} nicht importiert werden ({}): Installieren Sie es mit „apt-get install freecad“ oder setzen Sie FREECAD_LIB auf seinen lib-Ordner.</translation>
+        <source>FreeCAD cannot be imported by {} ({}): install it (Debian: 'apt-get install freecad') or set FREECAD_LIB to the folder with its FreeCAD.so or FreeCAD.pyd.</source>
+        <translation>FreeCAD kann von {} nicht importiert werden ({}): Installieren Sie es (Debian: „apt-get install freecad“) oder setzen Sie FREECAD_LIB auf den Ordner mit seiner FreeCAD.so oder FreeCAD.pyd.</translation>
     </message>
     <message>
         <source>FreeCAD cannot open {} ({}).</source>
@@ -1834,8 +1866,8 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Platte</translation>
     </message>
     <message>
-        <source>Reports need Jinja2 ({}): install it with 'apt-get install python3-jinja2'.</source>
-        <translation>Berichte brauchen Jinja2 ({}): Installieren Sie es mit „apt-get install python3-jinja2“.</translation>
+        <source>Reports need the Python package Jinja2 ({}): install it (Debian: 'apt-get install python3-jinja2', elsewhere: 'python -m pip install Jinja2').</source>
+        <translation>Berichte brauchen das Python-Paket Jinja2 ({}): Installieren Sie es (Debian: „apt-get install python3-jinja2“, sonst: „python -m pip install Jinja2“).</translation>
     </message>
     <message>
         <source>Share of the area over non-parallel walls</source>
@@ -2004,6 +2036,10 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>The part is {} mm across: check that the file's unit is millimetres.</source>
         <translation>Das Bauteil misst {} mm in der Diagonale: Prüfen Sie, ob die Einheit der Datei Millimeter ist.</translation>
+    </message>
+    <message>
+        <source>The parts lie on several drives: name those of one drive at a time.</source>
+        <translation>Die Bauteile liegen auf mehreren Laufwerken: Nennen Sie jeweils nur die eines Laufwerks.</translation>
     </message>
     <message>
         <source>The profile {} cannot be read ({}).</source>
@@ -2328,6 +2364,10 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>the pool broke down</source>
         <translation>die Arbeitsprozesse sind ausgefallen</translation>
+    </message>
+    <message>
+        <source>the pool takes no tasks any more</source>
+        <translation>die Arbeitsprozesse nehmen keine Aufgaben mehr an</translation>
     </message>
     <message>
         <source>the profile</source>

@@ -139,6 +139,10 @@ Son volume n’est pas connu.</translation>
         <translation>&amp;Dossier :</translation>
     </message>
     <message>
+        <source>&amp;Install {}</source>
+        <translation>&amp;Installer {}</translation>
+    </message>
+    <message>
         <source>&amp;Measure again</source>
         <translation>Mesurer à &amp;nouveau</translation>
     </message>
@@ -563,6 +567,10 @@ Son volume n’est pas connu.</translation>
         <translation>FreeCAD ne peut pas ouvrir {} ({}).</translation>
     </message>
     <message>
+        <source>FreeCAD's Python has no pip, so {} was not installed: install it into {} by another Python's 'pip install --target'.</source>
+        <translation>Le Python de FreeCAD n’a pas pip, {} n’a donc pas été installé : installez-le dans {} avec « pip install --target » d’un autre Python.</translation>
+    </message>
+    <message>
         <source>From file…</source>
         <translation>Depuis un fichier…</translation>
     </message>
@@ -621,6 +629,10 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>Insert part</source>
         <translation>Insérer une pièce</translation>
+    </message>
+    <message>
+        <source>Installing {}…</source>
+        <translation>Installation de {}…</translation>
     </message>
     <message>
         <source>Instances</source>
@@ -891,6 +903,10 @@ Son volume n’est pas connu.</translation>
         <translation>Rapport sur toutes les pièces de « {} »</translation>
     </message>
     <message>
+        <source>Reports need the Python package {}, which this FreeCAD does not have: install it from the internet into {}?</source>
+        <translation>Les rapports ont besoin du paquet Python {}, que ce FreeCAD n’a pas : l’installer depuis Internet dans {} ?</translation>
+    </message>
+    <message>
         <source>Restore defaults</source>
         <translation>Rétablir les valeurs par défaut</translation>
     </message>
@@ -1043,6 +1059,10 @@ Son volume n’est pas connu.</translation>
         <translation>Le dossier de vos pièces, sous-dossiers compris</translation>
     </message>
     <message>
+        <source>The folder {} for Python packages cannot be made ({}): {} was not installed.</source>
+        <translation>Le dossier {} pour les paquets Python ne peut pas être créé ({}) : {} n’a pas été installé.</translation>
+    </message>
+    <message>
         <source>The folder {} has not answered for {} s: connect it, or choose another one for the info files.</source>
         <translation>Le dossier {} ne répond pas depuis {} s : connectez-le ou choisissez-en un autre pour les fichiers d’information.</translation>
     </message>
@@ -1069,6 +1089,10 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>The process that does this ended unexpectedly; the report view has its last words. Refresh the libraries to go on.</source>
         <translation>Le processus correspondant s’est terminé de façon inattendue ; ses derniers messages sont dans la vue rapport. Actualisez les bibliothèques pour continuer.</translation>
+    </message>
+    <message>
+        <source>The process that installs could not be started.</source>
+        <translation>Le processus d’installation n’a pas pu être lancé.</translation>
     </message>
     <message>
         <source>The process that measures could not be started.</source>
@@ -1443,6 +1467,10 @@ Son volume n’est pas connu.</translation>
         <translation>mise en pause</translation>
     </message>
     <message>
+        <source>pip could not install {}; the report view has its words.</source>
+        <translation>pip n’a pas pu installer {} ; ses messages sont dans la vue rapport.</translation>
+    </message>
+    <message>
         <source>s</source>
         <translation>s</translation>
     </message>
@@ -1635,6 +1663,10 @@ Son volume n’est pas connu.</translation>
         <translation>{} a été importé dans {}.</translation>
     </message>
     <message>
+        <source>{} was not found in the index of Python packages: connect this computer to the internet, or set up pip's proxy, and try again.</source>
+        <translation>{} est introuvable dans l’index des paquets Python : connectez cet ordinateur à Internet ou configurez le proxy de pip, puis réessayez.</translation>
+    </message>
+    <message>
         <source>{}, {}</source>
         <translation>{} « {} »</translation>
     </message>
@@ -1742,8 +1774,8 @@ Son volume n’est pas connu.</translation>
         <translation>Plate et à peu près aussi longue que large</translation>
     </message>
     <message>
-        <source>FreeCAD cannot be imported by {} ({}): install it with 'apt-get install freecad' or set FREECAD_LIB to its lib folder.</source>
-        <translation>FreeCAD ne peut pas être importé par {} ({}) : installez-le avec « apt-get install freecad » ou donnez à FREECAD_LIB son dossier lib.</translation>
+        <source>FreeCAD cannot be imported by {} ({}): install it (Debian: 'apt-get install freecad') or set FREECAD_LIB to the folder with its FreeCAD.so or FreeCAD.pyd.</source>
+        <translation>FreeCAD ne peut pas être importé par {} ({}) : installez-le (Debian : « apt-get install freecad ») ou donnez à FREECAD_LIB le dossier de son FreeCAD.so ou FreeCAD.pyd.</translation>
     </message>
     <message>
         <source>FreeCAD cannot open {} ({}).</source>
@@ -1834,8 +1866,8 @@ Son volume n’est pas connu.</translation>
         <translation>Plaque</translation>
     </message>
     <message>
-        <source>Reports need Jinja2 ({}): install it with 'apt-get install python3-jinja2'.</source>
-        <translation>Les rapports ont besoin de Jinja2 ({}) : installez-le avec « apt-get install python3-jinja2 ».</translation>
+        <source>Reports need the Python package Jinja2 ({}): install it (Debian: 'apt-get install python3-jinja2', elsewhere: 'python -m pip install Jinja2').</source>
+        <translation>Les rapports ont besoin du paquet Python Jinja2 ({}) : installez-le (Debian : « apt-get install python3-jinja2 », ailleurs : « python -m pip install Jinja2 »).</translation>
     </message>
     <message>
         <source>Share of the area over non-parallel walls</source>
@@ -2004,6 +2036,10 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>The part is {} mm across: check that the file's unit is millimetres.</source>
         <translation>La pièce mesure {} mm en diagonale : vérifiez que l’unité du fichier est le millimètre.</translation>
+    </message>
+    <message>
+        <source>The parts lie on several drives: name those of one drive at a time.</source>
+        <translation>Les pièces se trouvent sur plusieurs lecteurs : indiquez celles d’un seul lecteur à la fois.</translation>
     </message>
     <message>
         <source>The profile {} cannot be read ({}).</source>
@@ -2328,6 +2364,10 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>the pool broke down</source>
         <translation>les processus de travail sont tombés en panne</translation>
+    </message>
+    <message>
+        <source>the pool takes no tasks any more</source>
+        <translation>les processus de travail n’acceptent plus de tâches</translation>
     </message>
     <message>
         <source>the profile</source>

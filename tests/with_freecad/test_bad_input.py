@@ -15,7 +15,7 @@ import pytest
 
 import made_meshes
 import time_limit
-from program import ROOT, SAMPLES, SCHEMA, failures, group_ended, records, thinpart
+from program import SAMPLES, SCHEMA, environment, failures, group_ended, records, thinpart
 from thinpart_workbench.freecad_adapter.mesh_file_check import check_mesh_file
 
 
@@ -204,6 +204,7 @@ def test_a_solid_far_from_the_origin(tmp_path):
     assert record["faces"][0]["witness"]["points"][0] == pytest.approx([1e6, -1e6, 1e6], rel=1e-3)
 
 
+@pytest.mark.usefixtures("each_python")
 def test_a_file_that_ends_its_reader_is_one_row(tmp_path, rng):
     """References to anything: the reader follows them and dies; the row says so."""
     lines = (SAMPLES / "block.step").read_text().split("\n")
@@ -224,6 +225,7 @@ def test_a_file_that_ends_its_reader_is_one_row(tmp_path, rng):
         "thin_features"]
 
 
+@pytest.mark.usefixtures("each_python")
 def test_a_file_that_never_ends_is_one_row(tmp_path):
     os.mkfifo(tmp_path / "hang.step")
     shutil.copy(SAMPLES / "wedge.step", tmp_path / "good.step")
@@ -231,6 +233,7 @@ def test_a_file_that_never_ends_is_one_row(tmp_path):
     assert failures(run) == {"hang.step": "timeout"} and len(records(run)) == 2
 
 
+@pytest.mark.usefixtures("each_python")
 def test_too_little_memory_is_one_row(tmp_path):
     points, triangles = made_meshes.sphere(20, 800)
     facets = np.zeros(len(triangles), [("normal", "<f4", 3), ("corners", "<f4", (3, 3)),
@@ -319,12 +322,13 @@ def _open_to_all(folder):
 # -- interruption
 
 
+@pytest.mark.usefixtures("each_python")
 def test_ctrl_c_keeps_what_was_done_and_leaves_nothing_running(tmp_path):
     for number in range(6):
         shutil.copy(SAMPLES / "thin_walled_casting.step", tmp_path / f"{number}.step")
     process = subprocess.Popen(
         [sys.executable, "-m", "thinpart_workbench", "classify", str(tmp_path), "--json",
-         "--jobs", "1"], env=dict(os.environ, PYTHONPATH=str(ROOT)), stdin=subprocess.DEVNULL,
+         "--jobs", "1"], env=environment(), stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True,
     )
     first = process.stdout.readline()
@@ -339,12 +343,13 @@ def test_ctrl_c_keeps_what_was_done_and_leaves_nothing_running(tmp_path):
     assert group_ended(process.pid)
 
 
+@pytest.mark.usefixtures("each_python")
 def test_kill_9_leaves_no_half_written_file(tmp_path):
     for number in range(4):
         shutil.copy(SAMPLES / "wedge.step", tmp_path / f"{number}.step")
     process = subprocess.Popen(
         [sys.executable, "-m", "thinpart_workbench", "classify", str(tmp_path), "--json"],
-        env=dict(os.environ, PYTHONPATH=str(ROOT)), stdin=subprocess.DEVNULL,
+        env=environment(), stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, start_new_session=True,
     )
     process.stdout.readline()
@@ -356,13 +361,14 @@ def test_kill_9_leaves_no_half_written_file(tmp_path):
     assert run.returncode == 0 and len(records(run)) == 4
 
 
+@pytest.mark.usefixtures("each_python")
 def test_temporary_folders_of_killed_runs_are_removed_by_the_next(tmp_path):
     folder = tmp_path / "parts"
     folder.mkdir()
     os.mkfifo(folder / "hang.step")
     temporary = tmp_path / "temporary"
     temporary.mkdir()
-    environment = dict(os.environ, PYTHONPATH=str(ROOT), TMPDIR=str(temporary))
+    elsewhere = environment(TMPDIR=str(temporary))
 
     def left():
         return {each.name for each in temporary.glob("thinpart-*")}
@@ -371,7 +377,7 @@ def test_temporary_folders_of_killed_runs_are_removed_by_the_next(tmp_path):
         before = left()
         process = subprocess.Popen(
             [sys.executable, "-m", "thinpart_workbench", "classify", str(folder), "--no-info"],
-            env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+            env=elsewhere, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL, start_new_session=True)
         time_limit.wait_until(lambda: any((temporary / name / "lock").exists() for name in left() - before),
                               "a temporary folder with its lock")

@@ -227,8 +227,8 @@ def test_what_is_missing_is_said_before_anything_is_measured(tmp_path):
         [sys.executable, "-m", "thinpart_workbench", "report", SAMPLES / "tube.step", "-o", tmp_path / "out"],
         env=dict(os.environ, PYTHONPATH=f"{tmp_path}:{ROOT}"), capture_output=True, text=True)
     assert run.returncode == 1 and not (tmp_path / "out").exists()
-    assert run.stderr == ("thinpart: Reports need Jinja2 (not whole): install it with 'apt-get install "
-                          "python3-jinja2'.\n")
+    assert run.stderr == ("thinpart: Reports need the Python package Jinja2 (not whole): install it (Debian: 'apt-get "
+                          "install python3-jinja2', elsewhere: 'python -m pip install Jinja2').\n")
 
 
 def test_an_empty_folder_has_no_report(tmp_path):
