@@ -129,7 +129,9 @@ def _said(frame):
     said = [f"{_limit.name} has not ended after {_limit.seconds:g} s."]
     said += [f"It waits for {what()}" for what in _limit.waits[-1:]]
     ours = [each for each in traceback.extract_stack(frame) if Path(each.filename).is_relative_to(HERE)]
-    said += [f"  {Path(each.filename).relative_to(HERE.parent)}:{each.lineno}: {each.line}" for each in ours[-4:]]
+    # How a wait works is not what it waits for.
+    ours = [each for each in ours if Path(each.filename).name.startswith("test_")] or ours
+    said += [f"  {Path(each.filename).relative_to(HERE.parent)}:{each.lineno}: {each.line}" for each in ours[-3:]]
     return "\n".join([*said, around()])
 
 

@@ -359,6 +359,7 @@ def test_what_the_panel_has_measured_is_kept_when_the_document_is_saved(document
     window.add_ribbed_block(document)
     window.classify()
     assert "not saved" in window.text("ThinPart_InfoText")
+    window.wait_until(lambda: window.workers() == [])  # the one that has measured takes a moment to end
     document.saveAs(str(tmp_path / "ribbed.FCStd"))
     window.settle(100)
     assert window.workers() == []

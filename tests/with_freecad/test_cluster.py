@@ -160,7 +160,8 @@ def test_records_and_info_files_are_those_of_this_machine(cluster, tmp_path):
     assert sorted(again.stdout.splitlines()) == sorted(there.stdout.splitlines())
     # The workers are left as they were.
     time_limit.wait_until(lambda: not cluster.servers(), lambda: f"the end of {cluster.servers()}")
-    assert not list(cluster.folder.rglob("thinpart_workbench"))
+    time_limit.wait_until(lambda: not list(cluster.folder.rglob("thinpart_workbench")),
+                          "the end of what was unpacked on the workers")
 
 
 def test_the_files_of_a_worker_that_is_lost_are_done_by_others(cluster, tmp_path):

@@ -13,6 +13,7 @@ import pytest
 from program import ROOT, SAMPLES, SCHEMA, records, thinpart
 
 
+@pytest.mark.timeout(180)  # all samples are measured
 def test_every_sample_gets_its_verdict_in_both_formats():
     run = thinpart("classify", SAMPLES, "--json", "--no-info")
     assert run.returncode == 0, run.stderr
@@ -47,6 +48,7 @@ def test_table_names_part_category_criteria_box_fill_and_wall(tmp_path):
     assert re.match(r"Mounting plate\s+thin\s+1, 4, 5\s+[\d.]+ x [\d.]+ x [\d.]+\s+0\.\d+\s+[\d.]+$", row)
 
 
+@pytest.mark.timeout(180)  # all samples are measured
 def test_demo_classifies_the_samples_and_leaves_nothing_behind():
     before = sorted(SAMPLES.iterdir())
     run = thinpart("demo")
@@ -54,6 +56,7 @@ def test_demo_classifies_the_samples_and_leaves_nothing_behind():
     assert sorted(SAMPLES.iterdir()) == before
 
 
+@pytest.mark.timeout(180)  # some of these parts are large
 def test_real_parts_are_read_and_the_papers_sure_finds_are_found(real_samples):
     with open(real_samples / "manifest.csv", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))

@@ -245,6 +245,7 @@ def test_nothing_but_failures_is_a_report_too(tmp_path):
     assert "1 failed" in page.text and "is empty (0 bytes)" in page.text
 
 
+@pytest.mark.timeout(180)  # a report that is killed and a whole one, with six pages each
 def test_a_run_that_is_killed_leaves_whole_pages(tmp_path):
     parts = tmp_path / "parts"
     parts.mkdir()

@@ -60,6 +60,7 @@ def test_include_and_exclude(tmp_path):
     assert run.returncode == 0 and record["file"] == str(top / "keep.STEP")
 
 
+@pytest.mark.timeout(180)  # six runs, with up to four workers
 def test_several_workers_give_the_same_as_one(tmp_path):
     folder = tubes(tmp_path / "parts", "b.step", "a.step", "d.step")
     shutil.copy(SAMPLES / "assembly_of_three.FCStd", folder / "c.FCStd")
