@@ -9,6 +9,7 @@ from thinpart_workbench.gui.automatic_classification import AUTOMATIC
 from thinpart_workbench.gui.document_observer import observe
 from thinpart_workbench.gui.preferences_pages import add_pages
 from thinpart_workbench.gui.show_thickness import follow_requests
+from thinpart_workbench.gui.unit_watch import UNITS
 from thinpart_workbench.gui.workbench import add_icons
 
 
@@ -44,4 +45,5 @@ add_icons()
 add_pages()
 observe()
 AUTOMATIC.begin()
+UNITS.begin()
 follow_requests()

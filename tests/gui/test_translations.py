@@ -98,7 +98,7 @@ def test_the_language_is_one_that_there_are_translations_for():
 
 def test_the_workbench_and_its_commands():
     assert Gui.listWorkbenches()["ThinPartWorkbench"].ToolTip == said(
-        "Tells before meshing whether a part is thin, and where")
+        "Check before meshing whether a part is thin, and where")
     for command, text in (("ThinPart_Classify", "Classify part"), ("ThinPart_FindParts", "Find parts"),
                           ("ThinPart_ClassifyFolder", "Classify folder\u2026")):
         button = window.tool_button(command)
