@@ -103,7 +103,8 @@ Gefüllt zu {} (V/VBB = {})</translation>
     <message>
         <source>
 Its volume is unknown.</source>
-        <translation type="unfinished"></translation>
+        <translation>
+Sein Volumen ist unbekannt.</translation>
     </message>
     <message>
         <source> s</source>
@@ -271,11 +272,11 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Bounding box {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüllquader {}</translation>
     </message>
     <message>
         <source>Box, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Quader, {}</translation>
     </message>
     <message>
         <source>C&amp;hoose…</source>
@@ -323,7 +324,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Check before meshing whether a part is thin, and where</source>
-        <translation type="unfinished"></translation>
+        <translation>Vor dem Vernetzen prüfen, ob ein Bauteil dünnwandig ist und wo</translation>
     </message>
     <message>
         <source>Choose a file with mesh settings</source>
@@ -435,15 +436,15 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Confidence: borderline, close to '{}' ({} from the limit)</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicherheit: Grenzfall, nahe an „{}“ ({} von der Grenze)</translation>
     </message>
     <message>
         <source>Confidence: clear ({} from the limit)</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicherheit: eindeutig ({} von der Grenze)</translation>
     </message>
     <message>
         <source>Continue in the background? 'Classify folder' shows it again. What is done so far is kept either way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Hintergrund fortsetzen? „Ordner klassifizieren“ zeigt es wieder an. Was bisher erledigt ist, bleibt in jedem Fall erhalten.</translation>
     </message>
     <message>
         <source>Copy path</source>
@@ -579,7 +580,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Half of the face lies over thinner walls</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Hälfte der Fläche liegt über dünneren Wänden</translation>
     </message>
     <message>
         <source>Heat map of the thickness</source>
@@ -587,7 +588,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Here: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier: {}</translation>
     </message>
     <message>
         <source>Holds</source>
@@ -659,11 +660,11 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Longest side, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Längste Seite, {}</translation>
     </message>
     <message>
         <source>Longest, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Längste, {}</translation>
     </message>
     <message>
         <source>Looking for parts in the folder…</source>
@@ -687,7 +688,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Measured: {} parallel, {} tapered, {} nothing opposite</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessen: {} parallel, {} verjüngt, {} ohne Gegenwand</translation>
     </message>
     <message>
         <source>Measuring and drawing…</source>
@@ -703,7 +704,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Median, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Median, {}</translation>
     </message>
     <message>
         <source>Memory per file</source>
@@ -943,7 +944,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Shown as thin: below {}, as the preferences say. The verdict does not depend on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Als dünn angezeigt: unter {}, wie eingestellt. Das Ergebnis hängt nicht davon ab.</translation>
     </message>
     <message>
         <source>Shows the defaults of this page; they are kept with OK or Apply</source>
@@ -1007,11 +1008,11 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>The document has changes that are not saved. Save the document first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Dokument hat ungespeicherte Änderungen. Speichern Sie es zuerst.</translation>
     </message>
     <message>
         <source>The document has never been saved. Save the document first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Dokument wurde noch nie gespeichert. Speichern Sie es zuerst.</translation>
     </message>
     <message>
         <source>The document is closed: open it again for a report about it.</source>
@@ -1143,7 +1144,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Thin below</source>
-        <translation type="unfinished"></translation>
+        <translation>Dünn unter</translation>
     </message>
     <message>
         <source>Thin faces</source>
@@ -1159,23 +1160,23 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Thinnest wall</source>
-        <translation type="unfinished"></translation>
+        <translation>Dünnste Wand</translation>
     </message>
     <message>
         <source>Thinnest wall under the face</source>
-        <translation type="unfinished"></translation>
+        <translation>Dünnste Wand unter der Fläche</translation>
     </message>
     <message>
         <source>Thinnest wall {} (± {})</source>
-        <translation type="unfinished"></translation>
+        <translation>Dünnste Wand {} (± {})</translation>
     </message>
     <message>
         <source>Thinnest wall, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Dünnste Wand, {}</translation>
     </message>
     <message>
         <source>Thinnest, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Dünnste, {}</translation>
     </message>
     <message>
         <source>Threshold</source>
@@ -1215,7 +1216,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>Unbekannt</translation>
     </message>
     <message>
         <source>Unmeasured</source>
@@ -1243,11 +1244,11 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Wall thickness, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Wandstärke, {}</translation>
     </message>
     <message>
         <source>Wall thickness: min {}, median {}, max {} (± {})</source>
-        <translation type="unfinished"></translation>
+        <translation>Wandstärke: min. {}, Median {}, max. {} (± {})</translation>
     </message>
     <message>
         <source>Walls that are shown as thin</source>
@@ -1287,7 +1288,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Why: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Grund: {}</translation>
     </message>
     <message>
         <source>Words in names, paths, notes, links</source>
@@ -1311,7 +1312,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>a thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Wandstärke</translation>
     </message>
     <message>
         <source>about {} left</source>
@@ -1427,7 +1428,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>same limit as the verdict</source>
-        <translation type="unfinished"></translation>
+        <translation>gleiche Grenze wie das Ergebnis</translation>
     </message>
     <message>
         <source>share of the diagonal</source>
@@ -1435,7 +1436,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>share of the diagonal ({})</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Diagonale ({})</translation>
     </message>
     <message>
         <source>smooth</source>
@@ -1455,7 +1456,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>thickness: {}, and share of the diagonal</source>
-        <translation type="unfinished"></translation>
+        <translation>Wandstärke: {} und Anteil der Diagonale</translation>
     </message>
     <message>
         <source>thin</source>
@@ -1495,7 +1496,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{} (rule {})</source>
-        <translation type="unfinished"></translation>
+        <translation>„{}“ (Regel {})</translation>
     </message>
     <message>
         <source>{} ({} parts)</source>
@@ -1511,11 +1512,11 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{} and more: {} of the area</source>
-        <translation type="unfinished"></translation>
+        <translation>{} und mehr: {} der Oberfläche</translation>
     </message>
     <message>
         <source>{} different parts, {} instances</source>
-        <translation type="unfinished"></translation>
+        <translation>{} verschiedene Bauteile, {} Instanzen</translation>
     </message>
     <message>
         <source>{} failed</source>
@@ -1559,7 +1560,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{} of the area lies over walls thinner than {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} der Oberfläche liegen über Wänden dünner als {}</translation>
     </message>
     <message>
         <source>{} of {} files</source>
@@ -1583,19 +1584,19 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{} to {} thick ({} to {} of the diagonal): {} of the area</source>
-        <translation type="unfinished"></translation>
+        <translation>{} bis {} Wandstärke ({} bis {} der Diagonale): {} der Oberfläche</translation>
     </message>
     <message>
         <source>{} to {}: {} of the area</source>
-        <translation type="unfinished"></translation>
+        <translation>{} bis {}: {} der Oberfläche</translation>
     </message>
     <message>
         <source>{} to {}: {} of the area, on 1 face</source>
-        <translation type="unfinished"></translation>
+        <translation>{} bis {}: {} der Oberfläche, auf 1 Fläche</translation>
     </message>
     <message>
         <source>{} to {}: {} of the area, on {} faces</source>
-        <translation type="unfinished"></translation>
+        <translation>{} bis {}: {} der Oberfläche, auf {} Flächen</translation>
     </message>
     <message>
         <source>{} unchanged</source>
@@ -1611,19 +1612,19 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{}, and share of the diagonal</source>
-        <translation type="unfinished"></translation>
+        <translation>{} und Anteil der Diagonale</translation>
     </message>
     <message>
         <source>{}: '{}' ({}) has a wall of {}, under the limit of {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: „{}“ ({}) hat eine Wand von {}, unter der Grenze von {}.</translation>
     </message>
     <message>
         <source>{}: '{}' was '{}' and is '{}' now; its thinnest wall is {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: „{}“ war „{}“ und ist jetzt „{}“; die dünnste Wand hat {}.</translation>
     </message>
     <message>
         <source>{}: '{}' was '{}' and is '{}' now; its thinnest wall of {} is under the limit of {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: „{}“ war „{}“ und ist jetzt „{}“; die dünnste Wand von {} liegt unter der Grenze von {}.</translation>
     </message>
     <message>
         <source>{}: '{}' was '{}' and is '{}' now; none of its walls could be measured.</source>
@@ -1754,7 +1755,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Giannini et al. 2012</source>
-        <translation type="unfinished"></translation>
+        <translation>Giannini u. a. 2012</translation>
     </message>
     <message>
         <source>Info files cannot be written into {} ({}): give another folder to --info-dir.</source>
@@ -2018,7 +2019,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>The thinnest wall, {} mm, is known no better than the mesh resolves ({} mm).</source>
-        <translation type="unfinished"></translation>
+        <translation>Die dünnste Wand, {} mm, ist nicht genauer bekannt, als das Netz auflöst ({} mm).</translation>
     </message>
     <message>
         <source>The triangles are not consistently oriented, so it has no certain volume.</source>

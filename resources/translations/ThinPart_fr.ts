@@ -103,7 +103,8 @@ Rempli à {} (V/VBB = {})</translation>
     <message>
         <source>
 Its volume is unknown.</source>
-        <translation type="unfinished"></translation>
+        <translation>
+Son volume est inconnu.</translation>
     </message>
     <message>
         <source> s</source>
@@ -271,11 +272,11 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Bounding box {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Boîte englobante {}</translation>
     </message>
     <message>
         <source>Box, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Boîte, {}</translation>
     </message>
     <message>
         <source>C&amp;hoose…</source>
@@ -323,7 +324,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Check before meshing whether a part is thin, and where</source>
-        <translation type="unfinished"></translation>
+        <translation>Vérifier avant le maillage si une pièce est mince, et où</translation>
     </message>
     <message>
         <source>Choose a file with mesh settings</source>
@@ -435,15 +436,15 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Confidence: borderline, close to '{}' ({} from the limit)</source>
-        <translation type="unfinished"></translation>
+        <translation>Confiance : cas limite, proche de « {} » (à {} de la limite)</translation>
     </message>
     <message>
         <source>Confidence: clear ({} from the limit)</source>
-        <translation type="unfinished"></translation>
+        <translation>Confiance : nette (à {} de la limite)</translation>
     </message>
     <message>
         <source>Continue in the background? 'Classify folder' shows it again. What is done so far is kept either way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Continuer en arrière-plan ? « Classifier un dossier » l’affiche à nouveau. Ce qui est fait est conservé dans tous les cas.</translation>
     </message>
     <message>
         <source>Copy path</source>
@@ -579,7 +580,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Half of the face lies over thinner walls</source>
-        <translation type="unfinished"></translation>
+        <translation>La moitié de la face a des parois plus minces</translation>
     </message>
     <message>
         <source>Heat map of the thickness</source>
@@ -587,7 +588,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Here: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ici : {}</translation>
     </message>
     <message>
         <source>Holds</source>
@@ -659,11 +660,11 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Longest side, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus long côté, {}</translation>
     </message>
     <message>
         <source>Longest, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus long, {}</translation>
     </message>
     <message>
         <source>Looking for parts in the folder…</source>
@@ -687,7 +688,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Measured: {} parallel, {} tapered, {} nothing opposite</source>
-        <translation type="unfinished"></translation>
+        <translation>Mesuré : {} parallèle, {} en dépouille, {} sans paroi opposée</translation>
     </message>
     <message>
         <source>Measuring and drawing…</source>
@@ -703,7 +704,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Median, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Médiane, {}</translation>
     </message>
     <message>
         <source>Memory per file</source>
@@ -943,7 +944,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Shown as thin: below {}, as the preferences say. The verdict does not depend on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Affiché comme mince : sous {}, selon les préférences. Le verdict n’en dépend pas.</translation>
     </message>
     <message>
         <source>Shows the defaults of this page; they are kept with OK or Apply</source>
@@ -1007,11 +1008,11 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>The document has changes that are not saved. Save the document first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le document a des modifications non enregistrées. Enregistrez-le d’abord.</translation>
     </message>
     <message>
         <source>The document has never been saved. Save the document first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le document n’a jamais été enregistré. Enregistrez-le d’abord.</translation>
     </message>
     <message>
         <source>The document is closed: open it again for a report about it.</source>
@@ -1143,7 +1144,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Thin below</source>
-        <translation type="unfinished"></translation>
+        <translation>Mince sous</translation>
     </message>
     <message>
         <source>Thin faces</source>
@@ -1159,23 +1160,23 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Thinnest wall</source>
-        <translation type="unfinished"></translation>
+        <translation>Paroi la plus mince</translation>
     </message>
     <message>
         <source>Thinnest wall under the face</source>
-        <translation type="unfinished"></translation>
+        <translation>Paroi la plus mince sous la face</translation>
     </message>
     <message>
         <source>Thinnest wall {} (± {})</source>
-        <translation type="unfinished"></translation>
+        <translation>Paroi la plus mince {} (± {})</translation>
     </message>
     <message>
         <source>Thinnest wall, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Paroi la plus mince, {}</translation>
     </message>
     <message>
         <source>Thinnest, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Minimum, {}</translation>
     </message>
     <message>
         <source>Threshold</source>
@@ -1215,7 +1216,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>Inconnue</translation>
     </message>
     <message>
         <source>Unmeasured</source>
@@ -1243,11 +1244,11 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Wall thickness, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Épaisseur, {}</translation>
     </message>
     <message>
         <source>Wall thickness: min {}, median {}, max {} (± {})</source>
-        <translation type="unfinished"></translation>
+        <translation>Épaisseur de paroi : min. {}, médiane {}, max. {} (± {})</translation>
     </message>
     <message>
         <source>Walls that are shown as thin</source>
@@ -1287,7 +1288,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Why: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Raison : {}</translation>
     </message>
     <message>
         <source>Words in names, paths, notes, links</source>
@@ -1311,7 +1312,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>a thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>une épaisseur</translation>
     </message>
     <message>
         <source>about {} left</source>
@@ -1427,7 +1428,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>same limit as the verdict</source>
-        <translation type="unfinished"></translation>
+        <translation>même limite que le verdict</translation>
     </message>
     <message>
         <source>share of the diagonal</source>
@@ -1435,7 +1436,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>share of the diagonal ({})</source>
-        <translation type="unfinished"></translation>
+        <translation>part de la diagonale ({})</translation>
     </message>
     <message>
         <source>smooth</source>
@@ -1455,7 +1456,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>thickness: {}, and share of the diagonal</source>
-        <translation type="unfinished"></translation>
+        <translation>épaisseur : {} et part de la diagonale</translation>
     </message>
     <message>
         <source>thin</source>
@@ -1495,7 +1496,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{} (rule {})</source>
-        <translation type="unfinished"></translation>
+        <translation>« {} » (règle {})</translation>
     </message>
     <message>
         <source>{} ({} parts)</source>
@@ -1511,11 +1512,11 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{} and more: {} of the area</source>
-        <translation type="unfinished"></translation>
+        <translation>{} et plus : {} de la surface</translation>
     </message>
     <message>
         <source>{} different parts, {} instances</source>
-        <translation type="unfinished"></translation>
+        <translation>{} pièces différentes, {} occurrences</translation>
     </message>
     <message>
         <source>{} failed</source>
@@ -1559,7 +1560,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{} of the area lies over walls thinner than {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} de la surface a des parois plus minces que {}</translation>
     </message>
     <message>
         <source>{} of {} files</source>
@@ -1583,19 +1584,19 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{} to {} thick ({} to {} of the diagonal): {} of the area</source>
-        <translation type="unfinished"></translation>
+        <translation>épaisseur de {} à {} ({} à {} de la diagonale) : {} de la surface</translation>
     </message>
     <message>
         <source>{} to {}: {} of the area</source>
-        <translation type="unfinished"></translation>
+        <translation>{} à {} : {} de la surface</translation>
     </message>
     <message>
         <source>{} to {}: {} of the area, on 1 face</source>
-        <translation type="unfinished"></translation>
+        <translation>{} à {} : {} de la surface, sur 1 face</translation>
     </message>
     <message>
         <source>{} to {}: {} of the area, on {} faces</source>
-        <translation type="unfinished"></translation>
+        <translation>{} à {} : {} de la surface, sur {} faces</translation>
     </message>
     <message>
         <source>{} unchanged</source>
@@ -1611,19 +1612,19 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{}, and share of the diagonal</source>
-        <translation type="unfinished"></translation>
+        <translation>{} et part de la diagonale</translation>
     </message>
     <message>
         <source>{}: '{}' ({}) has a wall of {}, under the limit of {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : « {} » ({}) a une paroi de {}, sous la limite de {}.</translation>
     </message>
     <message>
         <source>{}: '{}' was '{}' and is '{}' now; its thinnest wall is {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : « {} » était « {} » et est maintenant « {} » ; sa paroi la plus mince a {}.</translation>
     </message>
     <message>
         <source>{}: '{}' was '{}' and is '{}' now; its thinnest wall of {} is under the limit of {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : « {} » était « {} » et est maintenant « {} » ; sa paroi la plus mince de {} est sous la limite de {}.</translation>
     </message>
     <message>
         <source>{}: '{}' was '{}' and is '{}' now; none of its walls could be measured.</source>
@@ -1754,7 +1755,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Giannini et al. 2012</source>
-        <translation type="unfinished"></translation>
+        <translation>Giannini et coll. 2012</translation>
     </message>
     <message>
         <source>Info files cannot be written into {} ({}): give another folder to --info-dir.</source>
@@ -2018,7 +2019,7 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>The thinnest wall, {} mm, is known no better than the mesh resolves ({} mm).</source>
-        <translation type="unfinished"></translation>
+        <translation>La paroi la plus mince, {} mm, n’est pas connue mieux que la résolution du maillage ({} mm).</translation>
     </message>
     <message>
         <source>The triangles are not consistently oriented, so it has no certain volume.</source>

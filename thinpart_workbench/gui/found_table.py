@@ -76,7 +76,8 @@ class FoundTable(QtCore.QAbstractTableModel):
     def show_unit(self, unit):
         """Write lengths in a LengthUnit from now on."""
         if unit != self._unit:
-            self._unit, self._columns = unit, self._new_columns()
+            self._unit = unit
+            self._columns = self._new_columns()
             self.headerDataChanged.emit(QtCore.Qt.Horizontal, 0, len(self._columns) - 1)
             if self._count:
                 self.dataChanged.emit(self.index(0, 0), self.index(self._count - 1, len(self._columns) - 1))

@@ -68,7 +68,8 @@ class ResultTable(QtCore.QAbstractTableModel):
     def show_unit(self, unit):
         """Write lengths in a LengthUnit from now on; rows are sorted as they were."""
         if unit != self._unit:
-            self._unit, self._columns = unit, self._new_columns()
+            self._unit = unit
+            self._columns = self._new_columns()
             self.headerDataChanged.emit(QtCore.Qt.Horizontal, 0, len(self._columns) - 1)
             if self._order.shown:
                 self.dataChanged.emit(

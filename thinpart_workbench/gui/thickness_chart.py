@@ -20,8 +20,8 @@ _LINES = QtGui.QColor(20, 20, 20), QtGui.QColor(235, 235, 235)
 def bar_edges(last, unit=MILLIMETRE):
     """Edges of bars from 0 to a thickness, ndarray of shape (k + 1,), mm.
 
-    The bars lie around multiples of a width that people like in their unit, so that a wall of 3 mm, which is 2.999 mm at some
-    places, is in one bar; the first is half as wide.
+    The bars lie around multiples of a width that people like in their unit, so that a wall of 3 mm, which is 2.999 mm
+    at some places, is in one bar; the first is half as wide.
     """
     width = unit.millimetres * round_up(unit.value(last) / BARS)
     return np.concatenate([[0.0], width * (np.arange(int(np.ceil(last / width + 0.5 - 1e-6))) + 0.5)])
