@@ -50,6 +50,14 @@ def choose(schema, *documents):
     window.settle(60)
 
 
+def choose_of(document, schema):
+    """The unit menu of the status bar while a document is active: set for another one, FreeCAD 1.1 sets both."""
+    App.setActiveDocument(document.Name)
+    window.settle(60)
+    document.UnitSystem = schema
+    window.settle(60)
+
+
 def in_mm(root):
     """Texts of a window that tell of millimetres."""
     return {text for text in seen(root) if IN_MM.search(text)}
@@ -155,8 +163,12 @@ def test_every_box_of_the_thickness_panel_is_in_inches_and_follows(ribbed):
     assert window.text("ThinPart_ThinShare").endswith("\u00a0in")
     chart._choose((0, 1))
     assert "\u00a0in: " in window.text("ThinPart_ChosenShare")
+    faces.selectRow(2)
+    chosen = faces.current_row.name
     choose(STANDARD)
     assert chart.bars is None and ribbed.ViewObject.Proxy.colours.between is None
+    assert faces.current_row.name == chosen
+    assert ribbed.ViewObject.Proxy.colours.faces == {0: {faces.current_row.summary.face}}
     assert "Thinnest wall 6\u00a0mm (\u00b1\u00a0" in window.text("ThinPart_Walls")
     assert faces.model().headerData(1, QtCore.Qt.Horizontal) == "Thinnest, mm"
     assert window.widget("ThinPart_Threshold").value() == pytest.approx(ribbed.Threshold, abs=1e-3)
@@ -360,8 +372,8 @@ def test_each_document_has_its_own_unit_system(document, tmp_path, library):  # 
     other = App.newDocument("Other")
     for each in (document, other):
         window.add_ribbed_block(each)
-    choose(STANDARD)
-    document.UnitSystem = FRACTIONS
+    choose_of(document, FRACTIONS)
+    App.setActiveDocument(other.Name)
     window.settle(60)
     assert length_unit(document) == INCH and length_unit(other) == length_unit() == MILLIMETRE
     dock = opened(library)
@@ -377,15 +389,15 @@ def test_each_document_has_its_own_unit_system(document, tmp_path, library):  # 
     window.settle(60)
     assert "min 0.236, " in window.text("ThinPart_Walls")
     assert headings.headerData(SIZE, QtCore.Qt.Horizontal) == "Longest, mm"
-    document.UnitSystem = STANDARD
-    window.settle(60)
+    choose_of(document, STANDARD)
     assert "min 6, " in window.text("ThinPart_Walls")
     dock.close()
-    document.UnitSystem = INCHES
+    choose_of(document, INCHES)
     document.saveAs(str(tmp_path / "inches.FCStd"))
     App.closeDocument(document.Name)
     again = App.openDocument(str(tmp_path / "inches.FCStd"))
     assert length_unit(again) == INCH and length_unit(other) == MILLIMETRE
+    App.setActiveDocument(again.Name)
     GROUP.SetBool("IgnoreProjectSchema", True)
     App.Units.setSchema(STANDARD)  # as FreeCAD's preferences do then
     window.settle(60)
@@ -400,6 +412,6 @@ def test_colour_bars_of_two_documents_are_each_in_their_unit(document, tmp_path)
     maps = []
     for each, schema in ((document, INCHES), (App.newDocument("Other"), STANDARD)):
         maps.append(show_map(each, window.add_ribbed_block(each)))
-        each.UnitSystem = schema
+        choose_of(each, schema)
     window.settle(100)
     assert [each.ViewObject.Proxy.bar.unit for each in maps] == [INCH, MILLIMETRE]

@@ -82,10 +82,10 @@ class ResultPanel(QtWidgets.QWidget):
         """Give the columns the room that there is."""
         super().showEvent(event)
         self._show_unit()
-        self.fit_columns()
 
     def _show_unit(self):
         self.table.show_unit(length_unit())
+        self.fit_columns()
 
     def fit_columns(self):
         """Make columns as wide as what is seen in them, unless the user has said how wide."""

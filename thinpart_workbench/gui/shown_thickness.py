@@ -148,7 +148,11 @@ class ShownThickness(QtCore.QObject):
     def _show_unit(self):
         """Lengths are written in another unit, in which bars have other round widths: none of them is chosen."""
         self._show_all()
-        self._highlight_chosen()
+        face = self._boxes.faces.table.current_row
+        if face is None:
+            self._highlight_chosen()
+        else:
+            self._view.highlight_faces({self._chosen: {face.summary.face}})
 
     def _show_scale(self):
         self._boxes.scale.show_properties({name: getattr(self.thickness, name) for name in _SCALE}, self._unit)
