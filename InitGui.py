@@ -13,6 +13,7 @@ if is_to_start(locals().get("InstallFile")):
     from thinpart_workbench.gui.document_observer import observe
     from thinpart_workbench.gui.preferences_pages import add_pages
     from thinpart_workbench.gui.show_thickness import follow_requests
+    from thinpart_workbench.gui.unit_watch import UNITS
     from thinpart_workbench.gui.workbench import add_icons
 
     class ThinPartWorkbench(Gui.Workbench):
@@ -46,4 +47,5 @@ if is_to_start(locals().get("InstallFile")):
     add_pages()
     observe()
     AUTOMATIC.begin()
+    UNITS.begin()
     follow_requests()

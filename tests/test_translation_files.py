@@ -92,6 +92,7 @@ NO_TEXTS = {
     "Unable to allocate",  # what others say
     "go on",
     "No matching distribution", "No module named pip",
+    "User parameter:BaseApp/Preferences/Units",  # where FreeCAD keeps its own
     "Facets and edges",  # what documents keep of how a map is shown
 }
 """What looks like a text in the window's modules and is none."""

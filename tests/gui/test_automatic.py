@@ -115,7 +115,7 @@ def test_saving_returns_while_the_part_is_being_measured(document, tmp_path):
 
 def test_the_label_has_the_verdict_of_the_active_document_and_its_reason(document, plate):
     assert label() == "ThinPart: Thin part"
-    assert "Plate: Thin part. It meets criteria 1" in reason()
+    assert "Plate: Thin part. Why: plate (rule 1), " in reason()
     assert "Thin part" in status() and "plate.FCStd" in status()
     other = App.newDocument("Other")
     window.settle(50)
@@ -160,7 +160,7 @@ def test_a_changed_category_is_warned_of_once(document, plate):
     assert notice() == "" and "was 'Thin part'" not in report(), "the first time there is nothing to compare"
     reshape(document, 90)
     save(document)
-    sentence = "plate.FCStd: 'Plate' was 'Thin part' and is 'Normal part' now; its thinnest wall is 90 mm."
+    sentence = "plate.FCStd: 'Plate' was 'Thin part' and is 'Normal part' now; its thinnest wall is 90\u00a0mm."
     assert label() == "ThinPart: Normal part"
     assert notice().startswith(sentence) and sentence in report()
     assert QtWidgets.QApplication.activeModalWidget() is None
@@ -186,7 +186,7 @@ def test_a_wall_under_the_limit_is_warned_of(document, plate):
     reshape(document, 1.25)
     save(document)
     assert notice().startswith(
-        "plate.FCStd: 'Plate' (Thin part) has a wall of 1.25 mm, under the limit of 1.5 mm.")
+        "plate.FCStd: 'Plate' (Thin part) has a wall of 1.25\u00a0mm, under the limit of 1.5\u00a0mm.")
     window.click("ThinPart_Notice")
     reshape(document, 1)
     save(document)
@@ -196,15 +196,15 @@ def test_a_wall_under_the_limit_is_warned_of(document, plate):
     set_preference("WarnOfCategory", True)
     reshape(document, 1)
     save(document)
-    assert ("'Plate' was 'Normal part' and is 'Thin part' now; its thinnest wall of 1 mm is under the limit "
-            "of 1.5 mm.") in notice()
+    assert ("'Plate' was 'Normal part' and is 'Thin part' now; its thinnest wall of 1\u00a0mm is under the limit "
+            "of 1.5\u00a0mm.") in notice()
 
 
 def test_a_new_part_under_the_limit_is_warned_of(document, tmp_path):
     set_preference("WarnWallUnder", 3.0)
     window.add(document, "Plate", Part.makeBox(100, 100, 2))
     save(document, tmp_path / "new.FCStd")
-    assert "has a wall of 2 mm, under the limit of 3 mm" in notice()
+    assert "has a wall of 2\u00a0mm, under the limit of 3\u00a0mm" in notice()
 
 
 def test_documents_without_a_part_say_nothing(document, tmp_path):

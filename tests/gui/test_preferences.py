@@ -268,7 +268,7 @@ def test_another_limit_colours_other_faces_and_leaves_the_verdict(
     change(**{"ThinLimit": choice, f"ThinLimit{choice.capitalize()}": value})
     window.classify()
     assert window.rgb(feature).count(RED) == red
-    assert f"under {number(limit)}\u00a0mm" in window.text("ThinPart_OwnLimit")
+    assert f"below {number(limit)}\u00a0mm" in window.text("ThinPart_OwnLimit")
     assert window.text("ThinPart_Headline") == "Part with thin features"
     again = read_info(info(file))["parts"][0]
     assert [again[key] for key in ("category", "margin", "thin_limit_mm", "faces")] == [

@@ -87,7 +87,7 @@ def test_few_walls_that_are_much_thicker_share_the_last_bar(document):
     thick = 2 * np.pi * (20 ** 2 - 18 ** 2) + 2 * np.pi * 20 * 2
     assert shown.shares[last] == pytest.approx(thick / cup.Area, rel=0.05)
     assert (shown.colours[last] == thickness.ViewObject.Proxy.colours.of_values([130.0])[0]).all()
-    assert shown.bar_text(last).startswith(f"{shown.edges[last]:.3g} mm and more: ")
+    assert shown.bar_text(last).startswith(f"{shown.edges[last]:.3g}\u00a0mm and more: ")
     window.mouse_click(shown, bar_place(shown.edges[-2:].mean()))
     assert shown.chosen[0] < 20.0 < 130.0 < shown.chosen[1] < 131.0
     assert selected_faces() == {

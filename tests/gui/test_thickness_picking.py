@@ -50,7 +50,7 @@ def test_the_wall_under_the_cursor(picker, document):
         assert wall["thickness"] == pytest.approx(value, abs=1e-3)
         assert np.linalg.norm(wall["point"] - point) < 1.0
         assert np.linalg.norm(wall["point"] - wall["opposite"]) == pytest.approx(value, abs=1e-3)
-        assert window.text("ThinPart_Hover") == f"{value:g} mm"
+        assert window.text("ThinPart_Hover") == f"{value:g}\u00a0mm"
     view.viewBottom()
     view.fitAll()
     window.settle(60)

@@ -11,11 +11,12 @@ import pytest
 import window_actions as window
 
 from made_library import record_of, store
+from seen_texts import seen
 from thinpart_workbench.core.criteria import load_profile
 from thinpart_workbench.core.descriptors import QUANTITIES
 from thinpart_workbench.freecad_adapter.settings import set_preference, set_preference_list
 from thinpart_workbench.gui import find_parts
-from thinpart_workbench.gui.qt import QtCore, QtWidgets
+from thinpart_workbench.gui.qt import QtCore
 from thinpart_workbench.gui.result_table import CATEGORY
 from thinpart_workbench.storage.info_file import info_path, read_info
 
@@ -37,34 +38,6 @@ def said(text, context="ThinPart"):
 
 def below(text):
     return said(text, "ThinPartCore")
-
-
-def seen(root):
-    """All texts of a window and of what lies in it, tool tips included."""
-    for each in [root, *root.findChildren(QtWidgets.QWidget)]:
-        for name in ("text", "toolTip", "placeholderText", "windowTitle", "title", "specialValueText", "suffix"):
-            value = getattr(each, name, lambda: "")
-            yield value() if callable(value) else ""
-        if isinstance(each, QtWidgets.QTabWidget):
-            yield from (each.tabText(index) for index in range(each.count()))
-        if isinstance(each, QtWidgets.QComboBox):
-            yield from (each.itemText(index) for index in range(each.count()))
-        if isinstance(each, QtWidgets.QListWidget):
-            yield from (each.item(row).text() for row in range(each.count()))
-        if isinstance(each, (QtWidgets.QTableView, QtWidgets.QTreeView)):
-            yield from _cells(each.model())
-
-
-def _cells(model, parent=None):
-    parent = parent or QtCore.QModelIndex()
-    for column in range(model.columnCount(parent)):
-        yield str(model.headerData(column, HORIZONTAL) or "")
-        for row in range(model.rowCount(parent)):
-            index = model.index(row, column, parent)
-            for role in (QtCore.Qt.DisplayRole, TOOL_TIP):
-                yield str(model.data(index, role) or "")
-            if column == 0 and model.rowCount(index):
-                yield from _cells(model, index)
 
 
 ENGLISH = re.compile("|".join(
@@ -98,7 +71,7 @@ def test_the_language_is_one_that_there_are_translations_for():
 
 def test_the_workbench_and_its_commands():
     assert Gui.listWorkbenches()["ThinPartWorkbench"].ToolTip == said(
-        "Tells before meshing whether a part is thin, and where")
+        "Check before meshing whether a part is thin, and where")
     for command, text in (("ThinPart_Classify", "Classify part"), ("ThinPart_FindParts", "Find parts"),
                           ("ThinPart_ClassifyFolder", "Classify folder\u2026")):
         button = window.tool_button(command)

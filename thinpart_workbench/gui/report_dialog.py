@@ -168,11 +168,9 @@ class ReportDialog(QtWidgets.QDialog):
             return translate("ThinPart", "The document is closed: open it again for a report about it.")
         document = App.getDocument(self._document)
         if not document.FileName or not os.path.exists(document.FileName):
-            return translate("ThinPart", "The document has never been saved, and a report is about a saved "
-                                         "one: save it first.")
+            return translate("ThinPart", "The document has never been saved. Save the document first.")
         if OBSERVER.differs_from_file(document):
-            return translate("ThinPart", "The document has changes that are not saved, and a report is about "
-                                         "what is saved: save it first.")
+            return translate("ThinPart", "The document has changes that are not saved. Save the document first.")
         return ""
 
     @property

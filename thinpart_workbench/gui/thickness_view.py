@@ -6,10 +6,11 @@ import FreeCAD as App
 from pivy import coin
 
 from ..core.errors import ThinPartError
-from ..freecad_adapter.thickness_object import unit_in_mm
+from ..freecad_adapter.thickness_object import SHARE
 from ..workflow.document_maps import map_version, parts_of
 from ..workflow.thickness_probes import moved_matrix, probes_of
 from .colour_bar import BarContent
+from .length_unit import length_unit
 from .map_nodes import MapNodes
 from .measure_requests import ask_for_measuring
 from .probe_nodes import ProbeNodes
@@ -103,7 +104,7 @@ class ThicknessView:
         elif name in _COLOURING:
             self._colour()
         elif name == "ProbeValues":  # the last of the three lists
-            self._probes.show(probes_of(thickness))
+            self._probes.show(probes_of(thickness), length_unit(thickness.Document))
         if name == "Stale":
             self._view.signalChangeIcon()
 
@@ -138,7 +139,7 @@ class ThicknessView:
                 self._shown, self._failed = None, version
                 App.Console.PrintError(f"{thickness.Label}: {translated(error)}\n")
             self._colour()
-        self._probes.show(probes_of(thickness))
+        self._probes.show(probes_of(thickness), length_unit(thickness.Document))
         self.move()
 
     def appear(self):
@@ -175,8 +176,9 @@ class ThicknessView:
         if self._shown is None:
             return None
         thickness = self._view.Object
-        return BarContent(self.colours, unit_in_mm(thickness), thickness.Thinnest, thickness.Thickest,
-                          thickness.Threshold, self._has_unmeasured)
+        diagonal = thickness.Diagonal if thickness.RangeUnit == SHARE else 0.0
+        return BarContent(self.colours, length_unit(thickness.Document), diagonal, thickness.Thinnest,
+                          thickness.Thickest, thickness.Threshold, self._has_unmeasured)
 
     def doubleClicked(self, view):
         """In the tree: open the panel."""
