@@ -97,7 +97,7 @@ def test_freecadcmd_is_taken_where_there_is_no_python(bundle, document, monkeypa
 
 def test_the_info_file_of_a_saved_part(saved, tmp_path):
     window.classify()
-    window.wait_until(lambda: info(tmp_path / "block.FCStd").is_file(), 30)
+    window.wait_until(lambda: info(tmp_path / "block.FCStd").is_file())
     part, = read_info(info(tmp_path / "block.FCStd"))["parts"]
     assert part["category"] == "thin_features"
 

@@ -230,20 +230,20 @@ def test_colour_bar_probes_and_the_wall_under_the_cursor(ribbed):
     window.click("ThinPart_ProbeButton")
     place = place_of(view, V(60, 12, 40))
     move_to(view, place)
-    window.wait_until(lambda: window.text("ThinPart_Hover") == "1.57\u00a0in", 5)
+    window.wait_until(lambda: window.text("ThinPart_Hover") == "1.57\u00a0in")
     assert window.text("ThinPart_HoveredWall") == "Here: 1.57\u00a0in"
     window.mouse_drag(view.graphicsView().viewport(), [place])
-    window.wait_until(lambda: len(probes_of(ribbed)) == 1, 5)
+    window.wait_until(lambda: len(probes_of(ribbed)) == 1)
     assert ribbed.ProbeValues[0] == pytest.approx(40.0, abs=1e-2)
     probes = window.widget("ThinPart_ProbeTable")
-    window.wait_until(lambda: len(probes.rows) == 1, 5)
+    window.wait_until(lambda: len(probes.rows) == 1)
     assert probes.model().index(0, 1).data() == "1.57\u00a0in"
     window.settle(300)
     assert labels(ribbed) == {"1.57\u00a0in"}
     in_inches = bar_image(bar, 900)
     choose(STANDARD)
     assert probes.model().index(0, 1).data() == "40\u00a0mm"
-    window.wait_until(lambda: labels(ribbed) == {"40\u00a0mm"}, 5)
+    window.wait_until(lambda: labels(ribbed) == {"40\u00a0mm"})
     assert ribbed.ViewObject.Proxy.bar.unit == MILLIMETRE
     assert bar_image(ribbed.ViewObject.Proxy.bar, 900) != in_inches
     assert ribbed.ProbeValues[0] == pytest.approx(40.0, abs=1e-2)
@@ -264,7 +264,7 @@ def test_results_of_a_folder_and_their_table_in_mm(dialog, folder, tmp_path):  #
 
     window.answer("ThinPart_FolderExportDialog", name_it)
     window.click("ThinPart_FolderExport")
-    window.wait_until((tmp_path / "table.csv").is_file, 30)
+    window.wait_until((tmp_path / "table.csv").is_file)
     with open(tmp_path / "table.csv", newline="", encoding="utf-8") as file:
         row, = [each for each in csv.DictReader(file) if each["label"] == "Cover plate"]
     assert float(row["thinnest_mm"]) == pytest.approx(5.0) and float(row["d1_mm"]) == pytest.approx(100.0)
