@@ -173,7 +173,7 @@ def _explode(assembly, component):
         step.MovementTransform = App.Placement(App.Vector(0.0, 0.0, 80.0), App.Rotation())
     else:
         view.addExtension("App::GroupExtensionPython")
-    view.Group = [step]
+    setattr(view, "Group" if hasattr(view, "Group") else "Moves", [step])  # FreeCAD 1.0 has Moves
 
 
 def _list_parts(assembly):
