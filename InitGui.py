@@ -5,13 +5,17 @@ import FreeCADGui as Gui
 from thinpart_workbench.gui.language import add_translations
 
 add_translations()  # before any text is made
+from thinpart_workbench.freecad_adapter.edge import guarded_methods
+from thinpart_workbench.freecad_adapter.wall_measurement import add_wall_measurement
 from thinpart_workbench.gui.automatic_classification import AUTOMATIC
 from thinpart_workbench.gui.document_observer import observe
+from thinpart_workbench.gui.faults import tell_faults
 from thinpart_workbench.gui.preferences_pages import add_pages
 from thinpart_workbench.gui.show_thickness import follow_requests
 from thinpart_workbench.gui.workbench import add_icons
 
 
+@guarded_methods("Initialize", "Activated")
 class ThinPartWorkbench(Gui.Workbench):
     """The workbench as FreeCAD's list of workbenches shows it."""
 
@@ -40,8 +44,10 @@ class ThinPartWorkbench(Gui.Workbench):
 
 
 Gui.addWorkbench(ThinPartWorkbench())
+tell_faults()
 add_icons()
 add_pages()
+add_wall_measurement()
 observe()
 AUTOMATIC.begin()
 follow_requests()
