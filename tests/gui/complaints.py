@@ -9,6 +9,9 @@ from thinpart_workbench.gui.qt import QtCore, QtWidgets
 _OTHERS = ("propagateSizeHints", "XDG_RUNTIME_DIR", "QStandardPaths", "Could not find any platform plugin",
            "libpng", "QFont", "qt.qpa", "QXcb", "QSocketNotifier: Can only be used", "iCCP")
 
+_SIGNS = "Traceback", "Error:", "The thickness map "
+"""Of what went wrong in the Report view."""
+
 _messages = []
 
 
@@ -30,7 +33,7 @@ def take():
     view = _report_view()
     found, _messages[:] = list(_messages), []
     if view is not None:
-        found += [line for line in view.toPlainText().splitlines() if "Traceback" in line or "Error:" in line]
+        found += [line for line in view.toPlainText().splitlines() if any(sign in line for sign in _SIGNS)]
         view.clear()
     return found
 

@@ -84,10 +84,10 @@ def test_sorting_is_by_number_and_absent_ones_come_last(dialog, folder):
 def test_filter_and_check_boxes_hide_rows_and_leave_the_counts(dialog, folder):
     run(folder)
     window.widget("ThinPart_FolderFilter").setText("ASSEMBLY plate")
-    window.wait_until(lambda: model().rowCount() == 1, 10)
+    window.wait_until(lambda: model().rowCount() == 1)
     assert column(PART) == ["Cover plate"]
     window.widget("ThinPart_FolderFilter").clear()
-    window.wait_until(lambda: model().rowCount() == 6, 10)
+    window.wait_until(lambda: model().rowCount() == 6)
     window.click("ThinPart_Show_thin")
     assert "Thin part" not in column(CATEGORY) and model().rowCount() == 4
     assert count_of("thin") == 2

@@ -186,8 +186,8 @@ def test_parts_like_this_one(library):
     assert dock._details.currentIndex() == COMPARISON and chart.isVisible()
     assert chart.names == ["Ribbed block", "plate"]
     assert "% like:" in window.text("ThinPart_Likeness").replace("\u00a0", " ")
-    colours = {chart.grab().toImage().pixelColor(x, y).name()
-               for x in range(chart.width()) for y in range(chart.height())}
+    picture = chart.grab().toImage()
+    colours = {picture.pixelColor(x, y).name() for x in range(chart.width()) for y in range(chart.height())}
     assert {"#204a87", "#ce5c00"} <= colours
     # Filters hold for similar parts as well.
     check(dock, "ThinPart_Category_thin")

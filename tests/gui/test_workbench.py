@@ -36,7 +36,7 @@ def test_called_without_a_document_it_says_so():
     from thinpart_workbench.gui.classify import classify_active_document
 
     classify_active_document()
-    window.settle(200)
+    window.wait_until(lambda: window.is_shown("ThinPart_Message"))
     assert window.text("ThinPart_Message") == "There is no document: open or create one first."
 
 

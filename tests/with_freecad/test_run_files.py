@@ -60,6 +60,7 @@ def test_include_and_exclude(tmp_path):
     assert run.returncode == 0 and record["file"] == str(top / "keep.STEP")
 
 
+@pytest.mark.timeout(180)  # six runs, with up to four workers
 def test_several_workers_give_the_same_as_one(tmp_path):
     folder = tubes(tmp_path / "parts", "b.step", "a.step", "d.step")
     shutil.copy(SAMPLES / "assembly_of_three.FCStd", folder / "c.FCStd")
@@ -249,7 +250,7 @@ def test_output_without_room_is_one_sentence(tmp_path, arguments):
         run = subprocess.run(
             [sys.executable, "-m", "thinpart_workbench", "classify", str(folder), *arguments],
             env=dict(os.environ, PYTHONPATH=str(ROOT)), stdin=subprocess.DEVNULL, stdout=full,
-            stderr=subprocess.PIPE, text=True, timeout=120)
+            stderr=subprocess.PIPE, text=True)
     sentence, = messages(run.stderr)[1]
     assert run.returncode == 1 and "No space left on device" in sentence and infos(folder)
 

@@ -9,6 +9,7 @@ import sys
 import time
 
 import pytest
+import time_limit
 from program import ROOT, SAMPLES, group_ended
 
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
@@ -31,7 +32,7 @@ class Worker:
 
     def answer(self):
         line = self.process.stdout.readline()
-        self.process.wait(timeout=60)
+        self.process.wait()
         self.process.stdin.close()
         return json.loads(line)
 
@@ -123,9 +124,12 @@ def test_it_ends_when_nobody_listens(tmp_path, moment):
     if moment == "waiting for the folder":
         os.mkfifo(info_location(document))
     worker = Worker("saved_document_worker", **job(document))
-    time.sleep(2.0)
+    if moment == "measuring":
+        time_limit.wait_until(lambda: [*time_limit.children(worker.process.pid)], "the process that measures")
+    else:
+        time.sleep(2.0)
     worker.process.stdin.close()
-    worker.process.wait(timeout=20)
+    worker.process.wait()
     assert worker.process.stdout.read() == b"" and group_ended(worker.process.pid)
 
 

@@ -10,6 +10,7 @@ from ..freecad_adapter.settings import GROUP, preference, preferred_analysis
 from .asked_process import AskedProcess
 from .document_observer import OBSERVER
 from .document_verdict_text import headline, reasons, warnings
+from .length_unit import length_unit
 from .notices import NOTICES
 from .qt import QtCore, soon, translate
 from .sentences import translated
@@ -202,7 +203,7 @@ class AutomaticClassification(QtCore.QObject):
         self._set(name, headline(now), reasons(now))
         NOTICES.tell(f"ThinPart: {_called(name)}: {headline(now)}")
         for sentence in warnings(_called(name), before, now, preference("WarnOfCategory"),
-                                 preference("WarnWallUnder")):
+                                 preference("WarnWallUnder"), length_unit(App.getDocument(name))):
             NOTICES.warn(sentence, App.getDocument(name).Label)
 
     def _set(self, name, words, reason=""):

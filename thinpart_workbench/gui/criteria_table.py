@@ -50,16 +50,25 @@ class CriteriaTable(QtWidgets.QTreeWidget):
         """
         self._evidence = evidence
         self.clear()
-        holds, does_not = QtGui.QBrush(readable(self, *_HOLDS)), QtGui.QBrush(readable(self, *_DOES_NOT))
         for row in evidence:
             group = _group(row)
-            if row["holds"]:
-                group.setForeground(0, holds)
             self.addTopLevelItem(group)
             group.setFirstColumnSpanned(True)
-            group.addChildren([_condition(each, does_not) for each in row["conditions"]])
+            group.addChildren([_condition(each) for each in row["conditions"]])
             group.setExpanded(row["holds"] is not False)
+        self._colour_rows()
         self._fit()
+
+    def _colour_rows(self):
+        holds, does_not = QtGui.QBrush(readable(self, *_HOLDS)), QtGui.QBrush(readable(self, *_DOES_NOT))
+        for index, row in enumerate(self._evidence):
+            group = self.topLevelItem(index)
+            if row["holds"]:
+                group.setForeground(0, holds)
+            for place, condition in enumerate(row["conditions"]):
+                if condition["holds"] is False:
+                    for column in range(self.columnCount()):
+                        group.child(place).setForeground(column, does_not)
 
     def _fit(self, *_):
         rows = sum(
@@ -86,7 +95,7 @@ class CriteriaTable(QtWidgets.QTreeWidget):
         """Letters keep colours that can be read when FreeCAD's theme changes."""
         super().changeEvent(event)
         if is_theme_change(event) and self._evidence:
-            self.show_evidence(self._evidence)
+            soon(self, self._colour_rows)  # a theme may come while rows are being added
 
 
 def _group(row):
@@ -102,7 +111,7 @@ def _group(row):
     return group
 
 
-def _condition(condition, does_not):
+def _condition(condition):
     quantity = quantity_named(condition["quantity"])
     value = number(condition["value"])
     if condition["value"] is None and quantity.absent_means is not None:
@@ -119,8 +128,6 @@ def _condition(condition, does_not):
         item.setToolTip(column, meaning)
         if column in (VALUE, THRESHOLD, MARGIN):
             item.setTextAlignment(column, QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
-        if condition["holds"] is False:
-            item.setForeground(column, does_not)
     return item
 
 

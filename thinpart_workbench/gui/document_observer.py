@@ -21,7 +21,7 @@ class DocumentObserver:
     def __init__(self):
         self._changed = set()
         self._revisions = {}
-        self._on_close, self._on_save, self._on_activate = [], [], []
+        self._on_close, self._on_save, self._on_activate, self._on_unit_system = [], [], [], []
 
     def differs_from_file(self, document):
         """Whether the objects of a document are not those in its file, or it has none."""
@@ -45,10 +45,20 @@ class DocumentObserver:
         """Have a function called whenever another document becomes the active one."""
         self._on_activate.append(call)
 
+    def on_unit_system(self, call):
+        """Have a function called whenever a document gets another unit system, which those of FreeCAD 1.0 have."""
+        self._on_unit_system.append(call)
+
     def slotActivateDocument(self, _document):
         """Another document is active."""
         for call in self._on_activate:
             call()
+
+    def slotChangedDocument(self, _document, name):
+        """A property of a document itself was changed."""
+        if name == "UnitSystem":
+            for call in self._on_unit_system:
+                call()
 
     def slotChangedObject(self, changed, name):
         """An object was changed."""

@@ -46,7 +46,7 @@ def free_area(widget):
 def _overlays(widget):
     """Names and places, in the widget, of the overlays that lie over it."""
     for name in (_LEFT, _RIGHT, _TOP, _BOTTOM):
-        overlay = Gui.getMainWindow().findChild(QtWidgets.QTabWidget, name, QtCore.Qt.FindDirectChildrenOnly)
+        overlay = Gui.getMainWindow().findChild(QtWidgets.QTabWidget, name)
         if overlay is None or not overlay.isVisible() or not overlay.count():
             continue
         place = QtCore.QRect(widget.mapFromGlobal(overlay.mapToGlobal(QtCore.QPoint(0, 0))), overlay.size())
