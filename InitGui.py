@@ -9,13 +9,17 @@ from thinpart_workbench.gui.loaded_copy import is_to_start
 
 # FreeCAD runs this file inside a function that has the path of it in InstallFile.
 if is_to_start(locals().get("InstallFile")):
+    from thinpart_workbench.freecad_adapter.edge import guarded_methods
+    from thinpart_workbench.freecad_adapter.wall_measurement import add_wall_measurement
     from thinpart_workbench.gui.automatic_classification import AUTOMATIC
     from thinpart_workbench.gui.document_observer import observe
+    from thinpart_workbench.gui.faults import tell_faults
     from thinpart_workbench.gui.preferences_pages import add_pages
     from thinpart_workbench.gui.show_thickness import follow_requests
     from thinpart_workbench.gui.unit_watch import UNITS
     from thinpart_workbench.gui.workbench import add_icons
 
+    @guarded_methods("Initialize", "Activated")
     class ThinPartWorkbench(Gui.Workbench):
         """The workbench as FreeCAD's list of workbenches shows it."""
 
@@ -42,9 +46,11 @@ if is_to_start(locals().get("InstallFile")):
             """A workbench written in Python."""
             return "Gui::PythonWorkbench"
 
+    tell_faults()
     Gui.addWorkbench(ThinPartWorkbench())
     add_icons()
     add_pages()
+    add_wall_measurement()
     observe()
     AUTOMATIC.begin()
     UNITS.begin()

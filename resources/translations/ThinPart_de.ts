@@ -20,6 +20,10 @@
         <translation>Des Hüllquaders des größten Bauteils, mm</translation>
     </message>
     <message>
+        <source>The face where the wall is measured</source>
+        <translation>Die Fläche, an der die Wand gemessen wird</translation>
+    </message>
+    <message>
         <source>The measured thickness</source>
         <translation>Die gemessene Wandstärke</translation>
     </message>
@@ -28,8 +32,20 @@
         <translation>Deren gegenüberliegende Seiten</translation>
     </message>
     <message>
+        <source>The place on the face, in the coordinates of its object</source>
+        <translation>Die Stelle auf der Fläche, in den Koordinaten ihres Objekts</translation>
+    </message>
+    <message>
+        <source>The place on the opposite side, in the coordinates of the document</source>
+        <translation>Die Stelle auf der gegenüberliegenden Seite, in den Koordinaten des Dokuments</translation>
+    </message>
+    <message>
         <source>The sources' shapes when measured</source>
         <translation>Die Formen der Quellen bei der Messung</translation>
+    </message>
+    <message>
+        <source>The thickness of the material under that place</source>
+        <translation>Die Dicke des Materials unter dieser Stelle</translation>
     </message>
     <message>
         <source>The thickness there, mm</source>
@@ -569,6 +585,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>FreeCAD cannot open {} ({}).</source>
         <translation>FreeCAD kann {} nicht öffnen ({}).</translation>
+    </message>
+    <message>
+        <source>FreeCAD shows one task at a time: close the one that is open, then try again.</source>
+        <translation>FreeCAD zeigt immer nur eine Aufgabe: Schließen Sie die geöffnete und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>FreeCAD's Python has no pip, so {} was not installed: install it into {} by another Python's 'pip install --target'.</source>
@@ -1205,6 +1225,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Thinnest, {}</source>
         <translation>Dünnste, {}</translation>
+    </message>
+    <message>
+        <source>This did not work, for a reason that was not foreseen ({}): try again, and if it happens again, report it with FreeCAD's log.</source>
+        <translation>Das ging aus einem nicht vorgesehenen Grund nicht ({}): Versuchen Sie es noch einmal, und melden Sie es mit FreeCADs Protokoll, wenn es wieder geschieht.</translation>
     </message>
     <message>
         <source>Threshold</source>
@@ -2158,6 +2182,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Volumen des Bauteils</translation>
     </message>
     <message>
+        <source>Wall thickness</source>
+        <translation>Wandstärke</translation>
+    </message>
+    <message>
         <source>a criterion without conditions would always hold</source>
         <translation>ein Kriterium ohne Bedingungen wäre immer erfüllt</translation>
     </message>
@@ -2272,6 +2300,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>no reason given</source>
         <translation>kein Grund angegeben</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
     </message>
     <message>
         <source>of the diagonal</source>

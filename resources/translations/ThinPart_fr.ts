@@ -20,6 +20,10 @@
         <translation>De la boîte englobante de la plus grande pièce, mm</translation>
     </message>
     <message>
+        <source>The face where the wall is measured</source>
+        <translation>La face où la paroi est mesurée</translation>
+    </message>
+    <message>
         <source>The measured thickness</source>
         <translation>L’épaisseur mesurée</translation>
     </message>
@@ -28,8 +32,20 @@
         <translation>Les côtés opposés de ceux-ci</translation>
     </message>
     <message>
+        <source>The place on the face, in the coordinates of its object</source>
+        <translation>L'endroit sur la face, dans les coordonnées de son objet</translation>
+    </message>
+    <message>
+        <source>The place on the opposite side, in the coordinates of the document</source>
+        <translation>L'endroit sur le côté opposé, dans les coordonnées du document</translation>
+    </message>
+    <message>
         <source>The sources' shapes when measured</source>
         <translation>Les formes des sources lors de la mesure</translation>
+    </message>
+    <message>
+        <source>The thickness of the material under that place</source>
+        <translation>L'épaisseur de la matière sous cet endroit</translation>
     </message>
     <message>
         <source>The thickness there, mm</source>
@@ -569,6 +585,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>FreeCAD cannot open {} ({}).</source>
         <translation>FreeCAD ne peut pas ouvrir {} ({}).</translation>
+    </message>
+    <message>
+        <source>FreeCAD shows one task at a time: close the one that is open, then try again.</source>
+        <translation>FreeCAD n'affiche qu'une tâche à la fois : fermez celle qui est ouverte, puis réessayez.</translation>
     </message>
     <message>
         <source>FreeCAD's Python has no pip, so {} was not installed: install it into {} by another Python's 'pip install --target'.</source>
@@ -1205,6 +1225,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Thinnest, {}</source>
         <translation>Minimum, {}</translation>
+    </message>
+    <message>
+        <source>This did not work, for a reason that was not foreseen ({}): try again, and if it happens again, report it with FreeCAD's log.</source>
+        <translation>Cela n'a pas fonctionné, pour une raison imprévue ({}) : réessayez et, si cela se reproduit, signalez-le avec le journal de FreeCAD.</translation>
     </message>
     <message>
         <source>Threshold</source>
@@ -2158,6 +2182,10 @@ Son volume est inconnu.</translation>
         <translation>Volume de la pièce</translation>
     </message>
     <message>
+        <source>Wall thickness</source>
+        <translation>Épaisseur</translation>
+    </message>
+    <message>
         <source>a criterion without conditions would always hold</source>
         <translation>un critère sans conditions serait toujours rempli</translation>
     </message>
@@ -2272,6 +2300,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>no reason given</source>
         <translation>aucune raison donnée</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>non mesuré</translation>
     </message>
     <message>
         <source>of the diagonal</source>

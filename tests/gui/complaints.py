@@ -1,5 +1,8 @@
 """What Qt, FreeCAD and Python complain of while a test runs, which a user would see in the Report view."""
 
+import traceback
+
+from thinpart_workbench.freecad_adapter.edge import on_fault
 from thinpart_workbench.gui.qt import QtCore, QtWidgets
 
 # Of the screen without a desktop, or of FreeCAD's own window.
@@ -13,8 +16,10 @@ _messages = []
 
 
 def listen():
-    """Keep what Qt says from now on."""
+    """Keep what Qt says from now on, and what ends at an edge, which the Report view has without its traceback."""
     QtCore.qInstallMessageHandler(_keep)
+    on_fault(lambda error: _messages.append("".join(traceback.format_exception(type(error), error,
+                                                                               error.__traceback__))))
 
 
 def _keep(kind, _context, text):

@@ -39,6 +39,7 @@ if IN_FREECAD:
         """No document, no panel and no worker, before and after, and nothing to complain of."""
         Gui.activateWorkbench("ThinPartWorkbench")
         _clean()
+        window.dismiss_notices()
         complaints.take()
         yield
         _clean()

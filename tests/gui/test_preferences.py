@@ -77,7 +77,7 @@ def message(dialog, page):
 
 
 def notice():
-    return window.text("ThinPart_Notice")
+    return "\n".join(window.notices())
 
 
 def test_the_pages_show_every_preference_with_its_default():
@@ -377,8 +377,7 @@ def test_what_is_no_folder_is_said_and_not_kept(tmp_path):
     in_preferences(act)
     window.wait_until(lambda: "There is no folder" in notice())
     assert preference("InfoFolder") == ""
-    window.click("ThinPart_Notice")
-    assert not window.is_shown("ThinPart_Notice")
+    window.dismiss_notices()
 
 
 def test_a_folder_that_does_not_answer_holds_nobody_up(monkeypatch):

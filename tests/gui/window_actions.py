@@ -103,6 +103,46 @@ def text(name):
     return widget(name).text() if is_shown(name) else ""
 
 
+def notices():
+    """list of str: the warnings that were not dismissed yet, in FreeCAD's notification area or on our button."""
+    found = _notified()
+    if found is None:
+        return widget("ThinPart_Notice").toolTip().splitlines()[:-1] if is_shown("ThinPart_Notice") else []
+    return found[:len(found) - _dismissed[0]]
+
+
+def dismiss_notices():
+    """Take the warnings away, as a person does who has read them."""
+    found = _notified()
+    if found is not None:
+        _dismissed[0] = len(found)
+    elif is_shown("ThinPart_Notice"):
+        click("ThinPart_Notice")
+    assert not is_shown("ThinPart_Notice")
+
+
+_dismissed = [0]
+
+
+def notification_area():
+    """Whom it is about and the message of all in FreeCAD's notification area, newest first; None where it has none."""
+    button = Gui.getMainWindow().statusBar().findChild(QtWidgets.QPushButton, "notificationArea")
+    if button is None:
+        return None
+    button.menu().aboutToShow.emit()
+    settle(20)
+    tree = button.menu().findChild(QtWidgets.QTreeWidget)
+    items = [tree.topLevelItem(number) for number in range(tree.topLevelItemCount())]
+    return [(each.text(1), each.text(2)) for each in items]
+
+
+def _notified():
+    """What ThinPart has said in the area."""
+    area = notification_area()
+    return None if area is None else [text.removeprefix("ThinPart: ") for about, text in area
+                     if about == "ThinPart" or text.startswith("ThinPart: ")]
+
+
 def click(name):
     """Press a button of the panel or of a dialog."""
     button = widget(name)

@@ -3,10 +3,12 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 
+from ..freecad_adapter.edge import guarded_methods
 from .face_colours import FACE_COLOURS
 from .thickness_watch import forget, look_soon
 
 
+@guarded_methods("slot*")
 class DocumentObserver:
     """Keeps analysis colours out of files, and knows which documents differ from theirs.
 

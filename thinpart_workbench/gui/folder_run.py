@@ -11,6 +11,7 @@ import FreeCAD as App
 from ..core.errors import ThinPartError
 from ..storage.part_table import failed_row, measured_row
 from ..workflow.temporary_folder import temporary_folder
+from .notices import NOTICES
 from .qt import QtCore, QtWidgets, Signal, translate
 from .sentences import translated
 from .worker_python import listen, new_process, python_program, start_module
@@ -232,7 +233,7 @@ class FolderRun(QtCore.QObject):
         told = [each for each in self._last_lines if each.startswith(_PROGRAM)]
         if code in (1, 2) and told and self._last_lines[-1] == told[-1]:
             return RunEnd(REFUSED, translated(told[-1][len(_PROGRAM):]))
-        App.Console.PrintError("\n".join(["ThinPart:", *self._last_lines]) + "\n")
+        NOTICES.quote("\n".join(self._last_lines))
         return RunEnd(LOST, translate(
             "ThinPart", "The process that classifies ended unexpectedly; what was done is kept. "
             "Start again for the rest; the report view has its last words."))

@@ -3,9 +3,8 @@
 import json
 import time
 
-import FreeCAD as App
-
 from ..core.errors import ThinPartError
+from .notices import NOTICES
 from .qt import QtCore, QtWidgets, Signal, translate
 from .sentences import translated
 from .worker_python import hand_over, listen, new_process, python_program, start_module
@@ -121,7 +120,7 @@ class JsonProcess(QtCore.QObject):
         crashed = process.exitStatus() == QtCore.QProcess.CrashExit or process.exitCode() != 0
         process.deleteLater()
         if crashed:
-            App.Console.PrintError("ThinPart:\n" + self._errors.decode("utf-8", "replace") + "\n")
+            NOTICES.quote(self._errors.decode("utf-8", "replace"))
         self.ended.emit(translate(
             "ThinPart", "The process that does this ended unexpectedly; the report view has its last "
             "words. Refresh the libraries to go on.") if crashed else "")

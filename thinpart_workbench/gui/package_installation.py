@@ -3,10 +3,9 @@
 import os
 import tempfile
 
-import FreeCAD as App
-
 from ..core.errors import ThinPartError
 from ..freecad_adapter.additional_packages import install_folder
+from .notices import NOTICES
 from .qt import QtCore, QtWidgets, Signal, translate
 from .worker_python import listen, new_process, python_program, start_module
 
@@ -87,7 +86,7 @@ class PackageInstallation(QtCore.QObject):
         if process.exitStatus() == QtCore.QProcess.NormalExit and process.exitCode() == 0:
             self.ended.emit("")
         else:
-            App.Console.PrintError("ThinPart:\n" + self._said.decode("utf-8", "replace") + "\n")
+            NOTICES.quote(self._said.decode("utf-8", "replace"))
             self.ended.emit(self._reason())
 
     def _failed_to_start(self, error):

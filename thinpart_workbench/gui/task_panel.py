@@ -4,6 +4,7 @@ from pathlib import Path
 
 import FreeCADGui as Gui
 
+from ..freecad_adapter.edge import guarded_methods
 from .measuring_progress import MeasuringProgress
 from .part_list import PartList
 from .qt import QtCore, QtGui, QtWidgets, Signal, number_of, translate
@@ -101,6 +102,7 @@ class PanelForm(QtWidgets.QWidget):
         return button
 
 
+@guarded_methods(reject=True)
 class TaskPanel(QtCore.QObject):
     """What FreeCAD's task view wants to hold.
 

@@ -6,6 +6,7 @@ import numpy as np
 
 from ..core.errors import ThinPartError
 from ..core.map_search import MapSearch
+from ..freecad_adapter.edge import guarded_methods
 from ..workflow.document_maps import map_version, parts_of
 from ..workflow.thickness_probes import Probe, moved_matrix, probes_of, set_probes, wall_at_place
 from .length_unit import length_unit
@@ -51,6 +52,7 @@ def _set(thickness, probes, name):
         set_probes(thickness, probes)
 
 
+@guarded_methods(eventFilter=False)
 class ThicknessPicker(QtCore.QObject):
     """Follows the mouse over the 3D views of one thickness map, from `start` to `stop`.
 

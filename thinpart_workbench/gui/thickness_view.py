@@ -6,6 +6,7 @@ import FreeCAD as App
 from pivy import coin
 
 from ..core.errors import ThinPartError
+from ..freecad_adapter.edge import guarded_methods
 from ..freecad_adapter.thickness_object import SHARE
 from ..workflow.document_maps import map_version, parts_of
 from ..workflow.thickness_probes import moved_matrix, probes_of
@@ -13,6 +14,7 @@ from .colour_bar import BarContent
 from .length_unit import length_unit
 from .map_nodes import MapNodes
 from .measure_requests import ask_for_measuring
+from .notices import NOTICES
 from .probe_nodes import ProbeNodes
 from .qt import QtCore
 from .sentences import translated
@@ -29,6 +31,8 @@ _COLOURING = ("RangeUnit", "Low", "High", "ColourMap", "Reversed", "Bands", "Unm
               "ThinOnly", "Stale", "Diagonal")
 
 
+@guarded_methods("attach", "updateData", "onChanged", getIcon="", getDisplayModes=list(MODES),
+                 getDefaultDisplayMode=MODES[0], doubleClicked=True)
 class ThicknessView:
     """View provider of a thickness object.
 
@@ -137,7 +141,7 @@ class ThicknessView:
             except ThinPartError as error:
                 self._nodes.show([])
                 self._shown, self._failed = None, version
-                App.Console.PrintError(f"{thickness.Label}: {translated(error)}\n")
+                NOTICES.complain(f"{thickness.Label}: {translated(error)}", thickness.Document.Label)
             self._colour()
         self._probes.show(probes_of(thickness), length_unit(thickness.Document))
         self.move()

@@ -2,12 +2,14 @@
 
 import FreeCAD as App
 
+from ..freecad_adapter.edge import guarded_methods
 from .document_observer import OBSERVER
 from .length_unit import PREFERENCES, length_unit
 from .qt import QtCore, Signal
 from .thickness_watch import look_soon
 
 
+@guarded_methods("onChange")
 class UnitWatch(QtCore.QObject):
     """Follows the preference, the documents' own unit systems, and which document is active.
 
