@@ -96,6 +96,26 @@ def test_it_is_saved_opened_and_measured_again(document, box, tmp_path):
     assert "Invalid" not in measurement.State
 
 
+@pytest.mark.complains("has no attribute 'getSubject'")  # FreeCAD asks what is not there
+def test_one_that_was_saved_without_thinpart_is_measured_again(document, box, tmp_path):
+    choose_wall(open_tool())
+    Gui.Selection.addSelection(document.Name, "Box", "Face6", *box.Placement.multVec(V(2, 2, 3)))
+    window.settle(100)
+    save_measurement()
+    Gui.Control.closeDialog()
+    measurement, = measured(document)
+    name, measurement.Proxy = measurement.Name, None  # as where the module cannot be imported
+    document.saveAs(str(tmp_path / "measured.FCStd"))
+    App.closeDocument(document.Name)
+    document = App.openDocument(str(tmp_path / "measured.FCStd"))
+    window.settle(100)
+    assert document.getObject(name).Thickness.Value == pytest.approx(3.0)
+    document.getObject("Box").Shape = Part.makeBox(20, 10, 2)
+    document.recompute()
+    assert document.getObject(name).Thickness.Value == pytest.approx(2.0)
+    assert document.getObject(name).Proxy.getResultString(document.getObject(name)).startswith("t = 2")
+
+
 def test_a_part_in_an_assembly_is_measured_where_it_stands(document, box):
     container = document.addObject("App::Part", "Container")
     container.Placement.Base = V(0, 0, 100)

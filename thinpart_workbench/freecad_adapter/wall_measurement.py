@@ -7,6 +7,9 @@ from .wall_at_point import point_on_face, wall_at_point
 
 ID = "THINPART_WALL"
 
+MEASUREMENT = "Measure::MeasurePython"
+"""FreeCAD's type of measurements in Python, of whichever add-on."""
+
 _FOUND = 1 | 8 | 16  # read-only, an output of the object, and no reason to recompute it
 
 
@@ -18,7 +21,7 @@ class WallMeasurement:
     Parameters
     ----------
     measurement : FreeCAD.DocumentObject
-        A Measure::MeasurePython, which gets the properties.
+        A `MEASUREMENT`, which gets the properties.
 
     Notes
     -----
@@ -103,6 +106,22 @@ class WallMeasurement:
         """Nothing is kept here."""
 
 
+def revive_measurements(document):
+    """Give measurements their behaviour again that they lost where ThinPart was missing and the document was saved."""
+    if ID not in _registered():
+        return
+    for each in document.findObjects(MEASUREMENT):
+        if each.Proxy is None and {"Element", "Where", "Thickness", "Opposite"} <= set(each.PropertiesList):
+            each.Proxy = WallMeasurement.__new__(WallMeasurement)
+            each.touch()
+
+
+def _registered():
+    """Ids of the measurements that FreeCAD's measure tool knows; none where there is no such tool."""
+    registry = getattr(load_freecad(), "MeasureManager", None)
+    return () if registry is None else [each[0] for each in registry.getMeasureTypes()]
+
+
 def _face_and_solid(top, path):
     """The face that a sub-object path leads to and the closed solid that it bounds, as they stand; None without."""
     import Part
@@ -128,9 +147,8 @@ def _frame(top, path):
 def add_wall_measurement():
     """Make the measurement known to FreeCAD's measure tool, where there is one; whether that is so."""
     App = load_freecad()
-    registry = getattr(App, "MeasureManager", None)
-    if registry is None:
+    if not hasattr(App, "MeasureManager"):
         return False
-    if ID not in {each[0] for each in registry.getMeasureTypes()}:
-        registry.addMeasureType(ID, App.Qt.translate("ThinPart", "Wall thickness"), WallMeasurement)
+    if ID not in _registered():
+        App.MeasureManager.addMeasureType(ID, App.Qt.translate("ThinPart", "Wall thickness"), WallMeasurement)
     return True

@@ -4,7 +4,9 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from ..freecad_adapter.edge import guarded_methods
+from ..freecad_adapter.wall_measurement import MEASUREMENT
 from .face_colours import FACE_COLOURS
+from .measurement_watch import revive_soon
 from .thickness_watch import forget, look_soon
 
 
@@ -69,6 +71,8 @@ class DocumentObserver:
     def slotCreatedObject(self, created):
         """An object was made."""
         self._note(created.Document)
+        if created.TypeId == MEASUREMENT and created.Document.Restoring:
+            revive_soon(created.Document.Name)
 
     def slotDeletedObject(self, deleted):
         """An object is about to go."""
