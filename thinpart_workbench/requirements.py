@@ -94,6 +94,7 @@ TABLE = (
     Requirement("python3-hypothesis", "makes up cases for the tests", _module("hypothesis"), ("test",)),
     Requirement("python3-pyflakes", "finds names that nothing defines", _module("pyflakes"), ("test",)),
     Requirement("python3-jsonschema", "checks info files against their schema", _module("jsonschema"), ("test",)),
+    Requirement("python3-pip", "installs what reports need, as the window offers to", _module("pip"), ("test",)),
     Requirement("xvfb", "is the screen that the window's tests run on", _program("Xvfb"), ("test",)),
     Requirement("git", "makes the repositories that FreeCAD's Addon Manager installs from", _program("git"), ("test",)),
     Requirement("python3-git", "lets the Addon Manager of FreeCAD 0.20 use git", _module("git"), ("test",)),

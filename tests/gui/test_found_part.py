@@ -21,7 +21,7 @@ def test_details_say_why(library):
     dock = opened(library)
     select(dock, "plate")
     assert window.text("ThinPart_Headline") == "Thin part"
-    assert "criteri" in window.text("ThinPart_Why")
+    assert "(rule " in window.text("ThinPart_Why")
     assert window.text("ThinPart_PartFile") == str(library / "plate.step")
     failure = next(row for row, text in enumerate(cells(CATEGORY)) if text.startswith("\u2717"))
     table().selectRow(failure)
