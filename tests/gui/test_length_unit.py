@@ -1,4 +1,4 @@
-"""Lengths in the window are in the unit of the unit system of FreeCAD or the document; files and properties stay in mm."""
+"""Lengths in the window are in the unit of FreeCAD's or the document's unit system; files and properties stay in mm."""
 
 import csv
 import json
