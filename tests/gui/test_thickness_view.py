@@ -237,6 +237,7 @@ def test_a_damaged_map_is_one_sentence_and_can_be_removed(thickness, tmp_path):
     _damage(file)
     before = _report()
     again = App.openDocument(file)
+    window.wait_until(lambda: "cannot be read" in _report()[len(before):])
     window.settle(100)
     told = _report()[len(before):]
     assert told.count("cannot be read: measure the part again") == 1, told
