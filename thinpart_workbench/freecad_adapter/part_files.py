@@ -2,7 +2,6 @@
 
 import importlib
 import os
-import re
 import tempfile
 import zipfile
 from contextlib import contextmanager, suppress
@@ -14,6 +13,7 @@ import numpy as np
 from ..core.errors import ThinPartError
 from .bootstrap import load_freecad
 from .document_parts import DocumentContent, document_content
+from .document_safety import check_document, named_modules, without_modules
 from .equal_solids import equal_part
 from .mesh_file_check import check_mesh_file
 from .part import MeshedPart, Occurrence, SolidPart
@@ -84,12 +84,12 @@ def _read_document(path):
             f"FreeCAD opens no document whose path is no UTF-8 text: rename {path.name} or the folder "
             "that it lies in.", "unsupported",
         )
+    check_document(path)
     try:
         with zipfile.ZipFile(path) as archive:
             damaged = archive.testzip()
             names = archive.namelist()
             hidden = _hidden_objects(archive) if "GuiDocument.xml" in names else set()
-            modules = _proxy_modules(archive) if "Document.xml" in names else set()
     except (zipfile.BadZipFile, OSError, EOFError, ValueError) as error:
         raise ThinPartError(f"{path.name} is damaged or no FreeCAD document ({error}).",
                             "unreadable") from None
@@ -98,11 +98,15 @@ def _read_document(path):
             f"{path.name} is damaged or no FreeCAD document ({damaged or 'no Document.xml'}).",
             "unreadable",
         )
-    for module in sorted(modules):
+    modules = named_modules(path)
+    # Without a window FreeCAD does not get them by itself while it reads, and such an object, a Draft array for
+    # one, then has no shape.
+    for module in modules.trusted:
         with suppress(Exception):  # an add-on that is not there or not whole: its shape is stored
             importlib.import_module(module)
     try:
-        document = FreeCAD.openDocument(os.fspath(path), True)
+        with without_modules(modules.others):
+            document = FreeCAD.openDocument(os.fspath(path), True)
     except Exception as error:  # FreeCAD raises its own classes, which differ between versions
         raise ThinPartError(f"FreeCAD cannot open {path.name} ({error}).", "unreadable") from None
     if not document.Objects:
@@ -111,19 +115,11 @@ def _read_document(path):
         # In memory only: without its window FreeCAD does not read what older files hid.
         document.getObject(name).Visibility = False
     # The document stays open while its shapes are in use; the worker drops it afterwards.
-    return document_content(document)
-
-
-def _proxy_modules(archive):
-    """Modules of the Python objects of a document, such as Draft's arrays.
-
-    Without a window FreeCAD does not get them by itself while it reads, and such an object then has
-    no shape.
-    """
-    return {
-        name.decode() for name in re.findall(
-            rb'<Python\b[^>]*\bmodule="([A-Za-z_][\w.]*)"', archive.read("Document.xml"))
-    }
+    content = document_content(document)
+    if modules.warning:
+        for part in content.parts:
+            part.warnings = (*part.warnings, modules.warning)
+    return content
 
 
 def _hidden_objects(archive):

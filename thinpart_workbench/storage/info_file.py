@@ -20,7 +20,7 @@ LARGEST = 256 * 1024 * 1024
 
 _ENCODE = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
 
-_LASTING = ("empty", "no_solid", "not_finite", "unreadable", "unsupported", "zero_volume")
+_LASTING = ("empty", "no_solid", "not_finite", "unreadable", "unsafe", "unsupported", "zero_volume")
 """Kinds of failures that an unchanged document has again; others may have passed by."""
 
 
