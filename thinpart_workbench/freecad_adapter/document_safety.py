@@ -30,9 +30,10 @@ _DESCRIPTOR_SIZES = (12, 16, 20, 24)
 _MOST_XML = 1 << 30
 """Bytes of XML; more is no document but an attempt to fill the memory."""
 
-_DAMAGED = (OSError, EOFError, KeyError, ValueError, RuntimeError, NotImplementedError, zipfile.BadZipFile,
-            zlib.error, ElementTree.ParseError)
-"""Whatever a damaged archive raises."""
+DAMAGED_ARCHIVE = (OSError, EOFError, KeyError, ValueError, RuntimeError, zipfile.BadZipFile, zlib.error,
+                   ElementTree.ParseError)
+"""Whatever an archive raises that is damaged, encrypted or packed in a way that Python does not know, or whose XML is
+damaged."""
 
 _XML = ("Document.xml", "GuiDocument.xml")
 _OWN_PACKAGE = __package__.partition(".")[0]
@@ -133,7 +134,7 @@ def _check_file(file):
                     _check_xml(file, archive, name)
     except ThinPartError:
         raise
-    except _DAMAGED:
+    except DAMAGED_ARCHIVE:
         return  # it is damaged, which is said by whoever opens it
 
 
@@ -210,7 +211,7 @@ def _modules_of(file):
                 names.add(namespace if of_module else "")
     except ThinPartError:
         raise
-    except _DAMAGED:
+    except DAMAGED_ARCHIVE:
         return set()  # as in _check_file
     return {name for name in names if re.fullmatch(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)*", name)}
 

@@ -13,8 +13,11 @@ import numpy as np
 from ..core.errors import ThinPartError
 from .bootstrap import load_freecad
 from .document_parts import DocumentContent, document_content
-from .document_safety import check_document, named_modules, without_modules
+from .document_safety import (
+    DAMAGED_ARCHIVE, check_document, named_modules, without_modules,
+)
 from .equal_solids import equal_part
+from .linked_files import linked_files
 from .mesh_file_check import check_mesh_file
 from .part import MeshedPart, Occurrence, SolidPart
 from .solids import solids_of
@@ -57,8 +60,10 @@ def read_parts(path):
 
 @contextmanager
 def _name_for_freecad(path):
-    """A path to a file that FreeCAD takes: text, which the bytes of old file names are not always."""
-    if _is_text(path):
+    """A path to a file that FreeCAD takes: text, which the bytes of old file names are not always, with no
+    backslash, which FreeCAD takes for a slash.
+    """
+    if _is_fit_for_freecad(path):
         yield os.fspath(path)
         return
     with tempfile.TemporaryDirectory(prefix="thinpart-name-") as folder:
@@ -67,22 +72,22 @@ def _name_for_freecad(path):
         yield link
 
 
-def _is_text(path):
+def _is_fit_for_freecad(path):
     try:
         os.fspath(path).encode()
     except UnicodeEncodeError:
         return False
-    return True
+    return os.sep == "\\" or "\\" not in os.fspath(path)
 
 
 def _read_document(path):
     import FreeCAD
 
-    if not _is_text(path):
+    if not _is_fit_for_freecad(path) and linked_files(path):
         # By another name it would not find the documents that it links into.
         raise ThinPartError(
-            f"FreeCAD opens no document whose path is no UTF-8 text: rename {path.name} or the folder "
-            "that it lies in.", "unsupported",
+            f"FreeCAD follows no links from a document whose path is no UTF-8 text or has a backslash: rename "
+            f"{path.name} or the folder that it lies in.", "unsupported",
         )
     check_document(path)
     try:
@@ -90,7 +95,7 @@ def _read_document(path):
             damaged = archive.testzip()
             names = archive.namelist()
             hidden = _hidden_objects(archive) if "GuiDocument.xml" in names else set()
-    except (zipfile.BadZipFile, OSError, EOFError, ValueError) as error:
+    except DAMAGED_ARCHIVE as error:
         raise ThinPartError(f"{path.name} is damaged or no FreeCAD document ({error}).",
                             "unreadable") from None
     if damaged is not None or "Document.xml" not in names:
@@ -105,8 +110,8 @@ def _read_document(path):
         with suppress(Exception):  # an add-on that is not there or not whole: its shape is stored
             importlib.import_module(module)
     try:
-        with without_modules(modules.others):
-            document = FreeCAD.openDocument(os.fspath(path), True)
+        with without_modules(modules.others), _name_for_freecad(path) as name:
+            document = FreeCAD.openDocument(name, True)
     except Exception as error:  # FreeCAD raises its own classes, which differ between versions
         raise ThinPartError(f"FreeCAD cannot open {path.name} ({error}).", "unreadable") from None
     if not document.Objects:
