@@ -84,11 +84,12 @@ def box_volume(points, starts=400, keep=12, seed=0):
     from scipy.spatial import ConvexHull
     from scipy.spatial.transform import Rotation
 
-    corners = points[ConvexHull(points).vertices]
+    # One row per coordinate: numpy finds extremes along rows many times faster.
+    corners = np.ascontiguousarray(points[ConvexHull(points).vertices].T)
 
     def volume(turn, start):
         axes = start @ Rotation.from_rotvec(turn).as_matrix()
-        return float(np.prod(np.ptp(corners @ axes, axis=0)))
+        return float(np.prod(np.ptp(axes.T @ corners, axis=1)))
 
     rotations = Rotation.random(starts, random_state=seed).as_matrix()
     rotations = sorted(rotations, key=lambda start: volume(np.zeros(3), start))[:keep]

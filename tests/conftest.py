@@ -1,9 +1,12 @@
 import os
 import signal
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+
+import time_limit
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -11,6 +14,43 @@ ROOT = Path(__file__).resolve().parents[1]
 for number, handler in ((signal.SIGINT, signal.default_int_handler), (signal.SIGHUP, lambda *_: None)):
     if signal.getsignal(number) == signal.SIG_IGN:
         signal.signal(number, handler)
+
+
+def pytest_configure(config):
+    """Where the stacks go of a test that nothing but the end of the run can end: past pytest's capturing."""
+    with config.pluginmanager.getplugin("capturemanager").global_and_fixture_disabled():
+        time_limit.stacks_to(os.dup(sys.stderr.fileno()))
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_timeout_set_timer(item, settings):
+    """pytest-timeout reads pytest.ini and the markers; what happens then is said by time_limit."""
+    time_limit.begin(item.nodeid, settings.timeout)
+    return True
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_timeout_cancel_timer():
+    """The test has ended, or failed and is taken down, which may not take for ever either."""
+    time_limit.end()
+    return True
+
+
+@pytest.hookimpl(hookwrapper=True)
+def pytest_runtest_teardown(item):
+    """What a failed test leaves to be taken down has a time of its own."""
+    if not time_limit.runs():
+        time_limit.begin(f"{item.nodeid} (what comes after it)", time_limit.TEARDOWN_SECONDS)
+    yield
+
+
+@pytest.hookimpl(hookwrapper=True)
+def pytest_runtest_makereport(item, call):
+    """A test that took too long has failed, also where nobody heard so: Qt keeps what its slots raise."""
+    outcome = yield
+    report, told = outcome.get_result(), time_limit.untold()
+    if told and report.passed:
+        report.outcome, report.longrepr = "failed", told
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -33,4 +73,13 @@ def real_samples():
     folder = Path(os.environ.get("THINPART_SAMPLES", ROOT.parent / "shared" / "samples"))
     if not (folder / "manifest.csv").is_file():
         pytest.skip("the labelled sample parts are not on this machine")
+    return folder
+
+
+@pytest.fixture(scope="session")
+def training_parts():
+    """Folder of labelled third-party parts to learn from, which are not part of the repository."""
+    folder = Path(os.environ.get("THINPART_TRAINING", ROOT.parent / "shared" / "training"))
+    if not (folder / "manifest.csv").is_file():
+        pytest.skip("the parts to learn from are not on this machine")
     return folder

@@ -1,7 +1,6 @@
 """Runs over whole folders under way, for the tests that pause, stop and kill them."""
 
 import json
-import os
 import queue
 import shutil
 import subprocess
@@ -10,7 +9,8 @@ import threading
 
 import jsonschema
 
-from program import ROOT, SAMPLES, SCHEMA
+import time_limit
+from program import SAMPLES, SCHEMA, environment
 
 TUBE = SAMPLES / "tube.step"
 
@@ -44,7 +44,7 @@ class Run:
     def __init__(self, *arguments, first=b"", **options):
         self.process = subprocess.Popen(
             [sys.executable, "-m", "thinpart_workbench", "classify", *map(str, arguments)],
-            env=dict(os.environ, PYTHONPATH=str(ROOT)), stdin=subprocess.PIPE,
+            env=environment(), stdin=subprocess.PIPE,
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True, **options)
         self.lines, self.output, self.said = queue.Queue(), [], []
         self.tell(first)
@@ -67,17 +67,21 @@ class Run:
 
     def until(self, wanted):
         """Read on to the line that holds this; return it."""
-        while True:
-            line = self.lines.get(timeout=120)
-            self.said.append(line)
-            if wanted in line:
-                return line
+        def is_said():
+            while not self.lines.empty():
+                self.said.append(self.lines.get())
+                if wanted in self.said[-1]:
+                    return True
+            return False
+
+        time_limit.wait_until(is_said, lambda: f"a line with {wanted} on stderr, which ends in {self.said[-3:]}")
+        return self.said[-1]
 
     def end(self):
         """(exit status, records, JSON lines of stderr, sentences) once it has ended."""
-        status = self.process.wait(timeout=120)
+        status = self.process.wait()
         for thread in self.threads:
-            thread.join(timeout=60)
+            thread.join()
         while not self.lines.empty():
             self.said.append(self.lines.get())
         self.process.stdin.close()

@@ -4,19 +4,30 @@ import json
 import os
 import subprocess
 import sys
-import time
 from pathlib import Path
+
+import time_limit
 
 ROOT = Path(__file__).resolve().parents[1]
 SAMPLES = ROOT / "resources" / "samples"
 SCHEMA = json.loads((ROOT / "resources" / "info-file.schema.json").read_text(encoding="utf-8"))
 
 
+BARE_PYTHON = ROOT / "tests" / "bare_python"
+"""On PYTHONPATH it makes of a Python that of a FreeCAD bundle."""
+
+
+def environment(**more):
+    """The environment of the program: $THINPART_TEST_PATH holds folders for its PYTHONPATH beside the checkout."""
+    path = os.pathsep.join(filter(None, (os.environ.get("THINPART_TEST_PATH"), str(ROOT))))
+    return dict(os.environ, PYTHONPATH=path, **more)
+
+
 def thinpart(*arguments, cwd=None, **options):
-    environment = dict(os.environ, PYTHONPATH=str(ROOT), COLUMNS="200")
+    """Run a command to its end; where it has none, the test's time limit ends and names it."""
     return subprocess.run(
         [sys.executable, "-m", "thinpart_workbench", *map(str, arguments)], cwd=cwd,
-        env=environment, capture_output=True, text=True, stdin=subprocess.DEVNULL, timeout=300,
+        env=environment(COLUMNS="200"), capture_output=True, text=True, stdin=subprocess.DEVNULL,
         **options,
     )
 
@@ -31,11 +42,13 @@ def failures(run):
 
 
 def group_ended(group):
-    """Whether no process of a group is left, within ten seconds."""
-    for _ in range(100):
+    """Wait until no process of a group is left; True, so that it can be asserted."""
+    def is_over():
         try:
             os.killpg(group, 0)
         except ProcessLookupError:
             return True
-        time.sleep(0.1)
-    return False
+        return False
+
+    time_limit.wait_until(is_over, f"the end of all processes of group {group}", 20)
+    return True

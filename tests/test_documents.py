@@ -42,7 +42,7 @@ def test_the_readme_has_the_papers_thresholds():
 
 
 @pytest.mark.parametrize("document", ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md",
-                                      "CHANGELOG.md", "docs/info-file.md", "docs/cluster.md"])
+                                      "CHANGELOG.md", "docs/info-file.md", "docs/cluster.md", "docs/platforms.md"])
 def test_what_documents_point_at_is_there(document):
     folder = (ROOT / document).parent
     for target in re.findall(r"\]\(([^)#]+)\)", text(document)):

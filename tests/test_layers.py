@@ -1,4 +1,4 @@
-"""The layers: gui and cli -> workflow -> freecad_adapter, storage -> core."""
+"""The layers: gui and cli -> workflow -> freecad_adapter, storage -> core, system."""
 
 import ast
 import sys
@@ -11,13 +11,17 @@ FREECAD = {"FreeCAD", "App", "Part", "Mesh", "MeshPart", "Import", "PartDesign"}
 QT = {"PySide", "PySide2", "PySide6", "shiboken2"}
 GUI = {"FreeCADGui", "pivy"}
 
+UNIX_OR_WINDOWS = {"fcntl", "resource", "pwd", "grp", "termios", "tty", "select", "msvcrt", "winreg"}
+"""Modules that only some systems have, or that can do less on some."""
+
 MAY_IMPORT = {
+    "system": set(),
     "core": set(),
-    "storage": {"core"},
-    "freecad_adapter": {"core"},
-    "workflow": {"core", "storage", "freecad_adapter"},
-    "cli": {"core", "storage", "workflow", "freecad_adapter"},
-    "gui": {"core", "storage", "workflow", "freecad_adapter"},
+    "storage": {"core", "system"},
+    "freecad_adapter": {"core", "system"},
+    "workflow": {"core", "system", "storage", "freecad_adapter"},
+    "cli": {"core", "system", "storage", "workflow", "freecad_adapter"},
+    "gui": {"core", "system", "storage", "workflow", "freecad_adapter"},
 }
 
 
@@ -61,6 +65,15 @@ def test_core_and_storage_use_numpy_scipy_and_the_standard_library(layer):
 def test_what_runs_without_a_window_never_imports_one(layer):
     for path in files(layer):
         assert not {module for _, module in imports(path)} & (QT | GUI), path
+
+
+def test_what_systems_do_differently_stands_in_one_layer():
+    allowed = {"contextlib", "ctypes", "fcntl", "json", "msvcrt", "os", "pathlib", "resource", "select", "signal",
+               "functools", "subprocess", "sys", "threading", "time", ""}
+    assert {module for path in files("system") for _, module in imports(path)} <= allowed
+    for layer in set(MAY_IMPORT) - {"system"}:
+        for path in files(layer):
+            assert not {module for _, module in imports(path)} & UNIX_OR_WINDOWS, path
 
 
 def test_freecad_is_known_to_the_adapter_alone_below_the_window():

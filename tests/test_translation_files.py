@@ -91,6 +91,8 @@ NO_TEXTS = {
     "D2/D3 > 6 and F[0;0.05] >= 0.5",  # what a condition looks like
     "Unable to allocate",  # what others say
     "go on",
+    "No matching distribution", "No module named pip",
+    "User parameter:BaseApp/Preferences/Units",  # where FreeCAD keeps its own
     "Facets and edges",  # what documents keep of how a map is shown
 }
 """What looks like a text in the window's modules and is none."""

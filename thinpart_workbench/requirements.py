@@ -20,12 +20,17 @@ OLDEST_PYTHON = (3, 9)
 FREECAD_LIBS = ("/usr/lib/freecad/lib", "/usr/lib/freecad-python3/lib")
 
 
+# FreeCAD's own module: on Linux and macOS, and on Windows.
+FREECAD_MODULES = ("FreeCAD.so", "FreeCAD.pyd")
+
+
 def freecad_library():
-    """The folder with a FreeCAD.so that this Python can load, or None."""
+    """The folder with a FreeCAD module that this Python can load, or None."""
     for folder in (os.environ.get("FREECAD_LIB", ""),) + FREECAD_LIBS:
-        library = os.path.join(folder, "FreeCAD.so")
-        if folder and os.path.isfile(library) and _loads_here(library):
-            return folder
+        for name in FREECAD_MODULES:
+            library = os.path.join(folder, name)
+            if folder and os.path.isfile(library) and _loads_here(library):
+                return folder
     return None
 
 
@@ -37,6 +42,8 @@ def _loads_here(library):
     with open(library, "rb") as file:
         content = file.read()
     # The library names the Python that it was linked with, or none at all.
+    if library.endswith(".pyd"):
+        return b"python3%d.dll" % sys.version_info[1] in content.lower()
     return b"libpython3.%d." % sys.version_info[1] in content or b"libpython3." not in content
 
 
@@ -83,11 +90,14 @@ TABLE = (
     Requirement("gmsh", "makes the volume meshes that --check compares", _program("gmsh"), ("size --check",)),
     Requirement("python3-distributed", "spreads the work over a cluster", _module("distributed"), ("classify --dask", "test")),
     Requirement("python3-pytest", "runs the tests", _module("pytest"), ("test",)),
+    Requirement("python3-pytest-timeout", "ends a test that hangs", _module("pytest_timeout"), ("test",)),
     Requirement("python3-hypothesis", "makes up cases for the tests", _module("hypothesis"), ("test",)),
     Requirement("python3-pyflakes", "finds names that nothing defines", _module("pyflakes"), ("test",)),
     Requirement("python3-jsonschema", "checks info files against their schema", _module("jsonschema"), ("test",)),
-    Requirement("xvfb", "is the screen that the window's tests run on", _program("xvfb-run"), ("test",)),
-    Requirement("xauth", "lets FreeCAD onto that screen", _program("xauth"), ("test",)),
+    Requirement("python3-pip", "installs what reports need, as the window offers to", _module("pip"), ("test",)),
+    Requirement("xvfb", "is the screen that the window's tests run on", _program("Xvfb"), ("test",)),
+    Requirement("git", "makes the repositories that FreeCAD's Addon Manager installs from", _program("git"), ("test",)),
+    Requirement("python3-git", "lets the Addon Manager of FreeCAD 0.20 use git", _module("git"), ("test",)),
     Requirement("imagemagick", "takes the screenshots", _program("import"), ("test",)),
 )
 

@@ -20,6 +20,10 @@
         <translation>Des Hüllquaders des größten Bauteils, mm</translation>
     </message>
     <message>
+        <source>The face where the wall is measured</source>
+        <translation>Die Fläche, an der die Wand gemessen wird</translation>
+    </message>
+    <message>
         <source>The measured thickness</source>
         <translation>Die gemessene Wandstärke</translation>
     </message>
@@ -28,8 +32,20 @@
         <translation>Deren gegenüberliegende Seiten</translation>
     </message>
     <message>
+        <source>The place on the face, in the coordinates of its object</source>
+        <translation>Die Stelle auf der Fläche, in den Koordinaten ihres Objekts</translation>
+    </message>
+    <message>
+        <source>The place on the opposite side, in the coordinates of the document</source>
+        <translation>Die Stelle auf der gegenüberliegenden Seite, in den Koordinaten des Dokuments</translation>
+    </message>
+    <message>
         <source>The sources' shapes when measured</source>
         <translation>Die Formen der Quellen bei der Messung</translation>
+    </message>
+    <message>
+        <source>The thickness of the material under that place</source>
+        <translation>Die Dicke des Materials unter dieser Stelle</translation>
     </message>
     <message>
         <source>The thickness there, mm</source>
@@ -102,9 +118,9 @@ Gefüllt zu {} (V/VBB = {})</translation>
     </message>
     <message>
         <source>
-Its volume is not known.</source>
+Its volume is unknown.</source>
         <translation>
-Sein Volumen ist nicht bekannt.</translation>
+Sein Volumen ist unbekannt.</translation>
     </message>
     <message>
         <source> s</source>
@@ -137,6 +153,10 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>&amp;Folder:</source>
         <translation>&amp;Ordner:</translation>
+    </message>
+    <message>
+        <source>&amp;Install {}</source>
+        <translation>{} &amp;installieren</translation>
     </message>
     <message>
         <source>&amp;Measure again</source>
@@ -259,10 +279,6 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Winkelabweichung</translation>
     </message>
     <message>
-        <source>Area over parallel walls {}, over slanted ones {}, over none {}</source>
-        <translation>Oberfläche über parallelen Wänden {}, über schrägen {}, ohne Gegenwand {}</translation>
-    </message>
-    <message>
         <source>Automatic</source>
         <translation>Automatik</translation>
     </message>
@@ -275,16 +291,12 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Vorher</translation>
     </message>
     <message>
-        <source>Borderline, close to '{}': margin {}</source>
-        <translation>Grenzfall, nahe an „{}“: Abstand {}</translation>
+        <source>Bounding box {}</source>
+        <translation>Hüllquader {}</translation>
     </message>
     <message>
-        <source>Bounding box {} mm</source>
-        <translation>Hüllquader {} mm</translation>
-    </message>
-    <message>
-        <source>Box mm</source>
-        <translation>Quader mm</translation>
+        <source>Box, {}</source>
+        <translation>Quader, {}</translation>
     </message>
     <message>
         <source>C&amp;hoose…</source>
@@ -329,6 +341,10 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>Changed in the last week</source>
         <translation>In der letzten Woche geändert</translation>
+    </message>
+    <message>
+        <source>Check before meshing whether a part is thin, and where</source>
+        <translation>Vor dem Vernetzen prüfen, ob ein Bauteil dünnwandig ist und wo</translation>
     </message>
     <message>
         <source>Choose a file with mesh settings</source>
@@ -399,10 +415,6 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Dünnwandfarben entfernen</translation>
     </message>
     <message>
-        <source>Clear verdict: margin {}</source>
-        <translation>Eindeutiges Ergebnis: Abstand {}</translation>
-    </message>
-    <message>
         <source>Click or drag over bars to see where those walls are.</source>
         <translation>Klicken Sie auf Balken oder ziehen Sie darüber, um zu sehen, wo diese Wände sind.</translation>
     </message>
@@ -441,6 +453,18 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>Condition</source>
         <translation>Bedingung</translation>
+    </message>
+    <message>
+        <source>Confidence: borderline, close to '{}' ({} from the limit)</source>
+        <translation>Sicherheit: Grenzfall, nahe an „{}“ ({} von der Grenze)</translation>
+    </message>
+    <message>
+        <source>Confidence: clear ({} from the limit)</source>
+        <translation>Sicherheit: eindeutig ({} von der Grenze)</translation>
+    </message>
+    <message>
+        <source>Continue in the background? 'Classify folder' shows it again. What is done so far is kept either way.</source>
+        <translation>Im Hintergrund fortsetzen? „Ordner klassifizieren“ zeigt es wieder an. Was bisher erledigt ist, bleibt in jedem Fall erhalten.</translation>
     </message>
     <message>
         <source>Copy path</source>
@@ -563,6 +587,14 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>FreeCAD kann {} nicht öffnen ({}).</translation>
     </message>
     <message>
+        <source>FreeCAD shows one task at a time: close the one that is open, then try again.</source>
+        <translation>FreeCAD zeigt immer nur eine Aufgabe: Schließen Sie die geöffnete und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>FreeCAD's Python has no pip, so {} was not installed: install it into {} by another Python's 'pip install --target'.</source>
+        <translation>FreeCADs Python hat kein pip, deshalb wurde {} nicht installiert: Installieren Sie es mit „pip install --target“ eines anderen Python nach {}.</translation>
+    </message>
+    <message>
         <source>From file…</source>
         <translation>Aus Datei…</translation>
     </message>
@@ -575,16 +607,16 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Weiterlaufen lassen</translation>
     </message>
     <message>
-        <source>Half of the face lies over thinner walls, mm</source>
-        <translation>Die Hälfte der Fläche liegt über dünneren Wänden, mm</translation>
+        <source>Half of the face lies over thinner walls</source>
+        <translation>Die Hälfte der Fläche liegt über dünneren Wänden</translation>
     </message>
     <message>
         <source>Heat map of the thickness</source>
         <translation>Farbkarte der Wandstärke</translation>
     </message>
     <message>
-        <source>Here: {} mm</source>
-        <translation>Hier: {} mm</translation>
+        <source>Here: {}</source>
+        <translation>Hier: {}</translation>
     </message>
     <message>
         <source>Holds</source>
@@ -623,6 +655,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Bauteil einfügen</translation>
     </message>
     <message>
+        <source>Installing {}…</source>
+        <translation>{} wird installiert …</translation>
+    </message>
+    <message>
         <source>Instances</source>
         <translation>Anzahl</translation>
     </message>
@@ -633,14 +669,6 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>It is folders that could not be searched: see to them and start again.</source>
         <translation>Fehlgeschlagen sind Ordner, die nicht durchsucht werden konnten: Beheben Sie das und starten Sie erneut.</translation>
-    </message>
-    <message>
-        <source>It meets criteria {}.</source>
-        <translation>Das Bauteil erfüllt die Kriterien {}.</translation>
-    </message>
-    <message>
-        <source>It meets criterion {}.</source>
-        <translation>Das Bauteil erfüllt das Kriterium {}.</translation>
     </message>
     <message>
         <source>Libraries</source>
@@ -663,12 +691,12 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Verknüpfung</translation>
     </message>
     <message>
-        <source>Longest mm</source>
-        <translation>Längste mm</translation>
+        <source>Longest side, {}</source>
+        <translation>Längste Seite, {}</translation>
     </message>
     <message>
-        <source>Longest side, mm</source>
-        <translation>Längste Seite, mm</translation>
+        <source>Longest, {}</source>
+        <translation>Längste, {}</translation>
     </message>
     <message>
         <source>Looking for parts in the folder…</source>
@@ -691,6 +719,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Abstand</translation>
     </message>
     <message>
+        <source>Measured: {} parallel, {} tapered, {} nothing opposite</source>
+        <translation>Gemessen: {} parallel, {} verjüngt, {} ohne Gegenwand</translation>
+    </message>
+    <message>
         <source>Measuring and drawing…</source>
         <translation>Messen und Zeichnen…</translation>
     </message>
@@ -703,8 +735,8 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Wände von {} werden gemessen</translation>
     </message>
     <message>
-        <source>Median</source>
-        <translation>Median</translation>
+        <source>Median, {}</source>
+        <translation>Median, {}</translation>
     </message>
     <message>
         <source>Memory per file</source>
@@ -765,10 +797,6 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>Normal part</source>
         <translation>Normales Bauteil</translation>
-    </message>
-    <message>
-        <source>Not known</source>
-        <translation>Unbekannt</translation>
     </message>
     <message>
         <source>Not measured</source>
@@ -891,6 +919,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Bericht über alle Bauteile von „{}“</translation>
     </message>
     <message>
+        <source>Reports need the Python package {}, which this FreeCAD does not have: install it from the internet into {}?</source>
+        <translation>Berichte brauchen das Python-Paket {}, das diesem FreeCAD fehlt: aus dem Internet nach {} installieren?</translation>
+    </message>
+    <message>
         <source>Restore defaults</source>
         <translation>Standardwerte wiederherstellen</translation>
     </message>
@@ -917,10 +949,6 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>Select a part in the list.</source>
         <translation>Wählen Sie ein Bauteil in der Liste.</translation>
-    </message>
-    <message>
-        <source>Shall that go on in the background? 'Classify folder' shows it again. What is done so far is kept either way.</source>
-        <translation>Soll das im Hintergrund weiterlaufen? „Ordner klassifizieren“ zeigt es wieder an. Was bisher erledigt ist, bleibt in jedem Fall erhalten.</translation>
     </message>
     <message>
         <source>Share</source>
@@ -951,8 +979,8 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Wandstärke anzeigen</translation>
     </message>
     <message>
-        <source>Shown as thin: under {} mm, as the preferences say. The verdict does not depend on it.</source>
-        <translation>Als dünn angezeigt: unter {} mm, wie eingestellt. Das Ergebnis hängt nicht davon ab.</translation>
+        <source>Shown as thin: below {}, as the preferences say. The verdict does not depend on it.</source>
+        <translation>Als dünn angezeigt: unter {}, wie eingestellt. Das Ergebnis hängt nicht davon ab.</translation>
     </message>
     <message>
         <source>Shows the defaults of this page; they are kept with OK or Apply</source>
@@ -999,10 +1027,6 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Tabellen (*.csv)</translation>
     </message>
     <message>
-        <source>Tells before meshing whether a part is thin, and where</source>
-        <translation>Stellt vor dem Vernetzen fest, ob ein Bauteil dünnwandig ist und wo</translation>
-    </message>
-    <message>
         <source>The active document as it was saved. Click to classify it in the panel.</source>
         <translation>Das aktive Dokument, wie es gespeichert ist. Klicken Sie, um es im Aufgabenbereich zu klassifizieren.</translation>
     </message>
@@ -1019,12 +1043,12 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Das Dokument hat sich während der Messung geändert: Messen Sie es erneut.</translation>
     </message>
     <message>
-        <source>The document has changes that are not saved, and a report is about what is saved: save it first.</source>
-        <translation>Das Dokument hat ungespeicherte Änderungen, der Bericht gilt aber für den gespeicherten Stand: Speichern Sie es zuerst.</translation>
+        <source>The document has changes that are not saved. Save the document first.</source>
+        <translation>Das Dokument hat ungespeicherte Änderungen. Speichern Sie es zuerst.</translation>
     </message>
     <message>
-        <source>The document has never been saved, and a report is about a saved one: save it first.</source>
-        <translation>Das Dokument wurde noch nie gespeichert, der Bericht gilt aber für ein gespeichertes: Speichern Sie es zuerst.</translation>
+        <source>The document has never been saved. Save the document first.</source>
+        <translation>Das Dokument wurde noch nie gespeichert. Speichern Sie es zuerst.</translation>
     </message>
     <message>
         <source>The document is closed: open it again for a report about it.</source>
@@ -1041,6 +1065,10 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>The folder with your parts; the folders in it count as well</source>
         <translation>Der Ordner mit Ihren Bauteilen, einschließlich seiner Unterordner</translation>
+    </message>
+    <message>
+        <source>The folder {} for Python packages cannot be made ({}): {} was not installed.</source>
+        <translation>Der Ordner {} für Python-Pakete kann nicht angelegt werden ({}): {} wurde nicht installiert.</translation>
     </message>
     <message>
         <source>The folder {} has not answered for {} s: connect it, or choose another one for the info files.</source>
@@ -1069,6 +1097,10 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>The process that does this ended unexpectedly; the report view has its last words. Refresh the libraries to go on.</source>
         <translation>Der Prozess dafür wurde unerwartet beendet; seine letzten Meldungen stehen im Ausgabefenster. Aktualisieren Sie die Bibliotheken, um fortzufahren.</translation>
+    </message>
+    <message>
+        <source>The process that installs could not be started.</source>
+        <translation>Der Prozess, der installiert, konnte nicht gestartet werden.</translation>
     </message>
     <message>
         <source>The process that measures could not be started.</source>
@@ -1155,6 +1187,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Dünn</translation>
     </message>
     <message>
+        <source>Thin below</source>
+        <translation>Dünn unter</translation>
+    </message>
+    <message>
         <source>Thin faces</source>
         <translation>Dünne Flächen</translation>
     </message>
@@ -1163,32 +1199,36 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Dünnwandiges Bauteil</translation>
     </message>
     <message>
-        <source>Thin under</source>
-        <translation>Dünn unter</translation>
+        <source>ThinPart is there twice: {} is used, {} is not. Remove one of them.</source>
+        <translation>ThinPart ist zweimal da: {} wird benutzt, {} nicht. Entfernen Sie eines davon.</translation>
     </message>
     <message>
         <source>ThinPart: {}</source>
         <translation>ThinPart: {}</translation>
     </message>
     <message>
-        <source>Thinnest</source>
-        <translation>Dünnste</translation>
+        <source>Thinnest wall</source>
+        <translation>Dünnste Wand</translation>
     </message>
     <message>
-        <source>Thinnest mm</source>
-        <translation>Dünnste mm</translation>
+        <source>Thinnest wall under the face</source>
+        <translation>Dünnste Wand unter der Fläche</translation>
     </message>
     <message>
-        <source>Thinnest wall under the face, mm</source>
-        <translation>Dünnste Wand unter der Fläche, mm</translation>
+        <source>Thinnest wall {} (± {})</source>
+        <translation>Dünnste Wand {} (± {})</translation>
     </message>
     <message>
-        <source>Thinnest wall {} mm (± {} mm)</source>
-        <translation>Dünnste Wand {} mm (± {} mm)</translation>
+        <source>Thinnest wall, {}</source>
+        <translation>Dünnste Wand, {}</translation>
     </message>
     <message>
-        <source>Thinnest wall, mm</source>
-        <translation>Dünnste Wand, mm</translation>
+        <source>Thinnest, {}</source>
+        <translation>Dünnste, {}</translation>
+    </message>
+    <message>
+        <source>This did not work, for a reason that was not foreseen ({}): try again, and if it happens again, report it with FreeCAD's log.</source>
+        <translation>Das ging aus einem nicht vorgesehenen Grund nicht ({}): Versuchen Sie es noch einmal, und melden Sie es mit FreeCADs Protokoll, wenn es wieder geschieht.</translation>
     </message>
     <message>
         <source>Threshold</source>
@@ -1227,6 +1267,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Unter welcher Wandstärke eine Wand als dünn eingefärbt wird; das Ergebnis hängt nicht davon ab</translation>
     </message>
     <message>
+        <source>Unknown</source>
+        <translation>Unbekannt</translation>
+    </message>
+    <message>
         <source>Unmeasured</source>
         <translation>Ungemessen</translation>
     </message>
@@ -1251,16 +1295,16 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Wandstärke</translation>
     </message>
     <message>
-        <source>Wall thickness, mm</source>
-        <translation>Wandstärke, mm</translation>
+        <source>Wall thickness, {}</source>
+        <translation>Wandstärke, {}</translation>
+    </message>
+    <message>
+        <source>Wall thickness: min {}, median {}, max {} (± {})</source>
+        <translation>Wandstärke: min. {}, Median {}, max. {} (± {})</translation>
     </message>
     <message>
         <source>Walls that are shown as thin</source>
         <translation>Wände, die als dünn angezeigt werden</translation>
-    </message>
-    <message>
-        <source>Walls: thinnest {} mm, median {} mm, greatest {} mm (± {} mm)</source>
-        <translation>Wände: dünnste {} mm, Median {} mm, dickste {} mm (± {} mm)</translation>
     </message>
     <message>
         <source>Warnings</source>
@@ -1295,6 +1339,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Warum</translation>
     </message>
     <message>
+        <source>Why: {}</source>
+        <translation>Grund: {}</translation>
+    </message>
+    <message>
         <source>Words in names, paths, notes, links</source>
         <translation>Wörter in Namen, Pfaden, Notizen, Verknüpfungen</translation>
     </message>
@@ -1315,8 +1363,8 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>ein Anteil der Bauteildiagonale</translation>
     </message>
     <message>
-        <source>a thickness in mm</source>
-        <translation>eine Wandstärke in mm</translation>
+        <source>a thickness</source>
+        <translation>eine Wandstärke</translation>
     </message>
     <message>
         <source>about {} left</source>
@@ -1379,14 +1427,6 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>wird gemessen…</translation>
     </message>
     <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
-        <source>mm, and share of the diagonal</source>
-        <translation>mm und Anteil der Diagonale</translation>
-    </message>
-    <message>
         <source>no</source>
         <translation>nein</translation>
     </message>
@@ -1405,10 +1445,6 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>not finished</source>
         <translation>nicht abgeschlossen</translation>
-    </message>
-    <message>
-        <source>not known</source>
-        <translation>unbekannt</translation>
     </message>
     <message>
         <source>not measured</source>
@@ -1439,16 +1475,24 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>wird angehalten</translation>
     </message>
     <message>
+        <source>pip could not install {}; the report view has its words.</source>
+        <translation>pip konnte {} nicht installieren; seine Meldungen stehen im Ausgabefenster.</translation>
+    </message>
+    <message>
         <source>s</source>
         <translation>s</translation>
+    </message>
+    <message>
+        <source>same limit as the verdict</source>
+        <translation>gleiche Grenze wie das Ergebnis</translation>
     </message>
     <message>
         <source>share of the diagonal</source>
         <translation>Anteil der Diagonale</translation>
     </message>
     <message>
-        <source>share of the diagonal (mm)</source>
-        <translation>Anteil der Diagonale (mm)</translation>
+        <source>share of the diagonal ({})</source>
+        <translation>Anteil der Diagonale ({})</translation>
     </message>
     <message>
         <source>smooth</source>
@@ -1467,8 +1511,8 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>für solche Dateien gibt es keinen Import</translation>
     </message>
     <message>
-        <source>thickness: mm, and share of the diagonal</source>
-        <translation>Wandstärke: mm und Anteil der Diagonale</translation>
+        <source>thickness: {}, and share of the diagonal</source>
+        <translation>Wandstärke: {} und Anteil der Diagonale</translation>
     </message>
     <message>
         <source>thin</source>
@@ -1477,10 +1521,6 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>thin below {}</source>
         <translation>dünn unter {}</translation>
-    </message>
-    <message>
-        <source>thin below {} mm</source>
-        <translation>dünn unter {} mm</translation>
     </message>
     <message>
         <source>thin features</source>
@@ -1503,16 +1543,16 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Keil {:g}–{:g}°</translation>
     </message>
     <message>
-        <source>what the verdict is based on</source>
-        <translation>was dem Ergebnis zugrunde liegt</translation>
-    </message>
-    <message>
         <source>yes</source>
         <translation>ja</translation>
     </message>
     <message>
         <source>{} (borderline)</source>
         <translation>{} (Grenzfall)</translation>
+    </message>
+    <message>
+        <source>{} (rule {})</source>
+        <translation>„{}“ (Regel {})</translation>
     </message>
     <message>
         <source>{} ({} parts)</source>
@@ -1525,6 +1565,14 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>{} There are {} more failures.</source>
         <translation>{} Es gibt {} weitere Fehler.</translation>
+    </message>
+    <message>
+        <source>{} and more: {} of the area</source>
+        <translation>{} und mehr: {} der Oberfläche</translation>
+    </message>
+    <message>
+        <source>{} different parts, {} instances</source>
+        <translation>{} verschiedene Bauteile, {} Instanzen</translation>
     </message>
     <message>
         <source>{} failed</source>
@@ -1567,16 +1615,8 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>{} min</translation>
     </message>
     <message>
-        <source>{} mm</source>
-        <translation>{} mm</translation>
-    </message>
-    <message>
-        <source>{} mm and more: {} of the area</source>
-        <translation>{} mm und mehr: {} der Oberfläche</translation>
-    </message>
-    <message>
-        <source>{} of the area lies over walls thinner than {} mm</source>
-        <translation>{} der Oberfläche liegen über Wänden dünner als {} mm</translation>
+        <source>{} of the area lies over walls thinner than {}</source>
+        <translation>{} der Oberfläche liegen über Wänden dünner als {}</translation>
     </message>
     <message>
         <source>{} of {} files</source>
@@ -1591,10 +1631,6 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>{} von {} Bauteilen wechseln ihre Kategorie; {} Infodateien würden aktualisiert.</translation>
     </message>
     <message>
-        <source>{} parts, {} in all</source>
-        <translation>{} Bauteile, insgesamt {}</translation>
-    </message>
-    <message>
         <source>{} probes were removed: the surface is no longer where they were.</source>
         <translation>{} Messpunkte wurden entfernt: Die Oberfläche ist nicht mehr dort, wo sie waren.</translation>
     </message>
@@ -1603,20 +1639,20 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>{} s</translation>
     </message>
     <message>
-        <source>{} to {} mm thick ({} to {} of the diagonal): {} of the area</source>
-        <translation>{} bis {} mm Wandstärke ({} bis {} der Diagonale): {} der Oberfläche</translation>
+        <source>{} to {} thick ({} to {} of the diagonal): {} of the area</source>
+        <translation>{} bis {} Wandstärke ({} bis {} der Diagonale): {} der Oberfläche</translation>
     </message>
     <message>
-        <source>{} to {} mm: {} of the area</source>
-        <translation>{} bis {} mm: {} der Oberfläche</translation>
+        <source>{} to {}: {} of the area</source>
+        <translation>{} bis {}: {} der Oberfläche</translation>
     </message>
     <message>
-        <source>{} to {} mm: {} of the area, on 1 face</source>
-        <translation>{} bis {} mm: {} der Oberfläche, auf 1 Fläche</translation>
+        <source>{} to {}: {} of the area, on 1 face</source>
+        <translation>{} bis {}: {} der Oberfläche, auf 1 Fläche</translation>
     </message>
     <message>
-        <source>{} to {} mm: {} of the area, on {} faces</source>
-        <translation>{} bis {} mm: {} der Oberfläche, auf {} Flächen</translation>
+        <source>{} to {}: {} of the area, on {} faces</source>
+        <translation>{} bis {}: {} der Oberfläche, auf {} Flächen</translation>
     </message>
     <message>
         <source>{} unchanged</source>
@@ -1631,20 +1667,24 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>{} wurde in {} importiert.</translation>
     </message>
     <message>
-        <source>{}, {}</source>
-        <translation>{} „{}“</translation>
+        <source>{} was not found in the index of Python packages: connect this computer to the internet, or set up pip's proxy, and try again.</source>
+        <translation>{} wurde im Verzeichnis der Python-Pakete nicht gefunden: Verbinden Sie diesen Computer mit dem Internet oder richten Sie den Proxy von pip ein, und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
-        <source>{}: '{}' ({}) has a wall of {} mm, under the limit of {} mm.</source>
-        <translation>{}: „{}“ ({}) hat eine Wand von {} mm, unter der Grenze von {} mm.</translation>
+        <source>{}, and share of the diagonal</source>
+        <translation>{} und Anteil der Diagonale</translation>
     </message>
     <message>
-        <source>{}: '{}' was '{}' and is '{}' now; its thinnest wall is {} mm.</source>
-        <translation>{}: „{}“ war „{}“ und ist jetzt „{}“; die dünnste Wand hat {} mm.</translation>
+        <source>{}: '{}' ({}) has a wall of {}, under the limit of {}.</source>
+        <translation>{}: „{}“ ({}) hat eine Wand von {}, unter der Grenze von {}.</translation>
     </message>
     <message>
-        <source>{}: '{}' was '{}' and is '{}' now; its thinnest wall of {} mm is under the limit of {} mm.</source>
-        <translation>{}: „{}“ war „{}“ und ist jetzt „{}“; die dünnste Wand von {} mm liegt unter der Grenze von {} mm.</translation>
+        <source>{}: '{}' was '{}' and is '{}' now; its thinnest wall is {}.</source>
+        <translation>{}: „{}“ war „{}“ und ist jetzt „{}“; die dünnste Wand hat {}.</translation>
+    </message>
+    <message>
+        <source>{}: '{}' was '{}' and is '{}' now; its thinnest wall of {} is under the limit of {}.</source>
+        <translation>{}: „{}“ war „{}“ und ist jetzt „{}“; die dünnste Wand von {} liegt unter der Grenze von {}.</translation>
     </message>
     <message>
         <source>{}: '{}' was '{}' and is '{}' now; none of its walls could be measured.</source>
@@ -1738,8 +1778,8 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Flach und etwa so lang wie breit</translation>
     </message>
     <message>
-        <source>FreeCAD cannot be imported by {} ({}): install it with 'apt-get install freecad' or set FREECAD_LIB to its lib folder.</source>
-        <translation>FreeCAD kann von {} nicht importiert werden ({}): Installieren Sie es mit „apt-get install freecad“ oder setzen Sie FREECAD_LIB auf seinen lib-Ordner.</translation>
+        <source>FreeCAD cannot be imported by {} ({}): install it (Debian: 'apt-get install freecad') or set FREECAD_LIB to the folder with its FreeCAD.so or FreeCAD.pyd.</source>
+        <translation>FreeCAD kann von {} nicht importiert werden ({}): Installieren Sie es (Debian: „apt-get install freecad“) oder setzen Sie FREECAD_LIB auf den Ordner mit seiner FreeCAD.so oder FreeCAD.pyd.</translation>
     </message>
     <message>
         <source>FreeCAD cannot open {} ({}).</source>
@@ -1772,6 +1812,10 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>FreeCAD opens no document whose path is no UTF-8 text: rename {} or the folder that it lies in.</source>
         <translation>FreeCAD öffnet kein Dokument, dessen Pfad kein UTF-8-Text ist: Benennen Sie {} oder den Ordner darum um.</translation>
+    </message>
+    <message>
+        <source>Giannini et al. 2012</source>
+        <translation>Giannini u. a. 2012</translation>
     </message>
     <message>
         <source>Info files cannot be written into {} ({}): give another folder to --info-dir.</source>
@@ -1830,8 +1874,8 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Platte</translation>
     </message>
     <message>
-        <source>Reports need Jinja2 ({}): install it with 'apt-get install python3-jinja2'.</source>
-        <translation>Berichte brauchen Jinja2 ({}): Installieren Sie es mit „apt-get install python3-jinja2“.</translation>
+        <source>Reports need the Python package Jinja2 ({}): install it (Debian: 'apt-get install python3-jinja2', elsewhere: 'python -m pip install Jinja2').</source>
+        <translation>Berichte brauchen das Python-Paket Jinja2 ({}): Installieren Sie es (Debian: „apt-get install python3-jinja2“, sonst: „python -m pip install Jinja2“).</translation>
     </message>
     <message>
         <source>Share of the area over non-parallel walls</source>
@@ -2002,6 +2046,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Das Bauteil misst {} mm in der Diagonale: Prüfen Sie, ob die Einheit der Datei Millimeter ist.</translation>
     </message>
     <message>
+        <source>The parts lie on several drives: name those of one drive at a time.</source>
+        <translation>Die Bauteile liegen auf mehreren Laufwerken: Nennen Sie jeweils nur die eines Laufwerks.</translation>
+    </message>
+    <message>
         <source>The profile {} cannot be read ({}).</source>
         <translation>Das Profil {} kann nicht gelesen werden ({}).</translation>
     </message>
@@ -2034,12 +2082,8 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>Die Wandstärkenkarte {} stammt von einem neueren ThinPart: Aktualisieren Sie ThinPart oder messen Sie das Bauteil erneut.</translation>
     </message>
     <message>
-        <source>The thinnest wall, {} mm, is known to {} mm only: a surface mesh fine enough for it would be too large.</source>
-        <translation>Die dünnste Wand, {} mm, ist nur auf {} mm genau bekannt: Ein dafür genügend feines Oberflächennetz wäre zu groß.</translation>
-    </message>
-    <message>
-        <source>The thresholds of the paper, verbatim</source>
-        <translation>Schwellenwerte wie veröffentlicht</translation>
+        <source>The thinnest wall, {} mm, is known no better than the mesh resolves ({} mm).</source>
+        <translation>Die dünnste Wand, {} mm, ist nicht genauer bekannt, als das Netz auflöst ({} mm).</translation>
     </message>
     <message>
         <source>The triangles are not consistently oriented, so it has no certain volume.</source>
@@ -2136,6 +2180,10 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>Volume of the part</source>
         <translation>Volumen des Bauteils</translation>
+    </message>
+    <message>
+        <source>Wall thickness</source>
+        <translation>Wandstärke</translation>
     </message>
     <message>
         <source>a criterion without conditions would always hold</source>
@@ -2254,6 +2302,10 @@ Sein Volumen ist nicht bekannt.</translation>
         <translation>kein Grund angegeben</translation>
     </message>
     <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
         <source>of the diagonal</source>
         <translation>der Diagonale</translation>
     </message>
@@ -2324,6 +2376,10 @@ Sein Volumen ist nicht bekannt.</translation>
     <message>
         <source>the pool broke down</source>
         <translation>die Arbeitsprozesse sind ausgefallen</translation>
+    </message>
+    <message>
+        <source>the pool takes no tasks any more</source>
+        <translation>die Arbeitsprozesse nehmen keine Aufgaben mehr an</translation>
     </message>
     <message>
         <source>the profile</source>

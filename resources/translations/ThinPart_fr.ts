@@ -20,6 +20,10 @@
         <translation>De la boîte englobante de la plus grande pièce, mm</translation>
     </message>
     <message>
+        <source>The face where the wall is measured</source>
+        <translation>La face où la paroi est mesurée</translation>
+    </message>
+    <message>
         <source>The measured thickness</source>
         <translation>L’épaisseur mesurée</translation>
     </message>
@@ -28,8 +32,20 @@
         <translation>Les côtés opposés de ceux-ci</translation>
     </message>
     <message>
+        <source>The place on the face, in the coordinates of its object</source>
+        <translation>L'endroit sur la face, dans les coordonnées de son objet</translation>
+    </message>
+    <message>
+        <source>The place on the opposite side, in the coordinates of the document</source>
+        <translation>L'endroit sur le côté opposé, dans les coordonnées du document</translation>
+    </message>
+    <message>
         <source>The sources' shapes when measured</source>
         <translation>Les formes des sources lors de la mesure</translation>
+    </message>
+    <message>
+        <source>The thickness of the material under that place</source>
+        <translation>L'épaisseur de la matière sous cet endroit</translation>
     </message>
     <message>
         <source>The thickness there, mm</source>
@@ -102,9 +118,9 @@ Rempli à {} (V/VBB = {})</translation>
     </message>
     <message>
         <source>
-Its volume is not known.</source>
+Its volume is unknown.</source>
         <translation>
-Son volume n’est pas connu.</translation>
+Son volume est inconnu.</translation>
     </message>
     <message>
         <source> s</source>
@@ -137,6 +153,10 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>&amp;Folder:</source>
         <translation>&amp;Dossier :</translation>
+    </message>
+    <message>
+        <source>&amp;Install {}</source>
+        <translation>&amp;Installer {}</translation>
     </message>
     <message>
         <source>&amp;Measure again</source>
@@ -259,10 +279,6 @@ Son volume n’est pas connu.</translation>
         <translation>Déflexion angulaire</translation>
     </message>
     <message>
-        <source>Area over parallel walls {}, over slanted ones {}, over none {}</source>
-        <translation>Surface à parois parallèles {}, à parois obliques {}, sans paroi opposée {}</translation>
-    </message>
-    <message>
         <source>Automatic</source>
         <translation>Automatique</translation>
     </message>
@@ -275,16 +291,12 @@ Son volume n’est pas connu.</translation>
         <translation>Avant</translation>
     </message>
     <message>
-        <source>Borderline, close to '{}': margin {}</source>
-        <translation>Cas limite, proche de « {} » : marge {}</translation>
+        <source>Bounding box {}</source>
+        <translation>Boîte englobante {}</translation>
     </message>
     <message>
-        <source>Bounding box {} mm</source>
-        <translation>Boîte englobante {} mm</translation>
-    </message>
-    <message>
-        <source>Box mm</source>
-        <translation>Boîte mm</translation>
+        <source>Box, {}</source>
+        <translation>Boîte, {}</translation>
     </message>
     <message>
         <source>C&amp;hoose…</source>
@@ -329,6 +341,10 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>Changed in the last week</source>
         <translation>Modifié depuis une semaine</translation>
+    </message>
+    <message>
+        <source>Check before meshing whether a part is thin, and where</source>
+        <translation>Vérifier avant le maillage si une pièce est mince, et où</translation>
     </message>
     <message>
         <source>Choose a file with mesh settings</source>
@@ -399,10 +415,6 @@ Son volume n’est pas connu.</translation>
         <translation>Effacer les couleurs de minceur</translation>
     </message>
     <message>
-        <source>Clear verdict: margin {}</source>
-        <translation>Verdict net : marge {}</translation>
-    </message>
-    <message>
         <source>Click or drag over bars to see where those walls are.</source>
         <translation>Cliquez sur des barres ou balayez-les pour voir où sont ces parois.</translation>
     </message>
@@ -441,6 +453,18 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>Condition</source>
         <translation>Condition</translation>
+    </message>
+    <message>
+        <source>Confidence: borderline, close to '{}' ({} from the limit)</source>
+        <translation>Confiance : cas limite, proche de « {} » (à {} de la limite)</translation>
+    </message>
+    <message>
+        <source>Confidence: clear ({} from the limit)</source>
+        <translation>Confiance : nette (à {} de la limite)</translation>
+    </message>
+    <message>
+        <source>Continue in the background? 'Classify folder' shows it again. What is done so far is kept either way.</source>
+        <translation>Continuer en arrière-plan ? « Classifier un dossier » l’affiche à nouveau. Ce qui est fait est conservé dans tous les cas.</translation>
     </message>
     <message>
         <source>Copy path</source>
@@ -563,6 +587,14 @@ Son volume n’est pas connu.</translation>
         <translation>FreeCAD ne peut pas ouvrir {} ({}).</translation>
     </message>
     <message>
+        <source>FreeCAD shows one task at a time: close the one that is open, then try again.</source>
+        <translation>FreeCAD n'affiche qu'une tâche à la fois : fermez celle qui est ouverte, puis réessayez.</translation>
+    </message>
+    <message>
+        <source>FreeCAD's Python has no pip, so {} was not installed: install it into {} by another Python's 'pip install --target'.</source>
+        <translation>Le Python de FreeCAD n’a pas pip, {} n’a donc pas été installé : installez-le dans {} avec « pip install --target » d’un autre Python.</translation>
+    </message>
+    <message>
         <source>From file…</source>
         <translation>Depuis un fichier…</translation>
     </message>
@@ -575,16 +607,16 @@ Son volume n’est pas connu.</translation>
         <translation>Continuer</translation>
     </message>
     <message>
-        <source>Half of the face lies over thinner walls, mm</source>
-        <translation>La moitié de la face a des parois plus minces, mm</translation>
+        <source>Half of the face lies over thinner walls</source>
+        <translation>La moitié de la face a des parois plus minces</translation>
     </message>
     <message>
         <source>Heat map of the thickness</source>
         <translation>Carte des épaisseurs</translation>
     </message>
     <message>
-        <source>Here: {} mm</source>
-        <translation>Ici : {} mm</translation>
+        <source>Here: {}</source>
+        <translation>Ici : {}</translation>
     </message>
     <message>
         <source>Holds</source>
@@ -623,6 +655,10 @@ Son volume n’est pas connu.</translation>
         <translation>Insérer une pièce</translation>
     </message>
     <message>
+        <source>Installing {}…</source>
+        <translation>Installation de {}…</translation>
+    </message>
+    <message>
         <source>Instances</source>
         <translation>Exemplaires</translation>
     </message>
@@ -633,14 +669,6 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>It is folders that could not be searched: see to them and start again.</source>
         <translation>Ce sont des dossiers qui n’ont pas pu être parcourus : remédiez-y et démarrez à nouveau.</translation>
-    </message>
-    <message>
-        <source>It meets criteria {}.</source>
-        <translation>La pièce remplit les critères {}.</translation>
-    </message>
-    <message>
-        <source>It meets criterion {}.</source>
-        <translation>La pièce remplit le critère {}.</translation>
     </message>
     <message>
         <source>Libraries</source>
@@ -663,12 +691,12 @@ Son volume n’est pas connu.</translation>
         <translation>Lien</translation>
     </message>
     <message>
-        <source>Longest mm</source>
-        <translation>Plus long mm</translation>
+        <source>Longest side, {}</source>
+        <translation>Plus long côté, {}</translation>
     </message>
     <message>
-        <source>Longest side, mm</source>
-        <translation>Plus long côté, mm</translation>
+        <source>Longest, {}</source>
+        <translation>Plus long, {}</translation>
     </message>
     <message>
         <source>Looking for parts in the folder…</source>
@@ -691,6 +719,10 @@ Son volume n’est pas connu.</translation>
         <translation>Marge</translation>
     </message>
     <message>
+        <source>Measured: {} parallel, {} tapered, {} nothing opposite</source>
+        <translation>Mesuré : {} parallèle, {} en dépouille, {} sans paroi opposée</translation>
+    </message>
+    <message>
         <source>Measuring and drawing…</source>
         <translation>Mesure et dessin…</translation>
     </message>
@@ -703,8 +735,8 @@ Son volume n’est pas connu.</translation>
         <translation>Mesure des parois de {}</translation>
     </message>
     <message>
-        <source>Median</source>
-        <translation>Médiane</translation>
+        <source>Median, {}</source>
+        <translation>Médiane, {}</translation>
     </message>
     <message>
         <source>Memory per file</source>
@@ -765,10 +797,6 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>Normal part</source>
         <translation>Pièce normale</translation>
-    </message>
-    <message>
-        <source>Not known</source>
-        <translation>Inconnue</translation>
     </message>
     <message>
         <source>Not measured</source>
@@ -891,6 +919,10 @@ Son volume n’est pas connu.</translation>
         <translation>Rapport sur toutes les pièces de « {} »</translation>
     </message>
     <message>
+        <source>Reports need the Python package {}, which this FreeCAD does not have: install it from the internet into {}?</source>
+        <translation>Les rapports ont besoin du paquet Python {}, que ce FreeCAD n’a pas : l’installer depuis Internet dans {} ?</translation>
+    </message>
+    <message>
         <source>Restore defaults</source>
         <translation>Rétablir les valeurs par défaut</translation>
     </message>
@@ -917,10 +949,6 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>Select a part in the list.</source>
         <translation>Sélectionnez une pièce dans la liste.</translation>
-    </message>
-    <message>
-        <source>Shall that go on in the background? 'Classify folder' shows it again. What is done so far is kept either way.</source>
-        <translation>Faut-il continuer en arrière-plan ? « Classifier un dossier » l’affiche à nouveau. Ce qui est fait est conservé dans tous les cas.</translation>
     </message>
     <message>
         <source>Share</source>
@@ -951,8 +979,8 @@ Son volume n’est pas connu.</translation>
         <translation>Afficher l’épaisseur</translation>
     </message>
     <message>
-        <source>Shown as thin: under {} mm, as the preferences say. The verdict does not depend on it.</source>
-        <translation>Affiché comme mince : sous {} mm, selon les préférences. Le verdict n’en dépend pas.</translation>
+        <source>Shown as thin: below {}, as the preferences say. The verdict does not depend on it.</source>
+        <translation>Affiché comme mince : sous {}, selon les préférences. Le verdict n’en dépend pas.</translation>
     </message>
     <message>
         <source>Shows the defaults of this page; they are kept with OK or Apply</source>
@@ -999,10 +1027,6 @@ Son volume n’est pas connu.</translation>
         <translation>Tableaux (*.csv)</translation>
     </message>
     <message>
-        <source>Tells before meshing whether a part is thin, and where</source>
-        <translation>Indique avant le maillage si une pièce est mince, et où</translation>
-    </message>
-    <message>
         <source>The active document as it was saved. Click to classify it in the panel.</source>
         <translation>Le document actif tel qu’il est enregistré. Cliquez pour le classifier dans le panneau.</translation>
     </message>
@@ -1019,12 +1043,12 @@ Son volume n’est pas connu.</translation>
         <translation>Le document a changé pendant la mesure : mesurez-le à nouveau.</translation>
     </message>
     <message>
-        <source>The document has changes that are not saved, and a report is about what is saved: save it first.</source>
-        <translation>Le document a des modifications non enregistrées, et un rapport porte sur ce qui est enregistré : enregistrez-le d’abord.</translation>
+        <source>The document has changes that are not saved. Save the document first.</source>
+        <translation>Le document a des modifications non enregistrées. Enregistrez-le d’abord.</translation>
     </message>
     <message>
-        <source>The document has never been saved, and a report is about a saved one: save it first.</source>
-        <translation>Le document n’a jamais été enregistré, et un rapport porte sur un document enregistré : enregistrez-le d’abord.</translation>
+        <source>The document has never been saved. Save the document first.</source>
+        <translation>Le document n’a jamais été enregistré. Enregistrez-le d’abord.</translation>
     </message>
     <message>
         <source>The document is closed: open it again for a report about it.</source>
@@ -1041,6 +1065,10 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>The folder with your parts; the folders in it count as well</source>
         <translation>Le dossier de vos pièces, sous-dossiers compris</translation>
+    </message>
+    <message>
+        <source>The folder {} for Python packages cannot be made ({}): {} was not installed.</source>
+        <translation>Le dossier {} pour les paquets Python ne peut pas être créé ({}) : {} n’a pas été installé.</translation>
     </message>
     <message>
         <source>The folder {} has not answered for {} s: connect it, or choose another one for the info files.</source>
@@ -1069,6 +1097,10 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>The process that does this ended unexpectedly; the report view has its last words. Refresh the libraries to go on.</source>
         <translation>Le processus correspondant s’est terminé de façon inattendue ; ses derniers messages sont dans la vue rapport. Actualisez les bibliothèques pour continuer.</translation>
+    </message>
+    <message>
+        <source>The process that installs could not be started.</source>
+        <translation>Le processus d’installation n’a pas pu être lancé.</translation>
     </message>
     <message>
         <source>The process that measures could not be started.</source>
@@ -1155,6 +1187,10 @@ Son volume n’est pas connu.</translation>
         <translation>Mince</translation>
     </message>
     <message>
+        <source>Thin below</source>
+        <translation>Mince sous</translation>
+    </message>
+    <message>
         <source>Thin faces</source>
         <translation>Faces minces</translation>
     </message>
@@ -1163,32 +1199,36 @@ Son volume n’est pas connu.</translation>
         <translation>Pièce mince</translation>
     </message>
     <message>
-        <source>Thin under</source>
-        <translation>Mince sous</translation>
+        <source>ThinPart is there twice: {} is used, {} is not. Remove one of them.</source>
+        <translation>ThinPart est présent deux fois : {} est utilisé, {} ne l’est pas. Supprimez l’un des deux.</translation>
     </message>
     <message>
         <source>ThinPart: {}</source>
         <translation>ThinPart : {}</translation>
     </message>
     <message>
-        <source>Thinnest</source>
-        <translation>Minimum</translation>
+        <source>Thinnest wall</source>
+        <translation>Paroi la plus mince</translation>
     </message>
     <message>
-        <source>Thinnest mm</source>
-        <translation>Plus mince mm</translation>
+        <source>Thinnest wall under the face</source>
+        <translation>Paroi la plus mince sous la face</translation>
     </message>
     <message>
-        <source>Thinnest wall under the face, mm</source>
-        <translation>Paroi la plus mince sous la face, mm</translation>
+        <source>Thinnest wall {} (± {})</source>
+        <translation>Paroi la plus mince {} (± {})</translation>
     </message>
     <message>
-        <source>Thinnest wall {} mm (± {} mm)</source>
-        <translation>Paroi la plus mince {} mm (± {} mm)</translation>
+        <source>Thinnest wall, {}</source>
+        <translation>Paroi la plus mince, {}</translation>
     </message>
     <message>
-        <source>Thinnest wall, mm</source>
-        <translation>Paroi la plus mince, mm</translation>
+        <source>Thinnest, {}</source>
+        <translation>Minimum, {}</translation>
+    </message>
+    <message>
+        <source>This did not work, for a reason that was not foreseen ({}): try again, and if it happens again, report it with FreeCAD's log.</source>
+        <translation>Cela n'a pas fonctionné, pour une raison imprévue ({}) : réessayez et, si cela se reproduit, signalez-le avec le journal de FreeCAD.</translation>
     </message>
     <message>
         <source>Threshold</source>
@@ -1227,6 +1267,10 @@ Son volume n’est pas connu.</translation>
         <translation>Épaisseur sous laquelle une paroi est colorée comme mince ; le verdict n’en dépend pas</translation>
     </message>
     <message>
+        <source>Unknown</source>
+        <translation>Inconnue</translation>
+    </message>
+    <message>
         <source>Unmeasured</source>
         <translation>Non mesuré</translation>
     </message>
@@ -1251,16 +1295,16 @@ Son volume n’est pas connu.</translation>
         <translation>Épaisseur</translation>
     </message>
     <message>
-        <source>Wall thickness, mm</source>
-        <translation>Épaisseur, mm</translation>
+        <source>Wall thickness, {}</source>
+        <translation>Épaisseur, {}</translation>
+    </message>
+    <message>
+        <source>Wall thickness: min {}, median {}, max {} (± {})</source>
+        <translation>Épaisseur de paroi : min. {}, médiane {}, max. {} (± {})</translation>
     </message>
     <message>
         <source>Walls that are shown as thin</source>
         <translation>Parois affichées comme minces</translation>
-    </message>
-    <message>
-        <source>Walls: thinnest {} mm, median {} mm, greatest {} mm (± {} mm)</source>
-        <translation>Parois : la plus mince {} mm, médiane {} mm, la plus épaisse {} mm (± {} mm)</translation>
     </message>
     <message>
         <source>Warnings</source>
@@ -1295,6 +1339,10 @@ Son volume n’est pas connu.</translation>
         <translation>Pourquoi</translation>
     </message>
     <message>
+        <source>Why: {}</source>
+        <translation>Raison : {}</translation>
+    </message>
+    <message>
         <source>Words in names, paths, notes, links</source>
         <translation>Mots des noms, chemins, notes, liens</translation>
     </message>
@@ -1315,8 +1363,8 @@ Son volume n’est pas connu.</translation>
         <translation>une part de la diagonale de la pièce</translation>
     </message>
     <message>
-        <source>a thickness in mm</source>
-        <translation>une épaisseur en mm</translation>
+        <source>a thickness</source>
+        <translation>une épaisseur</translation>
     </message>
     <message>
         <source>about {} left</source>
@@ -1379,14 +1427,6 @@ Son volume n’est pas connu.</translation>
         <translation>mesure…</translation>
     </message>
     <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
-        <source>mm, and share of the diagonal</source>
-        <translation>mm et part de la diagonale</translation>
-    </message>
-    <message>
         <source>no</source>
         <translation>non</translation>
     </message>
@@ -1405,10 +1445,6 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>not finished</source>
         <translation>inachevé</translation>
-    </message>
-    <message>
-        <source>not known</source>
-        <translation>inconnue</translation>
     </message>
     <message>
         <source>not measured</source>
@@ -1439,16 +1475,24 @@ Son volume n’est pas connu.</translation>
         <translation>mise en pause</translation>
     </message>
     <message>
+        <source>pip could not install {}; the report view has its words.</source>
+        <translation>pip n’a pas pu installer {} ; ses messages sont dans la vue rapport.</translation>
+    </message>
+    <message>
         <source>s</source>
         <translation>s</translation>
+    </message>
+    <message>
+        <source>same limit as the verdict</source>
+        <translation>même limite que le verdict</translation>
     </message>
     <message>
         <source>share of the diagonal</source>
         <translation>part de la diagonale</translation>
     </message>
     <message>
-        <source>share of the diagonal (mm)</source>
-        <translation>part de la diagonale (mm)</translation>
+        <source>share of the diagonal ({})</source>
+        <translation>part de la diagonale ({})</translation>
     </message>
     <message>
         <source>smooth</source>
@@ -1467,8 +1511,8 @@ Son volume n’est pas connu.</translation>
         <translation>il n’y a pas d’importateur pour ces fichiers</translation>
     </message>
     <message>
-        <source>thickness: mm, and share of the diagonal</source>
-        <translation>épaisseur : mm et part de la diagonale</translation>
+        <source>thickness: {}, and share of the diagonal</source>
+        <translation>épaisseur : {} et part de la diagonale</translation>
     </message>
     <message>
         <source>thin</source>
@@ -1477,10 +1521,6 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>thin below {}</source>
         <translation>mince sous {}</translation>
-    </message>
-    <message>
-        <source>thin below {} mm</source>
-        <translation>mince sous {} mm</translation>
     </message>
     <message>
         <source>thin features</source>
@@ -1503,16 +1543,16 @@ Son volume n’est pas connu.</translation>
         <translation>coin {:g}–{:g}°</translation>
     </message>
     <message>
-        <source>what the verdict is based on</source>
-        <translation>ce qui fonde le verdict</translation>
-    </message>
-    <message>
         <source>yes</source>
         <translation>oui</translation>
     </message>
     <message>
         <source>{} (borderline)</source>
         <translation>{} (cas limite)</translation>
+    </message>
+    <message>
+        <source>{} (rule {})</source>
+        <translation>« {} » (règle {})</translation>
     </message>
     <message>
         <source>{} ({} parts)</source>
@@ -1525,6 +1565,14 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>{} There are {} more failures.</source>
         <translation>{} Il y a {} autres échecs.</translation>
+    </message>
+    <message>
+        <source>{} and more: {} of the area</source>
+        <translation>{} et plus : {} de la surface</translation>
+    </message>
+    <message>
+        <source>{} different parts, {} instances</source>
+        <translation>{} pièces différentes, {} occurrences</translation>
     </message>
     <message>
         <source>{} failed</source>
@@ -1567,16 +1615,8 @@ Son volume n’est pas connu.</translation>
         <translation>{} min</translation>
     </message>
     <message>
-        <source>{} mm</source>
-        <translation>{} mm</translation>
-    </message>
-    <message>
-        <source>{} mm and more: {} of the area</source>
-        <translation>{} mm et plus : {} de la surface</translation>
-    </message>
-    <message>
-        <source>{} of the area lies over walls thinner than {} mm</source>
-        <translation>{} de la surface a des parois plus minces que {} mm</translation>
+        <source>{} of the area lies over walls thinner than {}</source>
+        <translation>{} de la surface a des parois plus minces que {}</translation>
     </message>
     <message>
         <source>{} of {} files</source>
@@ -1591,10 +1631,6 @@ Son volume n’est pas connu.</translation>
         <translation>{} pièces sur {} changent de catégorie ; {} fichiers d’information seraient mis à jour.</translation>
     </message>
     <message>
-        <source>{} parts, {} in all</source>
-        <translation>{} pièces, {} au total</translation>
-    </message>
-    <message>
         <source>{} probes were removed: the surface is no longer where they were.</source>
         <translation>{} sondes ont été retirées : la surface ne se trouve plus à ces endroits.</translation>
     </message>
@@ -1603,20 +1639,20 @@ Son volume n’est pas connu.</translation>
         <translation>{} s</translation>
     </message>
     <message>
-        <source>{} to {} mm thick ({} to {} of the diagonal): {} of the area</source>
-        <translation>épaisseur de {} à {} mm ({} à {} de la diagonale) : {} de la surface</translation>
+        <source>{} to {} thick ({} to {} of the diagonal): {} of the area</source>
+        <translation>épaisseur de {} à {} ({} à {} de la diagonale) : {} de la surface</translation>
     </message>
     <message>
-        <source>{} to {} mm: {} of the area</source>
-        <translation>{} à {} mm : {} de la surface</translation>
+        <source>{} to {}: {} of the area</source>
+        <translation>{} à {} : {} de la surface</translation>
     </message>
     <message>
-        <source>{} to {} mm: {} of the area, on 1 face</source>
-        <translation>{} à {} mm : {} de la surface, sur 1 face</translation>
+        <source>{} to {}: {} of the area, on 1 face</source>
+        <translation>{} à {} : {} de la surface, sur 1 face</translation>
     </message>
     <message>
-        <source>{} to {} mm: {} of the area, on {} faces</source>
-        <translation>{} à {} mm : {} de la surface, sur {} faces</translation>
+        <source>{} to {}: {} of the area, on {} faces</source>
+        <translation>{} à {} : {} de la surface, sur {} faces</translation>
     </message>
     <message>
         <source>{} unchanged</source>
@@ -1631,20 +1667,24 @@ Son volume n’est pas connu.</translation>
         <translation>{} a été importé dans {}.</translation>
     </message>
     <message>
-        <source>{}, {}</source>
-        <translation>{} « {} »</translation>
+        <source>{} was not found in the index of Python packages: connect this computer to the internet, or set up pip's proxy, and try again.</source>
+        <translation>{} est introuvable dans l’index des paquets Python : connectez cet ordinateur à Internet ou configurez le proxy de pip, puis réessayez.</translation>
     </message>
     <message>
-        <source>{}: '{}' ({}) has a wall of {} mm, under the limit of {} mm.</source>
-        <translation>{} : « {} » ({}) a une paroi de {} mm, sous la limite de {} mm.</translation>
+        <source>{}, and share of the diagonal</source>
+        <translation>{} et part de la diagonale</translation>
     </message>
     <message>
-        <source>{}: '{}' was '{}' and is '{}' now; its thinnest wall is {} mm.</source>
-        <translation>{} : « {} » était « {} » et est maintenant « {} » ; sa paroi la plus mince a {} mm.</translation>
+        <source>{}: '{}' ({}) has a wall of {}, under the limit of {}.</source>
+        <translation>{} : « {} » ({}) a une paroi de {}, sous la limite de {}.</translation>
     </message>
     <message>
-        <source>{}: '{}' was '{}' and is '{}' now; its thinnest wall of {} mm is under the limit of {} mm.</source>
-        <translation>{} : « {} » était « {} » et est maintenant « {} » ; sa paroi la plus mince de {} mm est sous la limite de {} mm.</translation>
+        <source>{}: '{}' was '{}' and is '{}' now; its thinnest wall is {}.</source>
+        <translation>{} : « {} » était « {} » et est maintenant « {} » ; sa paroi la plus mince a {}.</translation>
+    </message>
+    <message>
+        <source>{}: '{}' was '{}' and is '{}' now; its thinnest wall of {} is under the limit of {}.</source>
+        <translation>{} : « {} » était « {} » et est maintenant « {} » ; sa paroi la plus mince de {} est sous la limite de {}.</translation>
     </message>
     <message>
         <source>{}: '{}' was '{}' and is '{}' now; none of its walls could be measured.</source>
@@ -1738,8 +1778,8 @@ Son volume n’est pas connu.</translation>
         <translation>Plate et à peu près aussi longue que large</translation>
     </message>
     <message>
-        <source>FreeCAD cannot be imported by {} ({}): install it with 'apt-get install freecad' or set FREECAD_LIB to its lib folder.</source>
-        <translation>FreeCAD ne peut pas être importé par {} ({}) : installez-le avec « apt-get install freecad » ou donnez à FREECAD_LIB son dossier lib.</translation>
+        <source>FreeCAD cannot be imported by {} ({}): install it (Debian: 'apt-get install freecad') or set FREECAD_LIB to the folder with its FreeCAD.so or FreeCAD.pyd.</source>
+        <translation>FreeCAD ne peut pas être importé par {} ({}) : installez-le (Debian : « apt-get install freecad ») ou donnez à FREECAD_LIB le dossier de son FreeCAD.so ou FreeCAD.pyd.</translation>
     </message>
     <message>
         <source>FreeCAD cannot open {} ({}).</source>
@@ -1772,6 +1812,10 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>FreeCAD opens no document whose path is no UTF-8 text: rename {} or the folder that it lies in.</source>
         <translation>FreeCAD n’ouvre pas de document dont le chemin n’est pas du texte UTF-8 : renommez {} ou son dossier.</translation>
+    </message>
+    <message>
+        <source>Giannini et al. 2012</source>
+        <translation>Giannini et coll. 2012</translation>
     </message>
     <message>
         <source>Info files cannot be written into {} ({}): give another folder to --info-dir.</source>
@@ -1830,8 +1874,8 @@ Son volume n’est pas connu.</translation>
         <translation>Plaque</translation>
     </message>
     <message>
-        <source>Reports need Jinja2 ({}): install it with 'apt-get install python3-jinja2'.</source>
-        <translation>Les rapports ont besoin de Jinja2 ({}) : installez-le avec « apt-get install python3-jinja2 ».</translation>
+        <source>Reports need the Python package Jinja2 ({}): install it (Debian: 'apt-get install python3-jinja2', elsewhere: 'python -m pip install Jinja2').</source>
+        <translation>Les rapports ont besoin du paquet Python Jinja2 ({}) : installez-le (Debian : « apt-get install python3-jinja2 », ailleurs : « python -m pip install Jinja2 »).</translation>
     </message>
     <message>
         <source>Share of the area over non-parallel walls</source>
@@ -2002,6 +2046,10 @@ Son volume n’est pas connu.</translation>
         <translation>La pièce mesure {} mm en diagonale : vérifiez que l’unité du fichier est le millimètre.</translation>
     </message>
     <message>
+        <source>The parts lie on several drives: name those of one drive at a time.</source>
+        <translation>Les pièces se trouvent sur plusieurs lecteurs : indiquez celles d’un seul lecteur à la fois.</translation>
+    </message>
+    <message>
         <source>The profile {} cannot be read ({}).</source>
         <translation>Le profil {} ne peut pas être lu ({}).</translation>
     </message>
@@ -2034,12 +2082,8 @@ Son volume n’est pas connu.</translation>
         <translation>La carte des épaisseurs {} vient d’un ThinPart plus récent : mettez ThinPart à jour ou mesurez la pièce à nouveau.</translation>
     </message>
     <message>
-        <source>The thinnest wall, {} mm, is known to {} mm only: a surface mesh fine enough for it would be too large.</source>
-        <translation>La paroi la plus mince, {} mm, n’est connue qu’à {} mm près : un maillage assez fin serait trop grand.</translation>
-    </message>
-    <message>
-        <source>The thresholds of the paper, verbatim</source>
-        <translation>Les seuils de l’article, tels quels</translation>
+        <source>The thinnest wall, {} mm, is known no better than the mesh resolves ({} mm).</source>
+        <translation>La paroi la plus mince, {} mm, n’est pas connue mieux que la résolution du maillage ({} mm).</translation>
     </message>
     <message>
         <source>The triangles are not consistently oriented, so it has no certain volume.</source>
@@ -2136,6 +2180,10 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>Volume of the part</source>
         <translation>Volume de la pièce</translation>
+    </message>
+    <message>
+        <source>Wall thickness</source>
+        <translation>Épaisseur</translation>
     </message>
     <message>
         <source>a criterion without conditions would always hold</source>
@@ -2254,6 +2302,10 @@ Son volume n’est pas connu.</translation>
         <translation>aucune raison donnée</translation>
     </message>
     <message>
+        <source>not measured</source>
+        <translation>non mesuré</translation>
+    </message>
+    <message>
         <source>of the diagonal</source>
         <translation>de la diagonale</translation>
     </message>
@@ -2324,6 +2376,10 @@ Son volume n’est pas connu.</translation>
     <message>
         <source>the pool broke down</source>
         <translation>les processus de travail sont tombés en panne</translation>
+    </message>
+    <message>
+        <source>the pool takes no tasks any more</source>
+        <translation>les processus de travail n’acceptent plus de tâches</translation>
     </message>
     <message>
         <source>the profile</source>

@@ -16,7 +16,7 @@ def _go():
     with open(HOME / "output.txt", "w", encoding="utf-8") as output:
         try:
             folder, what = json.loads(os.environ["THINPART_GUI_ARGUMENTS"])
-            sys.path.insert(0, folder)
+            sys.path[:0] = [folder, os.path.dirname(folder)]
             {"part": _measure_a_part, "folder": _classify_a_folder, "library": _read_a_library,
              "document": _save_a_document}[what]()
         except BaseException:  # whatever it was: FreeCAD must end, and tell
@@ -87,7 +87,6 @@ def _read_a_library():
     import FreeCADGui as Gui
     import window_actions as window
 
-    sys.path.insert(0, os.fspath(Path(__file__).resolve().parents[1]))
     from made_library import make_large_library
     from thinpart_workbench.freecad_adapter.settings import set_preference_list
     from thinpart_workbench.gui.qt import QtWidgets

@@ -1,17 +1,25 @@
 """What Qt, FreeCAD and Python complain of while a test runs, which a user would see in the Report view."""
 
+import traceback
+
+from thinpart_workbench.freecad_adapter.edge import on_fault
 from thinpart_workbench.gui.qt import QtCore, QtWidgets
 
 # Of the screen without a desktop, or of FreeCAD's own window.
 _OTHERS = ("propagateSizeHints", "XDG_RUNTIME_DIR", "QStandardPaths", "Could not find any platform plugin",
            "libpng", "QFont", "qt.qpa", "QXcb", "QSocketNotifier: Can only be used", "iCCP")
 
+_SIGNS = "Traceback", "Error:", "The thickness map "
+"""Of what went wrong in the Report view."""
+
 _messages = []
 
 
 def listen():
-    """Keep what Qt says from now on."""
+    """Keep what Qt says from now on, and what ends at an edge, which the Report view has without its traceback."""
     QtCore.qInstallMessageHandler(_keep)
+    on_fault(lambda error: _messages.append("".join(traceback.format_exception(type(error), error,
+                                                                               error.__traceback__))))
 
 
 def _keep(kind, _context, text):
@@ -25,7 +33,7 @@ def take():
     view = _report_view()
     found, _messages[:] = list(_messages), []
     if view is not None:
-        found += [line for line in view.toPlainText().splitlines() if "Traceback" in line or "Error:" in line]
+        found += [line for line in view.toPlainText().splitlines() if any(sign in line for sign in _SIGNS)]
         view.clear()
     return found
 

@@ -38,6 +38,10 @@ def library(classified, tmp_path, monkeypatch):
     return tmp_path / "library"
 
 
+uses_many = pytest.mark.timeout(180)  # the first of them writes all these files
+"""For the tests that take `many`."""
+
+
 @pytest.fixture(scope="session")
 def many(classified, tmp_path_factory):
     folder = tmp_path_factory.mktemp("many")
@@ -51,7 +55,7 @@ def no_libraries():
     yield
     find_parts.end_find_parts()
     set_preference_list("Libraries", [])
-    window.wait_until(lambda: not workers(), 20)
+    window.wait_until(lambda: not workers())
 
 
 def workers():
@@ -68,13 +72,13 @@ def opened(*roots):
 
 
 def ready(dock):
-    window.wait_until(lambda: not dock.is_refreshing, 120)
+    window.wait_until(lambda: not dock.is_refreshing)
     answered(dock)
 
 
 def answered(dock):
     window.settle(20)
-    window.wait_until(lambda: not typing(dock) and not dock.is_waiting, 180)
+    window.wait_until(lambda: not typing(dock) and not dock.is_waiting)
     window.settle(20)
 
 

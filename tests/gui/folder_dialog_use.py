@@ -10,7 +10,7 @@ from thinpart_workbench.freecad_adapter.settings import GROUP
 from thinpart_workbench.gui.qt import QtCore, QtGui, QtWidgets
 from thinpart_workbench.gui.result_table import FILE, PART
 
-MANY = 8
+MANY = 5
 CANCELLED = "cancelled: what was done is kept, Start does the rest"
 
 
@@ -33,7 +33,7 @@ def _forget_choices():
 def dialog():
     """The dialog, opened as a user does."""
     window.press("ThinPart_ClassifyFolder")
-    window.wait_until(lambda: window.is_shown("ThinPart_FolderDialog"), 10)
+    window.wait_until(lambda: window.is_shown("ThinPart_FolderDialog"))
     return window.widget("ThinPart_FolderDialog")
 
 
@@ -81,7 +81,7 @@ def progress():
 
 
 def wait_for_end():
-    window.wait_until(lambda: window.widget("ThinPart_FolderStart").isEnabled(), 300)
+    window.wait_until(lambda: window.widget("ThinPart_FolderStart").isEnabled())
 
 
 def run(folder, **choices):

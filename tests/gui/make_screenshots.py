@@ -213,7 +213,7 @@ def _go():
     output = open(HOME / "output.txt", "w", encoding="utf-8")
     try:
         arguments = json.loads(os.environ["THINPART_GUI_ARGUMENTS"])
-        sys.path.insert(0, arguments[0])
+        sys.path[:0] = [arguments[0], os.path.dirname(arguments[0])]
         import FreeCADGui as Gui
 
         _arrange(Gui.getMainWindow())

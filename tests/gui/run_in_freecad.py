@@ -8,7 +8,7 @@ Options: --language German starts FreeCAD in that language, --scale 1.5 draws ev
 --theme "FreeCAD Dark" takes the colours of one of FreeCAD's own preference packs.
 
 The status is pytest's; a FreeCAD that crashes, hangs or ends without a complete report is a
-failure. After all tests of the window, those of the translations run in every language, and FreeCAD is
+failure of the test that it did last, and the others go on in a new one. After all tests of the window, those of the translations run in every language, and FreeCAD is
 closed while it measures a part, a folder and a document that was just saved, and while it reads a library.
 """
 
@@ -18,15 +18,24 @@ import os
 import subprocess
 import sys
 import tempfile
+import time
 import xml.etree.ElementTree as ElementTree
 from collections import namedtuple
 from pathlib import Path
 
+from virtual_screen import virtual_screen
+
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 SECONDS = 2700
+LIVES = 8
+"""FreeCADs that may die before nothing more is tried."""
 LANGUAGES = ("German", "French")
 CLOSED_WHILE = ("part", "folder", "library", "document")
+
+NOTHING_LEFT = 5
+WRONG_USAGE = 4
+"""What pytest's statuses mean."""
 
 THEMES = "/usr/share/freecad/Gui/PreferencePacks"
 
@@ -40,7 +49,7 @@ def run(script, arguments, home, seconds=SECONDS, look=Look()):
     Parameters
     ----------
     script : Path
-    arguments : list of str
+    arguments : list or dict
         The script finds them, as JSON, in the environment's THINPART_GUI_ARGUMENTS.
     home : Path
         An empty folder.
@@ -69,12 +78,12 @@ def run(script, arguments, home, seconds=SECONDS, look=Look()):
     for name in ("WAYLAND_DISPLAY", "QT_QPA_PLATFORM"):
         environment.pop(name, None)
     # FreeCAD's own options come after the script; before it, they would be taken for Python's.
-    screen = f"-screen 0 {round(1400 * look.scale)}x{round(900 * look.scale)}x24 -dpi 96"
-    command = ["timeout", "--kill-after=10", str(seconds), "xvfb-run", "-a", "-s", screen,
-               "freecad", os.fspath(script), "-u", os.fspath(settings), "-M", os.fspath(ROOT)]
-    with open(home / "freecad.log", "w", encoding="utf-8") as log:
-        return subprocess.run(command, env=environment, stdin=subprocess.DEVNULL, stdout=log,
-                              stderr=subprocess.STDOUT, cwd=ROOT).returncode
+    command = ["timeout", "--kill-after=10", str(seconds), "freecad", os.fspath(script),
+               "-u", os.fspath(settings), "-M", os.fspath(ROOT)]
+    with open(home / "freecad.log", "w", encoding="utf-8") as log, virtual_screen(
+            round(1400 * look.scale), round(900 * look.scale)) as display:
+        return subprocess.run(command, env=dict(environment, DISPLAY=display), stdin=subprocess.DEVNULL,
+                              stdout=log, stderr=subprocess.STDOUT, cwd=ROOT).returncode
 
 
 def _add_theme(settings, name):
@@ -107,11 +116,10 @@ def main(arguments):
     look = Look(options.language, options.scale, options.theme)
     if options.screenshots:
         return _in_a_home(lambda home: _make_screenshots(Path(options.screenshots), home, look))
-    status = 0 if options.close else _in_a_home(lambda home: _run_tests(rest, home, look))
+    status = 0 if options.close else _run_tests(rest, look)
     for language in LANGUAGES:
         if status == 0 and not arguments:
-            status = _in_a_home(lambda home: _run_tests(
-                [os.fspath(HERE / "test_translations.py")], home, Look(language)))
+            status = _run_tests([os.fspath(HERE / "test_translations.py")], Look(language))
     for what in CLOSED_WHILE:
         if status == 0 and (not arguments or options.close == what):
             with tempfile.TemporaryDirectory(prefix="thinpart-gui-") as home:
@@ -131,19 +139,46 @@ def _make_screenshots(folder, home, look):
     return _shown(run(HERE / "make_screenshots.py", arguments, home, look=look), home)
 
 
-def _run_tests(arguments, home, look):
+def _run_tests(arguments, look):
+    """Run tests in one FreeCAD, and in another what is left when it has died; pytest's status, or 1."""
+    arguments, done, died = _with_path(arguments), [], []
+    end = time.monotonic() + SECONDS
+    while True:
+        status, ended, last = _in_a_home(lambda home: _run_once(arguments, done, home, look, end - time.monotonic()))
+        if last is None:
+            break
+        died.append(last or "before the first test")
+        if not last or len(died) == LIVES or time.monotonic() > end:
+            break
+        done += [*ended, last]
+    if died:
+        print(f"FreeCAD died in {len(died)} tests" + (":" if last is None else ", and what is left was not tried:"))
+        print("\n".join(died), flush=True)
+    return 1 if died and status in (0, NOTHING_LEFT) else status
+
+
+def _run_once(arguments, done, home, look, seconds):
+    """(status, tests that have ended, the test in which FreeCAD died or "" where none had begun, None where it did not)."""
     report = home / "report.xml"
-    arguments = ["--junitxml", os.fspath(report), *_with_path(arguments)]
-    status = _shown(run(HERE / "start_pytest.py", arguments, home, look=look), home)
-    if status == 0 and not _is_complete(report):
-        print("The tests ended without a complete report.")
-        return 1
-    return status
+    given = {"pytest": ["--junitxml", os.fspath(report), *arguments], "done": done}
+    status = run(HERE / "start_pytest.py", given, home, max(1, round(seconds)), look)
+    whole = _is_complete(report) or not _text(home / "tests.txt") and status in (NOTHING_LEFT, WRONG_USAGE)
+    if not whole:
+        # pytest would have told them at its end.
+        print(_text(home / "failures.txt"), end="")
+    _shown(status, home)
+    began, ended = ([line.partition(" ")[2] for line in _text(home / "tests.txt").splitlines()
+                     if line.startswith(word)] for word in ("began", "ended"))
+    if whole:
+        return status, ended, None
+    print(f"FreeCAD has died{' in ' + began[-1] if began else ''} (status {status}); "
+          f"{len(ended)} tests had ended.", flush=True)
+    return status or 1, ended, began[-1] if began else ""
 
 
 def _closes_cleanly(home, what):
     """0 where a FreeCAD that is closed while it works ends and leaves nothing behind, or 1."""
-    status = _shown(run(HERE / "close_while_working.py", [os.fspath(HERE), what], home, 60), home)
+    status = _shown(run(HERE / "close_while_working.py", [os.fspath(HERE), what], home, 120), home)
     left = [each.name for each in (home / "temporary").glob("thinpart-*")]
     left += _working(os.fspath(home))
     if what == "folder" and not _some_are_done(home / "parts"):
@@ -201,6 +236,7 @@ def _shown(status, home):
 
 
 def _is_complete(report):
+    """Whether pytest came to its end and wrote a report with at least one test."""
     try:
         suites = list(ElementTree.parse(report).getroot().iter("testsuite"))
     except (OSError, ElementTree.ParseError):

@@ -1,9 +1,40 @@
-"""FreeCAD's start-up script: runs pytest once the window is up, then ends FreeCAD."""
+"""FreeCAD's start-up script: runs pytest once the window is up, then ends FreeCAD.
+
+The tests that have begun and ended are written down in HOME, so that another FreeCAD can go on where this one died.
+"""
 
 import faulthandler
 import json
 import os
 import sys
+
+START_SECONDS = 120
+"""For pytest to begin; each test has its own limit then."""
+
+
+class _Diary:
+    """Which tests have begun, which have ended, and what failed."""
+
+    def __init__(self, home, done):
+        self.done = done
+        self.tests = open(os.path.join(home, "tests.txt"), "w", encoding="utf-8", buffering=1)
+        self.failures = open(os.path.join(home, "failures.txt"), "w", encoding="utf-8", buffering=1)
+
+    def pytest_collection_modifyitems(self, config, items):
+        left_out = [item for item in items if item.nodeid in self.done]
+        if left_out:
+            config.hook.pytest_deselected(items=left_out)
+            items[:] = [item for item in items if item.nodeid not in self.done]
+
+    def pytest_runtest_logstart(self, nodeid):
+        self.tests.write(f"began {nodeid}\n")
+
+    def pytest_runtest_logreport(self, report):
+        if report.failed:
+            self.failures.write(f"{report.nodeid} ({report.when})\n{report.longreprtext}\n\n")
+
+    def pytest_runtest_logfinish(self, nodeid):
+        self.tests.write(f"ended {nodeid}\n")
 
 
 def _go():
@@ -12,13 +43,14 @@ def _go():
     output = open(os.path.join(home, "output.txt"), "w", encoding="utf-8", buffering=1)
     sys.stdout = sys.stderr = output
     faulthandler.enable(output)
-    faulthandler.dump_traceback_later(2640, exit=True, file=output)
+    faulthandler.dump_traceback_later(START_SECONDS, exit=True, file=output)
     status = 1
     try:
         import pytest
 
-        status = pytest.main(["-p", "no:cacheprovider", "--capture=sys",
-                              *json.loads(os.environ["THINPART_GUI_ARGUMENTS"])])
+        given = json.loads(os.environ["THINPART_GUI_ARGUMENTS"])
+        status = pytest.main(["-p", "no:cacheprovider", "--capture=sys", *given["pytest"]],
+                             plugins=[_Diary(home, set(given["done"]))])
     finally:
         # FreeCAD would ask whether to save the documents.
         output.flush()

@@ -11,6 +11,7 @@ from folder_dialog_use import (  # noqa: F401 - fixtures among them
     CANCELLED, MANY, column, count_of, dialog, folder, info_files, many, message, model,
     no_choices, press_key, progress, run, select, sort_by, start, wait_for_end,
 )
+from slow_files import make_endless
 from thinpart_workbench.gui import classify_folder
 from thinpart_workbench.gui.folder_settings import FORMATS
 from thinpart_workbench.gui.qt import QtCore, QtWidgets
@@ -84,10 +85,10 @@ def test_sorting_is_by_number_and_absent_ones_come_last(dialog, folder):
 def test_filter_and_check_boxes_hide_rows_and_leave_the_counts(dialog, folder):
     run(folder)
     window.widget("ThinPart_FolderFilter").setText("ASSEMBLY plate")
-    window.wait_until(lambda: model().rowCount() == 1, 10)
+    window.wait_until(lambda: model().rowCount() == 1)
     assert column(PART) == ["Cover plate"]
     window.widget("ThinPart_FolderFilter").clear()
-    window.wait_until(lambda: model().rowCount() == 6, 10)
+    window.wait_until(lambda: model().rowCount() == 6)
     window.click("ThinPart_Show_thin")
     assert "Thin part" not in column(CATEGORY) and model().rowCount() == 4
     assert count_of("thin") == 2
@@ -187,7 +188,7 @@ def test_failed_files_are_tried_again_alone(dialog, folder):
 
 def test_the_time_limit_can_be_raised_for_those_that_failed(dialog, tmp_path):
     endless = tmp_path / "tube.step"
-    os.mkfifo(endless)
+    make_endless(endless)
     window.widget("ThinPart_FolderSeconds").setValue(1)
     run(tmp_path)
     assert count_of("failed") == 1

@@ -10,7 +10,7 @@ import window_actions as window
 
 from find_panel import (  # noqa: F401 - fixtures among them
     MANY, answered, cells, check, choose, classified, count_of, library, many, no_libraries,
-    opened, ready, row_of, select, status, table, trigger, workers, write,
+    opened, ready, row_of, select, status, table, trigger, uses_many, workers, write,
 )
 from thinpart_workbench.core.criteria import load_profile
 from thinpart_workbench.freecad_adapter.settings import preference_list, set_preference_list
@@ -45,7 +45,7 @@ def test_reclassify_previews_and_writes(library, other_profile):
     assert ["Thin part", "9"] in [[name, after] for name, _, after in rows]
     assert sum(int(now) for _, now, _ in rows) == 9
     assert before == {path.name: path.read_bytes() for path in library.glob("*.thinpart.json")}
-    window.wait_until(window.widget("ThinPart_ReclassifyWrite").isEnabled, 10)
+    window.wait_until(window.widget("ThinPart_ReclassifyWrite").isEnabled)
     said = []
     window.answer("ThinPart_ReclassifyQuestion", lambda box: (
         said.append(box.text()), box.button(QtWidgets.QMessageBox.Yes).click()))
@@ -188,6 +188,7 @@ class Ticks:
         return max(later - earlier for earlier, later in zip(self.times, self.times[1:]))
 
 
+@uses_many
 def test_closing_while_loading(many, tmp_path, monkeypatch):
     monkeypatch.setenv("THINPART_CACHE", str(tmp_path / "cache"))
     set_preference_list("Libraries", [str(many)])
@@ -195,9 +196,10 @@ def test_closing_while_loading(many, tmp_path, monkeypatch):
     window.wait_until(lambda: "info files read" in window.widget("ThinPart_LibraryProgress").text())
     assert workers()
     dock.close()
-    window.wait_until(lambda: not workers(), 20)
+    window.wait_until(lambda: not workers())
 
 
+@uses_many
 def test_stopping_a_refresh_keeps_what_was_read(many, tmp_path, monkeypatch):
     monkeypatch.setenv("THINPART_CACHE", str(tmp_path / "cache"))
     set_preference_list("Libraries", [str(many)])
@@ -210,6 +212,7 @@ def test_stopping_a_refresh_keeps_what_was_read(many, tmp_path, monkeypatch):
     assert 0 < count < MANY
 
 
+@uses_many
 def test_the_window_has_its_turn_while_a_large_library_is_read_and_searched(many, tmp_path, monkeypatch):
     monkeypatch.setenv("THINPART_CACHE", str(many.with_name("cache of many")))
     with Ticks() as loading:
@@ -244,6 +247,7 @@ def test_the_window_has_its_turn_while_a_large_library_is_read_and_searched(many
     assert len(filtered.times) > 5
 
 
+@uses_many
 def test_the_answer_to_an_outdated_question_is_thrown_away(many_opened):
     dock = many_opened
     shown = []
@@ -260,6 +264,7 @@ def test_the_answer_to_an_outdated_question_is_thrown_away(many_opened):
     assert cells(FILE) == [os.path.join("0000", "part 000012.step")]
 
 
+@uses_many
 def test_cancelling_a_preview(many_opened):
     dock = many_opened
     choose(dock, 2)
@@ -268,4 +273,4 @@ def test_cancelling_a_preview(many_opened):
                       or window.text("ThinPart_ReclassifyMessage"))
     window.click("ThinPart_ReclassifyCancel")
     window.wait_until(lambda: "Stopped after" in window.text("ThinPart_ReclassifyMessage"))
-    window.wait_until(window.widget("ThinPart_ReclassifyPreview").isEnabled, 20)
+    window.wait_until(window.widget("ThinPart_ReclassifyPreview").isEnabled)

@@ -23,7 +23,7 @@ def test_the_command_shows_and_hides_one_panel():
     assert dock.isVisible() and dock.parent() is Gui.getMainWindow()
     window.press("ThinPart_FindParts")
     assert not dock.isVisible()
-    window.wait_until(lambda: not workers(), 20)
+    window.wait_until(lambda: not workers())
     window.press("ThinPart_FindParts")
     assert window.widget("ThinPart_FindParts", QtWidgets.QDockWidget) is dock and dock.isVisible()
 
@@ -57,7 +57,7 @@ def test_thumbnails_are_those_of_the_cache(library, classified, tmp_path):
     choose(find_parts._docks[0], 1)
     window.click("ThinPart_RefreshLibraries")
     ready(find_parts._docks[0])
-    window.wait_until(lambda: index_of("block.step").data(QtCore.Qt.DecorationRole).toImage() != missing, 10)
+    window.wait_until(lambda: index_of("block.step").data(QtCore.Qt.DecorationRole).toImage() != missing)
     shown = index_of("block.step").data(QtCore.Qt.DecorationRole).toImage()
     assert shown.pixelColor(shown.width() // 2, shown.height() // 2) == QtGui.QColor(10, 200, 30)
 

@@ -91,7 +91,7 @@ def test_the_info_files_folder_is_shown_or_named(dialog, folder):
     view = window.widget("ThinPart_FolderTable")
     view.selectRow(column(FILE).index("damaged.step"))
     window.click("ThinPart_FolderShowInfo")
-    window.wait_until(lambda: "has no info file" in message(), 10)
+    window.wait_until(lambda: "has no info file" in message())
 
 
 @pytest.mark.parametrize("answer, running", [("GoOn", True), ("Stop", False)])

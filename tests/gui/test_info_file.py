@@ -110,7 +110,7 @@ def test_a_document_never_saved_asks_where(document, tmp_path):
 
     window.answer("", name_it)
     window.click("ThinPart_SaveButton")
-    window.wait_until(lambda: info(tmp_path / "new.FCStd").is_file(), 10)
+    window.wait_until(lambda: info(tmp_path / "new.FCStd").is_file())
     assert [part["name"] for part in read_info(info(tmp_path / "new.FCStd"))["parts"]] == ["Ribbed"]
 
 

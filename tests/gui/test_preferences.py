@@ -77,7 +77,7 @@ def message(dialog, page):
 
 
 def notice():
-    return window.text("ThinPart_Notice")
+    return "\n".join(window.notices())
 
 
 def test_the_pages_show_every_preference_with_its_default():
@@ -268,7 +268,7 @@ def test_another_limit_colours_other_faces_and_leaves_the_verdict(
     change(**{"ThinLimit": choice, f"ThinLimit{choice.capitalize()}": value})
     window.classify()
     assert window.rgb(feature).count(RED) == red
-    assert f"under {number(limit)}\u00a0mm" in window.text("ThinPart_OwnLimit")
+    assert f"below {number(limit)}\u00a0mm" in window.text("ThinPart_OwnLimit")
     assert window.text("ThinPart_Headline") == "Part with thin features"
     again = read_info(info(file))["parts"][0]
     assert [again[key] for key in ("category", "margin", "thin_limit_mm", "faces")] == [
@@ -309,7 +309,7 @@ def test_info_files_in_a_folder_are_written_and_found_there(tmp_path):
     store = tmp_path / "store"
     store.mkdir()
     in_preferences(lambda dialog: field(dialog, "InfoFolder").show_value(str(store)))
-    window.wait_until(lambda: preference("InfoFolder") == str(store), 10)
+    window.wait_until(lambda: preference("InfoFolder") == str(store))
     plate = in_folder(tmp_path / "a", (100, 100, 2), "A")
     window.classify()
     assert "in the preferred folder" in window.text("ThinPart_InfoText")
@@ -342,7 +342,7 @@ def test_the_search_finds_the_active_part_there(tmp_path):
     window.mouse_click(window.close_button())
     window.press("ThinPart_FindParts")
     window.click("ThinPart_LikeActive")
-    window.wait_until(lambda: window.is_shown("ThinPart_EndLike"), 20)
+    window.wait_until(lambda: window.is_shown("ThinPart_EndLike"))
     assert window.text("ThinPart_FindMessage") == ""
 
 
@@ -352,7 +352,7 @@ def test_a_file_that_is_no_profile_is_said_and_not_kept(document, tmp_path):
 
     def act(dialog):
         field(dialog, "Profile").show_value(str(file))
-        window.wait_until(lambda: "is not a ThinPart profile" in message(dialog, "Classification").text(), 5)
+        window.wait_until(lambda: "is not a ThinPart profile" in message(dialog, "Classification").text())
 
     in_preferences(act)
     assert preference("Profile") == "paper"
@@ -369,16 +369,15 @@ def test_what_is_no_folder_is_said_and_not_kept(tmp_path):
     def act(dialog):
         line = dialog.findChild(QtWidgets.QLineEdit, "ThinPart_PreferenceInfoFolder")
         line.setText(str(file))
-        window.wait_until(lambda: "There is no folder" in message(dialog, "Classification").text(), 5)
+        window.wait_until(lambda: "There is no folder" in message(dialog, "Classification").text())
         line.setText(str(tmp_path))
-        window.wait_until(lambda: not message(dialog, "Classification").text(), 5)
+        window.wait_until(lambda: not message(dialog, "Classification").text())
         line.setText(str(tmp_path / "nothing"))
 
     in_preferences(act)
-    window.wait_until(lambda: "There is no folder" in notice(), 5)
+    window.wait_until(lambda: "There is no folder" in notice())
     assert preference("InfoFolder") == ""
-    window.click("ThinPart_Notice")
-    assert not window.is_shown("ThinPart_Notice")
+    window.dismiss_notices()
 
 
 def test_a_folder_that_does_not_answer_holds_nobody_up(monkeypatch):
@@ -388,7 +387,7 @@ def test_a_folder_that_does_not_answer_holds_nobody_up(monkeypatch):
     monkeypatch.setattr(path_question, "PATIENCE", 0.4)
     in_preferences(lambda dialog: field(dialog, "InfoFolder").show_value("/far/away"))
     assert notice() == "" and preference("InfoFolder") == "", "the dialog was left before there was an answer"
-    window.wait_until(lambda: "has not answered" in notice(), 5)
+    window.wait_until(lambda: "has not answered" in notice())
     assert preference("InfoFolder") == ""
     released.set()
 

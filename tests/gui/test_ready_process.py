@@ -10,7 +10,7 @@ from thinpart_workbench.gui.ready_process import READY
 
 def waiting():
     """Number of the process that waits, once there is one."""
-    window.wait_until(lambda: READY.number, 20)
+    window.wait_until(lambda: READY.number)
     return READY.number
 
 
@@ -20,7 +20,7 @@ def test_the_next_part_is_measured_by_the_process_that_waits(document):
     number = waiting()
     assert window.workers() == []
     window.press("ThinPart_Classify")
-    window.wait_until(window.workers, 10)
+    window.wait_until(window.workers)
     assert window.workers() == [number] and READY.number is None
     window.wait_until_measured()
     assert window.text("ThinPart_Headline") == "Part with thin features"
@@ -31,7 +31,7 @@ def test_one_that_has_died_meanwhile_is_not_waited_for(document):
     window.add_ribbed_block(document)
     window.classify()
     os.kill(waiting(), signal.SIGKILL)
-    window.wait_until(lambda: READY.number is None, 10)
+    window.wait_until(lambda: READY.number is None)
     window.classify()
     assert window.text("ThinPart_Headline") == "Part with thin features"
 
@@ -42,7 +42,7 @@ def test_one_that_was_made_in_other_surroundings_is_not_taken(document, monkeypa
     number = waiting()
     monkeypatch.setenv("THINPART_EXAMPLE", "1")
     window.press("ThinPart_Classify")
-    window.wait_until(window.workers, 10)
+    window.wait_until(window.workers)
     assert number not in window.workers()
     window.wait_until_measured()
 
@@ -52,5 +52,5 @@ def test_it_ends_when_its_input_does():
     number = waiting()
     window.settle(1500)  # it has loaded, and waits
     READY._process.closeWriteChannel()
-    window.wait_until(lambda: READY.number is None, 10)
+    window.wait_until(lambda: READY.number is None)
     assert not os.path.exists(f"/proc/{number}/exe")

@@ -47,12 +47,12 @@ def saved(document, tmp_path):
 
 def opened():
     window.press("ThinPart_Report")
-    window.wait_until(lambda: window.is_shown("ThinPart_ReportDialog"), 10)
+    window.wait_until(lambda: window.is_shown("ThinPart_ReportDialog"))
     return window.widget("ThinPart_ReportDialog")
 
 
 def wait_for_end():
-    window.wait_until(lambda: window.widget("ThinPart_ReportStart").isEnabled(), 120)
+    window.wait_until(lambda: window.widget("ThinPart_ReportStart").isEnabled())
 
 
 def message():

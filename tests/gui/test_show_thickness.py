@@ -179,7 +179,7 @@ def test_a_changed_part_makes_the_map_stale_and_recomputing_it_measures_again(do
     assert thickness.Stale
     thickness.touch()
     document.recompute()
-    window.wait_until(lambda: is_measuring_again() or not thickness.Stale, 10)
+    window.wait_until(lambda: is_measuring_again() or not thickness.Stale)
     window.wait_until(lambda: not is_measuring_again())
     assert not thickness.Stale
     assert parts_of(thickness)[0].map.thickness.min() == pytest.approx(5.0, abs=1e-3)
@@ -299,7 +299,7 @@ def test_closing_the_document_meanwhile(document):
     window.press("ThinPart_ShowThickness")
     window.wait_until(window.workers)
     App.closeDocument(document.Name)
-    window.wait_until(lambda: not Gui.Control.activeDialog(), 5)
+    window.wait_until(lambda: not Gui.Control.activeDialog())
     assert window.workers() == []
 
 
@@ -318,7 +318,7 @@ def test_another_document_in_front_meanwhile(document):
     window.settle(50)
     assert window.is_shown("ThinPart_ThicknessVerdict"), "it is about the other document"
     App.closeDocument(other.Name)
-    window.wait_until(lambda: not Gui.Control.activeDialog(), 5)
+    window.wait_until(lambda: not Gui.Control.activeDialog())
 
 
 def test_without_a_document_it_cannot_be_pressed_and_says_why_when_called():

@@ -43,7 +43,7 @@ def test_an_assembly_of_100_solids(document):
     assert any(abs(each[:, 0].min() - bounds.XMin) < 1e-3 and abs(each[:, 1].max() - bounds.YMax) < 1e-3
                for each in placed)
     table = window.widget("ThinPart_PartTable")
-    assert len(table.rows) == 10 and "100 in all" in window.text("ThinPart_PartLabel")
+    assert len(table.rows) == 10 and "100 instances" in window.text("ThinPart_PartLabel")
     table.sortByColumn(2, QtCore.Qt.AscendingOrder)
     window.settle(200)
     window.mouse_click(table.viewport(), table.visualRect(table.model().index(1, 0)).center())
@@ -53,7 +53,7 @@ def test_an_assembly_of_100_solids(document):
     assert Gui.Selection.getSelectionEx("", 0)[0].ObjectName == "Assembly"
     assert list(thickness.ViewObject.Proxy.colours.faces) == [1]
     window.click("ThinPart_AllParts")
-    assert "100 in all" in window.text("ThinPart_PartLabel")
+    assert "100 instances" in window.text("ThinPart_PartLabel")
     assert thickness.ViewObject.Proxy.colours.faces is None
 
 

@@ -87,7 +87,7 @@ def test_few_walls_that_are_much_thicker_share_the_last_bar(document):
     thick = 2 * np.pi * (20 ** 2 - 18 ** 2) + 2 * np.pi * 20 * 2
     assert shown.shares[last] == pytest.approx(thick / cup.Area, rel=0.05)
     assert (shown.colours[last] == thickness.ViewObject.Proxy.colours.of_values([130.0])[0]).all()
-    assert shown.bar_text(last).startswith(f"{shown.edges[last]:.3g} mm and more: ")
+    assert shown.bar_text(last).startswith(f"{shown.edges[last]:.3g}\u00a0mm and more: ")
     window.mouse_click(shown, bar_place(shown.edges[-2:].mean()))
     assert shown.chosen[0] < 20.0 < 130.0 < shown.chosen[1] < 131.0
     assert selected_faces() == {
@@ -235,10 +235,10 @@ def test_probes_are_pinned_listed_visited_and_removed(ribbed):
     middle = viewport.rect().center()
     for count, place in enumerate((middle, middle + QtCore.QPoint(40, 0))):
         window.mouse_drag(viewport, [place])
-        window.wait_until(lambda: len(probes_of(ribbed)) == count + 1, 5)
+        window.wait_until(lambda: len(probes_of(ribbed)) == count + 1)
     assert [round(probe.value) for probe in probes_of(ribbed)] == [60, 60]
     table = window.widget("ThinPart_ProbeTable")
-    window.wait_until(lambda: len(table.rows) == 2, 5)
+    window.wait_until(lambda: len(table.rows) == 2)
     assert [row.number for row in table.rows] == [0, 1]
     window.click("ThinPart_ProbeButton")
     view.viewAxonometric()
@@ -251,13 +251,13 @@ def test_probes_are_pinned_listed_visited_and_removed(ribbed):
     assert view.getCameraNode().height.getValue() != pytest.approx(before, rel=0.01)
     table.selectRow(0)
     window.click("ThinPart_RemoveProbe")
-    window.wait_until(lambda: len(table.rows) == 1, 5)
+    window.wait_until(lambda: len(table.rows) == 1)
     assert len(probes_of(ribbed)) == 1
     window.click("ThinPart_ClearProbes")
-    window.wait_until(lambda: not table.rows, 5)
+    window.wait_until(lambda: not table.rows)
     assert probes_of(ribbed) == [] and not window.widget("ThinPart_ClearProbes").isEnabled()
     Gui.runCommand("Std_Undo")
-    window.wait_until(lambda: len(table.rows) == 1, 5)
+    window.wait_until(lambda: len(table.rows) == 1)
 
 
 def test_a_mesh_has_no_faces_to_select_and_is_shown_all_the_same(document):

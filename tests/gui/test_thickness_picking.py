@@ -37,7 +37,7 @@ def _hovered(picker, view, point):
     told = []
     picker.hovered.connect(told.append)
     move_to(view, place_of(view, point))
-    window.wait_until(lambda: told, 5)
+    window.wait_until(lambda: told)
     picker.hovered.disconnect(told.append)
     return told[-1]
 
@@ -50,7 +50,7 @@ def test_the_wall_under_the_cursor(picker, document):
         assert wall["thickness"] == pytest.approx(value, abs=1e-3)
         assert np.linalg.norm(wall["point"] - point) < 1.0
         assert np.linalg.norm(wall["point"] - wall["opposite"]) == pytest.approx(value, abs=1e-3)
-        assert window.text("ThinPart_Hover") == f"{value:g} mm"
+        assert window.text("ThinPart_Hover") == f"{value:g}\u00a0mm"
     view.viewBottom()
     view.fitAll()
     window.settle(60)
@@ -59,7 +59,7 @@ def test_the_wall_under_the_cursor(picker, document):
     told = []
     picker.hovered.connect(told.append)
     move_to(view, QtCore.QPoint(widget_of(view).width() - 3, 3))
-    window.wait_until(lambda: told, 5)
+    window.wait_until(lambda: told)
     assert told == [None] and not window.is_shown("ThinPart_Hover")
 
 
@@ -68,7 +68,7 @@ def test_what_stands_before_the_map_hides_it(picker, document):
     place = place_of(view, V(60, 12, 40))
     assert picker.wall_at(view, place)["thickness"] == pytest.approx(40.0, abs=1e-3)
     screen = window.add(document, "Screen", Part.makeBox(4, 4, 4, V(86, -18, 66)))
-    window.wait_until(lambda: picker.wall_at(view, place) is None, 5)  # once the view is drawn anew
+    window.wait_until(lambda: picker.wall_at(view, place) is None)  # once the view is drawn anew
     screen.ViewObject.Visibility = False
     assert picker.wall_at(view, place) is not None
     behind = window.add(document, "Behind", Part.makeBox(4, 4, 4, V(20, 50, -20)))
@@ -82,7 +82,7 @@ def test_a_click_pins_what_is_there_and_selects_nothing(picker, document, tmp_pa
     place = place_of(view, V(50, 27, 52))
     before = picture(view, tmp_path)
     click_at(view, place)
-    window.wait_until(lambda: probed, 5)
+    window.wait_until(lambda: probed)
     assert thickness.ProbeValues == pytest.approx([6.0], abs=1e-4)
     assert thickness.ProbePoints[0].y == pytest.approx(27.0) and thickness.ProbeOpposites[0].y == (
         pytest.approx(33.0, abs=1e-4))
@@ -119,7 +119,7 @@ def test_without_the_picker_a_click_selects_and_pins_nothing(picker, document):
     thickness, view = document.Thickness, view_of(document)
     picker.stop()
     click_at(view, place_of(view, V(60, 12, 40)))
-    window.wait_until(Gui.Selection.getSelection, 5)
+    window.wait_until(Gui.Selection.getSelection)
     assert Gui.Selection.getSelection() == [thickness] and thickness.ProbeValues == []
     assert not window.is_shown("ThinPart_Hover")
 
@@ -149,7 +149,7 @@ def test_a_part_that_stands_at_three_places(document):
         assert seen == {0, 1, 2}
         for place in places[1:]:
             click_at(view, place_of(view, place.multVec(V(20, 15, 1))))
-        window.wait_until(lambda: len(thickness.ProbeValues) == 2, 5)
+        window.wait_until(lambda: len(thickness.ProbeValues) == 2)
     finally:
         picker.stop()
 
@@ -161,7 +161,7 @@ def test_a_probe_goes_with_its_part(picker, block, document):
     view.fitAll()
     window.settle(60)
     click_at(view, place_of(view, V(60, 12, 240)))
-    window.wait_until(lambda: thickness.ProbeValues, 5)
+    window.wait_until(lambda: thickness.ProbeValues)
     point, opposite = probe_ends(thickness, 0)
     assert (point[2], opposite[2]) == pytest.approx((240.0, 200.0), abs=1e-3)
     block.Placement.Base = V(0, 0, 0)

@@ -11,11 +11,12 @@ import pytest
 import window_actions as window
 
 from made_library import record_of, store
+from seen_texts import seen
 from thinpart_workbench.core.criteria import load_profile
 from thinpart_workbench.core.descriptors import QUANTITIES
 from thinpart_workbench.freecad_adapter.settings import set_preference, set_preference_list
 from thinpart_workbench.gui import find_parts
-from thinpart_workbench.gui.qt import QtCore, QtWidgets
+from thinpart_workbench.gui.qt import QtCore
 from thinpart_workbench.gui.result_table import CATEGORY
 from thinpart_workbench.storage.info_file import info_path, read_info
 
@@ -37,34 +38,6 @@ def said(text, context="ThinPart"):
 
 def below(text):
     return said(text, "ThinPartCore")
-
-
-def seen(root):
-    """All texts of a window and of what lies in it, tool tips included."""
-    for each in [root, *root.findChildren(QtWidgets.QWidget)]:
-        for name in ("text", "toolTip", "placeholderText", "windowTitle", "title", "specialValueText", "suffix"):
-            value = getattr(each, name, lambda: "")
-            yield value() if callable(value) else ""
-        if isinstance(each, QtWidgets.QTabWidget):
-            yield from (each.tabText(index) for index in range(each.count()))
-        if isinstance(each, QtWidgets.QComboBox):
-            yield from (each.itemText(index) for index in range(each.count()))
-        if isinstance(each, QtWidgets.QListWidget):
-            yield from (each.item(row).text() for row in range(each.count()))
-        if isinstance(each, (QtWidgets.QTableView, QtWidgets.QTreeView)):
-            yield from _cells(each.model())
-
-
-def _cells(model, parent=None):
-    parent = parent or QtCore.QModelIndex()
-    for column in range(model.columnCount(parent)):
-        yield str(model.headerData(column, HORIZONTAL) or "")
-        for row in range(model.rowCount(parent)):
-            index = model.index(row, column, parent)
-            for role in (QtCore.Qt.DisplayRole, TOOL_TIP):
-                yield str(model.data(index, role) or "")
-            if column == 0 and model.rowCount(index):
-                yield from _cells(model, index)
 
 
 ENGLISH = re.compile("|".join(
@@ -98,7 +71,7 @@ def test_the_language_is_one_that_there_are_translations_for():
 
 def test_the_workbench_and_its_commands():
     assert Gui.listWorkbenches()["ThinPartWorkbench"].ToolTip == said(
-        "Tells before meshing whether a part is thin, and where")
+        "Check before meshing whether a part is thin, and where")
     for command, text in (("ThinPart_Classify", "Classify part"), ("ThinPart_FindParts", "Find parts"),
                           ("ThinPart_ClassifyFolder", "Classify folder\u2026")):
         button = window.tool_button(command)
@@ -142,7 +115,7 @@ def test_the_window_for_folders(tmp_path):
         said("There is no folder {}: choose another one.").format("/no/such/folder"))
     window.widget("ThinPart_Folder").setCurrentText(str(tmp_path))
     window.click("ThinPart_FolderStart")
-    window.wait_until(window.widget("ThinPart_FolderStart").isEnabled, 300)
+    window.wait_until(window.widget("ThinPart_FolderStart").isEnabled)
     table = window.widget("ThinPart_FolderTable").model()
     told = {table.index(row, CATEGORY).data(): table.index(row, 0).data(TOOL_TIP) for row in range(table.rowCount())}
     failed = "\u2717 " + said("Failed: {}").format(below("the file or document holds nothing"))
@@ -159,14 +132,14 @@ def test_the_panel_that_finds_parts(tmp_path, monkeypatch):
     (tmp_path / "library" / "damaged.thinpart.json").write_text("{")
     set_preference_list("Libraries", [str(tmp_path / "library")])
     dock = find_parts.show_find_parts()
-    window.wait_until(lambda: not dock.is_refreshing and not dock.is_waiting, 120)
+    window.wait_until(lambda: not dock.is_refreshing and not dock.is_waiting)
     view = window.widget("ThinPart_FoundTable")
     rows = {view.model().part_at(row).label: row for row in range(view.model().rowCount())}
     damaged = view.model().index(rows.pop(None), 1).data(TOOL_TIP)
     assert damaged.startswith(below("The info file {} cannot be read ({}).").partition("{")[0])
     view.selectRow(rows["plate"])
     next(each for each in view.menu().actions() if each.objectName() == "ThinPart_FoundSimilar").trigger()
-    window.wait_until(lambda: window.is_shown("ThinPart_EndLike") and not dock.is_waiting, 180)
+    window.wait_until(lambda: window.is_shown("ThinPart_EndLike") and not dock.is_waiting)
     window.settle(300)
     assert dock.windowTitle() == said("Find parts")
     choices = window.widget("ThinPart_FindChoices")
@@ -179,7 +152,7 @@ def test_the_panel_that_finds_parts(tmp_path, monkeypatch):
     assert said("Thin part") in window.widget("ThinPart_Category_thin").text()
     assert window.widget("ThinPart_Criterion_1").toolTip() == below("Plate")
     window.widget("ThinPart_FindConditions").setText("D9 > 6")
-    window.wait_until(lambda: window.is_shown("ThinPart_FindRefusal"), 30)
+    window.wait_until(lambda: window.is_shown("ThinPart_FindRefusal"))
     start = below("There is no quantity {} in the condition {}: there are {}.").partition("{")[0]
     assert start in window.text("ThinPart_FindRefusal")
     assert english(dock) == set()

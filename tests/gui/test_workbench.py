@@ -36,7 +36,7 @@ def test_called_without_a_document_it_says_so():
     from thinpart_workbench.gui.classify import classify_active_document
 
     classify_active_document()
-    window.settle(200)
+    window.wait_until(lambda: window.is_shown("ThinPart_Message"))
     assert window.text("ThinPart_Message") == "There is no document: open or create one first."
 
 
@@ -60,5 +60,8 @@ def test_another_open_task_is_left_alone(document):
         form = window.QtWidgets.QWidget()
 
     Gui.Control.showDialog(Task())
-    assert not Gui.isCommandActive("ThinPart_Classify")
+    window.press("ThinPart_Classify")
+    window.settle(50)
+    assert "one task at a time" in Gui.getMainWindow().statusBar().currentMessage()
+    assert not window.is_shown("ThinPart_Panel") and Task.form.isVisible()
     assert App.ActiveDocument is document

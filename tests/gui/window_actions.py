@@ -1,5 +1,6 @@
 """What a person does with the window, and parts to do it with."""
 
+import inspect
 import os
 import time
 from pathlib import Path
@@ -8,6 +9,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import Part
 
+import time_limit
 from thinpart_workbench.gui.qt import QtCore, QtGui, QtWidgets, translate
 from thinpart_workbench.gui.ready_process import READY
 
@@ -26,12 +28,53 @@ def settle(milliseconds=30):
         time.sleep(0.002)
 
 
-def wait_until(condition, seconds=180.0):
-    """Wait until something is so; fail where it never is, or takes long even for a machine that is busy."""
-    end = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < end, "it took too long"
-        settle(10)
+def wait_until(condition, what=None, seconds=60.0):
+    """Wait until something is so; fail where it never is, and say what was waited for and what the window shows.
+
+    The time is for a machine that is busy with other things. What takes longer than a test may have is
+    waited for no longer than that.
+
+    Parameters
+    ----------
+    condition : callable
+    what : str, optional
+        In words; the condition's own source where nothing is given.
+    seconds : float
+    """
+    time_limit.wait_until(condition, what or (lambda: _source_of(condition)), seconds, lambda: settle(10))
+
+
+def _source_of(condition):
+    try:
+        return " ".join(inspect.getsource(condition).split())
+    except (OSError, TypeError):  # something of Qt's
+        return getattr(condition, "__qualname__", repr(condition))
+
+
+def shown():
+    """What the window shows, in lines: dialogs and what ThinPart says."""
+    lines = []
+    for kind, each in (("modal", QtWidgets.QApplication.activeModalWidget()),
+                       ("popup", QtWidgets.QApplication.activePopupWidget())):
+        if each is not None:
+            lines.append(f"{kind}: {type(each).__name__} {each.objectName()!r} {each.windowTitle()!r}")
+    for each in QtWidgets.QApplication.allWidgets():
+        if isinstance(each, QtWidgets.QDialog) and each.isVisible():
+            lines.append(f"dialog: {type(each).__name__} {each.objectName()!r} {each.windowTitle()!r}")
+            lines += [f"    {label.text()!r}" for label in each.findChildren(QtWidgets.QLabel)
+                      if label.isVisible() and label.text() and not label.objectName().startswith("ThinPart_")]
+        elif isinstance(each, QtWidgets.QLabel) and each.objectName().startswith("ThinPart_") and each.isVisible():
+            lines.append(f"{each.objectName()}: {each.text()!r}")
+    return "The window shows\n  " + "\n  ".join(lines or ["nothing of ThinPart"])
+
+
+def dismiss():
+    """Close what waits for a person: a menu, a dialog."""
+    popup, modal = QtWidgets.QApplication.activePopupWidget(), QtWidgets.QApplication.activeModalWidget()
+    if popup is not None:
+        popup.close()
+    if modal is not None:
+        modal.close()
 
 
 def widget(name, kind=QtWidgets.QWidget):
@@ -58,6 +101,46 @@ def is_shown(name):
 def text(name):
     """What a label says; empty where it is not shown."""
     return widget(name).text() if is_shown(name) else ""
+
+
+def notices():
+    """list of str: the warnings that were not dismissed yet, in FreeCAD's notification area or on our button."""
+    found = _notified()
+    if found is None:
+        return widget("ThinPart_Notice").toolTip().splitlines()[:-1] if is_shown("ThinPart_Notice") else []
+    return found[:len(found) - _dismissed[0]]
+
+
+def dismiss_notices():
+    """Take the warnings away, as a person does who has read them."""
+    found = _notified()
+    if found is not None:
+        _dismissed[0] = len(found)
+    elif is_shown("ThinPart_Notice"):
+        click("ThinPart_Notice")
+    assert not is_shown("ThinPart_Notice")
+
+
+_dismissed = [0]
+
+
+def notification_area():
+    """Whom it is about and the message of all in FreeCAD's notification area, newest first; None where it has none."""
+    button = Gui.getMainWindow().statusBar().findChild(QtWidgets.QPushButton, "notificationArea")
+    if button is None:
+        return None
+    button.menu().aboutToShow.emit()
+    settle(20)
+    tree = button.menu().findChild(QtWidgets.QTreeWidget)
+    items = [tree.topLevelItem(number) for number in range(tree.topLevelItemCount())]
+    return [(each.text(1), each.text(2)) for each in items]
+
+
+def _notified():
+    """What ThinPart has said in the area."""
+    area = notification_area()
+    return None if area is None else [text.removeprefix("ThinPart: ") for about, text in area
+                     if about == "ThinPart" or text.startswith("ThinPart: ")]
 
 
 def click(name):
@@ -110,7 +193,7 @@ def tool_button(command):
 def press(command):
     """Press a command's button in the tool bar."""
     button = tool_button(command)
-    wait_until(button.isEnabled, 5)  # FreeCAD looks every 300 ms which commands are active
+    wait_until(button.isEnabled)  # FreeCAD looks every 300 ms which commands are active
     mouse_click(button)
 
 
@@ -131,7 +214,7 @@ def show_thickness():
     """Press the button and wait for the map, or for a sentence why there is none."""
     press("ThinPart_ShowThickness")
     settle(50)  # FreeCAD shows the new panel in its own time
-    wait_until(is_thickness_told, 120)
+    wait_until(is_thickness_told)
 
 
 def is_thickness_told():
@@ -153,11 +236,11 @@ def close_button():
                     if each.isVisible() and box.standardButton(each) == QtWidgets.QDialogButtonBox.Close]
         return found
 
-    wait_until(look, 10)
+    wait_until(look)
     return found[0]
 
 
-def answer(dialog_name, act, seconds=20.0):
+def answer(dialog_name, act, seconds=60.0):
     """Have a modal dialog answered once it is there."""
     end = time.monotonic() + seconds
 

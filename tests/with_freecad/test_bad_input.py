@@ -7,7 +7,6 @@ import shutil
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import jsonschema
@@ -15,94 +14,113 @@ import numpy as np
 import pytest
 
 import made_meshes
-from program import ROOT, SAMPLES, SCHEMA, failures, group_ended, records, thinpart
+import time_limit
+from program import SAMPLES, SCHEMA, environment, failures, group_ended, records, thinpart
+from slow_files import make_endless
 from thinpart_workbench.freecad_adapter.mesh_file_check import check_mesh_file
 
 
-def bad_row(tmp_path, name, content, *arguments):
-    """Classify one bad file beside a good one: the good one must go on."""
-    folder = tmp_path / "parts"
-    folder.mkdir()
+ENDINGS = ["step", "iges", "brep", "FCStd", "stl", "obj", "ply", "off"]
+
+
+def write_bad_files(folder, freecad):
+    """One file of every kind that cannot be measured, each in its own way."""
+    import Mesh
+    import Part
+
+    noise = np.random.default_rng(20120507).bytes(5000)
+    for ending in ENDINGS:
+        (folder / f"empty.{ending}").write_bytes(b"")
+        (folder / f"bad.{ending}").write_bytes(noise)
+    for ending in ("step", "FCStd"):
+        whole = (SAMPLES / f"block.{ending}").read_bytes()
+        for part in (0.5, 0.9):
+            (folder / f"cut-{part}.{ending}").write_bytes(whole[:int(part * len(whole))])
+    for name, form in (("binary", "STL"), ("ascii", "AST")):
+        file = folder / f"cut-{name}.stl"
+        Mesh.createBox(10, 10, 10).write(Filename=str(file), Format=form)
+        file.write_bytes(file.read_bytes()[:-60])
+    box = Part.makeBox(10, 10, 10)
+    for name, shape in (("face", box.Faces[0]), ("shell", Part.makeShell(box.Faces[:5])),
+                        ("wire", box.Wires[0]), ("nothing", Part.Compound([]))):
+        shape.exportBrep(str(folder / f"{name}.brep"))
+    document = freecad.newDocument("Bad")
+    document.saveAs(str(folder / "without.FCStd"))
+    document.addObject("Part::Feature", "Null")
+    document.saveAs(str(folder / "null.FCStd"))
+    document.addObject("Part::Feature", "Face").Shape = Part.makePlane(5, 5)
+    document.saveAs(str(folder / "face.FCStd"))
+    freecad.closeDocument(document.Name)
+    Mesh.createBox(10, 10, 10).write(Filename=str(folder / "nan.stl"), Format="AST")
+    text = (folder / "nan.stl").read_text()
+    (folder / "nan.stl").write_text(re.sub(r"vertex\s+\S+", "vertex nan", text, count=3))
+    (folder / "inf.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 inf 0\nf 1 2 3\n")
+    hexagon = b"".join(b"v %d %d 0\n" % (k, k * k) for k in range(6)) + b"f 1 2 3 4 5 6\n"
+    (folder / "hexagon.obj").write_bytes(hexagon)
+    (folder / "sheet.off").write_bytes(b"OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n")
+
+
+@pytest.fixture(scope="module")
+def bad_run(tmp_path_factory, freecad):
+    """One run over all bad files and a good one, and their folder."""
+    folder = tmp_path_factory.mktemp("bad")
+    write_bad_files(folder, freecad)
     shutil.copy(SAMPLES / "wedge.step", folder)
-    (folder / name).write_bytes(content)
-    run = thinpart("classify", folder / name, folder / "wedge.step", "--json", *arguments)
-    good = [line for line in records(run) if line.get("category")]
-    assert run.returncode == 1 and [line["category"] for line in good] == ["thin_features"]
-    assert name in run.stderr and "Traceback" not in run.stderr
-    assert not list(folder.glob(f"{name}*.json")) and not list(folder.glob(".thinpart*"))
+    before = {file.name for file in folder.iterdir()}
+    return thinpart("classify", folder, "--json"), folder, before
+
+
+def kind_of(bad_run, name):
+    """How the row of a bad file calls its fault, where the row and its sentence are there."""
+    run, folder, before = bad_run
+    assert name in before and name in run.stderr and not list(folder.glob(f"{name}.*"))
+    row, *more = [line for line in records(run) if Path(line["file"]).name == name]
+    assert all("error" in line for line in (row, *more))
     return failures(run)[name]
 
 
-def step(shape, tmp_path, name="made.step"):
-    file = tmp_path / name
-    (shape.exportStep if name.endswith("step") else shape.exportBrep)(str(file))
-    return file.read_bytes()
+def test_the_good_file_goes_on_beside_the_bad_ones(bad_run):
+    run, folder, before = bad_run
+    assert run.returncode == 1 and "Traceback" not in run.stderr
+    assert [line["category"] for line in records(run) if line.get("category")] == ["thin_features"]
+    assert failures(run).keys() == before - {"wedge.step"}
+    assert {file.name for file in folder.iterdir()} - before == {"wedge.step.thinpart.json"}
 
 
-@pytest.mark.parametrize("ending", ["step", "iges", "brep", "FCStd", "stl", "obj", "ply", "off"])
-def test_empty_files(tmp_path, ending):
-    assert bad_row(tmp_path, f"empty.{ending}", b"") == "empty"
+@pytest.mark.parametrize("ending", ENDINGS)
+def test_empty_files(bad_run, ending):
+    assert kind_of(bad_run, f"empty.{ending}") == "empty"
 
 
-@pytest.mark.parametrize("ending", ["step", "iges", "brep", "FCStd", "stl", "obj", "ply", "off"])
-def test_garbage(tmp_path, ending, rng):
-    assert bad_row(tmp_path, f"bad.{ending}", rng.bytes(5000)) in ("unreadable", "crash")
+@pytest.mark.parametrize("ending", ENDINGS)
+def test_garbage(bad_run, ending):
+    assert kind_of(bad_run, f"bad.{ending}") in ("unreadable", "crash")
 
 
 @pytest.mark.parametrize("ending", ["step", "FCStd"])
 @pytest.mark.parametrize("part", [0.5, 0.9])
-def test_truncated(tmp_path, ending, part):
-    whole = (SAMPLES / f"block.{ending}").read_bytes()
-    assert bad_row(tmp_path, f"cut.{ending}", whole[:int(part * len(whole))]) in (
-        "unreadable", "crash")
+def test_truncated(bad_run, ending, part):
+    assert kind_of(bad_run, f"cut-{part}.{ending}") in ("unreadable", "crash")
 
 
 @pytest.mark.parametrize("form", ["binary", "ascii"])
-def test_truncated_stl(tmp_path, form):
-    import Mesh
-
-    file = tmp_path / "box.stl"
-    Mesh.createBox(10, 10, 10).write(Filename=str(file), Format="STL" if form == "binary" else "AST")
-    assert bad_row(tmp_path, "cut.stl", file.read_bytes()[:-60]) == "unreadable"
+def test_truncated_stl(bad_run, form):
+    assert kind_of(bad_run, f"cut-{form}.stl") == "unreadable"
 
 
-def test_surfaces_and_wires_are_no_solid(tmp_path):
-    import Part
-
-    box = Part.makeBox(10, 10, 10)
-    for name, shape in (("face", box.Faces[0]), ("shell", Part.makeShell(box.Faces[:5])),
-                        ("wire", box.Wires[0]), ("nothing", Part.Compound([]))):
-        folder = tmp_path / name
-        folder.mkdir()
-        assert bad_row(folder, f"{name}.brep", step(shape, tmp_path, "made.brep")) == "no_solid"
+@pytest.mark.parametrize("name", ["face", "shell", "wire", "nothing"])
+def test_surfaces_and_wires_are_no_solid(bad_run, name):
+    assert kind_of(bad_run, f"{name}.brep") == "no_solid"
 
 
-def test_documents_without_a_part(tmp_path, document):
-    import Part
-
-    file = tmp_path / "made.FCStd"
-    for name, kind in (("empty", "empty"), ("null", "no_solid"), ("face", "no_solid")):
-        if name == "null":
-            document.addObject("Part::Feature", "Null")
-        elif name == "face":
-            document.addObject("Part::Feature", "Face").Shape = Part.makePlane(5, 5)
-        document.saveAs(str(file))
-        folder = tmp_path / name
-        folder.mkdir()
-        assert bad_row(folder, f"{name}.FCStd", file.read_bytes()) == kind
+@pytest.mark.parametrize("name, kind", [("without", "empty"), ("null", "no_solid"), ("face", "no_solid")])
+def test_documents_without_a_part(bad_run, name, kind):
+    assert kind_of(bad_run, f"{name}.FCStd") == kind
 
 
-def test_coordinates_that_are_no_numbers(tmp_path):
-    import Mesh
-
-    file = tmp_path / "box.stl"
-    Mesh.createBox(10, 10, 10).write(Filename=str(file), Format="AST")
-    text = file.read_text()
-    for name, content in (("nan.stl", re.sub(r"vertex\s+\S+", "vertex nan", text, count=3)),
-                          ("inf.obj", "v 0 0 0\nv 1 0 0\nv 0 inf 0\nf 1 2 3\n")):
-        folder = tmp_path / name
-        folder.mkdir()
-        assert bad_row(folder, name, content.encode()) == "not_finite"
+@pytest.mark.parametrize("name", ["nan.stl", "inf.obj"])
+def test_coordinates_that_are_no_numbers(bad_run, name):
+    assert kind_of(bad_run, name) == "not_finite"
 
 
 def test_a_table_is_never_written_over_a_part_or_anything_else(tmp_path):
@@ -125,14 +143,12 @@ def test_words_that_look_like_no_number_are_none(tmp_path):
         check_mesh_file(file)
 
 
-def test_faces_that_freecad_leaves_out_are_not_lost_silently(tmp_path):
-    hexagon = b"".join(b"v %d %d 0\n" % (k, k * k) for k in range(6)) + b"f 1 2 3 4 5 6\n"
-    assert bad_row(tmp_path, "hex.obj", hexagon) == "unsupported"
+def test_faces_that_freecad_leaves_out_are_not_lost_silently(bad_run):
+    assert kind_of(bad_run, "hexagon.obj") == "unsupported"
 
 
-def test_zero_volume(tmp_path):
-    sheet = b"OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n"
-    assert bad_row(tmp_path, "sheet.off", sheet) == "zero_volume"
+def test_zero_volume(bad_run):
+    assert kind_of(bad_run, "sheet.off") == "zero_volume"
 
 
 def test_suspect_parts_are_classified_with_a_warning(tmp_path):
@@ -156,6 +172,7 @@ def test_suspect_parts_are_classified_with_a_warning(tmp_path):
 
     tiny = box.copy()
     tiny.scale(1e-4)
+    expected = {}
     for name, thing, says, category in (
         ("through.stl", stl(box, other), "passes through itself", None),
         ("open.stl", stl(box, cut=2), "open", "unknown"),
@@ -165,9 +182,13 @@ def test_suspect_parts_are_classified_with_a_warning(tmp_path):
     ):
         file = tmp_path / name
         (thing.exportBrep if name.endswith("brep") else thing.write)(str(file))
-        record, = records(thinpart("classify", file, "--json", "--no-info"))
-        assert any(says in warning for warning in record["warnings"]), (name, record["warnings"])
-        assert category in (None, record["category"])
+        expected[name] = says, category
+    found = {Path(record["file"]).name: record for record in records(
+        thinpart("classify", tmp_path, "--json", "--no-info"))}
+    assert found.keys() == expected.keys()
+    for name, (says, category) in expected.items():
+        assert any(says in warning for warning in found[name]["warnings"]), (name, found[name]["warnings"])
+        assert category in (None, found[name]["category"])
 
 
 def test_a_solid_far_from_the_origin(tmp_path):
@@ -184,6 +205,7 @@ def test_a_solid_far_from_the_origin(tmp_path):
     assert record["faces"][0]["witness"]["points"][0] == pytest.approx([1e6, -1e6, 1e6], rel=1e-3)
 
 
+@pytest.mark.usefixtures("each_python")
 def test_a_file_that_ends_its_reader_is_one_row(tmp_path, rng):
     """References to anything: the reader follows them and dies; the row says so."""
     lines = (SAMPLES / "block.step").read_text().split("\n")
@@ -204,20 +226,28 @@ def test_a_file_that_ends_its_reader_is_one_row(tmp_path, rng):
         "thin_features"]
 
 
+@pytest.mark.usefixtures("each_python")
 def test_a_file_that_never_ends_is_one_row(tmp_path):
-    os.mkfifo(tmp_path / "hang.step")
+    make_endless(tmp_path / "hang.step")
     shutil.copy(SAMPLES / "wedge.step", tmp_path / "good.step")
     run = thinpart("classify", tmp_path, "--json", "--no-info", "--timeout", "6")
     assert failures(run) == {"hang.step": "timeout"} and len(records(run)) == 2
 
 
+@pytest.mark.usefixtures("each_python")
 def test_too_little_memory_is_one_row(tmp_path):
     points, triangles = made_meshes.sphere(20, 800)
     facets = np.zeros(len(triangles), [("normal", "<f4", 3), ("corners", "<f4", (3, 3)),
                                        ("flags", "<u2")])
     facets["corners"] = points[triangles]
     head = b"\0" * 80 + len(triangles).to_bytes(4, "little")
-    assert bad_row(tmp_path, "large.stl", head + facets.tobytes(), "--memory", "700") == "memory"
+    (tmp_path / "large.stl").write_bytes(head + facets.tobytes())
+    shutil.copy(SAMPLES / "wedge.step", tmp_path)
+    run = thinpart("classify", tmp_path / "large.stl", tmp_path / "wedge.step", "--json", "--memory", "700")
+    assert run.returncode == 1 and failures(run) == {"large.stl": "memory"}
+    assert "large.stl" in run.stderr and "Traceback" not in run.stderr
+    assert [line["category"] for line in records(run) if line.get("category")] == ["thin_features"]
+    assert {file.name for file in tmp_path.iterdir()} == {"large.stl", "wedge.step", "wedge.step.thinpart.json"}
 
 
 def test_missing_file(tmp_path):
@@ -293,17 +323,18 @@ def _open_to_all(folder):
 # -- interruption
 
 
+@pytest.mark.usefixtures("each_python")
 def test_ctrl_c_keeps_what_was_done_and_leaves_nothing_running(tmp_path):
     for number in range(6):
         shutil.copy(SAMPLES / "thin_walled_casting.step", tmp_path / f"{number}.step")
     process = subprocess.Popen(
         [sys.executable, "-m", "thinpart_workbench", "classify", str(tmp_path), "--json",
-         "--jobs", "1"], env=dict(os.environ, PYTHONPATH=str(ROOT)), stdin=subprocess.DEVNULL,
+         "--jobs", "1"], env=environment(), stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True,
     )
     first = process.stdout.readline()
     os.killpg(process.pid, signal.SIGINT)
-    rest, errors = process.communicate(timeout=60)
+    rest, errors = process.communicate()
     assert process.returncode == 130 and "Traceback" not in errors
     done = len((first + rest).splitlines())
     infos = list(tmp_path.glob("*.thinpart.json"))
@@ -313,12 +344,13 @@ def test_ctrl_c_keeps_what_was_done_and_leaves_nothing_running(tmp_path):
     assert group_ended(process.pid)
 
 
+@pytest.mark.usefixtures("each_python")
 def test_kill_9_leaves_no_half_written_file(tmp_path):
     for number in range(4):
         shutil.copy(SAMPLES / "wedge.step", tmp_path / f"{number}.step")
     process = subprocess.Popen(
         [sys.executable, "-m", "thinpart_workbench", "classify", str(tmp_path), "--json"],
-        env=dict(os.environ, PYTHONPATH=str(ROOT)), stdin=subprocess.DEVNULL,
+        env=environment(), stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, start_new_session=True,
     )
     process.stdout.readline()
@@ -330,13 +362,14 @@ def test_kill_9_leaves_no_half_written_file(tmp_path):
     assert run.returncode == 0 and len(records(run)) == 4
 
 
+@pytest.mark.usefixtures("each_python")
 def test_temporary_folders_of_killed_runs_are_removed_by_the_next(tmp_path):
     folder = tmp_path / "parts"
     folder.mkdir()
-    os.mkfifo(folder / "hang.step")
+    make_endless(folder / "hang.step")
     temporary = tmp_path / "temporary"
     temporary.mkdir()
-    environment = dict(os.environ, PYTHONPATH=str(ROOT), TMPDIR=str(temporary))
+    elsewhere = environment(TMPDIR=str(temporary))
 
     def left():
         return {each.name for each in temporary.glob("thinpart-*")}
@@ -345,13 +378,11 @@ def test_temporary_folders_of_killed_runs_are_removed_by_the_next(tmp_path):
         before = left()
         process = subprocess.Popen(
             [sys.executable, "-m", "thinpart_workbench", "classify", str(folder), "--no-info"],
-            env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+            env=elsewhere, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL, start_new_session=True)
-        for _ in range(200):
-            if any((temporary / name / "lock").exists() for name in left() - before):
-                return process, (left() - before).pop()
-            time.sleep(0.05)
-        raise AssertionError("no temporary folder")
+        time_limit.wait_until(lambda: any((temporary / name / "lock").exists() for name in left() - before),
+                              "a temporary folder with its lock")
+        return process, (left() - before).pop()
 
     foreign = temporary / "thinpart-run-of-somebody"
     foreign.mkdir()

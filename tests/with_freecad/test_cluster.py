@@ -7,13 +7,14 @@ import signal
 import subprocess
 import sys
 import threading
-import time
 from pathlib import Path
 
 import jsonschema
 import pytest
 
+import time_limit
 from program import ROOT, SAMPLES, SCHEMA, failures, records, thinpart
+from slow_files import make_endless
 from thinpart_workbench.core.errors import ThinPartError
 from thinpart_workbench.requirements import FREECAD_LIBS
 from thinpart_workbench.workflow.analyse_file import FileTask
@@ -32,7 +33,7 @@ class Cluster:
         self.file = folder / "scheduler.json"
         self.scheduler = self._start("scheduler", "--host", "127.0.0.1", "--port", "0", "--no-show",
                                      "--scheduler-file", self.file)
-        wait_for(self.file.is_file)
+        time_limit.wait_until(self.file.is_file, "the file of the scheduler")
         self.address = json.loads(self.file.read_text())["address"]
 
     def worker(self, *options, before=()):
@@ -66,13 +67,6 @@ class Cluster:
             except subprocess.TimeoutExpired:
                 os.killpg(process.pid, signal.SIGKILL)
                 process.wait()
-
-
-def wait_for(condition, seconds=30):
-    end = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < end
-        time.sleep(0.05)
 
 
 def processes():
@@ -166,8 +160,9 @@ def test_records_and_info_files_are_those_of_this_machine(cluster, tmp_path):
     again = thinpart(*arguments, "there", "--dask", cluster.address, cwd=tmp_path)
     assert sorted(again.stdout.splitlines()) == sorted(there.stdout.splitlines())
     # The workers are left as they were.
-    wait_for(lambda: not cluster.servers())
-    assert not list(cluster.folder.rglob("thinpart_workbench"))
+    time_limit.wait_until(lambda: not cluster.servers(), lambda: f"the end of {cluster.servers()}")
+    time_limit.wait_until(lambda: not list(cluster.folder.rglob("thinpart_workbench")),
+                          "the end of what was unpacked on the workers")
 
 
 def test_the_files_of_a_worker_that_is_lost_are_done_by_others(cluster, tmp_path):
@@ -175,24 +170,24 @@ def test_the_files_of_a_worker_that_is_lost_are_done_by_others(cluster, tmp_path
     doomed = cluster.worker("--no-nanny")
     run = start(parts, "--dask", cluster.address)
     first = run.stdout.readline()
-    wait_for(lambda: len(cluster.servers()) == 3)
+    time_limit.wait_until(lambda: len(cluster.servers()) == 3, "a process on each of three workers")
     doomed.kill()
-    rest, errors = run.communicate(timeout=100)
+    rest, errors = run.communicate()
     assert run.returncode == 0, errors
     assert len({json.loads(line)["file"] for line in (first + rest).splitlines()}) == 14
     assert len(list(parts.glob("*.thinpart.json"))) == 14
     # Also that of the lost worker.
-    wait_for(lambda: not cluster.servers())
+    time_limit.wait_until(lambda: not cluster.servers(), lambda: f"the end of {cluster.servers()}")
 
 
 def test_a_file_that_ends_its_reader_is_one_row(cluster, tmp_path):
     parts = copies(tmp_path / "parts", 3)
-    os.mkfifo(parts / "deadly.step")
+    make_endless(parts / "deadly.step")
     run = start(parts, "--no-info", "--dask", cluster.address)
-    with open(parts / "deadly.step", "wb"):
-        for reader in set(readers_of(parts / "deadly.step")) - {os.getpid()}:
-            os.kill(reader, signal.SIGKILL)
-        output, errors = run.communicate(timeout=100)
+    time_limit.wait_until(lambda: [*readers_of(parts / "deadly.step")], "a reader of the file")
+    for reader in readers_of(parts / "deadly.step"):
+        os.kill(reader, signal.SIGKILL)
+    output, errors = run.communicate()
     lines = [json.loads(line) for line in output.splitlines()]
     assert run.returncode == 1 and len(lines) == 4 and "Traceback" not in errors
     assert [line["error"]["kind"] for line in lines if "error" in line] == ["crash"]
@@ -201,13 +196,13 @@ def test_a_file_that_ends_its_reader_is_one_row(cluster, tmp_path):
 
 def test_a_file_that_ends_dask_workers_is_one_row(bare, tmp_path):
     parts = copies(tmp_path / "parts", 1)
-    os.mkfifo(parts / "deadly.step")
+    make_endless(parts / "deadly.step")
     watched = bare.worker()
     run = start(parts, "--no-info", "--dask", bare.address)
-    with open(parts / "deadly.step", "wb"):
-        server, = bare.servers()
-        os.kill(parent_of(server), signal.SIGKILL)
-        output, errors = run.communicate(timeout=100)
+    time_limit.wait_until(lambda: [*readers_of(parts / "deadly.step")], "a reader of the file")
+    server, = bare.servers()
+    os.kill(parent_of(server), signal.SIGKILL)
+    output, errors = run.communicate()
     assert run.returncode == 1 and "given up by Dask" in errors and watched.poll() is None
     kinds = {Path(line["file"]).name: line.get("error", {}).get("kind")
              for line in map(json.loads, output.splitlines())}
@@ -233,9 +228,9 @@ def test_ctrl_c_cancels_what_runs_and_leaves_nothing_behind(cluster, tmp_path):
     run = start(parts, "--dask", cluster.address)
     first = run.stdout.readline()
     os.killpg(run.pid, signal.SIGINT)
-    rest, errors = run.communicate(timeout=60)
+    rest, errors = run.communicate()
     assert run.returncode == 130 and "Traceback" not in errors
-    wait_for(lambda: not cluster.servers())
+    time_limit.wait_until(lambda: not cluster.servers(), lambda: f"the end of {cluster.servers()}")
     infos = list(parts.glob("*.thinpart.json"))
     assert 1 <= len((first + rest).splitlines()) <= len(infos) < 10
     for info in infos:

@@ -13,6 +13,7 @@ import pytest
 from program import ROOT, SAMPLES, SCHEMA, records, thinpart
 
 
+@pytest.mark.timeout(180)  # all samples are measured
 def test_every_sample_gets_its_verdict_in_both_formats():
     run = thinpart("classify", SAMPLES, "--json", "--no-info")
     assert run.returncode == 0, run.stderr
@@ -47,6 +48,7 @@ def test_table_names_part_category_criteria_box_fill_and_wall(tmp_path):
     assert re.match(r"Mounting plate\s+thin\s+1, 4, 5\s+[\d.]+ x [\d.]+ x [\d.]+\s+0\.\d+\s+[\d.]+$", row)
 
 
+@pytest.mark.timeout(180)  # all samples are measured
 def test_demo_classifies_the_samples_and_leaves_nothing_behind():
     before = sorted(SAMPLES.iterdir())
     run = thinpart("demo")
@@ -54,6 +56,7 @@ def test_demo_classifies_the_samples_and_leaves_nothing_behind():
     assert sorted(SAMPLES.iterdir()) == before
 
 
+@pytest.mark.timeout(180)  # some of these parts are large
 def test_real_parts_are_read_and_the_papers_sure_finds_are_found(real_samples):
     with open(real_samples / "manifest.csv", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
@@ -69,24 +72,34 @@ def test_real_parts_are_read_and_the_papers_sure_finds_are_found(real_samples):
     assert not any("unknown" in found for found in category.values())
 
 
-@pytest.mark.parametrize("ending", ["step", "iges", "brep", "stl", "ascii.stl", "obj", "ply", "off"])
-def test_formats_agree(tmp_path, ending):
+FORMATS = ["step", "iges", "brep", "stl", "ascii.stl", "obj", "ply", "off"]
+
+
+@pytest.fixture(scope="module")
+def block_in_all_formats(tmp_path_factory, freecad):
+    """The same block in one folder, in every format, and one run over it."""
     import MeshPart
     import Part
 
+    folder = tmp_path_factory.mktemp("formats")
     shape = Part.makeBox(100, 60, 40)
-    file = tmp_path / f"block.{ending}"
-    if ending in ("step", "iges", "brep"):
-        getattr(shape, f"export{ending.capitalize()}")(str(file))
-    else:
-        mesh = MeshPart.meshFromShape(Shape=shape, LinearDeflection=0.1, AngularDeflection=0.1)
-        if ending == "ascii.stl":
+    mesh = MeshPart.meshFromShape(Shape=shape, LinearDeflection=0.1, AngularDeflection=0.1)
+    for ending in FORMATS:
+        file = folder / f"block.{ending}"
+        if ending in ("step", "iges", "brep"):
+            getattr(shape, f"export{ending.capitalize()}")(str(file))
+        elif ending == "ascii.stl":
             mesh.write(Filename=str(file), Format="AST")
         else:
             mesh.write(str(file))
-    run = thinpart("classify", file, "--json")
-    record, = records(run)
-    assert run.returncode == 0 and record["category"] == "normal"
+    return thinpart("classify", folder, "--json")
+
+
+@pytest.mark.parametrize("ending", FORMATS)
+def test_formats_agree(block_in_all_formats, ending):
+    run = block_in_all_formats
+    record, = [each for each in records(run) if Path(each["file"]).name == f"block.{ending}"]
+    assert run.returncode == 0 and record["category"] == "normal" and len(records(run)) == len(FORMATS)
     assert record["descriptors"]["box_mm"] == pytest.approx([100, 60, 40], rel=1e-6)
     assert record["descriptors"]["watertight"]
 

@@ -212,7 +212,7 @@ def in_worker(part, folder, shapes):
     for _ in range(shapes):
         next(steps)
     run = subprocess.run([sys.executable, "-m", WORKER], input=job_line(folder),
-                         env=dict(os.environ, PYTHONPATH=str(ROOT)), capture_output=True, timeout=120)
+                         env=dict(os.environ, PYTHONPATH=str(ROOT)), capture_output=True)
     line, = [each["map"] for each in map(json.loads, run.stdout.splitlines()) if "map" in each]
     mapped, = read_maps(line["file"])
     return Counter(mapped.features)

@@ -83,7 +83,7 @@ def test_a_part_from_its_info_file_is_not_measured_again_for_its_picture(tmp_pat
 
 @pytest.mark.parametrize("option", ["--no-thumbnails", "--no-info"])
 def test_no_pictures_when_not_wanted(tmp_path, cache, option):
-    run = thinpart("classify", SAMPLES / "block.step", option, "--info-dir", tmp_path / "info")
+    run = thinpart("classify", SAMPLES / "wedge.step", option, "--info-dir", tmp_path / "info")
     assert run.returncode == 0 and not cache.exists()
 
 
@@ -98,9 +98,9 @@ def test_no_room_for_pictures_is_no_failure(tmp_path, monkeypatch, place):
              "in /proc": "/proc/thinpart", "no such user": "~nobody-of-that-name/cache",
              "relative": "cache"}[place]
     monkeypatch.setenv("THINPART_CACHE", str(cache))
-    run = thinpart("classify", SAMPLES / "block.step", "--info-dir", tmp_path / "info",
+    run = thinpart("classify", SAMPLES / "wedge.step", "--info-dir", tmp_path / "info",
                    cwd=tmp_path / "here")
     assert run.returncode == 0 and run.stderr == ""
-    assert (tmp_path / "info" / "block.step.thinpart.json").is_file()
+    assert (tmp_path / "info" / "wedge.step.thinpart.json").is_file()
     assert not Path(cache).exists()
     assert [path.name for path in (tmp_path / "here").iterdir()] == ["cache"] * (place == "relative")

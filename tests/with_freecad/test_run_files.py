@@ -60,6 +60,7 @@ def test_include_and_exclude(tmp_path):
     assert run.returncode == 0 and record["file"] == str(top / "keep.STEP")
 
 
+@pytest.mark.timeout(180)  # six runs, with up to four workers
 def test_several_workers_give_the_same_as_one(tmp_path):
     folder = tubes(tmp_path / "parts", "b.step", "a.step", "d.step")
     shutil.copy(SAMPLES / "assembly_of_three.FCStd", folder / "c.FCStd")
@@ -117,12 +118,9 @@ def test_bytes_of_a_folder_that_are_no_text(tmp_path, ending):
         shutil.copy(SAMPLES / f"block.{ending}", made)
     made.rename(folder / made.name)
     run = thinpart("classify", folder, "--json")
-    if ending == "FCStd":
-        assert run.returncode == 1 and failures(run) == {"made.FCStd": "unsupported"}
-        assert "no UTF-8 text" in run.stderr
-    else:
-        record, = records(run)
-        assert (record["category"], record["label"]) == ("normal", "made") and infos(folder)
+    record, = records(run)
+    assert record["category"] == "normal" and infos(folder)
+    assert record["label"] == ("Block" if ending == "FCStd" else "made")
 
 
 def test_failures_of_odd_names_are_one_line_each(tmp_path):
@@ -249,7 +247,7 @@ def test_output_without_room_is_one_sentence(tmp_path, arguments):
         run = subprocess.run(
             [sys.executable, "-m", "thinpart_workbench", "classify", str(folder), *arguments],
             env=dict(os.environ, PYTHONPATH=str(ROOT)), stdin=subprocess.DEVNULL, stdout=full,
-            stderr=subprocess.PIPE, text=True, timeout=120)
+            stderr=subprocess.PIPE, text=True)
     sentence, = messages(run.stderr)[1]
     assert run.returncode == 1 and "No space left on device" in sentence and infos(folder)
 

@@ -1,7 +1,7 @@
 """Worker processes: what waits has no time limit, what dies is replaced, nobody outlives the parent."""
 
 import ctypes
-import multiprocessing
+import importlib.util
 import os
 import signal
 import subprocess
@@ -11,12 +11,20 @@ from pathlib import Path
 
 import pytest
 
+import time_limit
 from thinpart_workbench.core.errors import ThinPartError
 from thinpart_workbench.workflow.analyse_file import FileTask
-from thinpart_workbench.workflow.parent_death import end_with_parent  # noqa: F401 - programs import it from here
-from thinpart_workbench.workflow.workers import Workers
+from thinpart_workbench.system.parent_death import end_with_parent  # noqa: F401 - programs import it from here
+from thinpart_workbench.workflow.process_pool import ProcessPool
+from thinpart_workbench.workflow.workers import Workers, chosen_pool
 
+POOLS = ["own"] + ["pebble"] * (importlib.util.find_spec("pebble") is not None)
 ROOT = Path(__file__).resolve().parents[2]
+
+
+def pool_class(pool):
+    """That of the standard library, or that of pebble."""
+    return ProcessPool if pool == "own" else chosen_pool()
 
 
 def do(task, log, hold):
@@ -28,11 +36,24 @@ def do(task, log, hold):
         time.sleep(float(argument))
     elif what == "die":
         os._exit(int(argument))
+    elif what == "raise":
+        raise {"key": KeyError, "odd": Odd}[argument]("a", "b")
+    elif what == "print":
+        os.write(1, b"not an answer\n")
+    elif what == "return":
+        return "x" * int(argument)
     elif what == "hold-lock":
         # Foreign code that keeps Python's lock, as a reader of CAD files does.
         Path(argument).write_text(str(os.getpid()))
         ctypes.PyDLL(None).sleep(600)
     return task.file
+
+
+class Odd(Exception):
+    """Can be written and not read again, as some that libraries raise."""
+
+    def __init__(self, one, two):
+        super().__init__(one)
 
 
 def start_well():
@@ -43,17 +64,31 @@ def start_badly():
     raise RuntimeError("cannot start")
 
 
-@pytest.fixture
-def started(tmp_path):
+@pytest.fixture(params=POOLS)
+def started(tmp_path, request):
     made = []
 
     def start(count, seconds, start=start_well, arguments=()):
-        made.append(Workers(count, seconds, str(tmp_path), do, start, arguments))
+        made.append(Workers(count, seconds, str(tmp_path), do, start, arguments, pool_class(request.param)))
         return made[-1]
 
     yield start
     for each in made:
         each.stop()
+
+
+def worker_processes():
+    """Numbers of the worker processes of this one, those of either pool."""
+    found = []
+    for process in Path("/proc").glob("[0-9]*"):
+        try:
+            parent = int((process / "stat").read_text().rpartition(")")[2].split()[1])
+            command = (process / "cmdline").read_bytes()
+        except OSError:
+            continue  # it has ended meanwhile
+        if parent == os.getpid() and (b"spawn_main" in command or b"pool_worker" in command):
+            found.append(int(process.name))
+    return found
 
 
 def results(workers, tasks):
@@ -88,7 +123,7 @@ def test_workers_end_although_their_pipe_is_full(started):
         workers.begin(FileTask(f"sleep 60 {number}", profile={"large": "x" * 10 ** 6}))
     time.sleep(1)
     workers.stop()
-    assert not multiprocessing.active_children()
+    assert worker_processes() == []
 
 
 def test_only_a_few_tasks_are_handed_over_at_once(started):
@@ -103,7 +138,7 @@ def test_only_a_few_tasks_are_handed_over_at_once(started):
 def test_tasks_that_kill_their_worker_are_named_and_the_rest_goes_on(started):
     tasks = ["sleep 0 a", *(f"die 7 {number}" for number in range(4)), "sleep 0 b"]
     ended = dict(results(started(2, 60.0), tasks))
-    assert ended == {task: "ProcessExpired" if "die" in task else task for task in tasks}
+    assert ended == {task: "WorkerDied" if "die" in task else task for task in tasks}
 
 
 def test_workers_that_cannot_start_end_the_run_with_a_sentence(started):
@@ -117,9 +152,9 @@ def test_workers_that_are_killed_while_they_wait_are_replaced(started):
     tasks = [f"sleep 0 {number}" for number in range(6)]
     for _ in range(7):  # more often than workers may fail to start
         assert sorted(results(workers, tasks)) == [(task, task) for task in tasks]
-        for worker in multiprocessing.active_children():
-            worker.kill()
-            worker.join()
+        for number in worker_processes():
+            os.kill(number, signal.SIGKILL)
+            assert ended(number)
 
 
 def test_what_is_held_comes_back_untouched(started):
@@ -133,12 +168,51 @@ def test_what_is_held_comes_back_untouched(started):
     assert results(workers, ["sleep 0"]) == [("sleep 0", "sleep 0")]
 
 
+def test_what_a_task_raises_and_returns_comes_back_whatever_it_prints(started):
+    tasks = ["raise key", "print 0", "return 3000000", "sleep 0"]
+    ended = dict(results(started(1, 60.0), tasks))
+    assert ended.pop("raise key") == "KeyError" and len(ended.pop("return 3000000")) == 3000000
+    assert ended == {task: task for task in ("print 0", "sleep 0")}
+
+
+def test_an_exception_that_cannot_be_read_again_is_told_by_its_name(tmp_path):
+    workers = Workers(1, 60.0, str(tmp_path), do, start_well, (), ProcessPool)
+    workers.begin(FileTask("raise odd"))
+    while (one := workers.next_ended()) is None:
+        assert not workers.lost_tasks()
+    assert "Odd: a" in str(one[0].exception())
+    assert results(workers, ["sleep 0"]) == [("sleep 0", "sleep 0")]
+    workers.stop()
+
+
+def test_two_workers_work_at_the_same_time(started, tmp_path):
+    workers = started(2, 60.0, start_counted, (str(tmp_path),))
+    results(workers, [f"sleep 0.5 {number}" for number in range(6)])
+    assert len(list(tmp_path.glob("started-*"))) == 2
+
+
+def start_counted(folder):
+    Path(folder, f"started-{os.getpid()}").touch()
+
+
+def test_nothing_is_left_open_when_workers_are_stopped(started):
+    before = None
+    for _ in range(3):
+        workers = started(2, 60.0)
+        results(workers, ["sleep 0", "die 1", "sleep 0 b"])
+        workers.stop()
+        assert worker_processes() == []
+        now = len(os.listdir("/proc/self/fd"))
+        assert before in (None, now)
+        before = now
+
+
 PARENT = """
 import os, sys
-sys.path[:0] = [{root!r}, {here!r}]
-from test_workers import Workers, FileTask, do, end_with_parent
+sys.path[:0] = [{root!r}, {tests!r}, {here!r}]
+from test_workers import Workers, FileTask, do, end_with_parent, pool_class
 if __name__ == "__main__":
-    workers = Workers(1, 600.0, {folder!r}, do, end_with_parent, (os.getpid(),))
+    workers = Workers(1, 600.0, {folder!r}, do, end_with_parent, (os.getpid(),), pool_class({pool!r}))
     if {again}:  # the next worker is started by a thread of the pool
         workers.begin(FileTask("die 1"))
         while workers.next_ended() is None: pass
@@ -148,18 +222,16 @@ if __name__ == "__main__":
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the service is Linux's")
+@pytest.mark.parametrize("pool", POOLS)
 @pytest.mark.parametrize("again", [False, True])
-def test_a_worker_that_is_busy_in_foreign_code_ends_with_its_parent(tmp_path, again):
+def test_a_worker_that_is_busy_in_foreign_code_ends_with_its_parent(tmp_path, again, pool):
     script = tmp_path / "parent.py"
-    script.write_text(PARENT.format(root=str(ROOT), here=str(Path(__file__).parent),
-                                    folder=str(tmp_path), again=again))
+    script.write_text(PARENT.format(root=str(ROOT), tests=str(ROOT / "tests"), here=str(Path(__file__).parent),
+                                    folder=str(tmp_path), again=again, pool=pool))
     parent = subprocess.Popen([sys.executable, str(script)], start_new_session=True)
-    number = None
-    for _ in range(600):
-        if (tmp_path / "busy").exists() and (tmp_path / "busy").read_text():
-            number = int((tmp_path / "busy").read_text())
-            break
-        time.sleep(0.05)
+    busy = tmp_path / "busy"
+    time_limit.wait_until(lambda: busy.exists() and busy.read_text(), "the number of the busy worker")
+    number = int(busy.read_text())
     try:
         os.kill(number, 0)
         os.kill(parent.pid, signal.SIGKILL)
@@ -172,7 +244,7 @@ def test_a_worker_that_is_busy_in_foreign_code_ends_with_its_parent(tmp_path, ag
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the service is Linux's")
 def test_a_worker_whose_parent_ended_before_it_asked_ends_too():
-    program = ("from thinpart_workbench.workflow.parent_death import end_with_parent\n"
+    program = ("from thinpart_workbench.system.parent_death import end_with_parent\n"
                f"end_with_parent({os.getpid()})\nprint('goes on')\nend_with_parent(1)\nprint('too far')\n")
     run = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True)
     assert run.stdout in ("goes on\n", "") and run.returncode == 1

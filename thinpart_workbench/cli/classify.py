@@ -10,6 +10,7 @@ from ..core.criteria import load_profile
 from ..core.errors import ThinPartError
 from ..storage.info_file import SUFFIX
 from ..storage.part_table import FIRST_COLUMNS
+from ..system.file_paths import is_below
 from ..workflow.analyse_file import FileTask
 from ..workflow.cluster import cluster_address
 from ..workflow.find_documents import ENDINGS, common_folder
@@ -93,16 +94,16 @@ def _listed(options):
             "names the parts.", "usage",
         ) from None
     paths = [os.fsdecode(each) for each in content.split(b"\0") if each]
-    tree = os.path.join(info_tree(options), "")
+    top = info_tree(options)
     for path in paths:
         if not os.path.isabs(path):
             raise ThinPartError(
                 f"The list {options.only} names {path!r}, which is no absolute path: write whole "
                 "paths, each ended by a NUL byte.", "usage")
-        if options.info_dir is not None and not os.path.abspath(path).startswith(tree):
+        if options.info_dir is not None and not is_below(os.path.dirname(os.path.abspath(path)), top):
             # Its info file would lie outside of the folder that is meant for info files.
             raise ThinPartError(
-                f"The list {options.only} names {path}, which does not lie below {tree}: name a PATH "
+                f"The list {options.only} names {path}, which does not lie below {top}: name a PATH "
                 "that holds it, or leave out --info-dir.", "usage")
     return paths
 

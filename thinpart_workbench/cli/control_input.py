@@ -1,9 +1,10 @@
 """``--control``: another program pauses and stops a run through its standard input."""
 
 import os
-import select
 import sys
 import threading
+
+from ..system.pipe_input import is_readable
 
 
 def listen(control, handle=0):
@@ -37,7 +38,7 @@ def listen(control, handle=0):
 
 def _read(handle):
     try:
-        select.select([handle], [], [])  # whoever made it may have made it non-blocking
+        is_readable(handle)  # whoever made it may have made it non-blocking
         return os.read(handle, 4096)
     except OSError:
         return b""  # a terminal that is gone, or no input at all

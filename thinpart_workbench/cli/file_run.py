@@ -2,6 +2,7 @@
 
 from contextlib import closing
 
+from ..system.process_limits import MEMORY_CAN_BE_LIMITED
 from ..workflow.cluster import analyse_files_on_cluster
 from ..workflow.run_progress import RunProgress
 from ..workflow.worker_pool import analyse_files
@@ -32,6 +33,8 @@ def analyse_planned(planned, failures, limits, control, report, add, cluster=Non
     unkept = {each.task.file: each.problem for each in planned if each.problem is not None}
     control.enter("paused" if control.paused else "running")
     report.started(progress)
+    if cluster is None and not MEMORY_CAN_BE_LIMITED:
+        report.note("The memory that a file may take cannot be limited on this system.")
     for outcome in failures:
         add(outcome)
         report.failures(outcome)

@@ -3,9 +3,11 @@
 import os
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 from ..core.errors import ThinPartError
+from ..system.user import is_root
 
 ROOT = Path(__file__).resolve().parents[2]
 OPEN_WORKBENCH = ROOT / "thinpart_workbench" / "gui" / "open_workbench.py"
@@ -25,19 +27,24 @@ def run(options):
     program = next(filter(None, map(shutil.which, PROGRAMS)), None)
     if program is None:
         raise ThinPartError(
-            "There is no freecad on the PATH: install it with 'apt-get install freecad'.",
+            "There is no freecad on the PATH: install FreeCAD (Debian: 'apt-get install freecad').",
             "unsupported")
     for file in options.files:
         if not os.path.isfile(file):
             raise ThinPartError(f"There is no file {file}.", "missing")
-    if not os.environ.get("DISPLAY") and not os.environ.get("WAYLAND_DISPLAY"):
+    if _takes_a_display() and not os.environ.get("DISPLAY") and not os.environ.get("WAYLAND_DISPLAY"):
         raise ThinPartError("There is no screen here (DISPLAY is not set): FreeCAD cannot open "
                             "its window.", "unsupported")
     environment = {name: value for name, value in os.environ.items() if name not in _OWN}
-    if os.geteuid() == 0:
+    if is_root():
         # The web engine of FreeCAD's start page ends the whole program for root otherwise.
         environment.setdefault("QTWEBENGINE_DISABLE_SANDBOX", "1")
     # FreeCAD's options come after the files: what comes first is read as Python's.
     files = [os.path.abspath(file) for file in options.files]
     command = [program, os.fspath(OPEN_WORKBENCH), *files, "-M", os.fspath(ROOT)]
     return subprocess.run(command, env=environment, check=False).returncode
+
+
+def _takes_a_display():
+    """Whether windows go to a server that the environment names, as on Linux."""
+    return sys.platform not in ("win32", "darwin")

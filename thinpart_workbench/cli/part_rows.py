@@ -7,7 +7,7 @@ from collections import namedtuple
 from ..core.errors import ThinPartError
 from ..storage.part_table import csv_text, failed_row, measured_row, write_part_table
 from .terminal_table import (
-    CATEGORY_STYLES, FAILURE, OTHER_CATEGORY, TableColumn, print_table, printable, terminal_console,
+    CATEGORY_STYLES, FAILURE, OTHER_CATEGORY, TableColumn, print_remark, print_table,
 )
 
 def _box(part):
@@ -85,11 +85,10 @@ class PartRows:
         self._rows.sort(key=lambda row: row.file)
         several = len({row.file for row in self._rows}) > 1
         print_table(stream, list(_columns(several)), self._shown)
-        console = terminal_console(stream)
         for row in self._shown():
             whose = f"{row['place']}: {row['cells'][0]}" if several else row["cells"][0]
             for text in row["remarks"]:
-                console.print(printable(f"{whose}: {text}"), style="dim", markup=False)
+                print_remark(stream, f"{whose}: {text}")
 
     def _shown(self):
         return (each for row in self._rows for each in json.loads(row.table))

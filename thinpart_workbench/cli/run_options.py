@@ -6,6 +6,7 @@ from dataclasses import fields
 
 from ..core.analysis_settings import BOXES, MEASURES, AnalysisSettings
 from ..core.errors import ThinPartError
+from ..system.file_paths import is_below
 from ..workflow.find_documents import NameFilter, common_folder, find_documents
 from ..workflow.worker_pool import LEAST_MEGABYTES, Limits, failure
 
@@ -42,8 +43,8 @@ def info_tree(options):
     shared = common_folder(options.paths)
     if options.info_tree is None:
         return shared
-    top = os.path.abspath(options.info_tree)
-    if os.path.commonpath([top, shared]) != top:
+    top = os.path.abspath(options.info_tree) if options.info_tree != os.sep else os.sep
+    if not is_below(shared, top):
         raise ThinPartError(
             f"{shared} does not lie below {top}: name a folder after --info-tree that holds all PATHs.",
             "usage")

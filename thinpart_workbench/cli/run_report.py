@@ -2,18 +2,22 @@
 
 import json
 import os
+import shutil
 import sys
 from contextlib import contextmanager
 
 from ..core.errors import ThinPartError
-from .terminal_table import printable
+from .plain_table import text_width
+from .terminal_table import has_rich, printable
 
 
 def new_report(as_json):
     """The report for whoever reads: JSON lines, a bar on a terminal, else failures alone."""
     if as_json:
         return JsonReport()
-    return BarReport() if sys.stderr.isatty() else Report()
+    if not sys.stderr.isatty():
+        return Report()
+    return BarReport() if has_rich() else LineReport()
 
 
 class Report:
@@ -40,6 +44,10 @@ class Report:
     def ended(self, outcome, progress):
         """One file has ended."""
         self.failures(outcome)
+
+    def note(self, sentence):
+        """Something that holds for the whole run."""
+        _say(f"thinpart: {sentence}")
 
     def failures(self, outcome):
         """What could not be analysed, one sentence each."""
@@ -112,6 +120,50 @@ class BarReport(Report):
         is_over = progress.done == progress.total
         self._bar.update(self._task, total=progress.total, completed=progress.done,
                          told=_told(progress.content()), description="Done" if is_over else self._name)
+
+
+class LineReport(Report):
+    """The same in a line without a bar, which takes no library."""
+
+    def __init__(self):
+        self._name, self._line = "Starting", ""
+
+    def __exit__(self, *reason):
+        if self._line:
+            _say("")
+
+    def state(self, name):
+        self._name = name.capitalize()
+        self._show(self._name)
+
+    def found(self, count):
+        self._show(f"{self._name} {count:,} parts")
+
+    def started(self, progress):
+        self._told(progress)
+
+    def ended(self, outcome, progress):
+        self.failures(outcome)
+        self._told(progress)
+
+    def failures(self, outcome):
+        self._show("")
+        super().failures(outcome)
+
+    def note(self, sentence):
+        self._show("")
+        super().note(sentence)
+
+    def _told(self, progress):
+        name = "Done" if progress.done == progress.total else self._name
+        self._show(f"{name} {_told(progress.content())}")
+
+    def _show(self, line):
+        # A line that the terminal breaks would not be written over.
+        line = line[:shutil.get_terminal_size().columns - 1]
+        sys.stderr.write(f"\r{line}{' ' * (text_width(self._line) - text_width(line))}" + ("" if line else "\r"))
+        sys.stderr.flush()
+        self._line = line
 
 
 def _told(content):

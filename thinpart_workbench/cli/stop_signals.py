@@ -3,7 +3,7 @@
 import signal
 from contextlib import contextmanager
 
-_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+from ..system.interruption import STOP_SIGNALS
 
 
 @contextmanager
@@ -39,7 +39,7 @@ def stop_signals(control):
         finally:
             kept = False
 
-    for number in _SIGNALS:
+    for number in STOP_SIGNALS:
         if signal.getsignal(number) != signal.SIG_IGN:  # as nohup and a shell's & have it
             before[number] = signal.signal(number, asked)
     try:

@@ -1,7 +1,11 @@
-"""Tables as they are printed for people."""
+"""Tables as they are printed for people: in colours where rich is there, else without."""
 
+import importlib.util
+import shutil
 from collections import namedtuple
-from itertools import islice
+from itertools import chain, islice
+
+from .plain_table import plain_lines, text_width
 
 CATEGORY_STYLES = {"thin": "red", "thin_features": "yellow", "normal": "green", "unknown": "magenta"}
 OTHER_CATEGORY, FAILURE = "cyan", "bold red"
@@ -20,7 +24,20 @@ TableColumn = namedtuple("TableColumn", "title value is_right style", defaults=(
 rich style, or None."""
 
 
-def terminal_console(stream):
+def has_rich():
+    """Whether there is the library that brings colours."""
+    return importlib.util.find_spec("rich") is not None
+
+
+def print_remark(stream, text):
+    """Print a line of less weight."""
+    if has_rich():
+        _console(stream).print(printable(text), style="dim", markup=False)
+    else:
+        stream.write(printable(text) + "\n")
+
+
+def _console(stream):
     """A rich.console.Console that writes to a stream."""
     from rich.console import Console
 
@@ -40,16 +57,16 @@ def print_table(stream, columns, rows):
     rows : callable
         Goes through all rows; is called twice, so that not all cells are kept at once.
     """
+    (_print_in_colours if has_rich() else _print_plainly)(stream, columns, rows)
+
+
+def _print_in_colours(stream, columns, rows):
     from rich.cells import cell_len
     from rich.table import Table
     from rich.text import Text
 
-    console = terminal_console(stream)
-    widths = [len(column.title) for column in columns]
-    for row in rows():
-        for number, column in enumerate(columns):
-            widths[number] = max(widths[number], cell_len(_text(column, row)))
-    _fit(widths, console.width - 2 * (len(widths) - 1))
+    console = _console(stream)
+    widths = _widths(columns, rows, console.width, cell_len)
     left, is_first = iter(rows()), True
     while block := list(islice(left, _ROWS_AT_ONCE)):
         table = Table(box=None, pad_edge=False, header_style="bold", show_header=is_first)
@@ -61,6 +78,24 @@ def print_table(stream, columns, rows):
                             for column in columns))
         console.print(table)
         is_first = False
+
+
+def _print_plainly(stream, columns, rows):
+    room = shutil.get_terminal_size().columns if stream.isatty() else WIDTH_WITHOUT_TERMINAL
+    widths = _widths(columns, rows, room, text_width)
+    cells = ([_text(column, row) for column in columns] for row in rows())
+    titles = [column.title for column in columns]
+    for line in plain_lines(widths, [column.is_right for column in columns], chain([titles], cells)):
+        stream.write(line + "\n")
+
+
+def _widths(columns, rows, room, width_of):
+    widths = [len(column.title) for column in columns]
+    for row in rows():
+        for number, column in enumerate(columns):
+            widths[number] = max(widths[number], width_of(_text(column, row)))
+    _fit(widths, room - 2 * (len(widths) - 1))
+    return widths
 
 
 def printable(text):

@@ -26,9 +26,12 @@ def load_freecad():
     """
     if "FreeCAD" in sys.modules:
         return sys.modules["FreeCAD"]
-    for folder in (freecad_library(), *FREECAD_LIBS):
+    library = freecad_library()
+    for folder in (library, *FREECAD_LIBS):
         if folder:
             _append(folder)
+    if library and hasattr(os, "add_dll_directory"):  # Windows looks for what it needs only where it is told to
+        os.add_dll_directory(library)
     if not has_home():
         raise ThinPartError(
             f"The home folder {os.path.expanduser('~')} may not be used, which FreeCAD needs: set "
@@ -41,7 +44,8 @@ def load_freecad():
             raise MemoryError(str(error)) from None
         raise ThinPartError(
             f"FreeCAD cannot be imported by {sys.executable} ({error}): "
-            "install it with 'apt-get install freecad' or set FREECAD_LIB to its lib folder.",
+            "install it (Debian: 'apt-get install freecad') or set FREECAD_LIB to the folder with its FreeCAD.so or "
+            "FreeCAD.pyd.",
             "unsupported",
         ) from None
     for home in _homes(freecad):

@@ -52,8 +52,6 @@ def defect_of(leaf, shape):
     flat face that a tool made. A surface that was imported is a sheet body, and so a part.
     """
     source = leaf.getLinkedObject(True) or leaf
-    if "LinkedObject" in source.PropertiesList and source.LinkedObject is None:
-        return _dead_link(leaf, source)
     if not source.isDerivedFrom("Part::Feature") or _is_construction(source):
         return None
     if shape.isNull() or not shape.Vertexes:
@@ -103,7 +101,27 @@ def recompute_warning(leaf):
             "recompute the document.")
 
 
-def _dead_link(leaf, link):
+def leads_nowhere(candidate):
+    """Whether an object is a link, or an assembly's link to another assembly, without anything at its end."""
+    is_link = candidate.hasExtension("App::LinkBaseExtension") or candidate.isDerivedFrom("Assembly::AssemblyLink")
+    return is_link and "LinkedObject" in candidate.PropertiesList and candidate.LinkedObject is None
+
+
+def dead_link(leaf, link):
+    """Why a link that `leads_nowhere` is a defect; None where it was never set.
+
+    Parameters
+    ----------
+    leaf : FreeCAD.DocumentObject
+        The object as it stands in the document.
+    link : FreeCAD.DocumentObject
+        The link that ends there, which may be another one.
+
+    Returns
+    -------
+    tuple of (str, str) or None
+        Kind and message.
+    """
     file, name = _link_target(link)
     if not name and "Up-to-date" in link.State:
         return None  # it was never set; one that lost its object cannot be recomputed

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from .bootstrap import load_freecad
-from .broken_parts import BrokenPart, defect_of, mesh_defect, recompute_warning
+from .broken_parts import BrokenPart, dead_link, defect_of, leads_nowhere, mesh_defect, recompute_warning
 from .equal_solids import equal_part
 from .part import MeshedPart, Occurrence, SolidPart
 from .solids import loose_faces_warning
@@ -191,9 +191,9 @@ def _has_links(candidate):
 
 
 def _holds_others(candidate):
+    if leads_nowhere(candidate):
+        return False  # an array of what is gone, or an assembly whose document is: one sentence tells of all of it
     if _is_link(candidate):
-        if "LinkedObject" in candidate.PropertiesList and candidate.LinkedObject is None:
-            return False  # an array of what is gone
         if getattr(candidate, "ElementCount", 0) > 0:
             return True
         target = candidate.getLinkedObject(True)
@@ -206,6 +206,8 @@ def _add_leaf(parts, root, path, leaf):
     source = leaf.getLinkedObject(True) or leaf
     if source.isDerivedFrom("Mesh::Feature"):
         return _add_mesh(parts, root, path, leaf, source)
+    if leads_nowhere(source):
+        return dead_link(leaf, source)
     if hasattr(source, "Shape") or _is_link(leaf):
         return _add_solids(parts, root, path, leaf)
     return None

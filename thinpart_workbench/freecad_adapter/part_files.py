@@ -68,7 +68,7 @@ def _name_for_freecad(path):
         return
     with tempfile.TemporaryDirectory(prefix="thinpart-name-") as folder:
         link = os.path.join(folder, "part" + path.suffix)
-        os.symlink(path.absolute(), link)
+        os.symlink(path.absolute(), link)  # only Unix has such names
         yield link
 
 

@@ -23,7 +23,8 @@ PAGES = (_CLASSIFICATION, _DISPLAY, _AUTOMATIC)
 """Titles of the pages on which people set preferences, in their order."""
 
 _OF_DIAGONAL = QT_TRANSLATE_NOOP("ThinPart", "of the diagonal")
-_MM = QT_TRANSLATE_NOOP("ThinPart", "mm")
+MILLIMETRES = "mm"
+"""Unit of lengths, which is never translated; the window shows them in FreeCAD's."""
 
 
 @dataclass(frozen=True)
@@ -130,13 +131,13 @@ PREFERENCES = {each.name: each for each in (
         Preference("ThinLimit", "verdict", QT_TRANSLATE_NOOP(
             "ThinPart", "Under which thickness a wall is coloured as thin; the verdict does not "
             "depend on it"),
-            title=QT_TRANSLATE_NOOP("ThinPart", "Thin under"), choices=(
-                ("verdict", QT_TRANSLATE_NOOP("ThinPart", "what the verdict is based on")),
-                ("millimetres", QT_TRANSLATE_NOOP("ThinPart", "a thickness in mm")),
+            title=QT_TRANSLATE_NOOP("ThinPart", "Thin below"), choices=(
+                ("verdict", QT_TRANSLATE_NOOP("ThinPart", "same limit as the verdict")),
+                ("millimetres", QT_TRANSLATE_NOOP("ThinPart", "a thickness")),
                 ("share", QT_TRANSLATE_NOOP("ThinPart", "a share of the part's diagonal")))),
         Preference("ThinLimitMillimetres", 2.0, QT_TRANSLATE_NOOP(
             "ThinPart", "Thickness under which a wall is coloured as thin"),
-            title=QT_TRANSLATE_NOOP("ThinPart", "Thickness"), unit=_MM, range=(0.001, 100_000.0),
+            title=QT_TRANSLATE_NOOP("ThinPart", "Thickness"), unit=MILLIMETRES, range=(0.001, 100_000.0),
             needs=("ThinLimit", "millimetres")),
         Preference("ThinLimitShare", 0.05, QT_TRANSLATE_NOOP(
             "ThinPart", "Share of the part's diagonal under which a wall is coloured as thin"),
@@ -185,7 +186,7 @@ PREFERENCES = {each.name: each for each in (
         Preference("WarnWallUnder", 0.0, QT_TRANSLATE_NOOP(
             "ThinPart", "When the thinnest wall of a part falls under this thickness, or is under it in a "
             "part that was not classified before"),
-            title=QT_TRANSLATE_NOOP("ThinPart", "When a wall is under"), unit=_MM,
+            title=QT_TRANSLATE_NOOP("ThinPart", "When a wall is under"), unit=MILLIMETRES,
             range=(0.001, 100_000.0), zero=QT_TRANSLATE_NOOP("ThinPart", "off"),
             needs=("AutomaticClassification", True)),
     ),

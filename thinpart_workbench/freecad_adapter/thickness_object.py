@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from ..core.colour_scale import COLOUR_MAPS, UNMEASURED, ColourScale
 from .bootstrap import load_freecad
+from .edge import guarded_methods
 from .settings import QT_TRANSLATE_NOOP, preference
 from .source_signature import global_placement, same_place, same_signature, signature
 
@@ -114,6 +115,7 @@ def unit_in_mm(thickness):
     return thickness.Diagonal if thickness.RangeUnit == SHARE and thickness.Diagonal > 0.0 else 1.0
 
 
+@guarded_methods("onDocumentRestored", "onChanged", "execute")
 class ThicknessObject:
     """Behaviour of the object. Everything that is kept is in its properties.
 

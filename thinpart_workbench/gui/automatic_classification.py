@@ -5,10 +5,12 @@ from dataclasses import dataclass
 
 import FreeCAD as App
 
+from ..freecad_adapter.edge import guarded_methods
 from ..freecad_adapter.settings import GROUP, preference, preferred_analysis
 from .asked_process import AskedProcess
 from .document_observer import OBSERVER
 from .document_verdict_text import headline, reasons, warnings
+from .length_unit import length_unit
 from .notices import NOTICES
 from .qt import QtCore, soon, translate
 from .sentences import translated
@@ -29,6 +31,7 @@ class _State:
     reason: str = ""
 
 
+@guarded_methods("onChange")
 class AutomaticClassification(QtCore.QObject):
     """Classifies one saved document after the other, and knows the verdicts.
 
@@ -194,14 +197,14 @@ class AutomaticClassification(QtCore.QObject):
         else:
             self._set(name, translate("ThinPart", "failed"), failures[0])
         if failures:
-            NOTICES.tell_failure(_sentence(_called(name), failures))
+            NOTICES.tell_failure(_sentence(_called(name), failures), App.getDocument(name).Label)
 
     def _show_verdicts(self, name, before, now):
         self._set(name, headline(now), reasons(now))
         NOTICES.tell(f"ThinPart: {_called(name)}: {headline(now)}")
         for sentence in warnings(_called(name), before, now, preference("WarnOfCategory"),
-                                 preference("WarnWallUnder")):
-            NOTICES.warn(sentence)
+                                 preference("WarnWallUnder"), length_unit(App.getDocument(name))):
+            NOTICES.warn(sentence, App.getDocument(name).Label)
 
     def _set(self, name, words, reason=""):
         self._states[name] = _State(words, reason)

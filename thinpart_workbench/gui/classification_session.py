@@ -8,12 +8,14 @@ from ..freecad_adapter.face_owners import face_owners
 from ..freecad_adapter.thin_colours import preferred_colours
 from .chosen_in_window import active_place, selected_places
 from .face_colours import FACE_COLOURS
+from .length_unit import length_unit
 from .measured_document import MeasuredDocument
 from .part_dialog import ask_for_part
 from .part_list import part_rows
 from .qt import QtCore, translate
 from .sentences import translated
 from .task_panel import PanelForm, TaskPanel
+from .unit_watch import UNITS
 
 
 class ClassificationSession(QtCore.QObject):
@@ -35,6 +37,7 @@ class ClassificationSession(QtCore.QObject):
         self.measured.measured.connect(self._show_measured)
         self.measured.ended.connect(self._show_end)
         self.measured.info_file_changed.connect(self._show_info_file)
+        self._is_left = self._has_legend = False
         self._shown = None  # name of the part whose result is to be seen
         self._form = PanelForm()
         self.panel = TaskPanel(self._form)
@@ -42,7 +45,8 @@ class ClassificationSession(QtCore.QObject):
         self._form.save_asked.connect(self.measured.save)
         self._form.again_asked.connect(self._again)
         self._form.parts.part_chosen.connect(self._show_part)
-        self.panel.closed.connect(self.measured.leave)
+        self.panel.closed.connect(self._leave)
+        UNITS.changed.connect(self._show_unit)
 
     @property
     def document_name(self):
@@ -95,8 +99,18 @@ class ClassificationSession(QtCore.QObject):
 
     def close(self):
         """End everything and take the panel away."""
-        self.measured.leave()
+        self._leave()
         self.panel.hide()
+
+    def _leave(self):
+        if not self._is_left:
+            self._is_left = True
+            UNITS.changed.disconnect(self._show_unit)
+        self.measured.leave()
+
+    @property
+    def _unit(self):
+        return length_unit(self.measured.document)
 
     @property
     def _analysis(self):
@@ -134,7 +148,7 @@ class ClassificationSession(QtCore.QObject):
         self._show_list()
         if name != self._shown or self._shown_record is None:
             return  # a failure is told at the end
-        self._form.show_result(self._shown_record, self._analysis.profile)
+        self._form.show_result(self._shown_record, self._analysis.profile, self._unit)
         self._show_legend(self._colour([name]))
 
     def _show_part(self, name):
@@ -142,16 +156,25 @@ class ClassificationSession(QtCore.QObject):
         self._shown = name
         failure = self._analysis.failures.get(name)
         self._form.show_part(self._shown_record, self._analysis.profile,
-                             translated(failure["message"]) if failure else "")
+                             translated(failure["message"]) if failure else "", self._unit)
         if self._shown_record is not None:
             self._show_legend(self._is_coloured(name))
 
+    def _show_unit(self):
+        """Lengths are written in another unit."""
+        if self._analysis is not None:
+            self._show_list()
+            if self._shown_record is not None:
+                self._form.result.show_record(self._shown_record, self._analysis.profile, self._unit)
+                self._show_legend(self._has_legend)
+
     def _show_legend(self, is_coloured):
+        self._has_legend = is_coloured
         own_limit = None if self._analysis.thin_limit is None else self._shown_record["thin_limit_mm"]
         self._form.result.show_legend(is_coloured, own_limit)
 
     def _show_list(self):
-        self._form.parts.show_parts(part_rows(self._analysis), self._analysis.profile)
+        self._form.parts.show_parts(part_rows(self._analysis), self._analysis.profile, self._unit)
         self._form.parts.select_part(self._shown)
 
     def _show_end(self, sentence):

@@ -2,7 +2,7 @@
 
 import FreeCAD as App
 
-from .task_session import begin_session, can_open_session, end_session, open_session
+from .task_session import begin_session, can_open_session, end_session, is_free_for_session, open_session
 
 __all__ = ["can_classify", "classify_active_document", "current_session", "end_session"]
 
@@ -15,7 +15,7 @@ def current_session():
 
 
 def can_classify():
-    """Whether the command makes sense now: a document is open and no task of others."""
+    """Whether the command makes sense now; see `can_open_session`."""
     return can_open_session()
 
 
@@ -24,4 +24,5 @@ def classify_active_document():
     # Not at the top: it brings numpy and scipy, and FreeCAD should start as fast as without them.
     from .classification_session import ClassificationSession
 
-    begin_session(_KIND, ClassificationSession(App.ActiveDocument))
+    if is_free_for_session():
+        begin_session(_KIND, ClassificationSession(App.ActiveDocument))

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .length_unit import LengthUnit
 from .qt import QtCore, QtGui, colour, translate
 from .thickness_colours import ThicknessColours
-from .thickness_text import thickness_text, tick_text
 
 _INK = (0.1, 0.1, 0.1)
 _WARNING = (0.75, 0.0, 0.0)
@@ -22,8 +22,9 @@ class BarContent:
     Attributes
     ----------
     colours : ThicknessColours
-    unit : float, mm
-        What 1 on the bar is; 1 for a bar in mm.
+    unit : LengthUnit
+    diagonal : float, mm
+        What 1 on a bar of shares is; 0 for a bar of lengths.
     thinnest, thickest : float, mm
         Of the map, which may lie beyond the ends of the bar.
     threshold : float, mm
@@ -32,11 +33,17 @@ class BarContent:
     """
 
     colours: ThicknessColours
-    unit: float
+    unit: LengthUnit
+    diagonal: float
     thinnest: float
     thickest: float
     threshold: float
     has_unmeasured: bool
+
+
+def tick_text(value):
+    """A number at a tick of a scale, with as many digits as tell it from the next."""
+    return f"{value:.4g}"
 
 
 def round_values(low, high, most=_TICKS):
@@ -101,15 +108,15 @@ class _Drawing:
     def _lines(self):
         """Texts over and under the bar, each with what is drawn beside it."""
         content, above, below = self._content, [], []
-        if content.unit == 1.0:
-            above.append((translate("ThinPart", "Wall thickness, mm"), "bold"))
+        if not content.diagonal:
+            above.append((translate("ThinPart", "Wall thickness, {}").format(content.unit.symbol), "bold"))
         else:
             above.append((translate("ThinPart", "Wall thickness"), "bold"))
-            above.append((translate("ThinPart", "share of the diagonal (mm)"), ""))
+            above.append((translate("ThinPart", "share of the diagonal ({})").format(content.unit.symbol), ""))
         if content.colours.stale:
             above.append((translate("ThinPart", "Out of date: recompute"), "warning"))
         if content.threshold > 0.0:
-            text = translate("ThinPart", "thin below {}").format(thickness_text(content.threshold))
+            text = translate("ThinPart", "thin below {}").format(content.unit.text(content.threshold))
             below.append(("     " + text, "threshold"))
         if content.has_unmeasured:
             below.append(("     " + translate("ThinPart", "not measured"), "unmeasured"))
@@ -118,20 +125,19 @@ class _Drawing:
     def _ticks(self, length):
         """Places on the bar in mm, each with its text: the ends, and round values that keep off them."""
         low, high = self._ends
-        content, unit = self._content, self._content.unit
+        content, one = self._content, self._content.diagonal or self._content.unit.millimetres
         ends = [("\u2264 " if content.thinnest < low * (1 - 1e-6) else "") + self._tick_text(low),
                 ("\u2265 " if content.thickest > high * (1 + 1e-6) else "") + self._tick_text(high)]
         ticks = list(zip((low, high), ends)) if high > low else [(low, ends[0])]
         gap = 1.3 * self._em / length * (high - low)
-        inner = [value * unit for value in round_values(low / unit, high / unit)]
+        inner = [value * one for value in round_values(low / one, high / one)]
         ticks += [(value, self._tick_text(value)) for value in inner
                   if low + gap < value < high - gap]
         return ticks
 
     def _tick_text(self, value):
-        unit = self._content.unit
-        text = tick_text(value / unit)
-        return text if unit == 1.0 else f"{text}  ({tick_text(value)})"
+        diagonal, text = self._content.diagonal, tick_text(self._content.unit.value(value))
+        return f"{tick_text(value / diagonal)}  ({text})" if diagonal else text
 
     def _draw(self, painter, above, below, ticks, length):
         em, line = self._em, self._line

@@ -3,6 +3,7 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 
+from ..freecad_adapter.edge import guarded_methods
 from .classify import can_classify, classify_active_document
 from .classify_folder import show_folder_dialog
 from .face_colours import FACE_COLOURS
@@ -14,6 +15,9 @@ from .show_thickness import can_show_thickness, show_thickness
 # Marks a text for translation; FreeCAD translates it by the command's name.
 QT_TRANSLATE_NOOP = App.Qt.QT_TRANSLATE_NOOP
 
+# FreeCAD greys commands out while a task of others is open, unless they are for editing too: ours say what is in the way.
+_BESIDE_TASKS = "AlterDoc;Alter3DView;AlterSelection;ForEdit"
+
 
 class Classify:
     """Tell whether a part is thin, has thin features or is normal."""
@@ -22,6 +26,7 @@ class Classify:
         """Icon, text and tool tip."""
         return {
             "Pixmap": "ThinPart_Classify",
+            "CmdType": _BESIDE_TASKS,
             "MenuText": QT_TRANSLATE_NOOP("ThinPart_Classify", "Classify part"),
             "ToolTip": QT_TRANSLATE_NOOP(
                 "ThinPart_Classify", "Tells whether the selected part is thin, has thin features "
@@ -29,7 +34,7 @@ class Classify:
         }
 
     def IsActive(self):
-        """With a document, while no other task is open."""
+        """With a document."""
         return can_classify()
 
     def Activated(self):
@@ -44,6 +49,7 @@ class ShowThickness:
         """Icon, text and tool tip."""
         return {
             "Pixmap": "ThinPart_ShowThickness",
+            "CmdType": _BESIDE_TASKS,
             "MenuText": QT_TRANSLATE_NOOP("ThinPart_ShowThickness", "Show thickness"),
             "ToolTip": QT_TRANSLATE_NOOP(
                 "ThinPart_ShowThickness", "Colours the selected parts, or all of them, by the thickness of "
@@ -51,7 +57,7 @@ class ShowThickness:
         }
 
     def IsActive(self):
-        """With a document, while no other task is open."""
+        """With a document."""
         return can_show_thickness()
 
     def Activated(self):
@@ -183,5 +189,5 @@ COMMANDS = {
 def add_commands():
     """Make the commands known to FreeCAD and return their names."""
     for name, command in COMMANDS.items():
-        Gui.addCommand(name, command())
+        Gui.addCommand(name, guarded_methods("Activated", IsActive=False)(command)())
     return list(COMMANDS)

@@ -65,10 +65,10 @@ class CriteriaTable(QtWidgets.QTreeWidget):
             group = self.topLevelItem(index)
             if row["holds"]:
                 group.setForeground(0, holds)
-            for number, condition in enumerate(row["conditions"]):
+            for place, condition in enumerate(row["conditions"]):
                 if condition["holds"] is False:
                     for column in range(self.columnCount()):
-                        group.child(number).setForeground(column, does_not)
+                        group.child(place).setForeground(column, does_not)
 
     def _fit(self, *_):
         rows = sum(

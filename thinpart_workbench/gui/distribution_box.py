@@ -2,11 +2,12 @@
 
 from ..freecad_adapter.thickness_object import MILLIMETRES, SHARE
 from .flow_layout import FlowLayout
+from .length_unit import MILLIMETRE
 from .qt import QtCore, QtWidgets, Signal, translate
 from .result_view import show_text, text_line
 from .scale_box import NumberField
 from .thickness_chart import ThicknessChart
-from .verdict_text import number, percent
+from .verdict_text import percent
 from .wheel import keep_from_wheel
 
 _STEP = 30
@@ -32,7 +33,7 @@ class DistributionBox(QtWidgets.QWidget):
     def __init__(self, parent=None):
         super().__init__(parent)
         self.setObjectName("ThinPart_DistributionBox")
-        self._is_set, self._diagonal = False, 1.0
+        self._is_set, self._diagonal, self._length = False, 1.0, MILLIMETRE
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(6, 6, 6, 6)
         self.chart = ThicknessChart(self)
@@ -51,10 +52,11 @@ class DistributionBox(QtWidgets.QWidget):
         self._step.timeout.connect(lambda: self.threshold_changed.emit(self.chart.threshold, False))
         self.show_choice(None, 0.0, 0)
 
-    def show_shares(self, edges, shares, greatest, diagonal):
-        """See `ThicknessChart.show_shares`."""
-        self._diagonal = diagonal
-        self.chart.show_shares(edges, shares, greatest, diagonal)
+    def show_shares(self, edges, shares, greatest, diagonal, unit):
+        """See `ThicknessChart.show_shares`; the unit is that of all that follows."""
+        self._diagonal, self._length = diagonal, unit
+        self.chart.show_shares(edges, shares, greatest, diagonal, unit)
+        self._unit.setItemText(self._unit.findData(MILLIMETRES), unit.symbol)
         self._show_field()
 
     def show_threshold(self, threshold, share, thin_only):
@@ -67,8 +69,8 @@ class DistributionBox(QtWidgets.QWidget):
         finally:
             self._is_set = False
         show_text(self._under, translate(
-            "ThinPart", "{} of the area lies over walls thinner than {} mm").format(
-                percent(share), number(threshold)))
+            "ThinPart", "{} of the area lies over walls thinner than {}").format(
+                percent(share), self._length.text(threshold)))
 
     def show_choice(self, chosen, share, faces):
         """Say what is chosen in the histogram.
@@ -85,12 +87,13 @@ class DistributionBox(QtWidgets.QWidget):
             show_text(self._chosen, translate(
                 "ThinPart", "Click or drag over bars to see where those walls are."))
             return
-        text = translate("ThinPart", "{} to {} mm: {} of the area")
+        text = translate("ThinPart", "{} to {}: {} of the area")
         if faces == 1:
-            text = translate("ThinPart", "{} to {} mm: {} of the area, on 1 face")
+            text = translate("ThinPart", "{} to {}: {} of the area, on 1 face")
         elif faces:
-            text = translate("ThinPart", "{} to {} mm: {} of the area, on {} faces")
-        show_text(self._chosen, text.format(number(chosen[0]), number(chosen[1]), percent(share), faces))
+            text = translate("ThinPart", "{} to {}: {} of the area, on {} faces")
+        show_text(self._chosen, text.format(
+            self._length.number(chosen[0]), self._length.text(chosen[1]), percent(share), faces))
 
     def _add_threshold(self, column):
         row = QtWidgets.QWidget(self)
@@ -106,7 +109,7 @@ class DistributionBox(QtWidgets.QWidget):
         self._unit.setObjectName("ThinPart_ThresholdUnit")
         self._unit.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToContents)  # the row wraps where it is too wide
         keep_from_wheel(self._unit)
-        self._unit.addItem(translate("ThinPart", "mm"), MILLIMETRES)
+        self._unit.addItem(self._length.symbol, MILLIMETRES)
         self._unit.addItem(translate("ThinPart", "of the diagonal"), SHARE)
         self._unit.currentIndexChanged.connect(lambda _: self._show_field())
         flow.addWidget(self._unit)
@@ -115,11 +118,11 @@ class DistributionBox(QtWidgets.QWidget):
     @property
     def _unit_length(self):
         """Millimetres that 1 in the field stands for."""
-        return self._diagonal if self._unit.currentData() == SHARE else 1.0
+        return self._diagonal if self._unit.currentData() == SHARE else self._length.millimetres
 
     def _show_field(self):
         was_set, self._is_set = self._is_set, True
-        self._field.setDecimals(4 if self._unit.currentData() == SHARE else 3)
+        self._field.setDecimals(4 if self._unit.currentData() == SHARE else self._length.decimals)
         self._field.setValue(self.chart.threshold / self._unit_length)
         self._is_set = was_set
 

@@ -3,6 +3,7 @@
 from ..core.distribution import BINS
 from ..core.distribution_bars import bars, round_up
 from .chart_axes import ChartAxes
+from .length_unit import MILLIMETRE
 from .qt import QtCore, QtGui, QtWidgets, translate
 from .theme import plot_ground, readable, text_colour
 from .verdict_text import number, percent
@@ -19,9 +20,9 @@ class DistributionChart(ChartAxes):
         super().__init__(parent)
         self.setObjectName("ThinPart_DistributionChart")
         self.setMouseTracking(True)
-        self.bars, self._limit, self._diagonal = [], 0.0, 1.0
+        self.bars, self._limit, self._diagonal, self._unit = [], 0.0, 1.0, MILLIMETRE
 
-    def show_distribution(self, bins, area, limit, diagonal):
+    def show_distribution(self, bins, area, limit, diagonal, unit=MILLIMETRE):
         """Draw a distribution.
 
         Parameters
@@ -32,16 +33,17 @@ class DistributionChart(ChartAxes):
             x under which a wall is thin.
         diagonal : float, mm
             Length that x = 1 stands for.
+        unit : LengthUnit
         """
-        self._limit, self._diagonal = limit, diagonal
+        self._limit, self._diagonal, self._unit = limit, diagonal, unit
         self.bars = bars(bins, area, limit)
         self.update()
 
     def bar_text(self, bar):
         """What a bar says about itself."""
         low, high = bar.low / BINS, bar.high / BINS
-        return translate("ThinPart", "{} to {} mm thick ({} to {} of the diagonal): {} of the area"
-                         ).format(number(low * self._diagonal), number(high * self._diagonal),
+        return translate("ThinPart", "{} to {} thick ({} to {} of the diagonal): {} of the area"
+                         ).format(self._unit.number(low * self._diagonal), self._unit.text(high * self._diagonal),
                                   number(low), number(high), percent(bar.area))
 
     def bar_at(self, x):
@@ -91,21 +93,22 @@ class DistributionChart(ChartAxes):
                               max(1.0, width - 1.0), height), _THIN if thin else _THICK)
 
     def _draw_widths(self, painter, plot):
-        """Two scales under the bars: thickness in mm, and as a share of the diagonal."""
+        """Two scales under the bars: thickness, and as a share of the diagonal."""
         painter.setPen(text_colour(self))
         painter.drawLine(plot.bottomLeft(), plot.bottomRight())
         line = self.fontMetrics().height()
-        step = round_up(self._span * self._diagonal / 4.0)
-        for count in range(int(self._span * self._diagonal / step) + 1):
+        diagonal = self._unit.value(self._diagonal)
+        step = round_up(self._span * diagonal / 4.0)
+        for count in range(int(self._span * diagonal / step) + 1):
             thickness = count * step
-            x = plot.left() + plot.width() * thickness / (self._span * self._diagonal)
+            x = plot.left() + plot.width() * thickness / (self._span * diagonal)
             painter.drawLine(QtCore.QPointF(x, plot.bottom()), QtCore.QPointF(x, plot.bottom() + 4))
             self.centred(painter, plot, x, plot.bottom() + 5, number(thickness))
             self.centred(painter, plot, x, plot.bottom() + 5 + line,
-                          f"{thickness / self._diagonal:.2f}")
+                          f"{thickness / diagonal:.2f}")
         painter.drawText(QtCore.QRectF(0, plot.bottom() + 5 + 2 * line, self.width(), line + 2),
                          QtCore.Qt.AlignCenter,
-                         translate("ThinPart", "thickness: mm, and share of the diagonal"))
+                         translate("ThinPart", "thickness: {}, and share of the diagonal").format(self._unit.symbol))
 
     def _draw_limit(self, painter, plot):
         x = plot.left() + plot.width() * self._limit / self._span
@@ -113,6 +116,5 @@ class DistributionChart(ChartAxes):
         painter.setPen(QtGui.QPen(limit, 1.5, QtCore.Qt.DashLine))
         painter.drawLine(QtCore.QPointF(x, plot.top() - 2), QtCore.QPointF(x, plot.bottom()))
         painter.setPen(limit)
-        text = translate("ThinPart", "thin below {} mm").format(
-            number(self._limit * self._diagonal))
+        text = translate("ThinPart", "thin below {}").format(self._unit.text(self._limit * self._diagonal))
         self.centred(painter, plot, x, 1, text)

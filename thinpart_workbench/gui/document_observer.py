@@ -3,10 +3,14 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 
+from ..freecad_adapter.edge import guarded_methods
+from ..freecad_adapter.wall_measurement import MEASUREMENT
 from .face_colours import FACE_COLOURS
+from .measurement_watch import revive_soon
 from .thickness_watch import forget, look_soon
 
 
+@guarded_methods("slot*")
 class DocumentObserver:
     """Keeps analysis colours out of files, and knows which documents differ from theirs.
 
@@ -19,7 +23,7 @@ class DocumentObserver:
     def __init__(self):
         self._changed = set()
         self._revisions = {}
-        self._on_close, self._on_save, self._on_activate = [], [], []
+        self._on_close, self._on_save, self._on_activate, self._on_unit_system = [], [], [], []
 
     def differs_from_file(self, document):
         """Whether the objects of a document are not those in its file, or it has none."""
@@ -43,10 +47,20 @@ class DocumentObserver:
         """Have a function called whenever another document becomes the active one."""
         self._on_activate.append(call)
 
+    def on_unit_system(self, call):
+        """Have a function called whenever a document gets another unit system, which those of FreeCAD 1.0 have."""
+        self._on_unit_system.append(call)
+
     def slotActivateDocument(self, _document):
         """Another document is active."""
         for call in self._on_activate:
             call()
+
+    def slotChangedDocument(self, _document, name):
+        """A property of a document itself was changed."""
+        if name == "UnitSystem":
+            for call in self._on_unit_system:
+                call()
 
     def slotChangedObject(self, changed, name):
         """An object was changed."""
@@ -57,6 +71,8 @@ class DocumentObserver:
     def slotCreatedObject(self, created):
         """An object was made."""
         self._note(created.Document)
+        if created.TypeId == MEASUREMENT and created.Document.Restoring:
+            revive_soon(created.Document.Name)
 
     def slotDeletedObject(self, deleted):
         """An object is about to go."""

@@ -4,7 +4,7 @@ from collections import Counter
 
 from ..workflow.document_verdicts import category_changes, walls_newly_under
 from .qt import translate
-from .verdict_text import category_words, number, why
+from .verdict_text import category_words, why
 
 _MOST_REASONS = 12
 
@@ -32,7 +32,7 @@ def reasons(verdicts):
     return "\n".join(lines)
 
 
-def warnings(document, before, now, of_category, limit):
+def warnings(document, before, now, of_category, limit, unit):
     """A sentence on each part of which something changed that the user wants to be warned of.
 
     Parameters
@@ -45,6 +45,8 @@ def warnings(document, before, now, of_category, limit):
         Whether to warn of another category.
     limit : float, mm
         Under which walls are warned of; 0 for none.
+    unit : LengthUnit
+        In which walls are told.
 
     Returns
     -------
@@ -52,32 +54,32 @@ def warnings(document, before, now, of_category, limit):
     """
     changed = {id(new): old for old, new in category_changes(before, now)} if of_category else {}
     under = {id(each) for each in walls_newly_under(before, now, limit)} if limit else set()
-    return [_warning(document, changed.get(id(each)), each, limit if id(each) in under else None)
+    return [_warning(document, changed.get(id(each)), each, limit if id(each) in under else None, unit)
             for each in now.values() if id(each) in changed or id(each) in under]
 
 
-def _warning(document, old, new, limit):
+def _warning(document, old, new, limit, unit):
     if old is None:
         return translate(
-            "ThinPart", "{}: '{}' ({}) has a wall of {} mm, under the limit of {} mm."
-        ).format(document, new["label"], _words(new), *_apart(new["thickness"], limit))
+            "ThinPart", "{}: '{}' ({}) has a wall of {}, under the limit of {}."
+        ).format(document, new["label"], _words(new), *_apart(new["thickness"], limit, unit))
     names = document, new["label"], _words(old), _words(new)
     if limit is not None:
         return translate(
-            "ThinPart", "{}: '{}' was '{}' and is '{}' now; its thinnest wall of {} mm is under the "
-            "limit of {} mm.").format(*names, *_apart(new["thickness"], limit))
+            "ThinPart", "{}: '{}' was '{}' and is '{}' now; its thinnest wall of {} is under the "
+            "limit of {}.").format(*names, *_apart(new["thickness"], limit, unit))
     if new["thickness"] is None:
         return translate("ThinPart", "{}: '{}' was '{}' and is '{}' now; none of its walls could be "
                          "measured.").format(*names)
-    return translate("ThinPart", "{}: '{}' was '{}' and is '{}' now; its thinnest wall is {} mm."
-                     ).format(*names, number(new["thickness"]))
+    return translate("ThinPart", "{}: '{}' was '{}' and is '{}' now; its thinnest wall is {}."
+                     ).format(*names, unit.text(new["thickness"]))
 
 
-def _apart(thickness, limit):
+def _apart(thickness, limit, unit):
     """Both in words that differ."""
-    if number(thickness) != number(limit):
-        return number(thickness), number(limit)
-    return f"{thickness:.6g}", f"{limit:.6g}"
+    if unit.number(thickness) != unit.number(limit):
+        return unit.text(thickness), unit.text(limit)
+    return tuple(unit.with_symbol(f"{unit.value(each):.6g}") for each in (thickness, limit))
 
 
 def _words(verdict):

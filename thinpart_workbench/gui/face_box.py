@@ -27,11 +27,11 @@ class FaceBox(QtWidgets.QWidget):
         column.addWidget(self.table)
         self.show_no_part()
 
-    def show_faces(self, summaries, features):
+    def show_faces(self, summaries, features, unit):
         """See `FaceTable.show_faces`."""
         show_text(self._words, "")
         self.table.show()
-        self.table.show_faces(summaries, features)
+        self.table.show_faces(summaries, features, unit)
 
     def show_no_part(self):
         """Several parts are shown."""

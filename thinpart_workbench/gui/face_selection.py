@@ -8,6 +8,7 @@ import numpy as np
 
 from ..core.map_search import MapSearch
 from ..freecad_adapter.document_parts import document_parts
+from ..freecad_adapter.edge import guarded_methods
 from ..freecad_adapter.part_places import face_at, face_paths
 from .document_observer import OBSERVER
 from .qt import QtCore, Signal
@@ -16,6 +17,7 @@ MOST = 2000
 """Faces that are selected at once: FreeCAD takes long for more, and draws each."""
 
 
+@guarded_methods("addSelection", "removeSelection", "setSelection", "clearSelection")
 class FaceSelection(QtCore.QObject):
     """The selection of one document, as faces of parts.
 

@@ -3,9 +3,10 @@
 from dataclasses import dataclass
 
 from ..core.map_summary import FaceSummary
+from .length_unit import MILLIMETRE
 from .qt import translate
 from .row_table import RowColumn, RowTable
-from .verdict_text import number, percent
+from .verdict_text import percent
 
 _LINES = 10
 
@@ -34,9 +35,9 @@ class FaceTable(RowTable):
     """Faces with thinnest and median wall and the shares that are thin or not measured."""
 
     def __init__(self, parent=None):
-        super().__init__("ThinPart_FaceTable", _columns(False), _LINES, parent)
+        super().__init__("ThinPart_FaceTable", _columns(False, MILLIMETRE), _LINES, parent)
 
-    def show_faces(self, summaries, features):
+    def show_faces(self, summaries, features, unit):
         """Show the faces of a part; those that are selected stay so if there are as many.
 
         Parameters
@@ -44,8 +45,9 @@ class FaceTable(RowTable):
         summaries : list of FaceSummary
         features : list of str
             What made each face, by its number; empty where that is not known.
+        unit : LengthUnit
         """
-        self.set_columns(_columns(any(features)))
+        self.set_columns(_columns(any(features), unit))
         rows = [FaceRow(each, features[each.face] if each.face < len(features) else "") for each in summaries]
         self.update_rows(rows, lambda one, other: one.name == other.name)
 
@@ -54,16 +56,16 @@ class FaceTable(RowTable):
         self.select(None if face is None else lambda row: row.summary.face == face)
 
 
-def _columns(with_features):
+def _columns(with_features, unit):
     columns = [RowColumn(translate("ThinPart", "Face"), lambda row: row.name, lambda row: row.summary.face)]
     if with_features:
         columns.append(RowColumn(translate("ThinPart", "Made by"), lambda row: row.feature,
                                  lambda row: row.feature.casefold() or None))
     return columns + [
-        _number_column(translate("ThinPart", "Thinnest"), "thinnest", number,
-                       translate("ThinPart", "Thinnest wall under the face, mm")),
-        _number_column(translate("ThinPart", "Median"), "median", number,
-                       translate("ThinPart", "Half of the face lies over thinner walls, mm")),
+        _number_column(translate("ThinPart", "Thinnest, {}").format(unit.symbol), "thinnest", unit.number,
+                       translate("ThinPart", "Thinnest wall under the face")),
+        _number_column(translate("ThinPart", "Median, {}").format(unit.symbol), "median", unit.number,
+                       translate("ThinPart", "Half of the face lies over thinner walls")),
         _number_column(translate("ThinPart", "Thin"), "thin_share", percent,
                        translate("ThinPart", "Share of the face over walls under the threshold")),
         _number_column(translate("ThinPart", "Unmeasured"), "unmeasured_share", percent,

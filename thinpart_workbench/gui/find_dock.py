@@ -9,6 +9,7 @@ from .active_record import active_record, not_classified
 from .flow_layout import FlowLayout
 from .found_table import FILE, SCORE, FoundTable
 from .found_view import FoundView
+from .length_unit import length_unit
 from .library_list import LibraryList
 from .part_details import PartDetails
 from .part_filters import PartFilters
@@ -19,6 +20,7 @@ from .qt import QtCore, QtGui, QtWidgets, grouped, translate
 from .reclassify_panel import ReclassifyPanel
 from .result_view import show_text, text_line
 from .sentences import translated
+from .unit_watch import UNITS
 
 ICON = Path(__file__).resolve().parents[2] / "resources" / "icons" / "ThinPart_FindParts.svg"
 
@@ -113,6 +115,7 @@ class FindDock(QtWidgets.QDockWidget):
     def showEvent(self, event):
         """The panel is there again."""
         super().showEvent(event)
+        self._show_unit()
         if not self._search.is_open:
             self.begin()
 
@@ -202,6 +205,7 @@ class FindDock(QtWidgets.QDockWidget):
         view.similar_asked.connect(self._find_like_part)
         self._details.kept.keep_asked.connect(search.keep)
         self._details.kept.told.connect(self._tell)
+        UNITS.changed.connect(self._show_unit)
         self._show_like()
 
     def _open(self):
@@ -251,6 +255,13 @@ class FindDock(QtWidgets.QDockWidget):
         self._search.ask(sort="file", descending=False)
         self._view.show_sorted_by(FILE, False)
         self._ask()
+
+    def _show_unit(self):
+        """Lengths are written in the unit of the active document: parts of a library have none of their own."""
+        unit = length_unit()
+        self._filters.show_unit(unit)
+        self._table.show_unit(unit)
+        self._details.show_unit()
 
     def _show_like(self):
         self._same_size.setVisible(self._wanted is not None)

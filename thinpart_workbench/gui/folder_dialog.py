@@ -243,7 +243,7 @@ class FolderDialog(QtWidgets.QDialog):
         box.setIcon(QtWidgets.QMessageBox.Question)
         box.setText(translate("ThinPart", "The folder is still being classified."))
         box.setInformativeText(translate(
-            "ThinPart", "Shall that go on in the background? 'Classify folder' shows it again. What "
+            "ThinPart", "Continue in the background? 'Classify folder' shows it again. What "
             "is done so far is kept either way."))
         go_on = box.addButton(translate("ThinPart", "Go on"), QtWidgets.QMessageBox.AcceptRole)
         stop = box.addButton(translate("ThinPart", "Stop"), QtWidgets.QMessageBox.DestructiveRole)

@@ -11,9 +11,10 @@ import FreeCAD as App
 from ..core.errors import ThinPartError
 from ..storage.part_table import failed_row, measured_row
 from ..workflow.temporary_folder import temporary_folder
+from .notices import NOTICES
 from .qt import QtCore, QtWidgets, Signal, translate
 from .sentences import translated
-from .worker_python import listen, new_process, python_program
+from .worker_python import listen, new_process, python_program, start_module
 
 DONE, STOPPED, REFUSED, LOST = "done", "stopped", "refused", "lost"
 """How a run ended: to its end; as asked; it would not begin; unexpectedly."""
@@ -93,8 +94,7 @@ class FolderRun(QtCore.QObject):
         program = python_program()
         self._folder = settings.folder
         self._stack = ExitStack()
-        arguments = ["-m", "thinpart_workbench", self._command, "--json", "--control",
-                     *settings.arguments()]
+        arguments = [self._command, "--json", "--control", *settings.arguments()]
         try:
             if only:
                 arguments += ["--only", self._list(only)]
@@ -110,7 +110,7 @@ class FolderRun(QtCore.QObject):
         self._process = new_process(self)
         listen(self._process, self._gather, self._gather, self._finished, self._failed_to_start)
         QtWidgets.QApplication.instance().aboutToQuit.connect(self.end_now)
-        self._process.start(program, arguments)
+        start_module(self._process, program, "thinpart_workbench", arguments)
 
     def pause(self):
         """Begin no further file until `resume`."""
@@ -233,7 +233,7 @@ class FolderRun(QtCore.QObject):
         told = [each for each in self._last_lines if each.startswith(_PROGRAM)]
         if code in (1, 2) and told and self._last_lines[-1] == told[-1]:
             return RunEnd(REFUSED, translated(told[-1][len(_PROGRAM):]))
-        App.Console.PrintError("\n".join(["ThinPart:", *self._last_lines]) + "\n")
+        NOTICES.quote("\n".join(self._last_lines))
         return RunEnd(LOST, translate(
             "ThinPart", "The process that classifies ended unexpectedly; what was done is kept. "
             "Start again for the rest; the report view has its last words."))

@@ -5,12 +5,13 @@ from collections import OrderedDict
 from dataclasses import dataclass
 
 from ..core.errors import KINDS
+from .length_unit import MILLIMETRE
 from .part_pictures import neutral_picture
 from .qt import QtCore, QtGui, Signal, colour, number_of, translate
 from .result_filter import colour_square
 from .result_table import FAILED_COLOUR
 from .sentences import translated, translated_list
-from .verdict_text import category_colour, category_title, number
+from .verdict_text import category_colour, category_title
 
 PAGE = 100
 """Rows that are fetched together."""
@@ -65,23 +66,35 @@ class FoundTable(QtCore.QAbstractTableModel):
 
     def __init__(self, profile, pictures, parent=None):
         super().__init__(parent)
-        self._profile, self._pictures = profile, pictures
+        self._profile, self._pictures, self._unit = profile, pictures, MILLIMETRE
         self._count, self._pages, self._asked = 0, OrderedDict(), set()
         self._neutral = {}
         self.picture_size, self.screen_ratio = QtCore.QSize(48, 36), 1.0
-        self._columns = (
+        self._columns = self._new_columns()
+        pictures.came.connect(self._show_pictures)
+
+    def show_unit(self, unit):
+        """Write lengths in a LengthUnit from now on."""
+        if unit != self._unit:
+            self._unit = unit
+            self._columns = self._new_columns()
+            self.headerDataChanged.emit(QtCore.Qt.Horizontal, 0, len(self._columns) - 1)
+            if self._count:
+                self.dataChanged.emit(self.index(0, 0), self.index(self._count - 1, len(self._columns) - 1))
+
+    def _new_columns(self):
+        return (
             FoundColumn(translate("ThinPart", "Like"), "score", _score, True),
             FoundColumn(translate("ThinPart", "Part"), "label", _part),
             FoundColumn(translate("ThinPart", "Category"), "category", self._category_text),
             FoundColumn(translate("ThinPart", "Why"), None,
                         lambda part: translated_list(getattr(part, "reasons", ""))),
-            FoundColumn(translate("ThinPart", "Thinnest mm"), "thinnest_mm",
-                        lambda part: _number(part, part.thinnest_mm), True),
-            FoundColumn(translate("ThinPart", "Longest mm"), "d1_mm",
-                        lambda part: _number(part, part.d1_mm), True),
+            FoundColumn(translate("ThinPart", "Thinnest, {}").format(self._unit.symbol), "thinnest_mm",
+                        lambda part: self._length(part, part.thinnest_mm), True),
+            FoundColumn(translate("ThinPart", "Longest, {}").format(self._unit.symbol), "d1_mm",
+                        lambda part: self._length(part, part.d1_mm), True),
             FoundColumn(translate("ThinPart", "File"), "file", lambda part: part.place),
         )
-        pictures.came.connect(self._show_pictures)
 
     def show_found(self, count, rows):
         """Show what was found.
@@ -212,6 +225,9 @@ class FoundTable(QtCore.QAbstractTableModel):
             self.dataChanged.emit(self.index(0, PART), self.index(self._count - 1, PART),
                                   [QtCore.Qt.DecorationRole])
 
+    def _length(self, part, millimetres):
+        return "" if part.error_kind else self._unit.number(millimetres)
+
     def _category_text(self, part):
         if part.error_kind:
             return "\u2717 " + translate("ThinPart", "Failed: {}").format(
@@ -231,10 +247,6 @@ def _part(part):
 
 def _score(part):
     return f"{part.score:.0f}\u00a0%" if hasattr(part, "score") else ""
-
-
-def _number(part, value):
-    return "" if part.error_kind else number(value)
 
 
 def _alignment(column):

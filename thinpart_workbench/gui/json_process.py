@@ -3,12 +3,11 @@
 import json
 import time
 
-import FreeCAD as App
-
 from ..core.errors import ThinPartError
+from .notices import NOTICES
 from .qt import QtCore, QtWidgets, Signal, translate
 from .sentences import translated
-from .worker_python import hand_over, listen, new_process, python_program
+from .worker_python import hand_over, listen, new_process, python_program, start_module
 
 SLICE_SECONDS = 0.015
 """After reading for this long the window has its turn."""
@@ -63,7 +62,7 @@ class JsonProcess(QtCore.QObject):
         listen(self._process, self._slice.start, self._keep_errors, lambda *_: self._slice.start(),
                self._failed_to_start)
         QtWidgets.QApplication.instance().aboutToQuit.connect(self.end_now)
-        self._process.start(program, ["-m", f"thinpart_workbench.workflow.{self._module}"])
+        start_module(self._process, program, f"thinpart_workbench.workflow.{self._module}")
 
     def say(self, **content):
         """Send it an object; nothing happens where it does not run."""
@@ -121,7 +120,7 @@ class JsonProcess(QtCore.QObject):
         crashed = process.exitStatus() == QtCore.QProcess.CrashExit or process.exitCode() != 0
         process.deleteLater()
         if crashed:
-            App.Console.PrintError("ThinPart:\n" + self._errors.decode("utf-8", "replace") + "\n")
+            NOTICES.quote(self._errors.decode("utf-8", "replace"))
         self.ended.emit(translate(
             "ThinPart", "The process that does this ended unexpectedly; the report view has its last "
             "words. Refresh the libraries to go on.") if crashed else "")

@@ -2,9 +2,11 @@
 
 import FreeCAD as App
 
+from ..freecad_adapter.edge import guarded_methods
 from .qt import QtCore, Signal
 
 
+@guarded_methods("slot*")
 class ObjectWatch(QtCore.QObject):
     """Tells what happens to an object.
 

@@ -5,6 +5,7 @@ from ..core.errors import ThinPartError
 from .distribution_comparison import DistributionComparison
 from .found_table import part_name
 from .kept_fields import KeptFields
+from .length_unit import length_unit
 from .part_pictures import neutral_picture
 from .qt import QtCore, QtWidgets, translate
 from .result_view import ResultView, show_text, text_line
@@ -24,7 +25,7 @@ class PartDetails(QtWidgets.QTabWidget):
     def __init__(self, pictures, parent=None):
         super().__init__(parent)
         self.setObjectName("ThinPart_PartDetails")
-        self._pictures, self._part, self._wanted, self._record = pictures, None, None, None
+        self._pictures, self._part, self._wanted, self._told = pictures, None, None, None
         self.kept = KeptFields(self)
         self._add_verdict()
         self.addTab(_scrolled(self.kept), translate("ThinPart", "Notes"))
@@ -39,7 +40,7 @@ class PartDetails(QtWidgets.QTabWidget):
 
     def show_part(self, part):
         """Turn to another part; its record follows in `show_record`."""
-        self._part, self._record = part, None
+        self._part, self._told = part, None
         self.kept.show_part(part)
         self._result.hide()
         self._show_picture()
@@ -61,8 +62,7 @@ class PartDetails(QtWidgets.QTabWidget):
         try:
             if "sentence" in told:
                 raise ThinPartError(told["sentence"])
-            profile = profile_from(told["profile"])
-            self._result.show_record(told["record"], profile)
+            self._show_result(told)
         except ThinPartError as error:
             show_text(self._sentence, translated(error))
             return
@@ -71,11 +71,19 @@ class PartDetails(QtWidgets.QTabWidget):
                 "ThinPart", "The info file {} is damaged ({}): classify its document again."
             ).format(told["info_file"], type(error).__name__))
             return
-        self._record = told["record"]
+        self._told = told
         self._result.show_legend(False)
         self._result.show()
-        self.kept.show_record(self._record)
+        self.kept.show_record(told["record"])
         self._compare()
+
+    def show_unit(self):
+        """Write the lengths of what is shown in the unit of this moment."""
+        if self._told is not None:
+            self._show_result(self._told)
+
+    def _show_result(self, told):
+        self._result.show_record(told["record"], profile_from(told["profile"]), length_unit())
 
     def compare_with(self, name, record):
         """Compare what is selected with a part from now on; with none where `record` is None."""
@@ -126,8 +134,8 @@ class PartDetails(QtWidgets.QTabWidget):
 
     def _compare(self):
         named = [self._wanted] if self._wanted else []
-        if named and self._record is not None:
-            named.append((part_name(self._part), self._record["descriptors"]["distribution"]))
+        if named and self._told is not None:
+            named.append((part_name(self._part), self._told["record"]["descriptors"]["distribution"]))
         self._chart.show_parts(named)
         score = getattr(self._part, "score", None)
         show_text(self._likeness, "" if score is None else translate("ThinPart", "{}\u00a0% like: {}").format(

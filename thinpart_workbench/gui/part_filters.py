@@ -54,8 +54,8 @@ class PartFilters(QtWidgets.QWidget):
         for name in self._titles:
             self._criterion_box(name)
         self._ranges = {
-            "thinnest_mm": RangeFilter("Thinnest", translate("ThinPart", "Thinnest wall, mm"), self),
-            "d1_mm": RangeFilter("Size", translate("ThinPart", "Longest side, mm"), self),
+            "thinnest_mm": RangeFilter("Thinnest", translate("ThinPart", "Thinnest wall, {}"), self),
+            "d1_mm": RangeFilter("Size", translate("ThinPart", "Longest side, {}"), self),
             "volume_ratio": RangeFilter("Ratio", translate("ThinPart", "V/VBB"), self),
         }
         for each in self._ranges.values():
@@ -117,6 +117,11 @@ class PartFilters(QtWidgets.QWidget):
         for name, each in self._ranges.items():
             each.show_histogram(found["scales"][name], found["histograms"][name])
         self.show_refusal(translated(found["refusal"]))
+
+    def show_unit(self, unit):
+        """Write and take lengths in a LengthUnit from now on; the query stays."""
+        for name in ("thinnest_mm", "d1_mm"):
+            self._ranges[name].show_unit(unit)
 
     def show_refusal(self, sentence):
         """Say why the conditions are not understood."""

@@ -3,10 +3,11 @@
 from dataclasses import dataclass
 from typing import Optional
 
+from .length_unit import MILLIMETRE
 from .qt import Signal, translate
 from .row_table import RowColumn, RowTable
 from .sentences import translated
-from .verdict_text import category_colour, category_word, number
+from .verdict_text import category_colour, category_word
 
 _LINES = 6
 
@@ -44,12 +45,12 @@ class PartList(RowTable):
     part_chosen = Signal(str)
 
     def __init__(self, parent=None):
-        self._profile = None
+        self._profile, self._unit = None, MILLIMETRE
         super().__init__("ThinPart_PartTable", self._columns(), _LINES, parent)
         self.row_chosen.connect(lambda row: self.part_chosen.emit(row.name))
         self.hide()
 
-    def show_parts(self, rows, profile):
+    def show_parts(self, rows, profile, unit):
         """Show parts.
 
         Parameters
@@ -57,8 +58,10 @@ class PartList(RowTable):
         rows : list of PartRow
         profile : Profile
             By which they are judged.
+        unit : LengthUnit
         """
-        self._profile = profile
+        self._profile, self._unit = profile, unit
+        self.set_columns(self._columns())
         self.update_rows(rows, lambda one, other: one.name == other.name)
         self.setVisible(len(rows) > 1)
 
@@ -79,8 +82,8 @@ class PartList(RowTable):
             RowColumn(translate("ThinPart", "Part"), lambda row: row.label, lambda row: row.label.casefold(),
                       takes_rest=True),
             RowColumn(translate("ThinPart", "Category"), self._category, self._category, swatch=_swatch),
-            RowColumn(translate("ThinPart", "Thinnest"), _thinnest_text, _thinnest, is_number=True,
-                      meaning=translate("ThinPart", "Thinnest wall, mm")),
+            RowColumn(translate("ThinPart", "Thinnest, {}").format(self._unit.symbol), self._thinnest_text,
+                      _thinnest, is_number=True, meaning=translate("ThinPart", "Thinnest wall")),
             RowColumn(translate("ThinPart", "\u00d7"), lambda row: str(row.instances),
                       lambda row: row.instances, is_number=True,
                       meaning=translate("ThinPart", "How often the part stands in the document")),
@@ -92,6 +95,10 @@ class PartList(RowTable):
         if row.failure:
             return translate("ThinPart", "failed: {}").format(translated(row.failure))
         return "\u2026"
+
+    def _thinnest_text(self, row):
+        thinnest = _thinnest(row)
+        return "" if thinnest is None else self._unit.number(thinnest)
 
 
 def part_rows(analysis):
@@ -111,7 +118,3 @@ def _swatch(row):
 def _thinnest(row):
     return None if row.record is None else row.record["descriptors"]["thickness_mm"]["min"]
 
-
-def _thinnest_text(row):
-    thinnest = _thinnest(row)
-    return "" if thinnest is None else number(thinnest)

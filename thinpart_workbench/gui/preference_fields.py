@@ -2,9 +2,12 @@
 
 import math
 
+from ..freecad_adapter.settings import MILLIMETRES
 from .folder_field import FolderField
+from .length_unit import length_unit
 from .profile_box import ProfileBox
 from .qt import QtGui, QtWidgets, Signal, colour, translate, translated_mark
+from .unit_watch import UNITS
 
 _PREFIX = "ThinPart_Preference"
 
@@ -36,6 +39,8 @@ def _new_field(declared, parent):
         return FolderField(name, translated_mark(declared.zero), parent)
     kinds = {tuple: ColourField, bool: CheckField, int: WholeField, float: NumberField, str: ChoiceField}
     kind = ProfileField if declared.names == "profile" else kinds[type(declared.default)]
+    if declared.unit == MILLIMETRES:
+        kind = LengthField
     field = kind(declared, parent)
     if not field.objectName():
         field.setObjectName(name)
@@ -91,9 +96,9 @@ class NumberField(QtWidgets.QDoubleSpinBox):
     def __init__(self, declared, parent):
         super().__init__(parent)
         least, most = declared.range
-        self.setDecimals(max(1, math.ceil(-math.log10(least))))
+        self.setDecimals(_decimals(least))
         self.setRange(0.0 if declared.zero else least, most)
-        self.setSingleStep(0.5 * 10.0 ** math.floor(math.log10(declared.default or 1.0)))
+        self.setSingleStep(_step(declared.default))
         _dress(self, declared)
         self.valueChanged.connect(lambda *_: self.changed.emit())
 
@@ -106,6 +111,45 @@ class NumberField(QtWidgets.QDoubleSpinBox):
         text = super().textFromValue(value)
         point = str(self.locale().decimalPoint())
         return text.rstrip("0").rstrip(point) if point in text else text
+
+
+class LengthField(NumberField):
+    """For lengths, which are shown and taken in the unit of the active document.
+
+    A value that nobody has changed stays what it is, however it is rounded in that unit.
+    """
+
+    def __init__(self, declared, parent):
+        super().__init__(declared, parent)
+        self._declared, self._given = declared, None
+        self._show_unit()
+        UNITS.changed.connect(self._show_unit)
+
+    def value(self):
+        """float, mm."""
+        shown = super().value()
+        if self._given is not None and shown == self._given[1]:
+            return self._given[0]
+        if shown == 0.0 and self._declared.zero:
+            return 0.0
+        least, most = self._declared.range
+        return min(max(shown * self._unit.millimetres, least), most)
+
+    def show_value(self, value):
+        """Show a value, mm."""
+        super().show_value(self._unit.value(value))
+        self._given = value, super().value()
+
+    def _show_unit(self):
+        value = None if self._given is None else self.value()
+        self._unit = length_unit()
+        least, most = map(self._unit.value, self._declared.range)
+        self.setDecimals(_decimals(least))
+        self.setRange(0.0 if self._declared.zero else least, most)
+        self.setSingleStep(_step(self._unit.value(self._declared.default)))
+        self.setSuffix(f" {self._unit.symbol}")
+        if value is not None:
+            self.show_value(value)
 
 
 class ChoiceField(QtWidgets.QComboBox):
@@ -190,6 +234,16 @@ class ProfileField(QtWidgets.QWidget):
     def show_value(self, value):
         """Show a value."""
         self._box.choose(value)
+
+
+def _decimals(least):
+    """As many as the least value needs."""
+    return max(1, math.ceil(-math.log10(least)))
+
+
+def _step(usual):
+    """A step of a field, by the size of its usual value."""
+    return 0.5 * 10.0 ** math.floor(math.log10(usual or 1.0))
 
 
 def _dress(spin, declared):

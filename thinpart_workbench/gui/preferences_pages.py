@@ -2,11 +2,13 @@
 
 import FreeCADGui as Gui
 
+from ..freecad_adapter.edge import guarded_methods
 from ..freecad_adapter.settings import PAGES
 
 GROUP = "ThinPart"
 
 
+@guarded_methods("loadSettings", "saveSettings")
 class _Page:
     """What FreeCAD wants of a page: ``form``, ``loadSettings`` and ``saveSettings``.
 

@@ -3,11 +3,11 @@
 from dataclasses import dataclass
 
 from .flow_layout import FlowLayout
+from .length_unit import MILLIMETRE
 from .push_button import add_button
 from .qt import QtCore, QtWidgets, Signal, translate
 from .result_view import show_text, text_line
 from .row_table import RowColumn, RowTable
-from .verdict_text import number
 
 _LINES = 6
 
@@ -41,6 +41,7 @@ class ProbeBox(QtWidgets.QWidget):
     def __init__(self, parent=None):
         super().__init__(parent)
         self.setObjectName("ThinPart_ProbeBox")
+        self._unit = MILLIMETRE
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(6, 6, 6, 6)
         row = QtWidgets.QWidget(self)
@@ -60,16 +61,17 @@ class ProbeBox(QtWidgets.QWidget):
         self.table = RowTable("ThinPart_ProbeTable", [
             RowColumn(translate("ThinPart", "Probe"), lambda row: str(row.number + 1),
                       lambda row: row.number),
-            RowColumn(translate("ThinPart", "Wall"), lambda row: translate("ThinPart", "{} mm").format(
-                number(row.thickness)), lambda row: row.thickness, is_number=True),
+            RowColumn(translate("ThinPart", "Wall"), lambda row: self._unit.text(row.thickness),
+                      lambda row: row.thickness, is_number=True),
         ], _LINES, self)
         self.table.activated.connect(lambda index: self.visited.emit(self.table.rows[index.row()].number))
         self.table.selectionModel().selectionChanged.connect(lambda *_: self._show_buttons())
         column.addWidget(self.table)
         self.show_hovered(None)
 
-    def show_probes(self, values):
-        """Show the probes of a map: their walls in mm, in the order in which they were pinned."""
+    def show_probes(self, values, unit):
+        """Show the probes of a map: their walls in mm, in the order in which they were pinned, and in which unit."""
+        self._unit = unit
         self.table.update_rows([ProbeRow(place, value) for place, value in enumerate(values)],
                                lambda one, other: one.number == other.number)
         self._show_buttons()
@@ -89,7 +91,7 @@ class ProbeBox(QtWidgets.QWidget):
         elif wall["thickness"] is None:
             show_text(self._hovered, translate("ThinPart", "No wall was measured here."))
         else:
-            show_text(self._hovered, translate("ThinPart", "Here: {} mm").format(number(wall["thickness"])))
+            show_text(self._hovered, translate("ThinPart", "Here: {}").format(self._unit.text(wall["thickness"])))
 
     def keyPressEvent(self, event):
         """Delete removes the probe that is selected."""

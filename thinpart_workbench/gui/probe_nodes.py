@@ -5,7 +5,6 @@ from pivy import coin
 
 from .array_fields import fill_numbers, fill_points
 from .map_nodes import set_matrix
-from .thickness_text import thickness_text
 
 _INK = (0.85, 0.0, 0.35)
 
@@ -35,8 +34,8 @@ class ProbeNodes:
                      self._texts):
             self.root.addChild(node)
 
-    def show(self, probes):
-        """Show these and no others: list of Probe."""
+    def show(self, probes, unit):
+        """Show these and no others, list of Probe, with their thickness in a LengthUnit."""
         ends = np.array([(each.point, each.opposite) for each in probes]).reshape(-1, 3)
         fill_points(self._ends.point, ends)
         rows = np.full((len(probes), 3), -1, dtype=np.int32)
@@ -44,7 +43,7 @@ class ProbeNodes:
         fill_numbers(self._lines.coordIndex, rows.ravel())
         self._texts.removeAllChildren()
         for probe, middle in zip(probes, ends.reshape(-1, 2, 3).mean(axis=1)):
-            self._texts.addChild(_text(thickness_text(probe.value), middle))
+            self._texts.addChild(_text(unit.text(probe.value), middle))
 
     def move(self, matrix):
         """Show everything moved: ndarray of shape (4, 4)."""

@@ -1,20 +1,25 @@
 """A range of a quantity, chosen by hand or written as numbers."""
 
+from .length_unit import MILLIMETRE
 from .qt import QtCore, QtGui, QtWidgets, Signal
 from .range_slider import LEAST, MOST, RangeSlider
 
 _TYPING = 300
 """Milliseconds after the last key until what was typed counts."""
 
+_DIGITS = 6
+"""Of a bound in its field: what was typed in one unit is found again in another, and no rounding is seen."""
+
 
 class RangeFilter(QtWidgets.QWidget):
-    """A title, two fields for numbers, and a `RangeSlider`.
+    """A title, two fields for numbers, and a `RangeSlider`. Lengths are in mm everywhere but in the fields.
 
     Parameters
     ----------
     name : str
         For the names of the widgets.
     title : str
+        With a field for the unit where it is a length.
 
     Signals
     -------
@@ -30,7 +35,8 @@ class RangeFilter(QtWidgets.QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2)
         row = QtWidgets.QHBoxLayout()
-        label = QtWidgets.QLabel(title, self)
+        self._title, self._unit, self._ends = title, MILLIMETRE, (None, None)
+        self._label = label = QtWidgets.QLabel(title.format(self._unit.symbol), self)
         label.setWordWrap(True)
         row.addWidget(label, 3)
         self._fields = [self._field(f"ThinPart_{name}{end}") for end in ("Least", "Most")]
@@ -54,8 +60,19 @@ class RangeFilter(QtWidgets.QWidget):
     def show_histogram(self, scale, counts):
         """See `RangeSlider.show_histogram`."""
         self.slider.show_histogram(scale, counts)
-        for field, end in zip(self._fields, scale):
-            field.setPlaceholderText(f"{end:.3g}" if any(counts) else "")
+        self._ends = scale if any(counts) else (None, None)
+        self._show_ends()
+
+    def show_unit(self, unit):
+        """Write and take a length in a LengthUnit from now on; what is chosen stays."""
+        if unit != self._unit:
+            if self._typed.isActive():
+                self._typed.stop()
+                self._take_fields()  # what was typed is in the unit of before
+            self._unit = unit
+            self._label.setText(self._title.format(unit.symbol))
+            self._show_ends()
+            self._show_bounds()
 
     def clear(self):
         """Choose everything, without a signal."""
@@ -78,16 +95,19 @@ class RangeFilter(QtWidgets.QWidget):
         self.changed.emit()
 
     def _take_fields(self):
-        self.slider.set_bounds(*map(_value, self._fields))
+        self.slider.set_bounds(*map(self._value, self._fields))
         self.changed.emit()
 
     def _show_bounds(self):
         for field, value in zip(self._fields, self.bounds):
-            field.setText("" if value is None else f"{value:g}")
+            field.setText("" if value is None else f"{self._unit.value(value):.{_DIGITS}g}")
 
+    def _show_ends(self):
+        for field, end in zip(self._fields, self._ends):
+            field.setPlaceholderText("" if end is None else f"{self._unit.value(end):.3g}")
 
-def _value(field):
-    try:
-        return float(field.text())
-    except ValueError:
-        return None  # empty, or not yet a number
+    def _value(self, field):
+        try:
+            return float(field.text()) * self._unit.millimetres
+        except ValueError:
+            return None  # empty, or not yet a number

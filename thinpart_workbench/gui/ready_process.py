@@ -4,7 +4,7 @@ import tempfile
 
 from ..core.errors import ThinPartError
 from .qt import QtCore, QtWidgets
-from .worker_python import new_process, python_environment, python_program
+from .worker_python import new_process, python_environment, python_program, start_module
 
 WORKER = "thinpart_workbench.workflow.snapshot_worker"
 
@@ -82,7 +82,7 @@ class ReadyProcess:
         self._made_with = _surroundings()
         self._process = new_process(QtWidgets.QApplication.instance())
         self._process.setWorkingDirectory(tempfile.gettempdir())
-        self._process.start(self._made_with[0], ["-m", WORKER])
+        start_module(self._process, self._made_with[0], WORKER)
 
 
 def _surroundings():

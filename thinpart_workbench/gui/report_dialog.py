@@ -8,15 +8,20 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from ..core.errors import ThinPartError
+from ..freecad_adapter.additional_packages import has_package, install_folder
 from ..freecad_adapter.settings import preference
 from ..workflow.report_folder import OVERVIEW
 from .command_arguments import info_place_arguments, measuring_arguments
 from .document_observer import OBSERVER
 from .folder_run import DONE, STOPPED, FolderRun
+from .package_installation import PackageInstallation
 from .push_button import add_button
 from .qt import QtCore, QtGui, QtWidgets, translate
 from .result_view import show_text, text_line
 from .sentences import translated
+
+_PACKAGE = "Jinja2"
+"""Fills in the pages; bundles of FreeCAD have it not."""
 
 ICON = Path(__file__).resolve().parents[2] / "resources" / "icons" / "ThinPart_Report.svg"
 
@@ -66,6 +71,8 @@ class ReportDialog(QtWidgets.QDialog):
         self._run = FolderRun(self, "report")
         self._run.found.connect(self._take)
         self._run.ended.connect(self._show_end)
+        self._installation = PackageInstallation(self)
+        self._installation.ended.connect(self._show_installed)
         column = QtWidgets.QVBoxLayout(self)
         self._subject = text_line(self, column, "ThinPart_ReportSubject")
         self._add_folder(column)
@@ -84,7 +91,7 @@ class ReportDialog(QtWidgets.QDialog):
 
     def show_document(self, document):
         """Be about a document, unless one is being reported on."""
-        if self._run.is_running or document is None:
+        if self._is_busy or document is None:
             return
         self._document = document.Name
         show_text(self._subject, translate(
@@ -95,7 +102,7 @@ class ReportDialog(QtWidgets.QDialog):
 
     def start(self):
         """Write the report about the document as it was saved."""
-        problem = self._problem()
+        problem = self._problem() or self._lacking()
         if problem:
             self._say(problem)
             self._show_state()
@@ -124,8 +131,23 @@ class ReportDialog(QtWidgets.QDialog):
         self._say(self._problem())
         self._show_state()
 
+    def install(self):
+        """Install what reports need, and write the report then."""
+        try:
+            self._installation.start(_PACKAGE)
+        except ThinPartError as error:
+            self._say(translated(error))
+        else:
+            self._say(translate("ThinPart", "Installing {}\u2026").format(_PACKAGE))
+        self._show_state()
+
     def cancel(self):
         """Stop; the pages that are written stay."""
+        if self._installation.is_running:
+            self._installation.stop()
+            self._say(translate("ThinPart", "Stopped before the end, as asked."))
+            self._show_state()
+            return
         self._run.stop()
         self._say(translate("ThinPart", "Stopping\u2026"))
 
@@ -135,6 +157,7 @@ class ReportDialog(QtWidgets.QDialog):
 
     def end(self):
         """Stop at once and go, since there is no one left to ask."""
+        self._installation.stop()
         self._run.end_now()
         self.hide()
         self.deleteLater()
@@ -145,12 +168,29 @@ class ReportDialog(QtWidgets.QDialog):
             return translate("ThinPart", "The document is closed: open it again for a report about it.")
         document = App.getDocument(self._document)
         if not document.FileName or not os.path.exists(document.FileName):
-            return translate("ThinPart", "The document has never been saved, and a report is about a saved "
-                                         "one: save it first.")
+            return translate("ThinPart", "The document has never been saved. Save the document first.")
         if OBSERVER.differs_from_file(document):
-            return translate("ThinPart", "The document has changes that are not saved, and a report is about "
-                                         "what is saved: save it first.")
+            return translate("ThinPart", "The document has changes that are not saved. Save the document first.")
         return ""
+
+    @property
+    def _is_busy(self):
+        return self._run.is_running or self._installation.is_running
+
+    @staticmethod
+    def _lacking():
+        """What a report needs and this FreeCAD has not, one sentence; else empty."""
+        if has_package(_PACKAGE.lower()):
+            return ""
+        return translate("ThinPart", "Reports need the Python package {}, which this FreeCAD does not have: install "
+                                     "it from the internet into {}?").format(_PACKAGE, install_folder())
+
+    def _show_installed(self, problem):
+        if problem:
+            self._say(problem)
+            self._show_state()
+        else:
+            self.start()
 
     def _take(self, rows):
         self._failures += [translated(row.error) for row in rows if row.error_kind]
@@ -178,11 +218,12 @@ class ReportDialog(QtWidgets.QDialog):
         show_text(self._message, text)
 
     def _show_state(self):
-        running = self._run.is_running
+        running = self._is_busy
         self._bar.setVisible(running)
         self._start.setEnabled(not running)
         self._cancel.setEnabled(running)
         self._save.setVisible(not running and bool(self._document) and bool(self._problem()))
+        self._install.setVisible(not running and bool(self._lacking()))
         for each in (self._folder, self._browse):
             each.setEnabled(not running)
         self._look.setEnabled(False)
@@ -215,6 +256,8 @@ class ReportDialog(QtWidgets.QDialog):
             return made
 
         self._save = button("ThinPart_ReportSave", translate("ThinPart", "&Save the document"), self.save)
+        self._install = button(
+            "ThinPart_ReportInstall", translate("ThinPart", "&Install {}").format(_PACKAGE), self.install)
         row.addStretch(1)
         self._start = button("ThinPart_ReportStart", translate("ThinPart", "&Write report"), self.start)
         self._start.setDefault(True)

@@ -3,6 +3,7 @@
 import os
 
 from ..core.errors import ThinPartError
+from .length_unit import length_unit
 from .open_part import DANGEROUS, ask_to_dare, open_part
 from .path_delegate import PathDelegate
 from .path_question import ask_about_path
@@ -11,6 +12,7 @@ from .result_filter import ResultFilter
 from .result_table import CATEGORY, FILE, PART, ResultTable
 from .sentences import translated
 from .table_export import TableExport
+from .unit_watch import UNITS
 
 _WIDEST, _NARROWEST = 50, {CATEGORY: 35, FILE: 26, PART: 26}
 """Letters to which columns of texts are sized by themselves; a user may go beyond."""
@@ -52,6 +54,7 @@ class ResultPanel(QtWidgets.QWidget):
         self.view.selectionModel().selectionChanged.connect(lambda *_: self._show_buttons())
         for signal in (self.table.modelReset, self.table.rowsInserted, self.table.layoutChanged):
             signal.connect(lambda *_: self._show_buttons())
+        UNITS.changed.connect(self._show_unit)
         self._show_buttons()
 
     def begin(self, settings, profile):
@@ -78,6 +81,10 @@ class ResultPanel(QtWidgets.QWidget):
     def showEvent(self, event):
         """Give the columns the room that there is."""
         super().showEvent(event)
+        self._show_unit()
+
+    def _show_unit(self):
+        self.table.show_unit(length_unit())
         self.fit_columns()
 
     def fit_columns(self):

@@ -1,6 +1,7 @@
 """The table of results while a folder is classified, for Qt's views."""
 
 from ..core.errors import KINDS
+from .length_unit import MILLIMETRE
 from .qt import QtCore, QtGui, Signal, colour, number_of, translate
 from .result_order import FAILED, ResultOrder
 from .row_table import RowColumn
@@ -26,7 +27,7 @@ class ResultTable(QtCore.QAbstractTableModel):
     def __init__(self, parent=None):
         super().__init__(parent)
         self._order = ResultOrder()
-        self._profile = None
+        self._profile, self._unit = None, MILLIMETRE
         self._columns = self._new_columns()
         self._rearrange = QtCore.QTimer(self, singleShot=True, interval=_REARRANGE)
         self._rearrange.timeout.connect(lambda: self._change_order(self._order.arrange))
@@ -63,6 +64,16 @@ class ResultTable(QtCore.QAbstractTableModel):
         self._order.clear()
         self.endResetModel()
         self.counts_changed.emit()
+
+    def show_unit(self, unit):
+        """Write lengths in a LengthUnit from now on; rows are sorted as they were."""
+        if unit != self._unit:
+            self._unit = unit
+            self._columns = self._new_columns()
+            self.headerDataChanged.emit(QtCore.Qt.Horizontal, 0, len(self._columns) - 1)
+            if self._order.shown:
+                self.dataChanged.emit(
+                    self.index(0, 0), self.index(len(self._order.shown) - 1, len(self._columns) - 1))
 
     def add(self, rows):
         """Add rows: at the end at first, in their places a moment later."""
@@ -160,13 +171,20 @@ class ResultTable(QtCore.QAbstractTableModel):
             RowColumn(translate("ThinPart", "Category"), self._category_text,
                          self._category_text),
             RowColumn(translate("ThinPart", "Criteria"), _criteria, _criteria),
-            RowColumn(translate("ThinPart", "Box mm"), _box, lambda row: row.d1_mm, True),
-            _quantity("V/VBB", "volume_ratio"),
-            _quantity(translate("ThinPart", "Thinnest mm"), "thinnest_mm"),
+            RowColumn(translate("ThinPart", "Box, {}").format(self._unit.symbol), self._box,
+                         lambda row: row.d1_mm, True),
+            _quantity("V/VBB", "volume_ratio", number),
+            _quantity(translate("ThinPart", "Thinnest, {}").format(self._unit.symbol), "thinnest_mm",
+                         self._unit.number),
             RowColumn(translate("ThinPart", "Instances"),
                          lambda row: "" if row.instances is None else str(row.instances),
                          lambda row: row.instances, True),
         )
+
+    def _box(self, row):
+        if row.d1_mm is None:
+            return ""
+        return " \u00d7 ".join(map(self._unit.number, (row.d1_mm, row.d2_mm, row.d3_mm)))
 
 
 FILE, PART, CATEGORY, CRITERIA, BOX, RATIO, THINNEST, INSTANCES = range(8)
@@ -184,12 +202,12 @@ def _alignment(column):
     return number_of(side | QtCore.Qt.AlignVCenter)
 
 
-def _quantity(title, name):
+def _quantity(title, name, text):
     def value(row):
         return getattr(row, name)
 
     return RowColumn(
-        title, lambda row: "" if row.error_kind else number(value(row)), value, True)
+        title, lambda row: "" if row.error_kind else text(value(row)), value, True)
 
 
 def _part(row):
@@ -199,8 +217,3 @@ def _part(row):
 def _criteria(row):
     return (row.criteria or "").replace(" ", ", ")
 
-
-def _box(row):
-    if row.d1_mm is None:
-        return ""
-    return " \u00d7 ".join(map(number, (row.d1_mm, row.d2_mm, row.d3_mm)))

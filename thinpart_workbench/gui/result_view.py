@@ -2,11 +2,12 @@
 
 from .criteria_table import CriteriaTable
 from .distribution_chart import DistributionChart
+from .length_unit import MILLIMETRE
 from .qt import QtCore, QtWidgets, colour, translate
 from .sentences import translated
 from .thin_faces import legend
 from .verdict_text import (
-    bound_text, category_colour, category_title, how_sure, number, percent, why,
+    category_colour, category_title, how_sure, number, percent, why,
 )
 
 
@@ -15,6 +16,7 @@ class ResultView(QtWidgets.QWidget):
 
     def __init__(self, parent=None):
         super().__init__(parent)
+        self._unit = MILLIMETRE
         self.setObjectName("ThinPart_ResultView")
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -35,7 +37,7 @@ class ResultView(QtWidgets.QWidget):
         column.addWidget(self._table)
         self._warnings = text_line(self, column, "ThinPart_Warnings")
 
-    def show_record(self, record, profile):
+    def show_record(self, record, profile, unit):
         """Show a part.
 
         Parameters
@@ -44,25 +46,28 @@ class ResultView(QtWidgets.QWidget):
             Part record.
         profile : Profile
             By which it was judged.
+        unit : LengthUnit
         """
+        self._unit = unit
         self._headline.setText(category_title(record["category"], profile))
         paint_swatch(self._swatch, category_colour(record["category"]))
         self._part.setText(record["label"])
         show_text(self._why, why(record))
         show_text(self._how_sure, how_sure(record, profile))
         measured = record["descriptors"]
-        show_text(self._box, _box(measured))
-        show_text(self._walls, _walls(measured["thickness_mm"]))
+        show_text(self._box, _box(measured, unit))
+        show_text(self._walls, _walls(measured["thickness_mm"], unit))
         shares = measured["shares"]
         show_text(self._shares, translate(
-            "ThinPart", "Area over parallel walls {}, over slanted ones {}, over none {}"
+            "ThinPart", "Measured: {} parallel, {} tapered, {} nothing opposite"
         ).format(percent(shares["parallel"]), percent(shares["nonparallel"]),
                  percent(shares["unmeasured"])))
         self._chart.show_distribution(
             measured["distribution"]["bins"], measured["distribution"]["area"],
-            record["thin_limit_mm"] / measured["diagonal_mm"], measured["diagonal_mm"])
+            record["thin_limit_mm"] / measured["diagonal_mm"], measured["diagonal_mm"], unit)
         self._table.show_evidence(record["evidence"])
-        show_text(self._warnings, "\n".join("\u26a0 " + translated(each) for each in record["warnings"]))
+        show_text(self._warnings, "\n".join(
+            "\u26a0 " + unit.of_sentence(translated(each)) for each in record["warnings"]))
 
     def show_legend(self, shown, own_limit=None):
         """Say what the colours on the part mean, where it has some.
@@ -75,8 +80,8 @@ class ResultView(QtWidgets.QWidget):
         """
         self._legend.setVisible(shown)
         show_text(self._own_limit, "" if own_limit is None else translate(
-            "ThinPart", "Shown as thin: under {}\u00a0mm, as the preferences say. The verdict does not "
-            "depend on it.").format(number(own_limit)))
+            "ThinPart", "Shown as thin: below {}, as the preferences say. The verdict does not "
+            "depend on it.").format(self._unit.text(own_limit)))
 
     def _add_headline(self, column):
         row = QtWidgets.QHBoxLayout()
@@ -144,20 +149,19 @@ def paint_swatch(square, rgb):
         f"QFrame {{ background-color: {colour(rgb).name()}; border: 1px solid #444; }}")
 
 
-def _box(measured):
-    sides = " \u00d7 ".join(number(side) for side in measured["box_mm"])
-    text = translate("ThinPart", "Bounding box {}\u00a0mm").format(sides)
+def _box(measured, unit):
+    sides = " \u00d7 ".join(map(unit.number, measured["box_mm"]))
+    text = translate("ThinPart", "Bounding box {}").format(unit.with_symbol(sides))
     if measured["volume_ratio"] is None:
-        return text + translate("ThinPart", "\nIts volume is not known.")
+        return text + translate("ThinPart", "\nIts volume is unknown.")
     return text + translate("ThinPart", "\nFilled to {} (V/VBB = {})").format(
         percent(measured["volume_ratio"]), number(measured["volume_ratio"]))
 
 
-def _walls(thickness):
+def _walls(thickness, unit):
     if thickness["min"] is None:
         return translate("ThinPart", "No wall could be measured.")
     return translate(
-        "ThinPart", "Walls: thinnest {}\u00a0mm, median {}\u00a0mm, greatest {}\u00a0mm "
-        "(\u00b1\u00a0{}\u00a0mm)"
-    ).format(number(thickness["min"]), number(thickness["median"]), number(thickness["max"]),
-             bound_text(thickness["error_bound"]))
+        "ThinPart", "Wall thickness: min {}, median {}, max {} (\u00b1\u00a0{})"
+    ).format(unit.number(thickness["min"]), unit.number(thickness["median"]), unit.text(thickness["max"]),
+             unit.bound_text(thickness["error_bound"]))

@@ -176,9 +176,12 @@ class RowTable(QtWidgets.QTableView):
         self._fit_columns()
 
     def set_columns(self, columns):
-        """Show the same rows in other columns."""
+        """Show the same rows in other columns; the one that is selected stays so."""
         if [each.title for each in columns] != [each.title for each in self._rows.columns]:
+            chosen = self.current_row
             self._rows.set_columns(columns)
+            self._fit_columns()
+            self.select(None if chosen is None else lambda row: row is chosen)
 
     def update_rows(self, rows, is_same):
         """Show what has become of the rows; the one that is selected stays so.

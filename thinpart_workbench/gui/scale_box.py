@@ -3,6 +3,7 @@
 from ..core.colour_scale import COLOUR_MAPS, colour_table
 from ..freecad_adapter.settings import PREFERENCES
 from ..freecad_adapter.thickness_object import MILLIMETRES, SHARE
+from .length_unit import MILLIMETRE
 from .qt import QtCore, QtGui, QtWidgets, Signal, colour, translate
 from .wheel import keep_from_wheel
 
@@ -21,27 +22,31 @@ class ScaleBox(QtWidgets.QWidget):
     def __init__(self, parent=None):
         super().__init__(parent)
         self.setObjectName("ThinPart_ScaleBox")
-        self._is_set = False
+        self._is_set, self._length = False, MILLIMETRE
         form = new_form(self)
         self._add_range(form)
         self._add_colours(form)
 
-    def show_properties(self, values):
+    def show_properties(self, values, unit):
         """Show properties of a map.
 
         Parameters
         ----------
         values : dict
             By name: AutomaticRange, Low, High, RangeUnit, ColourMap, Reversed, Bands, UnmeasuredColour.
+        unit : LengthUnit
+            Low and High are shown in it where they are lengths; the properties are in mm.
         """
-        self._is_set = True
+        self._is_set, self._length = True, unit
         try:
             self._automatic.setChecked(values["AutomaticRange"])
+            self._unit.setItemText(self._unit.findData(MILLIMETRES), unit.symbol)
             self._unit.setCurrentIndex(max(0, self._unit.findData(values["RangeUnit"])))
             for field, name in ((self._low, "Low"), (self._high, "High")):
-                field.setDecimals(4 if values["RangeUnit"] == SHARE else 3)
-                if not field.hasFocus() or abs(field.value() - values[name]) > 10.0 ** -field.decimals():
-                    field.setValue(values[name])
+                value = values[name] / self._unit_length
+                field.setDecimals(4 if values["RangeUnit"] == SHARE else unit.decimals)
+                if not field.hasFocus() or abs(field.value() - value) > 10.0 ** -field.decimals():
+                    field.setValue(value)
                 field.setEnabled(not values["AutomaticRange"])
             self._map.setCurrentIndex(self._map.findData(values["ColourMap"]))
             self._reversed.setChecked(values["Reversed"])
@@ -59,17 +64,22 @@ class ScaleBox(QtWidgets.QWidget):
         form.addRow(self._automatic)
         row = QtWidgets.QHBoxLayout()
         self._low, self._high = (self._number(f"ThinPart_{end}") for end in ("Low", "High"))
-        self._low.valueChanged.connect(lambda value: self._tell(Low=value))
-        self._high.valueChanged.connect(lambda value: self._tell(High=value))
+        self._low.valueChanged.connect(lambda value: self._tell(Low=value * self._unit_length))
+        self._high.valueChanged.connect(lambda value: self._tell(High=value * self._unit_length))
         row.addWidget(self._low, 1)
         row.addWidget(QtWidgets.QLabel("\u2013", self))
         row.addWidget(self._high, 1)
         form.addRow(translate("ThinPart", "Range"), row)
         self._unit = narrow_combo(self, "ThinPart_RangeUnit")
-        self._unit.addItem(translate("ThinPart", "mm"), MILLIMETRES)
+        self._unit.addItem(self._length.symbol, MILLIMETRES)
         self._unit.addItem(translate("ThinPart", "share of the diagonal"), SHARE)
         self._unit.currentIndexChanged.connect(lambda _: self._tell(RangeUnit=self._unit.currentData()))
         form.addRow(translate("ThinPart", "in"), self._unit)
+
+    @property
+    def _unit_length(self):
+        """What 1 in the fields is of the properties, which are in mm or shares."""
+        return 1.0 if self._unit.currentData() == SHARE else self._length.millimetres
 
     def _add_colours(self, form):
         self._map = narrow_combo(self, "ThinPart_ColourMap")

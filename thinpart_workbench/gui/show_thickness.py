@@ -5,8 +5,9 @@ import FreeCADGui as Gui
 
 from .document_observer import OBSERVER
 from .measure_requests import on_measure_request
+from .notices import NOTICES
 from .sentences import translated
-from .task_session import begin_session, can_open_session, open_session
+from .task_session import begin_session, can_open_session, is_free_for_session, open_session
 
 _KIND = "thickness"
 _measuring = {}  # what measures without a panel, by (document, map)
@@ -26,14 +27,15 @@ def show_thickness():
     document = App.ActiveDocument
     selected = Gui.Selection.getSelection(document.Name) if document is not None else []
     maps = [each for each in selected if is_thickness(each)]
-    begin_session(_KIND, ThicknessSession(document, maps[0] if maps else None))
+    if is_free_for_session():
+        begin_session(_KIND, ThicknessSession(document, maps[0] if maps else None))
 
 
 def show_thickness_map(thickness):
-    """Open the panel of a map, if no other task is open."""
+    """Open the panel of a map."""
     from .thickness_session import ThicknessSession
 
-    if not Gui.Control.activeDialog() or open_session() is not None:
+    if is_free_for_session():
         begin_session(_KIND, ThicknessSession(thickness.Document, thickness))
 
 
@@ -78,7 +80,8 @@ def _tell(key, sentence):
         measuring.leave()
         measuring.deleteLater()
     if sentence:
-        App.Console.PrintWarning(f"ThinPart: {sentence}\n")
+        document = App.listDocuments().get(key[0])
+        NOTICES.report(sentence, *([] if document is None else [document.Label]))
 
 
 def follow_requests():

@@ -11,6 +11,7 @@ from ..workflow.document_maps import parts_of
 from ..workflow.thickness_probes import moved_matrix, probes_of
 from .face_selection import FaceSelection, face_near
 from .fly_to import fly_to
+from .length_unit import length_unit
 from .object_watch import ObjectWatch
 from .part_list import PartRow
 from .qt import QtCore, Signal, translate
@@ -19,6 +20,7 @@ from .thickness_chart import bar_edges
 from .thickness_colours import ThicknessColours
 from .thickness_picking import ThicknessPicker, probe_ends, remove_probe
 from .transaction import transaction
+from .unit_watch import UNITS
 
 _SCALE = ("AutomaticRange", "Low", "High", "RangeUnit", "ColourMap", "Reversed", "Bands", "UnmeasuredColour")
 _THIN = ("Threshold", "ThinOnly")
@@ -89,7 +91,7 @@ class ShownThickness(QtCore.QObject):
             (boxes.probes.picking_toggled, self._toggle_picking),
             (boxes.probes.removed, lambda number: remove_probe(self.thickness, number)),
             (boxes.probes.cleared, self._clear_probes), (boxes.probes.visited, self._visit_probe),
-            (self._picker.hovered, boxes.probes.show_hovered),
+            (self._picker.hovered, boxes.probes.show_hovered), (UNITS.changed, self._show_unit),
         ]
         for signal, slot in self._connections:
             signal.connect(slot)
@@ -120,6 +122,10 @@ class ShownThickness(QtCore.QObject):
         return self.thickness.ViewObject.Proxy
 
     @property
+    def _unit(self):
+        return length_unit(self.thickness.Document)
+
+    @property
     def _told(self):
         """The parts that the boxes are about."""
         return self._parts if self._chosen is None else [self._parts[self._chosen]]
@@ -135,22 +141,34 @@ class ShownThickness(QtCore.QObject):
     def _show_all(self):
         self._show_head()
         self._show_bars()
-        self._boxes.scale.show_properties({name: getattr(self.thickness, name) for name in _SCALE})
+        self._show_scale()
         self._show_faces()
         self._show_probes()
+
+    def _show_unit(self):
+        """Lengths are written in another unit, in which bars have other round widths: none of them is chosen."""
+        self._show_all()
+        face = self._boxes.faces.table.current_row
+        if face is None:
+            self._highlight_chosen()
+        else:
+            self._view.highlight_faces({self._chosen: {face.summary.face}})
+
+    def _show_scale(self):
+        self._boxes.scale.show_properties({name: getattr(self.thickness, name) for name in _SCALE}, self._unit)
 
     def _show_head(self):
         rows = [PartRow(part.record["name"], part.record["label"], len(part.places), part.record)
                 for part in self._parts]
         shown = None if self._chosen is None else rows[self._chosen].name
-        self._boxes.head.show_parts(rows, self._profile, shown)
+        self._boxes.head.show_parts(rows, self._profile, shown, self._unit)
         self._boxes.head.show_stale(self.thickness.Stale)
 
     def _show_bars(self):
         greatest, last = self._thickness_in_bars()
-        edges = bar_edges(last)
+        edges = bar_edges(last, self._unit)
         shares, _ = area_by_thickness(self._told, np.append(edges[:-1], max(edges[-1], greatest)))
-        self._boxes.distribution.show_shares(edges, shares, greatest, self._diagonal)
+        self._boxes.distribution.show_shares(edges, shares, greatest, self._diagonal, self._unit)
         self._boxes.distribution.show_choice(None, 0.0, 0)
         self._show_colours()
         self._show_threshold()
@@ -181,10 +199,10 @@ class ShownThickness(QtCore.QObject):
             self._boxes.faces.show_no_part()
             return
         part = self._parts[self._chosen]
-        self._boxes.faces.show_faces(face_summaries(part.map, self.thickness.Threshold), part.features)
+        self._boxes.faces.show_faces(face_summaries(part.map, self.thickness.Threshold), part.features, self._unit)
 
     def _show_probes(self):
-        self._boxes.probes.show_probes([probe.value for probe in probes_of(self.thickness)])
+        self._boxes.probes.show_probes([probe.value for probe in probes_of(self.thickness)], self._unit)
 
     def _note(self, name):
         # FreeCAD tells of every property by itself, and of some several times.
@@ -205,7 +223,7 @@ class ShownThickness(QtCore.QObject):
             self._show_all()
             return
         if changed & set(_SCALE):
-            self._boxes.scale.show_properties({name: getattr(self.thickness, name) for name in _SCALE})
+            self._show_scale()
             self._show_colours()
         if changed & set(_THIN):
             self._show_threshold()

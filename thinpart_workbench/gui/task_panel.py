@@ -4,6 +4,7 @@ from pathlib import Path
 
 import FreeCADGui as Gui
 
+from ..freecad_adapter.edge import guarded_methods
 from .measuring_progress import MeasuringProgress
 from .part_list import PartList
 from .qt import QtCore, QtGui, QtWidgets, Signal, number_of, translate
@@ -68,18 +69,18 @@ class PanelForm(QtWidgets.QWidget):
         """How much is done, and what is being done."""
         self._progress.show_progress(fraction, stage)
 
-    def show_result(self, record, profile):
-        """Show a part record; progress stays while other parts are being measured."""
+    def show_result(self, record, profile, unit):
+        """Show a part record, lengths in a unit; progress stays while other parts are being measured."""
         show_text(self.message, "")
-        self.result.show_record(record, profile)
+        self.result.show_record(record, profile, unit)
         self.result.show()
 
-    def show_part(self, record, profile, failure):
+    def show_part(self, record, profile, failure, unit):
         """Show the record of a part, or why there is none; whatever else is going on goes on."""
         show_text(self.message, failure)
         self.result.setVisible(record is not None)
         if record is not None:
-            self.result.show_record(record, profile)
+            self.result.show_record(record, profile, unit)
 
     def show_ended(self, sentence=""):
         """Measuring is over; a sentence where it ended otherwise than it should."""
@@ -101,6 +102,7 @@ class PanelForm(QtWidgets.QWidget):
         return button
 
 
+@guarded_methods(reject=True)
 class TaskPanel(QtCore.QObject):
     """What FreeCAD's task view wants to hold.
 

@@ -4,9 +4,11 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from .document_observer import OBSERVER
-from .qt import QtCore
+from .notices import NOTICES
+from .qt import QtCore, translate
 
 _sessions = []  # (what it is, session): the one that is open, or none
+_measure_action = []  # QAction of FreeCAD's measure tool, once it is watched
 
 
 def open_session(kind=None):
@@ -18,10 +20,42 @@ def open_session(kind=None):
 
 
 def can_open_session():
-    """Whether a command that opens a panel makes sense now: a document is open and no task of others."""
-    if App.ActiveDocument is None:
-        return False
-    return not Gui.Control.activeDialog() or open_session() is not None
+    """Whether a command that opens a panel makes sense now: a document is open."""
+    return App.ActiveDocument is not None
+
+
+def is_free_for_session():
+    """Whether a panel can be opened, and say why where it cannot: a task of FreeCAD, such as measuring, is open.
+
+    Notes
+    -----
+    The commands are not greyed out then: a grey button does not say what it waits for.
+    """
+    if open_session() is not None or not Gui.Control.activeDialog():
+        return True
+    _say_one_at_a_time()
+    return False
+
+
+def _say_one_at_a_time():
+    NOTICES.tell_failure(translate(
+        "ThinPart", "FreeCAD shows one task at a time: close the one that is open, then try again."))
+
+
+def _watch_measure_tool():
+    """Have it said why FreeCAD's measure tool does not open beside our panel: FreeCAD itself does nothing then."""
+    if _measure_action or not hasattr(App, "MeasureManager"):
+        return
+    command = Gui.Command.get("Std_Measure")
+    for action in command.getAction() if command is not None else ():
+        action.triggered.connect(_measure_tool_asked)
+        _measure_action.append(action)
+
+
+def _measure_tool_asked(*_):
+    # FreeCAD has had its turn: had it opened the tool, our panel would be gone.
+    if open_session() is not None:
+        _say_one_at_a_time()
 
 
 def begin_session(kind, session):
@@ -34,6 +68,7 @@ def begin_session(kind, session):
         With ``panel``, ``document_name``, ``start`` and ``close``.
     """
     end_session()
+    _watch_measure_tool()
     _sessions.append((kind, session))
     session.start()
 

@@ -4,6 +4,7 @@ import numpy as np
 
 from ..core.distribution_bars import round_up
 from .chart_axes import ChartAxes
+from .length_unit import MILLIMETRE
 from .qt import QtCore, QtGui, QtWidgets, Signal, mouse_place, translate
 from .theme import plot_ground, readable, text_colour
 from .verdict_text import number, percent
@@ -16,13 +17,13 @@ _LINES = QtGui.QColor(20, 20, 20), QtGui.QColor(235, 235, 235)
 """Of the threshold, on light and on dark."""
 
 
-def bar_edges(last):
+def bar_edges(last, unit=MILLIMETRE):
     """Edges of bars from 0 to a thickness, ndarray of shape (k + 1,), mm.
 
-    The bars lie around multiples of a width that people like, so that a wall of 3 mm, which is 2.999 mm at some
-    places, is in one bar; the first is half as wide.
+    The bars lie around multiples of a width that people like in their unit, so that a wall of 3 mm, which is 2.999 mm
+    at some places, is in one bar; the first is half as wide.
     """
-    width = round_up(last / BARS)
+    width = unit.millimetres * round_up(unit.value(last) / BARS)
     return np.concatenate([[0.0], width * (np.arange(int(np.ceil(last / width + 0.5 - 1e-6))) + 0.5)])
 
 
@@ -49,7 +50,7 @@ class ThicknessChart(ChartAxes):
         self.setMouseTracking(True)
         self.setFocusPolicy(QtCore.Qt.StrongFocus)
         self.edges, self.shares, self.colours = np.zeros(1), np.zeros(0), np.zeros((0, 3), np.uint8)
-        self.threshold, self._diagonal = 0.0, 1.0
+        self.threshold, self._diagonal, self._unit = 0.0, 1.0, MILLIMETRE
         self.greatest = 0.0  # the last bar goes on to it
         self.bars = None  # first and last of those that are chosen
         self._begun = None  # bar at which choosing began
@@ -73,7 +74,7 @@ class ThicknessChart(ChartAxes):
         """Number of bars."""
         return len(self.shares)
 
-    def show_shares(self, edges, shares, greatest, diagonal):
+    def show_shares(self, edges, shares, greatest, diagonal, unit=MILLIMETRE):
         """Show other bars; none of them is chosen.
 
         Parameters
@@ -85,8 +86,10 @@ class ThicknessChart(ChartAxes):
             Thickest wall; where that is beyond the last edge, the last bar holds all up to it.
         diagonal : float, mm
             The second scale tells shares of it.
+        unit : LengthUnit
         """
         self.edges, self.shares, self.greatest, self._diagonal = edges, shares, greatest, diagonal
+        self._unit = unit
         self.bars = None
         self.update()
 
@@ -121,10 +124,10 @@ class ThicknessChart(ChartAxes):
     def bar_text(self, bar):
         """What a bar says about itself."""
         if bar == self.count - 1 and self.greatest > self.edges[-1]:
-            return translate("ThinPart", "{} mm and more: {} of the area").format(
-                number(float(self.edges[bar])), percent(float(self.shares[bar])))
-        return translate("ThinPart", "{} to {} mm: {} of the area").format(
-            number(float(self.edges[bar])), number(float(self.edges[bar + 1])),
+            return translate("ThinPart", "{} and more: {} of the area").format(
+                self._unit.text(float(self.edges[bar])), percent(float(self.shares[bar])))
+        return translate("ThinPart", "{} to {}: {} of the area").format(
+            self._unit.number(float(self.edges[bar])), self._unit.text(float(self.edges[bar + 1])),
             percent(float(self.shares[bar])))
 
     def sizeHint(self):
@@ -243,7 +246,7 @@ class ThicknessChart(ChartAxes):
     def _thickness_at(self, x):
         plot = self.plot()
         share = min(1.0, max(0.0, (x - plot.left()) / plot.width()))
-        return float(f"{share * self.edges[-1]:.3g}")
+        return self._unit.millimetres * float(f"{self._unit.value(share * self.edges[-1]):.3g}")
 
     def _draw_bars(self, painter, plot, top):
         frame = text_colour(self)
@@ -267,20 +270,20 @@ class ThicknessChart(ChartAxes):
             painter.drawRect(box)
 
     def _draw_scales(self, painter, plot):
-        """Two scales under the bars: thickness in mm, and as a share of the diagonal."""
+        """Two scales under the bars: thickness, and as a share of the diagonal."""
         painter.setPen(text_colour(self))
         painter.drawLine(plot.bottomLeft(), plot.bottomRight())
-        line, span = self.fontMetrics().height(), float(self.edges[-1])
+        line, span = self.fontMetrics().height(), self._unit.value(float(self.edges[-1]))
         step = round_up(span / max(1.0, plot.width() / (7.5 * self.fontMetrics().averageCharWidth()) - 1.0))
         for count in range(int(span / step * (1.0 + 1e-9)) + 1):
-            thickness = count * step
+            thickness = self._unit.millimetres * count * step
             x = self.x_of(thickness)
             painter.drawLine(QtCore.QPointF(x, plot.bottom()), QtCore.QPointF(x, plot.bottom() + 4))
-            self.centred(painter, plot, x, plot.bottom() + 5, number(thickness))
+            self.centred(painter, plot, x, plot.bottom() + 5, number(count * step))
             self.centred(painter, plot, x, plot.bottom() + 5 + line, f"{thickness / self._diagonal:.2g}")
         painter.drawText(QtCore.QRectF(0, plot.bottom() + 5 + 2 * line, self.width(), line + 2),
                          QtCore.Qt.AlignCenter, self.fontMetrics().elidedText(translate(
-                             "ThinPart", "mm, and share of the diagonal"),
+                             "ThinPart", "{}, and share of the diagonal").format(self._unit.symbol),
                              QtCore.Qt.ElideRight, self.width()))
 
     def _draw_line(self, painter, plot):
@@ -288,5 +291,5 @@ class ThicknessChart(ChartAxes):
         painter.setPen(QtGui.QPen(readable(self, *_LINES), 2.0 if self._holds_line else 1.5, QtCore.Qt.DashLine))
         painter.drawLine(QtCore.QPointF(x, plot.top() - 2), QtCore.QPointF(x, plot.bottom()))
         painter.setPen(text_colour(self))
-        self.centred(painter, plot, x, 1, translate("ThinPart", "thin below {} mm").format(
-            number(self.threshold)))
+        self.centred(painter, plot, x, 1, translate("ThinPart", "thin below {}").format(
+            self._unit.text(self.threshold)))

@@ -5,7 +5,7 @@ from .part_list import PartList
 from .push_button import add_button
 from .qt import QtCore, QtWidgets, Signal, translate
 from .result_view import paint_swatch, show_text, swatch, text_line
-from .verdict_text import bound_text, category_colour, category_title, number, percent
+from .verdict_text import category_colour, category_title, percent
 
 
 class ThicknessHead(QtWidgets.QWidget):
@@ -76,7 +76,7 @@ class ThicknessHead(QtWidgets.QWidget):
         self._info.setToolTip(tool_tip)
         self._save.setVisible(can_save)
 
-    def show_parts(self, rows, profile, shown):
+    def show_parts(self, rows, profile, shown, unit):
         """Show what a map comes to.
 
         Parameters
@@ -86,8 +86,9 @@ class ThicknessHead(QtWidgets.QWidget):
         profile : Profile
         shown : str or None
             Name of the part that the other boxes are about; None for all.
+        unit : LengthUnit
         """
-        self.parts.show_parts(rows, profile)
+        self.parts.show_parts(rows, profile, unit)
         self.parts.select_part(shown)
         self._all.setVisible(len(rows) > 1)
         self._all.setEnabled(shown is not None)
@@ -99,8 +100,8 @@ class ThicknessHead(QtWidgets.QWidget):
             self._title.setText(category_title(alone["category"], profile))
             paint_swatch(self._swatch, category_colour(alone["category"]))
         show_text(self._label, told[0].label if alone is not None else translate(
-            "ThinPart", "{} parts, {} in all").format(len(rows), sum(row.instances for row in rows)))
-        self._show_walls([row.record["descriptors"] for row in told])
+            "ThinPart", "{} different parts, {} instances").format(len(rows), sum(row.instances for row in rows)))
+        self._show_walls([row.record["descriptors"] for row in told], unit)
         self._verdict.show()
 
     def show_stale(self, is_stale):
@@ -133,15 +134,15 @@ class ThicknessHead(QtWidgets.QWidget):
         self._all = add_button(column, self._verdict, "ThinPart_AllParts",
                                translate("ThinPart", "&All parts together"), self.all_asked.emit)
 
-    def _show_walls(self, measured):
+    def _show_walls(self, measured, unit):
         """Thinnest wall, error bound and unmeasured share of one part, or the worst of several."""
         walls = [(each["thickness_mm"]["min"], each["thickness_mm"]["error_bound"]) for each in measured
                  if each["thickness_mm"]["min"] is not None]
         self._fly.setEnabled(bool(walls))
         if walls:
             thinnest, bound = min(walls)
-            text = translate("ThinPart", "Thinnest wall {}\u00a0mm (\u00b1\u00a0{}\u00a0mm)").format(
-                number(thinnest), bound_text(bound))
+            text = translate("ThinPart", "Thinnest wall {} (\u00b1\u00a0{})").format(
+                unit.text(thinnest), unit.bound_text(bound))
         else:
             text = translate("ThinPart", "No wall could be measured.")
         show_text(self._walls, text)

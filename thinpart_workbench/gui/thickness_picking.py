@@ -6,10 +6,11 @@ import numpy as np
 
 from ..core.errors import ThinPartError
 from ..core.map_search import MapSearch
+from ..freecad_adapter.edge import guarded_methods
 from ..workflow.document_maps import map_version, parts_of
 from ..workflow.thickness_probes import Probe, moved_matrix, probes_of, set_probes, wall_at_place
+from .length_unit import length_unit
 from .qt import QtCore, QtWidgets, Signal, mouse_place, soon, translate
-from .thickness_text import thickness_text
 from .transaction import transaction
 from .view_ray import line_of_sight, seen_first
 
@@ -51,6 +52,7 @@ def _set(thickness, probes, name):
         set_probes(thickness, probes)
 
 
+@guarded_methods(eventFilter=False)
 class ThicknessPicker(QtCore.QObject):
     """Follows the mouse over the 3D views of one thickness map, from `start` to `stop`.
 
@@ -171,7 +173,7 @@ class ThicknessPicker(QtCore.QObject):
         if wall is None:
             label.hide()
         else:
-            label.setText(_text(wall["thickness"]))
+            label.setText(_text(wall["thickness"], length_unit(self._thickness.Document)))
             label.adjustSize()
             label.move(_beside(place, label.size(), widget.size()))
             label.show()
@@ -223,8 +225,8 @@ class ThicknessPicker(QtCore.QObject):
         }
 
 
-def _text(value):
-    return translate("ThinPart", "not measured") if value is None else thickness_text(value)
+def _text(value, unit):
+    return translate("ThinPart", "not measured") if value is None else unit.text(value)
 
 
 def _label(widget):

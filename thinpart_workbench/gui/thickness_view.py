@@ -6,12 +6,15 @@ import FreeCAD as App
 from pivy import coin
 
 from ..core.errors import ThinPartError
-from ..freecad_adapter.thickness_object import unit_in_mm
+from ..freecad_adapter.edge import guarded_methods
+from ..freecad_adapter.thickness_object import SHARE
 from ..workflow.document_maps import map_version, parts_of
 from ..workflow.thickness_probes import moved_matrix, probes_of
 from .colour_bar import BarContent
+from .length_unit import length_unit
 from .map_nodes import MapNodes
 from .measure_requests import ask_for_measuring
+from .notices import NOTICES
 from .probe_nodes import ProbeNodes
 from .qt import QtCore
 from .sentences import translated
@@ -28,6 +31,8 @@ _COLOURING = ("RangeUnit", "Low", "High", "ColourMap", "Reversed", "Bands", "Unm
               "ThinOnly", "Stale", "Diagonal")
 
 
+@guarded_methods("attach", "updateData", "onChanged", getIcon="", getDisplayModes=list(MODES),
+                 getDefaultDisplayMode=MODES[0], doubleClicked=True)
 class ThicknessView:
     """View provider of a thickness object.
 
@@ -103,7 +108,7 @@ class ThicknessView:
         elif name in _COLOURING:
             self._colour()
         elif name == "ProbeValues":  # the last of the three lists
-            self._probes.show(probes_of(thickness))
+            self._probes.show(probes_of(thickness), length_unit(thickness.Document))
         if name == "Stale":
             self._view.signalChangeIcon()
 
@@ -136,9 +141,9 @@ class ThicknessView:
             except ThinPartError as error:
                 self._nodes.show([])
                 self._shown, self._failed = None, version
-                App.Console.PrintError(f"{thickness.Label}: {translated(error)}\n")
+                NOTICES.complain(f"{thickness.Label}: {translated(error)}", thickness.Document.Label)
             self._colour()
-        self._probes.show(probes_of(thickness))
+        self._probes.show(probes_of(thickness), length_unit(thickness.Document))
         self.move()
 
     def appear(self):
@@ -175,8 +180,9 @@ class ThicknessView:
         if self._shown is None:
             return None
         thickness = self._view.Object
-        return BarContent(self.colours, unit_in_mm(thickness), thickness.Thinnest, thickness.Thickest,
-                          thickness.Threshold, self._has_unmeasured)
+        diagonal = thickness.Diagonal if thickness.RangeUnit == SHARE else 0.0
+        return BarContent(self.colours, length_unit(thickness.Document), diagonal, thickness.Thinnest,
+                          thickness.Thickest, thickness.Threshold, self._has_unmeasured)
 
     def doubleClicked(self, view):
         """In the tree: open the panel."""

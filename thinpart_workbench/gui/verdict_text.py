@@ -33,7 +33,7 @@ def category_words(category, title):
         "thin": translate("ThinPart", "Thin part"),
         "thin_features": translate("ThinPart", "Part with thin features"),
         NORMAL: translate("ThinPart", "Normal part"),
-        UNKNOWN: translate("ThinPart", "Not known"),
+        UNKNOWN: translate("ThinPart", "Unknown"),
     }
     return known.get(category) or translated(title)
 
@@ -44,7 +44,7 @@ def category_word(category, profile):
         "thin": translate("ThinPart", "thin"),
         "thin_features": translate("ThinPart", "thin features"),
         NORMAL: translate("ThinPart", "normal"),
-        UNKNOWN: translate("ThinPart", "not known"),
+        UNKNOWN: translate("ThinPart", "unknown"),
     }
     return known.get(category) or category_title(category, profile)
 
@@ -61,11 +61,9 @@ def why(record):
     deciding = deciding_criteria(record)
     if not deciding:
         return translate("ThinPart", "No criterion holds: its walls are thick all over.")
-    named = "; ".join(translate("ThinPart", "{}, {}").format(
-        row["criterion"], _as_part_of_sentence(row["title"])) for row in deciding)
-    if len(deciding) == 1:
-        return translate("ThinPart", "It meets criterion {}.").format(named)
-    return translate("ThinPart", "It meets criteria {}.").format(named)
+    return translate("ThinPart", "Why: {}").format(", ".join(
+        translate("ThinPart", "{} (rule {})").format(_as_part_of_sentence(row["title"]), row["criterion"])
+        for row in deciding))
 
 
 def _as_part_of_sentence(title):
@@ -80,9 +78,9 @@ def how_sure(record, profile):
         return ""
     margin = percent(record["margin"])
     if not record["borderline"]:
-        return translate("ThinPart", "Clear verdict: margin {}").format(margin)
+        return translate("ThinPart", "Confidence: clear ({} from the limit)").format(margin)
     other = category_title(nearest_other(record), profile)
-    return translate("ThinPart", "Borderline, close to '{}': margin {}").format(other, margin)
+    return translate("ThinPart", "Confidence: borderline, close to '{}' ({} from the limit)").format(other, margin)
 
 
 def holds_text(holds):

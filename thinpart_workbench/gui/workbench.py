@@ -8,7 +8,7 @@ from .qt import translate
 
 ICONS = (Path(__file__).resolve().parents[2] / "resources" / "icons").as_posix()
 MENU_TEXT = "ThinPart"
-TOOL_TIP = translate("ThinPart", "Tells before meshing whether a part is thin, and where")
+TOOL_TIP = translate("ThinPart", "Check before meshing whether a part is thin, and where")
 
 
 def add_icons():

@@ -6,18 +6,24 @@ from pathlib import Path
 
 import FreeCAD as App
 
+from .. import PACKAGES_VARIABLE
 from ..core.errors import ThinPartError
+from ..freecad_adapter.additional_packages import package_folders
+from ..requirements import FREECAD_MODULES
+from ..system.priority import step_back
+from ..system.python_process import CHECKOUT, RUN_VARIABLE, module_command
 from .qt import QtCore, QtWidgets, translate
-
-CHECKOUT = Path(__file__).resolve().parents[2]
 
 # What is set for FreeCAD's own Python, or by a user for another one, and misleads this one.
 _UNSUITABLE = ("PYTHONSTARTUP", "PYTHONINSPECT", "PYTHONDEBUG", "PYTHONPATH", "PYTHONHOME",
-               "PYTHONUNBUFFERED", "PYTHONOPTIMIZE")
+               "PYTHONUNBUFFERED", "PYTHONOPTIMIZE", RUN_VARIABLE)
+
+_LIBRARIES = ("lib", "bin")
+"""Where a bundle may have FreeCAD's module: on Linux and macOS; on Windows."""
 
 
 def python_program():
-    """Path of the Python that FreeCAD was built with.
+    """Path of the Python that FreeCAD was built with, or of FreeCADCmd where there is none beside FreeCAD.
 
     Raises
     ------
@@ -29,9 +35,12 @@ def python_program():
     Inside FreeCAD ``sys.executable`` is FreeCAD itself.
     """
     version = f"python{sys.version_info.major}.{sys.version_info.minor}"
+    home = App.getHomePath()
     folders = (Path(sys.prefix, "bin"), Path(sys.base_prefix, "bin"), Path(sys.prefix),
-               Path(App.getHomePath(), "bin"), Path(sys.executable).parent)
-    for name in (version, "python3", "python", "python.exe"):
+               Path(home, "bin"), Path(sys.executable).parent)
+    # A folder's python3 may be another one than that with the version in its name, so names go first.
+    for name in (version, "python3", "python", "python.exe", "freecadcmd", "FreeCADCmd", "FreeCADCmd.exe",
+                 "freecadcmd.exe"):
         for folder in folders:
             if os.access(folder / name, os.X_OK) and (folder / name).is_file():
                 return os.fspath(folder / name)
@@ -47,9 +56,10 @@ def python_environment():
     home = os.environ.get("PYTHONHOME")
     if home and os.path.realpath(home) == os.path.realpath(sys.prefix):
         environment["PYTHONHOME"] = home
-    library = os.path.join(App.getHomePath(), "lib")
-    if os.path.isfile(os.path.join(library, "FreeCAD.so")):
-        environment.setdefault("FREECAD_LIB", library)
+    for folder in (os.path.join(App.getHomePath(), each) for each in _LIBRARIES):
+        if any(os.path.isfile(os.path.join(folder, module)) for module in FREECAD_MODULES):
+            environment.setdefault("FREECAD_LIB", folder)
+    environment[PACKAGES_VARIABLE] = os.pathsep.join(package_folders())
     # The folder in which FreeCAD was started may hold a numpy.py.
     environment.update(PYTHONPATH=os.fspath(CHECKOUT), PYTHONSAFEPATH="1",
                        PYTHONDONTWRITEBYTECODE="1", PYTHONUTF8="1")
@@ -67,6 +77,26 @@ def new_process(parent):
     process.setProcessEnvironment(environment)
     process.started.connect(lambda: _step_back(process))
     return process
+
+
+def start_module(process, program, module, arguments=()):
+    """Start a process of `new_process` with a module.
+
+    Parameters
+    ----------
+    process : QProcess
+    program : str
+        See `python_program`.
+    module : str
+        Its full name.
+    arguments : iterable of str
+    """
+    (program, *given), variables = module_command(module, arguments, program)
+    environment = process.processEnvironment()
+    for name, value in variables.items():
+        environment.insert(name, value)
+    process.setProcessEnvironment(environment)
+    process.start(program, given)
 
 
 def listen(process, output, errors, finished, failed):
@@ -99,9 +129,8 @@ def hand_over(process):
 def _step_back(process):
     """The window goes first where there are few processors."""
     number = process.processId()
-    # 0 where it has ended already, and then it would be FreeCAD itself that steps back.
-    if number and hasattr(os, "setpriority"):
+    if number:  # 0 where it has ended already, and then it would be FreeCAD itself that steps back
         try:
-            os.setpriority(os.PRIO_PROCESS, number, 10)
-        except ProcessLookupError:
+            step_back(number)
+        except OSError:
             return  # it has ended meanwhile, which is told elsewhere

@@ -4,6 +4,8 @@ import errno
 import os
 from pathlib import Path
 
+from ..system.cache_home import cache_home
+
 
 def cache_folder():
     """``$THINPART_CACHE``, else ``thinpart`` in the user's cache; need not exist.
@@ -17,8 +19,7 @@ def cache_folder():
     OSError
         Where there is no home, as for some services.
     """
-    base = os.environ.get("XDG_CACHE_HOME") or os.path.join("~", ".cache")
-    chosen = os.path.expanduser(os.environ.get("THINPART_CACHE") or os.path.join(base, "thinpart"))
+    chosen = os.path.expanduser(os.environ.get("THINPART_CACHE") or os.path.join(cache_home(), "thinpart"))
     if chosen.startswith("~"):
         raise FileNotFoundError(errno.ENOENT, "There is no home folder", chosen)
     return Path(chosen)

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from .. import __version__
 from ..core.errors import ThinPartError
+from ..system.file_paths import place_in_tree, relative_path
 from .atomic_file import write_atomically
 from .folder_lock import folder_lock
 from .kept_content import carry_kept
@@ -46,8 +47,7 @@ def info_path(document, info_folder=None, root=None):
         return document.with_name(name)
     if root is None:
         return Path(info_folder) / name
-    inner = os.path.relpath(os.path.abspath(document.parent), os.path.abspath(root))
-    return Path(info_folder) / inner / name
+    return Path(info_folder) / place_in_tree(document.parent, root) / name
 
 
 def new_source(document, links=(), info_file=None):
@@ -106,15 +106,14 @@ def _link(link, document):
         state = _state(link)
     except ThinPartError:
         state = {"sha256": None, "bytes": None, "modified": None}
-    return {"file": os.path.relpath(link, os.path.abspath(document.parent)), **state}
+    return {"file": relative_path(link, os.path.abspath(document.parent)), **state}
 
 
 def _folder_seen_from(info_file, document):
     """The document's folder as seen from its info file's; None where they are the same."""
     if info_file is None:
         return None
-    folder = os.path.relpath(os.path.realpath(document.parent),
-                             os.path.realpath(Path(info_file).parent))
+    folder = relative_path(os.path.realpath(document.parent), os.path.realpath(Path(info_file).parent))
     return None if folder == os.curdir else folder
 
 

@@ -3,6 +3,7 @@
 import os
 from collections import namedtuple
 
+from ..system.file_number import file_number
 from .info_file import SUFFIX
 
 Stamp = namedtuple("Stamp", "bytes modified inode")
@@ -70,4 +71,9 @@ def _stamp(entry):
         status = entry.stat()
     except OSError:
         return None  # it has gone since the folder was listed, or is a link to nowhere
-    return Stamp(status.st_size, status.st_mtime_ns, status.st_ino)
+    return stamp_of(status)
+
+
+def stamp_of(status):
+    """The Stamp of a file's `os.stat_result`."""
+    return Stamp(status.st_size, status.st_mtime_ns, file_number(status))

@@ -13,7 +13,7 @@ from .cache_folder import cache_folder
 from .folder_lock import folder_lock
 from .index_columns import COLUMNS, LARGE_COLUMNS, large_values, small_values
 from .info_file import read_open_info
-from .info_tree import Stamp, scan
+from .info_tree import Stamp, scan, stamp_of
 from .regular_file import open_regular
 
 VERSION = 1
@@ -226,7 +226,7 @@ def _read(root, path):
     try:
         with open_regular(full) as file:
             status = os.fstat(file.fileno())  # of just what is read
-            stamp = Stamp(status.st_size, status.st_mtime_ns, status.st_ino)
+            stamp = stamp_of(status)
             content = read_open_info(file, name)
         rows = [(small_values(part), large_values(part)) for part in content["parts"]]
         failures = [tuple(each.get(key) and str(each[key]) for key in ("part", "label", "kind", "message"))

@@ -21,10 +21,20 @@ def open_regular(path):
     OSError
         Also where it is a folder, a pipe, a socket or a device.
     """
-    # Without waiting for whoever might write into a pipe; regular files know no such thing.
-    handle = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0)
-                     | getattr(os, "O_BINARY", 0))
-    if not stat.S_ISREG(os.fstat(handle).st_mode):
-        os.close(handle)
+    # Looked at first: opening a pipe waits for whoever writes into it. To open it without waiting would fail for a
+    # file that a server has lent to somebody.
+    _check(os.stat(path), path)
+    file = open(path, "rb")
+    try:
+        _check(os.fstat(file.fileno()), path)
+    except OSError:
+        file.close()
+        raise
+    return file
+
+
+def _check(status, path):
+    if stat.S_ISDIR(status.st_mode):
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), os.fspath(path))
+    if not stat.S_ISREG(status.st_mode):
         raise OSError(errno.EINVAL, "it is no regular file", os.fspath(path))
-    return os.fdopen(handle, "rb")

@@ -77,8 +77,8 @@ def _measured(part, settings, report):
         wanted = 0.4 * settings.wall_deflection * wall / mesh.extent
         if wanted < FINEST_DEFLECTION or wanted >= linear or _too_many(mesh, deflection, wanted):
             warnings.append(
-                f"The thinnest wall, {wall:.3g} mm, is known to {2.0 * deflection:.2g} mm only: "
-                "a surface mesh fine enough for it would be too large."
+                f"The thinnest wall, {wall:.3g} mm, is known no better than the mesh resolves "
+                f"({2.0 * deflection:.2g} mm)."
             )
             break
         linear = wanted

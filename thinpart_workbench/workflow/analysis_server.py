@@ -11,7 +11,6 @@ With ``--check`` it prints a line about the software of the machine and ends.
 import json
 import os
 import platform
-import select
 import sys
 from contextlib import suppress
 from dataclasses import asdict
@@ -20,6 +19,7 @@ from .. import __version__, requirements
 from ..core.analysis_settings import AnalysisSettings
 from ..core.errors import ThinPartError
 from ..freecad_adapter.bootstrap import has_home, load_freecad
+from ..system.pipe_input import is_readable
 from .analyse_file import FileTask
 from .run_control import RunControl
 from .temporary_folder import temporary_folder
@@ -77,7 +77,7 @@ def serve(requests, answers, limits):
     """
     asker = _Asker(requests)
     with file_analyser(limits) as analyse, suppress(KeyboardInterrupt):
-        while _is_readable(requests, IDLE_SECONDS):
+        while is_readable(requests.fileno(), IDLE_SECONDS):
             line = requests.readline()
             if not line:
                 return
@@ -94,12 +94,8 @@ class _Asker(RunControl):
 
     def check(self):
         # There is no second request before the answer; so this is the end.
-        if _is_readable(self._requests, 0):
+        if is_readable(self._requests.fileno(), 0):
             raise KeyboardInterrupt
-
-
-def _is_readable(file, seconds):
-    return bool(select.select([file], [], [], seconds)[0])
 
 
 def main(arguments):

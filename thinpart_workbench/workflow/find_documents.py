@@ -109,9 +109,17 @@ def common_folder(paths):
     """The innermost folder that holds all of these files and folders: the top of their tree.
 
     Two documents of one name in different folders have different places below it.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``usage`` where there is none, on Windows.
     """
     folders = [path if os.path.isdir(path) else path.parent for path in map(Path, paths)]
-    return Path(os.path.commonpath([os.path.abspath(folder) for folder in folders]))
+    try:
+        return Path(os.path.commonpath([os.path.abspath(folder) for folder in folders]))
+    except ValueError:
+        raise ThinPartError("The parts lie on several drives: name those of one drive at a time.", "usage") from None
 
 
 class _Search:

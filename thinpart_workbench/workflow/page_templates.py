@@ -38,8 +38,8 @@ def check_templates():
         _environment()
     except ImportError as error:
         raise ThinPartError(
-            f"Reports need Jinja2 ({error}): install it with 'apt-get install python3-jinja2'.",
-            "unsupported") from None
+            f"Reports need the Python package Jinja2 ({error}): install it (Debian: 'apt-get install "
+            "python3-jinja2', elsewhere: 'python -m pip install Jinja2').", "unsupported") from None
 
 
 @lru_cache(maxsize=None)

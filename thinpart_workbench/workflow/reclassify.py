@@ -3,6 +3,7 @@
 import json
 import math
 import os
+import sys
 from collections import namedtuple
 from concurrent.futures import ProcessPoolExecutor
 from itertools import islice
@@ -12,6 +13,7 @@ from ..core.criteria import profile_from
 from ..core.errors import ThinPartError
 from ..core.part_record import descriptors_of, judge_again, verdict
 from ..storage.info_file import change_info, read_info
+from ..system.python_process import is_freecadcmd
 
 FILES_AT_ONCE = 64
 """Info files that are handed to a process together."""
@@ -92,7 +94,8 @@ def reclassify_files(info_files, profile_content, write=False, jobs=1):
         In the order given.
     """
     batches = [info_files[start:start + FILES_AT_ONCE] for start in range(0, len(info_files), FILES_AT_ONCE)]
-    if jobs == 1 or len(batches) <= 1:
+    # multiprocessing starts processes with a Python alone.
+    if jobs == 1 or len(batches) <= 1 or is_freecadcmd(sys.executable):
         for batch in batches:
             yield from _reclassify_batch(batch, profile_content, write)
         return

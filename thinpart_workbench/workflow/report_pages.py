@@ -54,7 +54,7 @@ class ReportPages:
 
 def address(path):
     """A path below a folder as a page in that folder refers to it."""
-    return quote(os.fsencode(path))
+    return quote(os.fsencode(path if os.sep == "/" else path.replace(os.sep, "/")))
 
 
 def _safe(name):

@@ -13,13 +13,13 @@ Whoever started it stops it by killing it; it writes nothing but these lines and
 
 import json
 import os
-import resource
-import select
 import time
 
 from ..core.analysis_settings import AnalysisSettings
 from ..core.criteria import profile_from
 from ..core.errors import ThinPartError
+from ..system.pipe_input import is_readable
+from ..system.process_limits import limit_memory
 
 PATIENCE = 600.0
 """Seconds without a job after which it ends; loading everything anew takes less than one."""
@@ -34,8 +34,7 @@ def main():
         return
     folder, megabytes = asked["folder"], asked["megabytes"]
     os.chdir(folder)
-    limit = megabytes * 1024 * 1024
-    resource.setrlimit(resource.RLIMIT_AS, (limit, resource.getrlimit(resource.RLIMIT_AS)[1]))
+    limit_memory(megabytes * 1024 * 1024)
 
     def say(**line):
         lines.write(json.dumps(line, ensure_ascii=False) + "\n")
@@ -72,7 +71,7 @@ def _first_line():
     """The job; None where nobody has one. What comes after it stays in the pipe."""
     line = b""
     while not line.endswith(b"\n"):
-        if not select.select([0], [], [], PATIENCE)[0]:
+        if not is_readable(0, PATIENCE):
             return None
         byte = os.read(0, 1)
         if not byte:

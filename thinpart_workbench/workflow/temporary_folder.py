@@ -1,11 +1,13 @@
 """Temporary folders that outlive only a process which was killed, and go with the next one."""
 
-import fcntl
 import os
 import shutil
 import stat
 import tempfile
 from contextlib import contextmanager
+
+from ..system.file_lock import OPEN_FILES_CAN_BE_MOVED, lock
+from ..system.user import is_own
 
 PREFIX = "thinpart-run-"
 LOCK = "lock"
@@ -27,18 +29,27 @@ def temporary_folder():
     """
     remove_left_folders(tempfile.gettempdir())
     with tempfile.TemporaryDirectory(prefix=PREFIX, ignore_cleanup_errors=True) as folder:
-        lock = os.path.join(folder, LOCK)
-        handle = os.open(lock + ".new", os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o600)
+        handle = _locked(os.path.join(folder, LOCK))
         try:
-            try:
-                fcntl.flock(handle, fcntl.LOCK_EX)
-                # Under its name it is locked from the start; a folder without lock is left alone.
-                os.rename(lock + ".new", lock)
-            except OSError:
-                os.unlink(lock + ".new")  # a file system without locks: nobody clears up after us
             yield folder
         finally:
             os.close(handle)
+
+
+def _locked(path):
+    """Handle of a new file that this process has locked."""
+    # Under its name it is locked from the start, since a folder without lock is left alone. Where an open file
+    # keeps its name it also stays in its folder, so that nobody else can clear that away meanwhile.
+    made = path + ".new" if OPEN_FILES_CAN_BE_MOVED else path
+    handle = os.open(made, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o600)
+    try:
+        lock(handle)
+        if made != path:
+            os.rename(made, path)
+    except OSError:  # a file system without locks: nobody clears up after us
+        if OPEN_FILES_CAN_BE_MOVED:
+            os.unlink(made)
+    return handle
 
 
 def remove_left_folders(parent):
@@ -54,20 +65,24 @@ def remove_left_folders(parent):
 
 
 def _remove_unused(folder):
-    lock = os.path.join(folder, LOCK)
-    if not _is_own(lock, stat.S_ISREG):
+    path = os.path.join(folder, LOCK)
+    if not _is_own(path, stat.S_ISREG):
         return
     try:
-        handle = os.open(lock, os.O_RDWR | os.O_NOFOLLOW | os.O_NONBLOCK)
+        # Between the look and this it may have become a link, or something that does not open at once.
+        handle = os.open(path, os.O_RDWR | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0))
     except OSError:
         return
     try:
-        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        shutil.rmtree(folder, ignore_errors=True)
+        lock(handle, wait=False)
+        if OPEN_FILES_CAN_BE_MOVED:
+            shutil.rmtree(folder, ignore_errors=True)
     except OSError:
         return  # in use
     finally:
         os.close(handle)
+    if not OPEN_FILES_CAN_BE_MOVED:
+        shutil.rmtree(folder, ignore_errors=True)  # the lock was in the way
 
 
 def _is_own(path, is_kind):
@@ -76,4 +91,4 @@ def _is_own(path, is_kind):
         status = os.lstat(path)
     except OSError:
         return False
-    return status.st_uid == os.geteuid() and is_kind(status.st_mode)
+    return is_own(status) and is_kind(status.st_mode)

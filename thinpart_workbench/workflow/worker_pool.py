@@ -2,7 +2,6 @@
 
 import faulthandler
 import os
-import resource
 import signal
 import tempfile
 import time
@@ -14,12 +13,14 @@ from pathlib import Path
 
 from ..core.errors import ThinPartError
 from ..freecad_adapter.bootstrap import has_home
-from .parent_death import end_with_parent
+from ..system.parent_death import end_with_parent
+from ..system.process_limits import crash_quietly, limit_memory
+from .process_pool import WorkerDied
 from .run_control import RunControl
 from .temporary_folder import temporary_folder
 from .workers import Workers
 
-_OUT_OF_MEMORY = (b"bad_alloc", b"MemoryError", b"Unable to allocate", b"OutOfMemory",
+_OUT_OF_MEMORY = (b"bad_alloc", b"bad allocation", b"MemoryError", b"Unable to allocate", b"OutOfMemory",
                   b"out of memory", b"length_error", b"failed to map segment", b"pthread_create failed")
 
 
@@ -35,7 +36,7 @@ class Limits:
     ----------
     seconds : float
     megabytes : int
-        Address space of a worker.
+        Address space of a worker; not held where `MEMORY_CAN_BE_LIMITED` is not.
     jobs : int
         Workers at once.
     """
@@ -145,7 +146,7 @@ def _outcomes(waiting, workers, limits, control):
             continue
         control.check()
         yield outcome
-        with suppress(FileNotFoundError):
+        with suppress(FileNotFoundError, PermissionError):  # Windows keeps what a worker has open
             os.unlink(log)
 
 
@@ -158,11 +159,8 @@ def _start_worker(megabytes, folder, parent):
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     # Files are the unit of work; threads of the linear algebra would fight over the processors.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    limit = megabytes * 1024 * 1024
-    hard = resource.getrlimit(resource.RLIMIT_AS)[1]
-    resource.setrlimit(resource.RLIMIT_AS, (limit, hard))
-    # A crash is reported as a row; a core file of several GB in the user's folder helps nobody.
-    resource.setrlimit(resource.RLIMIT_CORE, (0, resource.getrlimit(resource.RLIMIT_CORE)[1]))
+    limit_memory(megabytes * 1024 * 1024)
+    crash_quietly()  # it is reported as a row
     _reserve_for_linear_algebra()
 
 
@@ -222,15 +220,13 @@ def failure(file, kind, message):
 
 
 def _outcome(future, task, log, limits):
-    from pebble import ProcessExpired
-
     name = Path(task.file).name
     try:
         return future.result()
     except TaskTimeout:
         message = f"{name} took longer than {limits.seconds:g} s, the limit for one file."
         return {**failure(task.file, "timeout", message), "seconds": limits.seconds}
-    except ProcessExpired:
+    except WorkerDied:
         if any(sign in _tail(log) for sign in _OUT_OF_MEMORY):
             return failure(task.file, "memory", _memory_message(task, limits))
         return failure(task.file, "crash",

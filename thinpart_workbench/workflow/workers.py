@@ -1,13 +1,14 @@
 """The worker processes of a run: tasks go in a few at a time, what ended comes out."""
 
-import multiprocessing
+import importlib.util
 import os
-import signal
+import sys
 from concurrent.futures import Future
-from contextlib import contextmanager
 from queue import Empty, SimpleQueue
 
 from ..core.errors import ThinPartError
+from ..system.python_process import is_freecadcmd
+from .process_pool import ProcessPool, WorkerDied
 
 _TASKS_PER_WORKER = 4
 """At work and waiting: enough that none is idle while the parent prints."""
@@ -36,14 +37,17 @@ class Workers:
     start : callable
         Runs in each new worker.
     start_arguments : tuple
+    pool_class : type, optional
+        `ProcessPool` or `PebblePool`; see `chosen_pool`.
     """
 
-    def __init__(self, count, seconds, folder, work, start, start_arguments):
+    def __init__(self, count, seconds, folder, work, start, start_arguments, pool_class=None):
         self._count = count
         self._seconds = seconds
         self._folder = folder
         self._work = work
         self._start = start, start_arguments
+        self._pool_class = pool_class or chosen_pool()
         self._hold = os.path.join(folder, "hold")
         self._pool = None
         self._ended = SimpleQueue()
@@ -75,11 +79,9 @@ class Workers:
         log = os.path.join(self._folder, f"{self._number}.log")
         self._number += 1
         if self._pool is None:
-            self._pool = self._new_pool()
+            self._pool = self._pool_class(self._count, *self._start)
         try:
-            with _no_ctrl_c():
-                future = self._pool.schedule(self._work, args=(task, log, self._hold),
-                                             timeout=self._seconds)
+            future = self._pool.schedule(self._work, (task, log, self._hold), self._seconds)
         except RuntimeError:
             future = Future()  # the pool has just broken down; this one is lost with it
         self._handed[future] = task, log
@@ -106,8 +108,7 @@ class Workers:
 
         Notes
         -----
-        pebble gives a pool up when a worker dies that had, as far as it knew, no task: one that could
-        not start, that was killed while it waited, or that died in the moment in which it took a task.
+        Of what a pool breaks down depends on the library that it comes from: see `pebble_pool`.
         A task that was begun twice when that happened is taken for the reason, and ends as one that
         killed its worker.
         """
@@ -140,32 +141,24 @@ class Workers:
         if self._pool is not None:
             pool, self._pool = self._pool, None
             pool.stop()
-            pool.join()
 
     def _is_broken(self):
         return self._pool is not None and not self._pool.active
 
-    def _new_pool(self):
-        from pebble import ProcessPool
-
-        start, arguments = self._start
-        return ProcessPool(max_workers=self._count, initializer=start, initargs=arguments,
-                           context=multiprocessing.get_context("spawn"))
-
     def _ended_by_death(self, task, log):
-        from pebble import ProcessExpired
-
         future = Future()
         self._handed[future] = task, log
         future.add_done_callback(self._ended.put)
-        future.set_exception(ProcessExpired("the pool broke down"))
+        future.set_exception(WorkerDied("the pool broke down"))
 
 
-@contextmanager
-def _no_ctrl_c():
-    """Processes and threads that start in this block never see Ctrl-C, not even while they start."""
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+def chosen_pool():
+    """Class of the pool to take: pebble's where there is one, else our own.
+
+    pebble starts processes by multiprocessing, for which this process has to run in a Python.
+    """
+    if is_freecadcmd(sys.executable) or importlib.util.find_spec("pebble") is None:
+        return ProcessPool
+    from .pebble_pool import PebblePool
+
+    return PebblePool

@@ -1,0 +1,190 @@
+"""FreeCAD from a bundle: its Python lies in a folder of its own and has numpy and scipy alone.
+
+The folder has a space and letters outside of ASCII in its name. Its Python is Debian's, from which the other
+libraries are hidden; nothing else of a bundle is here.
+"""
+
+import os
+import runpy
+import shutil
+import stat
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import FreeCAD as App
+import pytest
+import window_actions as window
+
+from folder_dialog_use import (  # noqa: F401 - fixtures among them
+    dialog, folder, many, no_choices,
+)
+from find_panel import classified, library, no_libraries  # noqa: F401
+from test_automatic import info, label, save, wait
+from test_classify import (  # noqa: F401 - they run once more, in the bundle
+    test_a_worker_that_cannot_begin_is_one_sentence, test_ribbed_block as test_a_part,
+)
+from test_classify_folder import (  # noqa: F401
+    test_a_folder_becomes_rows_counts_and_info_files as test_a_folder,
+    test_pausing_and_going_on, test_the_time_limit_can_be_raised_for_those_that_failed as test_a_time_limit,
+)
+from test_find_libraries import (  # noqa: F401
+    other_profile, test_reclassify_previews_and_writes,
+)
+from test_find_parts import test_criteria as test_a_library  # noqa: F401
+from test_report import browser, message, opened, saved, wait_for_end  # noqa: F401
+from test_show_thickness import (  # noqa: F401
+    test_what_is_selected_is_measured_alone as test_a_thickness_map,
+)
+from thinpart_workbench.freecad_adapter.additional_packages import install_folder
+from thinpart_workbench.freecad_adapter.settings import set_preference
+from thinpart_workbench.gui.ready_process import READY
+from thinpart_workbench.gui.worker_python import python_environment, python_program
+from thinpart_workbench.storage.info_file import read_info
+
+BARE = Path(__file__).resolve().parents[1] / "bare_python"
+PACKAGES = Path("/usr/lib/python3/dist-packages")
+
+
+@pytest.fixture(autouse=True)
+def bundle(tmp_path_factory, monkeypatch):
+    """A bundle that FreeCAD seems to have been started from: its folder ``usr``."""
+    usr = tmp_path_factory.mktemp("bundle") / "Free CAD \u00fcn\u00ef" / "usr"
+    (usr / "bin").mkdir(parents=True)
+    program = usr / "bin" / "python"
+    program.write_text(f'#!/bin/sh\nPYTHONPATH="{BARE}:$PYTHONPATH" exec {real_python()} "$@"\n', encoding="utf-8")
+    program.chmod(0o755)
+    for name in ("prefix", "base_prefix"):
+        monkeypatch.setattr(sys, name, str(usr))
+    monkeypatch.setattr(sys, "executable", str(usr / "bin" / "freecad"))
+    before = list(sys.meta_path)
+    hidden = runpy.run_path(str(BARE / "sitecustomize.py"))["HIDDEN"]
+    for name in hidden:
+        monkeypatch.delitem(sys.modules, name, raising=False)
+    READY.end()
+    yield usr
+    sys.meta_path[:] = before
+    READY.end()
+    shutil.rmtree(Path(App.getUserAppDataDir(), "AdditionalPythonPackages"), ignore_errors=True)
+
+
+def real_python():
+    return f"/usr/bin/python{sys.version_info.major}.{sys.version_info.minor}"
+
+
+def test_its_python_is_found_and_has_no_libraries(bundle):
+    assert python_program() == str(bundle / "bin" / "python")
+    run = subprocess.run([python_program(), "-c", "import numpy, scipy\nimport pebble"],
+                         env=python_environment(), capture_output=True, text=True)
+    assert "No module named 'pebble'" in run.stderr
+    run = subprocess.run([python_program(), "-c", "import jinja2"], env=python_environment(), capture_output=True)
+    assert run.returncode == 1
+
+
+def test_freecadcmd_is_taken_where_there_is_no_python(bundle, document, monkeypatch):
+    (bundle / "bin" / "python").unlink()
+    # FreeCAD looks for its own folder from where it lies, so this is no copy.
+    program = bundle / "bin" / "freecadcmd"
+    program.write_text('#!/bin/sh\nexec freecadcmd "$@"\n')
+    program.chmod(0o755)
+    monkeypatch.setattr(App, "getHomePath", lambda: str(bundle) + os.sep)
+    assert python_program() == str(program)
+    window.add_ribbed_block(document)
+    window.classify()
+    assert window.text("ThinPart_Headline") == "Part with thin features"
+
+
+def test_the_info_file_of_a_saved_part(saved, tmp_path):
+    window.classify()
+    window.wait_until(lambda: info(tmp_path / "block.FCStd").is_file())
+    part, = read_info(info(tmp_path / "block.FCStd"))["parts"]
+    assert part["category"] == "thin_features"
+
+
+def test_on_save(document, tmp_path):
+    set_preference("AutomaticClassification", True)
+    try:
+        window.settle(50)
+        window.add_ribbed_block(document)
+        save(document, tmp_path / "block.FCStd")
+        wait()
+        assert label() == "ThinPart: Part with thin features" and info(tmp_path / "block.FCStd").is_file()
+    finally:
+        set_preference("AutomaticClassification", None)
+        window.settle(50)
+
+
+# -- reports
+
+
+def wheel(folder, package, version, needs=()):
+    """A package of this machine as pip takes it from an index."""
+    with zipfile.ZipFile(folder / f"{package}-{version}-py3-none-any.whl", "w") as archive:
+        for file in sorted((PACKAGES / package).rglob("*")):
+            if file.is_file() and "__pycache__" not in file.parts:
+                archive.write(file, file.relative_to(PACKAGES))
+        info = f"{package}-{version}.dist-info"
+        lines = [f"Metadata-Version: 2.1\nName: {package}\nVersion: {version}",
+                 *(f"Requires-Dist: {each}" for each in needs)]
+        archive.writestr(f"{info}/METADATA", "\n".join(lines) + "\n")
+        archive.writestr(f"{info}/WHEEL", "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n")
+        archive.writestr(f"{info}/RECORD", "")
+
+
+@pytest.fixture
+def index(tmp_path, monkeypatch):
+    """A folder with wheels, which pip takes for its index."""
+    folder = tmp_path / "index"
+    folder.mkdir()
+    monkeypatch.setenv("PIP_NO_INDEX", "1")
+    monkeypatch.setenv("PIP_FIND_LINKS", str(folder))
+    return folder
+
+
+def asked_to_install():
+    opened()
+    window.click("ThinPart_ReportStart")
+    assert "Jinja2" in message() and install_folder() in message() and "?" in message()
+    assert window.is_shown("ThinPart_ReportInstall")
+
+
+def test_a_report_is_written_once_jinja2_was_installed(saved, browser, index, tmp_path):
+    wheel(index, "jinja2", "3.1.2", ["markupsafe"])
+    wheel(index, "markupsafe", "2.1.2")
+    asked_to_install()
+    window.click("ThinPart_ReportInstall")
+    assert "Installing Jinja2" in message() and not window.widget("ThinPart_ReportStart").isEnabled()
+    wait_for_end()
+    assert "The report is in" in message() and not window.is_shown("ThinPart_ReportInstall")
+    assert len(browser.opened) == 1 and Path(browser.opened[0]).stat().st_size > 1000
+    assert Path(install_folder(), "jinja2", "__init__.py").is_file()
+    assert not (tmp_path / "jinja2").exists()
+
+
+def test_what_the_index_does_not_have_is_one_sentence(saved, index):
+    asked_to_install()
+    window.click("ThinPart_ReportInstall")
+    wait_for_end()
+    assert "not found in the index" in message() and window.is_shown("ThinPart_ReportInstall")
+
+
+def test_a_python_without_pip_is_one_sentence(saved, bundle):
+    program = bundle / "bin" / "python"
+    text = program.read_text(encoding="utf-8")
+    program.write_text(text.replace("exec", '[ "$2" = pip ] && set -- -S "$@"; exec'), encoding="utf-8")
+    asked_to_install()
+    window.click("ThinPart_ReportInstall")
+    wait_for_end()
+    assert "has no pip" in message()
+
+
+def test_installing_can_be_stopped(saved, bundle):
+    program = bundle / "bin" / "python"
+    program.write_text("#!/bin/sh\nexec sleep 600\n")
+    program.chmod(program.stat().st_mode | stat.S_IXUSR)
+    asked_to_install()
+    window.click("ThinPart_ReportInstall")
+    window.click("ThinPart_ReportCancel")
+    assert "Stopped" in message() and window.widget("ThinPart_ReportStart").isEnabled()
+    assert window.workers("sleep") == []

@@ -1,0 +1,1 @@
+"""What Linux, macOS and Windows do differently, each in one module; it knows nothing of parts."""

@@ -1,0 +1,145 @@
+"""The calls of Windows that Python has no functions for; nothing here is called elsewhere."""
+
+import ctypes
+from functools import lru_cache
+
+PROCESS_DUPLICATE, PROCESS_SET_INFORMATION = 0x0040, 0x0200
+"""What a handle of a process may be used for (OpenProcess)."""
+
+LIMIT_MEMORY, KILL_WITH_JOB = 0x0100, 0x2000
+"""Flags of a job's limits: committed memory per process; its processes end with its last handle."""
+
+_EXTENDED_LIMITS = 9
+_CLOSE_SOURCE, _SAME_ACCESS = 1, 2
+_NO_DIALOGS = 0x0001 | 0x0002  # SEM_FAILCRITICALERRORS, SEM_NOGPFAULTERRORBOX
+_BELOW_NORMAL = 0x4000
+
+
+# Not those of `ctypes.wintypes`, which have these sizes on Windows alone.
+_HANDLE, _DWORD, _BOOL = ctypes.c_void_p, ctypes.c_uint32, ctypes.c_int
+
+
+class _BasicLimits(ctypes.Structure):
+    _fields_ = [("process_time", ctypes.c_int64), ("job_time", ctypes.c_int64), ("flags", _DWORD),
+                ("least_working_set", ctypes.c_size_t), ("greatest_working_set", ctypes.c_size_t),
+                ("processes", _DWORD), ("affinity", ctypes.c_size_t),
+                ("priority", _DWORD), ("scheduling", _DWORD)]
+
+
+class _ExtendedLimits(ctypes.Structure):
+    _fields_ = [("basic", _BasicLimits), ("counters", ctypes.c_uint64 * 6),
+                ("process_memory", ctypes.c_size_t), ("job_memory", ctypes.c_size_t),
+                ("process_peak", ctypes.c_size_t), ("job_peak", ctypes.c_size_t)]
+
+
+@lru_cache(maxsize=None)
+def _kernel():
+    kernel = ctypes.WinDLL("kernel32", use_last_error=True)
+    handle, number, yes = _HANDLE, _DWORD, _BOOL
+    # Without these, handles would be cut to 32 bits.
+    for name, result, arguments in (
+            ("CreateJobObjectW", handle, [ctypes.c_void_p, ctypes.c_wchar_p]),
+            ("SetInformationJobObject", yes, [handle, ctypes.c_int, ctypes.c_void_p, number]),
+            ("AssignProcessToJobObject", yes, [handle, handle]),
+            ("GetCurrentProcess", handle, []),
+            ("OpenProcess", handle, [number, yes, number]),
+            ("DuplicateHandle", yes, [handle, handle, handle, ctypes.c_void_p, number, yes, number]),
+            ("CloseHandle", yes, [handle]),
+            ("PeekNamedPipe", yes, [handle, ctypes.c_void_p, number, ctypes.c_void_p, ctypes.c_void_p,
+                                    ctypes.c_void_p]),
+            ("SetPriorityClass", yes, [handle, number]),
+            ("SetErrorMode", number, [number])):
+        function = getattr(kernel, name)
+        function.restype, function.argtypes = result, arguments
+    return kernel
+
+
+def join_new_job(flags, memory=0):
+    """Put this process into a job of its own.
+
+    Parameters
+    ----------
+    flags : int
+    memory : int
+        Bytes, for LIMIT_MEMORY.
+
+    Returns
+    -------
+    int
+        Handle of the job.
+
+    Raises
+    ------
+    OSError
+    """
+    kernel = _kernel()
+    job = _checked(kernel.CreateJobObjectW(None, None))
+    limits = _ExtendedLimits()
+    limits.basic.flags, limits.process_memory = flags, memory
+    _checked(kernel.SetInformationJobObject(job, _EXTENDED_LIMITS, ctypes.byref(limits),
+                                            ctypes.sizeof(limits)))
+    _checked(kernel.AssignProcessToJobObject(job, kernel.GetCurrentProcess()))
+    return job
+
+
+def give_handle(handle, process):
+    """Hand a handle over to another process, which never hears of it: it is closed when that ends.
+
+    Parameters
+    ----------
+    handle : int
+    process : int
+        Number of the process.
+
+    Raises
+    ------
+    OSError
+        Where there is no such process any more.
+    """
+    kernel = _kernel()
+    receiver = _checked(kernel.OpenProcess(PROCESS_DUPLICATE, False, process))
+    try:
+        given = _HANDLE()
+        _checked(kernel.DuplicateHandle(kernel.GetCurrentProcess(), handle, receiver, ctypes.byref(given),
+                                        0, False, _SAME_ACCESS | _CLOSE_SOURCE))
+    finally:
+        kernel.CloseHandle(receiver)
+
+
+def bytes_in_pipe(handle):
+    """Number of bytes that can be read from a pipe at once.
+
+    Raises
+    ------
+    OSError
+        Where nothing more comes, or it is no pipe.
+    """
+    count = _DWORD()
+    _checked(_kernel().PeekNamedPipe(handle, None, 0, None, ctypes.byref(count), None))
+    return count.value
+
+
+def lower_priority(process):
+    """Have a process step back behind others.
+
+    Raises
+    ------
+    OSError
+    """
+    kernel = _kernel()
+    handle = _checked(kernel.OpenProcess(PROCESS_SET_INFORMATION, False, process))
+    try:
+        _checked(kernel.SetPriorityClass(handle, _BELOW_NORMAL))
+    finally:
+        kernel.CloseHandle(handle)
+
+
+def crash_without_dialog():
+    """When this process crashes it ends, and no dialog waits for an answer."""
+    _kernel().SetErrorMode(_NO_DIALOGS)
+
+
+def _checked(result):
+    if not result:
+        raise ctypes.WinError(ctypes.get_last_error())
+    return result
