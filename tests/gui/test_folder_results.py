@@ -210,3 +210,10 @@ print(json.dumps({{"progress": progress}}), file=sys.stderr, flush=True)
     assert len(seen) > 10
     steps = sorted(seen)
     assert max(after - before for before, after in zip(steps, steps[1:])) < BURST / 4
+
+
+def test_the_last_column_is_not_cut_off(dialog, folder):
+    run(folder)
+    window.settle(100)
+    table = window.widget("ThinPart_FolderTable")
+    assert table.horizontalHeader().length() <= table.viewport().width()

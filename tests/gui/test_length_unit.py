@@ -1,4 +1,4 @@
-"""Lengths in the window are in the unit of FreeCAD's unit system, or of the document's; files and properties stay in mm."""
+"""Lengths in the window are in the unit of FreeCAD's or the document's unit system; files and properties stay in mm."""
 
 import csv
 import json

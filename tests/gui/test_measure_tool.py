@@ -8,7 +8,7 @@ import window_actions as window
 from window_actions import V
 
 from thinpart_workbench.freecad_adapter.wall_measurement import ID
-from thinpart_workbench.gui.qt import QtWidgets
+from thinpart_workbench.gui.qt import QtCore, QtWidgets
 
 pytestmark = pytest.mark.skipif(not hasattr(App, "MeasureManager"), reason="this FreeCAD has no measure tool")
 
@@ -156,17 +156,32 @@ def test_our_commands_say_that_the_tool_is_open(document, box, command, panel):
     window.wait_until(lambda: window.is_shown(panel))
 
 
-@pytest.mark.complains("already an active task dialog")  # FreeCAD's own words, which nobody sees
-def test_our_panel_says_that_it_is_in_the_tools_way(document, box):
+def by_button():
+    window.mouse_click(window.tool_button("Std_Measure"))
+
+
+def by_menu():
+    action = Gui.Command.get("Std_Measure").getAction()[0]
+    menu = next(each for each in Gui.getMainWindow().findChildren(QtWidgets.QMenu) if action in each.actions())
+    menu.popup(Gui.getMainWindow().mapToGlobal(QtCore.QPoint(100, 100)))
+    window.settle(100)
+    menu.setActiveAction(action)
+    window.mouse_click(menu, menu.actionGeometry(action).center())
+    window.settle(50)
+    assert not menu.isVisible()
+
+
+@pytest.mark.parametrize("ask", [by_button, by_menu])
+def test_our_panel_says_that_it_is_in_the_tools_way(document, box, ask):
     window.show_thickness()
-    Gui.Command.get("Std_Measure").getAction()[0].trigger()
+    ask()
     window.settle(200)
     assert "one task at a time" in Gui.getMainWindow().statusBar().currentMessage()
     assert window.is_shown("ThinPart_ThicknessVerdict")
     window.mouse_click(window.close_button())
     window.settle(100)
     Gui.getMainWindow().statusBar().clearMessage()
-    Gui.Command.get("Std_Measure").getAction()[0].trigger()
+    by_button()
     window.settle(200)
     assert Gui.getMainWindow().statusBar().currentMessage() == ""
     choose_wall(mode_box())
@@ -174,3 +189,16 @@ def test_our_panel_says_that_it_is_in_the_tools_way(document, box):
     window.settle(100)
     measurement, = measured(document)
     assert measurement.Thickness.Value == pytest.approx(3.0)
+
+
+def test_the_panel_of_another_workbench_is_watched_too(document, box):
+    window.show_thickness()
+    Gui.activateWorkbench("PartWorkbench")
+    window.settle(100)
+    by_button()
+    window.settle(100)
+    assert "one task at a time" in Gui.getMainWindow().statusBar().currentMessage()
+    container = document.addObject("App::Part", "Container")
+    Gui.Selection.addSelection(document.Name, container.Name)
+    window.settle(50)
+    assert Gui.Selection.getSelection() == [container], "no tool that nobody sees takes it back"

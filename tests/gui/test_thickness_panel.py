@@ -10,7 +10,7 @@ from window_actions import V
 
 from thinpart_workbench.core.map_summary import share_between
 from thinpart_workbench.freecad_adapter.thickness_object import thickness_objects
-from thinpart_workbench.gui.qt import QtCore, QtWidgets
+from thinpart_workbench.gui.qt import QtCore, QtGui, QtWidgets
 from thinpart_workbench.gui.thickness_chart import bar_edges
 from thinpart_workbench.workflow.document_maps import parts_of
 from thinpart_workbench.workflow.thickness_probes import probes_of
@@ -306,3 +306,38 @@ def test_nothing_is_cut_off_at_300_pixels(ribbed, larger):
                 assert button.width() >= button.minimumSizeHint().width(), button.text()
         box.hide()
         box.deleteLater()
+
+
+FIELDS = ("Threshold", "ThresholdUnit", "Low", "High", "RangeUnit", "ColourMap", "Bands")
+
+
+def test_the_wheel_scrolls_the_panel_and_changes_no_field(ribbed):
+    def shown(field):
+        return field.currentIndex() if isinstance(field, QtWidgets.QComboBox) else field.value()
+
+    chart().setFocus()
+    for name in FIELDS:
+        field = window.widget(f"ThinPart_{name}")
+        before = shown(field)
+        for turn in (120, -120):
+            place = QtCore.QPointF(4, 4)
+            QtWidgets.QApplication.sendEvent(field, QtGui.QWheelEvent(
+                place, place, QtCore.QPoint(), QtCore.QPoint(0, turn), QtCore.Qt.NoButton, QtCore.Qt.NoModifier,
+                QtCore.Qt.NoScrollPhase, False))
+            assert shown(field) == before, name
+
+
+def test_the_unit_of_the_threshold_is_not_cut_off(ribbed):
+    unit = window.widget("ThinPart_ThresholdUnit")
+    widest = max(unit.fontMetrics().boundingRect(unit.itemText(index)).width() for index in range(unit.count()))
+    inner = unit.style().subControlRect(
+        QtWidgets.QStyle.CC_ComboBox, _option_of(unit), QtWidgets.QStyle.SC_ComboBoxEditField, unit)
+    assert inner.width() >= widest
+
+
+def _option_of(combo):
+    option = QtWidgets.QStyleOptionComboBox()
+    option.initFrom(combo)
+    option.editable = combo.isEditable()
+    option.subControls = QtWidgets.QStyle.SC_All
+    return option

@@ -185,3 +185,12 @@ def test_the_camera_flies_to_a_wall(picker, document, camera):
     assert (seen[0] - seen[1]).manhattanLength() > 0.1 * height
     direction = view.getViewDirection()
     assert direction.y > 0.3 and abs(direction.y) < 0.9  # from outside, at an angle
+
+
+def test_a_view_that_is_closed_under_the_mouse_is_left_alone(picker, document):
+    view = view_of(document)
+    _hovered(picker, view, V(50, 27, 52))
+    move_to(view, place_of(view, V(60, 12, 40)))
+    App.closeDocument(document.Name)
+    window.settle(100)
+    assert picker.is_active, "it is stopped by whoever started it"

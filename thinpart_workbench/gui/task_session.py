@@ -4,11 +4,12 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from .document_observer import OBSERVER
+from .measure_tool import MeasureTool
 from .notices import NOTICES
 from .qt import QtCore, translate
 
 _sessions = []  # (what it is, session): the one that is open, or none
-_measure_action = []  # QAction of FreeCAD's measure tool, once it is watched
+_measure_tool = []  # MeasureTool, once there was a session
 
 
 def open_session(kind=None):
@@ -42,20 +43,12 @@ def _say_one_at_a_time():
         "ThinPart", "FreeCAD shows one task at a time: close the one that is open, then try again."))
 
 
-def _watch_measure_tool():
-    """Have it said why FreeCAD's measure tool does not open beside our panel: FreeCAD itself does nothing then."""
-    if _measure_action or not hasattr(App, "MeasureManager"):
-        return
-    command = Gui.Command.get("Std_Measure")
-    for action in command.getAction() if command is not None else ():
-        action.triggered.connect(_measure_tool_asked)
-        _measure_action.append(action)
-
-
-def _measure_tool_asked(*_):
-    # FreeCAD has had its turn: had it opened the tool, our panel would be gone.
-    if open_session() is not None:
-        _say_one_at_a_time()
+def _is_in_the_way():
+    """Whether our panel keeps FreeCAD from opening its measure tool, and say so."""
+    if open_session() is None:
+        return False
+    _say_one_at_a_time()
+    return True
 
 
 def begin_session(kind, session):
@@ -68,7 +61,9 @@ def begin_session(kind, session):
         With ``panel``, ``document_name``, ``start`` and ``close``.
     """
     end_session()
-    _watch_measure_tool()
+    if not _measure_tool:
+        _measure_tool.append(MeasureTool(_is_in_the_way))
+    _measure_tool[0].watch()
     _sessions.append((kind, session))
     session.start()
 

@@ -169,6 +169,8 @@ class ThicknessPicker(QtCore.QObject):
         if found is None:
             return
         view, _, label, _ = found
+        if not _exists(label):
+            return  # the view was closed since the mouse was moved over it
         wall = None if place is None else self.wall_at(view, place)
         if wall is None:
             label.hide()
@@ -237,6 +239,15 @@ def _label(widget):
         "QLabel { background: white; color: #1a1a1a; border: 1px solid #808080; padding: 2px 5px; }")
     label.hide()
     return label
+
+
+def _exists(label):
+    """Whether Qt has not deleted a widget that Python still knows."""
+    try:
+        label.objectName()
+    except RuntimeError:
+        return False
+    return True
 
 
 def _beside(place, size, room):

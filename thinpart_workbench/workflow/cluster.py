@@ -39,7 +39,7 @@ _TICK = 0.2
 """Seconds after which the run looks what else there is to do."""
 
 _ROOT = Path(__file__).resolve().parents[2]
-_SENT = ("core", "storage", "freecad_adapter", "workflow")
+_SENT = ("core", "storage", "freecad_adapter", "system", "workflow")
 
 
 def cluster_address(text):
