@@ -27,7 +27,7 @@ def thinpart(*arguments, cwd=None, **options):
     """Run a command to its end; where it has none, the test's time limit ends and names it."""
     return subprocess.run(
         [sys.executable, "-m", "thinpart_workbench", *map(str, arguments)], cwd=cwd,
-        env=environment(COLUMNS="200"), capture_output=True, text=True, stdin=subprocess.DEVNULL,
+        env=environment(COLUMNS="200"), capture_output=True, encoding="utf-8", stdin=subprocess.DEVNULL,
         **options,
     )
 

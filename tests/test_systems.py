@@ -21,7 +21,7 @@ def on(system, program, *arguments):
     start = (f"import sys; sys.path[:0] = [{str(ROOT)!r}, {str(ROOT / 'tests')!r}]\n"
              f"import simulated_system as simulated\nsimulated.use({system!r})\n")
     run = subprocess.run([sys.executable, "-c", start + textwrap.dedent(program), *map(str, arguments)],
-                         capture_output=True, text=True, timeout=120)
+                         capture_output=True, encoding="utf-8", timeout=120)
     assert run.returncode == 0, run.stderr
     return run.stdout.split()
 
@@ -185,7 +185,7 @@ time.sleep(600)
 def test_a_process_ends_with_its_parent_on_macos(how):
     child = CHILD if how == "kqueue" else CHILD.replace("sys.argv[2:] == [\"poll\"]", "True")
     parent = subprocess.Popen([sys.executable, "-c", PARENT, child], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                              text=True)
+                              encoding="utf-8")
     number, told = parent.stdout.readline().split(maxsplit=1)
     assert told.strip() == "goes on" and Path(f"/proc/{number}").exists()
     parent.kill()

@@ -76,7 +76,7 @@ def real_python():
 def test_its_python_is_found_and_has_no_libraries(bundle):
     assert python_program() == str(bundle / "bin" / "python")
     run = subprocess.run([python_program(), "-c", "import numpy, scipy\nimport pebble"],
-                         env=python_environment(), capture_output=True, text=True)
+                         env=python_environment(), capture_output=True, encoding="utf-8")
     assert "No module named 'pebble'" in run.stderr
     run = subprocess.run([python_program(), "-c", "import jinja2"], env=python_environment(), capture_output=True)
     assert run.returncode == 1

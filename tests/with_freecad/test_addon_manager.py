@@ -92,7 +92,7 @@ class _Handler(http.server.SimpleHTTPRequestHandler):
 def _files():
     """What a user gets: all that git knows or would add."""
     listed = subprocess.run(["git", "-c", "safe.directory=*", "ls-files", "--cached", "--others", "--exclude-standard"],
-                            cwd=ROOT, capture_output=True, text=True)
+                            cwd=ROOT, capture_output=True, encoding="utf-8")
     names = listed.stdout.splitlines() if listed.returncode == 0 else [
         each.relative_to(ROOT).as_posix() for each in ROOT.rglob("*") if not each.is_dir() and "__pycache__" not in each.parts]
     return [name for name in names if (ROOT / name).is_file()]
@@ -176,7 +176,7 @@ def test_it_is_installed_runs_is_updated_and_goes(user, host):
     # On the command line it runs without the bit that zips lose.
     assert os.access(user.folder / "thinpart", os.X_OK) == (user.route == "git")
     run = subprocess.run(["sh", user.folder / "thinpart", "install"], env=dict(environment(user.home), THINPART_NO_INSTALL="1"),
-                         capture_output=True, text=True, stdin=subprocess.DEVNULL)
+                         capture_output=True, encoding="utf-8", stdin=subprocess.DEVNULL)
     assert run.returncode == 0 and f"is installed already, {user.folder}" in run.stdout
 
     # A new commit arrives, and what it removes goes.

@@ -330,7 +330,7 @@ def test_ctrl_c_keeps_what_was_done_and_leaves_nothing_running(tmp_path):
     process = subprocess.Popen(
         [sys.executable, "-m", "thinpart_workbench", "classify", str(tmp_path), "--json",
          "--jobs", "1"], env=environment(), stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True,
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8", start_new_session=True,
     )
     first = process.stdout.readline()
     os.killpg(process.pid, signal.SIGINT)
@@ -351,7 +351,7 @@ def test_kill_9_leaves_no_half_written_file(tmp_path):
     process = subprocess.Popen(
         [sys.executable, "-m", "thinpart_workbench", "classify", str(tmp_path), "--json"],
         env=environment(), stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, start_new_session=True,
+        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, encoding="utf-8", start_new_session=True,
     )
     process.stdout.readline()
     os.killpg(process.pid, signal.SIGKILL)

@@ -16,7 +16,7 @@ def benchmark(*arguments, cache):
     environment = dict(os.environ, THINPART_CACHE=str(cache), COLUMNS="200")
     return subprocess.run(
         [sys.executable, ROOT / "benchmarks" / "run.py", *map(str, arguments)], env=environment,
-        capture_output=True, text=True, stdin=subprocess.DEVNULL,
+        capture_output=True, encoding="utf-8", stdin=subprocess.DEVNULL,
     )
 
 

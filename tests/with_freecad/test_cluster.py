@@ -139,7 +139,7 @@ def start(*arguments):
     return subprocess.Popen(
         [sys.executable, "-m", "thinpart_workbench", "classify", *map(str, arguments), "--json"],
         env=dict(os.environ, PYTHONPATH=str(ROOT)), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE, text=True, start_new_session=True)
+        stderr=subprocess.PIPE, encoding="utf-8", start_new_session=True)
 
 
 def test_records_and_info_files_are_those_of_this_machine(cluster, tmp_path):

@@ -192,6 +192,6 @@ def test_an_array_of_draft_is_read_from_its_file(tmp_path, document, use_link):
     root = Path(__file__).resolve().parents[2]
     run = subprocess.run(
         [sys.executable, "-m", "thinpart_workbench", "classify", str(file), "--json", "--no-info"],
-        env=dict(os.environ, PYTHONPATH=str(root)), capture_output=True, text=True)
+        env=dict(os.environ, PYTHONPATH=str(root)), capture_output=True, encoding="utf-8")
     record, = map(json.loads, run.stdout.splitlines())
     assert (record["category"], record["instances"]) == ("normal", 6)

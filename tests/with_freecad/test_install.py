@@ -51,7 +51,7 @@ def user_folder(home, freecad):
 def thinpart(home, command):
     return subprocess.run(
         [sys.executable, "-m", "thinpart_workbench", command], env=dict(environment(home), PYTHONPATH=os.fspath(ROOT)),
-        capture_output=True, text=True, stdin=subprocess.DEVNULL)
+        capture_output=True, encoding="utf-8", stdin=subprocess.DEVNULL)
 
 
 def links(home):

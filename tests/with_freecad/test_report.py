@@ -225,7 +225,7 @@ def test_what_is_missing_is_said_before_anything_is_measured(tmp_path):
     (tmp_path / "jinja2.py").write_text("raise ImportError('not whole')")
     run = subprocess.run(
         [sys.executable, "-m", "thinpart_workbench", "report", SAMPLES / "tube.step", "-o", tmp_path / "out"],
-        env=dict(os.environ, PYTHONPATH=f"{tmp_path}:{ROOT}"), capture_output=True, text=True)
+        env=dict(os.environ, PYTHONPATH=f"{tmp_path}:{ROOT}"), capture_output=True, encoding="utf-8")
     assert run.returncode == 1 and not (tmp_path / "out").exists()
     assert run.stderr == ("thinpart: Reports need the Python package Jinja2 (not whole): install it (Debian: 'apt-get "
                           "install python3-jinja2', elsewhere: 'python -m pip install Jinja2').\n")

@@ -58,7 +58,7 @@ def test_a_terminal_has_a_bar_and_the_table_is_alone_on_stdout(tmp_path, each_py
     process = subprocess.Popen(
         [sys.executable, "-m", "thinpart_workbench", "classify", str(folder), "--no-info"],
         env=environment(COLUMNS="150", TERM="xterm"),
-        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=theirs, text=True)
+        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=theirs, encoding="utf-8")
     os.close(theirs)
     shown = []
 

@@ -247,7 +247,7 @@ def test_output_without_room_is_one_sentence(tmp_path, arguments):
         run = subprocess.run(
             [sys.executable, "-m", "thinpart_workbench", "classify", str(folder), *arguments],
             env=dict(os.environ, PYTHONPATH=str(ROOT)), stdin=subprocess.DEVNULL, stdout=full,
-            stderr=subprocess.PIPE, text=True)
+            stderr=subprocess.PIPE, encoding="utf-8")
     sentence, = messages(run.stderr)[1]
     assert run.returncode == 1 and "No space left on device" in sentence and infos(folder)
 

@@ -12,7 +12,7 @@ from thinpart_workbench.freecad_adapter.part_files import read_parts
 
 def make_samples(*arguments):
     return subprocess.run([sys.executable, SAMPLES / "make_samples.py", *map(str, arguments)],
-                          capture_output=True, text=True)
+                          capture_output=True, encoding="utf-8")
 
 
 def test_a_sample_is_made_as_it_is_bundled(tmp_path):

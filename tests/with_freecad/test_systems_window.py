@@ -31,5 +31,5 @@ print(sys.platform, len(names) > 100)
 
 @pytest.mark.parametrize("system", ["win32", "darwin"])
 def test_every_module_of_the_window_is_imported(system):
-    run = subprocess.run([sys.executable, "-c", PROGRAM, system], capture_output=True, text=True, timeout=120)
+    run = subprocess.run([sys.executable, "-c", PROGRAM, system], capture_output=True, encoding="utf-8", timeout=120)
     assert run.stdout.split()[-2:] == [system, "True"], run.stderr

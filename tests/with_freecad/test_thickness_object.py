@@ -284,7 +284,7 @@ def test_opened_by_another_process(document, thickness, tmp_path, there):
     document.saveAs(file)
     done = subprocess.run(
         [sys.executable, "-c", _REOPEN.format(root=str(ROOT), file=file, there=there)],
-        capture_output=True, text=True, cwd=tmp_path)
+        capture_output=True, encoding="utf-8", cwd=tmp_path)
     assert "CAME 2 False [2.0] magma" in done.stdout, done.stdout + done.stderr
     if there:
         assert f"THEN True {parts_of(thickness)[0].map.count}" in done.stdout, done.stdout + done.stderr

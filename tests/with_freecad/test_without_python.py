@@ -26,7 +26,7 @@ if end != "0": sys.exit(int(end))
 def run_by_freecadcmd(module, *arguments, **more):
     command, variables = module_command(module, arguments, FREECADCMD)
     variables.update(more, PYTHONPATH=os.pathsep.join(filter(None, (more.get("PYTHONPATH"), environment()["PYTHONPATH"]))))
-    return subprocess.run(command, env={**os.environ, **variables}, capture_output=True, text=True, timeout=120,
+    return subprocess.run(command, env={**os.environ, **variables}, capture_output=True, encoding="utf-8", timeout=120,
                           stdin=subprocess.DEVNULL)
 
 
@@ -68,7 +68,7 @@ def test_installed_packages_are_found_after_those_of_freecads_python(tmp_path, m
     monkeypatch.setenv(PACKAGES_VARIABLE, os.pathsep.join([str(tmp_path / "gone"), str(tmp_path)]))
     program = ("import thinpart_workbench, numpy, made_package\n"
                "print(made_package.here, hasattr(numpy, 'here'))")
-    run = subprocess.run(["/usr/bin/python3", "-c", program], env=environment(), capture_output=True, text=True)
+    run = subprocess.run(["/usr/bin/python3", "-c", program], env=environment(), capture_output=True, encoding="utf-8")
     assert run.stdout.split() == ["True", "False"], run.stderr
 
 

@@ -37,7 +37,7 @@ def generous():
 def started():
     return subprocess.Popen(
         [sys.executable, "-m", "thinpart_workbench.workflow.reclassify_worker"],
-        stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8")
 
 
 def request(library, profile, write=False):

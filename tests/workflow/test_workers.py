@@ -246,7 +246,7 @@ def test_a_worker_that_is_busy_in_foreign_code_ends_with_its_parent(tmp_path, ag
 def test_a_worker_whose_parent_ended_before_it_asked_ends_too():
     program = ("from thinpart_workbench.system.parent_death import end_with_parent\n"
                f"end_with_parent({os.getpid()})\nprint('goes on')\nend_with_parent(1)\nprint('too far')\n")
-    run = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True)
+    run = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, encoding="utf-8")
     assert run.stdout in ("goes on\n", "") and run.returncode == 1
 
 
