@@ -81,3 +81,16 @@ def test_nobody_reads_the_output(library, command):
     os.close(writing)
     errors = run.communicate(timeout=60)[1]
     assert "Traceback" not in errors and "Exception ignored" not in errors, errors
+
+
+def test_no_name_and_no_note_commands_a_terminal(library):
+    part = library / "red\x1b[31m.step"
+    shutil.copyfile(library / "plate.step", part)
+    (library / "bad\x1b[2J.step").write_text("x")
+    runs = [thinpart("classify", library), thinpart("note", part, "--set", "one\x1b[5m\ntwo", "--link", "x\x1b]0;y\x07"),
+            thinpart("note", part), thinpart("note", library / "no\x1b[2J.step"), thinpart("find", library),
+            thinpart("similar", part, library), thinpart("reclassify", library, "--profile", "paper")]
+    for run in runs:
+        printed = run.stdout + run.stderr
+        assert "\x1b" not in printed and "\x07" not in printed, run.args
+    assert r"one\x1b[5m" in runs[2].stdout and "\n  two" in runs[2].stdout

@@ -7,6 +7,7 @@ import sys
 
 from .. import __version__
 from ..core.errors import ThinPartError
+from .terminal_table import printable
 
 COMMANDS = {
     "classify": ("classify", "classify parts and folders of parts"),
@@ -42,7 +43,7 @@ def main(arguments=None):
         sys.stdout.flush()  # at its own end, Python would print a traceback
         return status
     except ThinPartError as error:
-        print(f"thinpart: {error}", file=sys.stderr)
+        print(f"thinpart: {printable(str(error))}", file=sys.stderr)
         return WRONG_USAGE if error.kind in ("usage", "profile") else SOME_FAILED
     except KeyboardInterrupt:
         print("thinpart: interrupted; what was done is kept.", file=sys.stderr)
