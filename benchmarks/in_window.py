@@ -15,7 +15,7 @@ def main():
     root, output, turns = json.loads(os.environ["THINPART_GUI_ARGUMENTS"])
     status = 1
     try:
-        sys.path[:0] = [root, os.path.join(root, "tests", "gui")]
+        sys.path[:0] = [root, os.path.join(root, "tests"), os.path.join(root, "tests", "gui")]
         found = _measured(turns)
         with open(output, "w", encoding="utf-8") as file:
             json.dump(found, file)

@@ -36,6 +36,7 @@ def _classify(sample, picture):
     view.viewAxonometric()
     view.fitAll()
     window.classify()
+    _dock_tasks()
     window.settle(500)
     view.fitAll()
     Gui.getMainWindow().statusBar().clearMessage()
@@ -59,15 +60,46 @@ def _show_thickness(make, picture, act=lambda: None):
     window.press("ThinPart_ShowThickness")
     window.settle(100)
     window.wait_until(window.is_thickness_told)
+    _dock_tasks()
     window.settle(500)
     view.fitAll()
-    view.getCameraNode().scaleHeight(1.35)  # room for the colour bar
+    view.getCameraNode().scaleHeight(1.7)  # room for the colour bar
     act()
     Gui.getMainWindow().statusBar().clearMessage()
     window.settle(1500)
     _take(picture)
     App.closeDocument(document.Name)
     window.settle(100)
+
+
+def _dock_tasks():
+    """Put the task view beside the 3D view, as it is in older FreeCADs: 1.1 lays it over the part."""
+    import FreeCADGui as Gui
+    import window_actions as window
+    from thinpart_workbench.gui.qt import QtCore, QtGui, QtWidgets
+
+    main = Gui.getMainWindow()
+    overlay = main.findChild(QtWidgets.QTabWidget, "OverlayRight")
+    if overlay is not None and overlay.isVisible():
+        # The command is about what is under the mouse.
+        QtGui.QCursor.setPos(overlay.mapToGlobal(overlay.rect().center()))
+        window.settle(300)
+        Gui.runCommand("Std_DockOverlayToggle")
+        window.settle(300)
+    tasks = main.findChild(QtWidgets.QDockWidget, "Tasks")
+    if tasks is not None:
+        main.resizeDocks([tasks], [340], QtCore.Qt.Horizontal)
+        window.settle(300)
+
+
+def _hide_tasks():
+    """Without a task, the view is an empty one beside the search."""
+    import FreeCADGui as Gui
+    from thinpart_workbench.gui.qt import QtWidgets
+
+    tasks = Gui.getMainWindow().findChild(QtWidgets.QDockWidget, "Tasks")
+    if tasks is not None:
+        tasks.hide()
 
 
 def _links():
@@ -222,6 +254,7 @@ def _go():
         _show_thickness(lambda: _opened("thin_walled_casting"), Path(arguments[1], "thickness.png"))
         _show_thickness(_links, Path(arguments[1], "thickness_assembly.png"), _choose_second_part)
         _classify_folder(Path(arguments[1]))
+        _hide_tasks()
         _find(Gui.getMainWindow(), Path(arguments[1]))
         status = 0
     except BaseException:  # whatever it was: FreeCAD must end, and tell

@@ -207,7 +207,9 @@ def test_a_solid_far_from_the_origin(tmp_path):
 
 @pytest.mark.usefixtures("each_python")
 def test_a_file_that_ends_its_reader_is_one_row(tmp_path, rng):
-    """References to anything: the reader follows them and dies; the row says so."""
+    """References to anything: the reader of OCCT 7.6 follows them and dies; the row says so."""
+    import Part
+
     lines = (SAMPLES / "block.step").read_text().split("\n")
     kinds = set()
     folder = tmp_path / "parts"
@@ -220,7 +222,9 @@ def test_a_file_that_ends_its_reader_is_one_row(tmp_path, rng):
     shutil.copy(SAMPLES / "wedge.step", folder / "good.step")
     run = thinpart("classify", folder, "--json", "--no-info", "--timeout", "20")
     kinds = set(failures(run).values())
-    assert len(records(run)) == 9 and "crash" in kinds
+    assert len(records(run)) == 9
+    # OCCT 7.9 finds out that they are damaged.
+    assert "crash" in kinds or tuple(map(int, Part.OCC_VERSION.split(".")[:2])) >= (7, 9)
     assert kinds <= {"crash", "unreadable", "no_solid", "timeout", "zero_volume", "memory"}
     assert [r["category"] for r in records(run) if r["file"].endswith("good.step")] == [
         "thin_features"]

@@ -1,5 +1,8 @@
 """Qt as FreeCAD brings it: every other module of the window takes its Qt names from here."""
 
+import warnings
+from contextlib import suppress
+
 from PySide import QtCore, QtGui
 
 try:
@@ -55,6 +58,14 @@ def number_of(flags):
     """Flags as the number that FreeCAD wants, whichever way this Qt keeps them."""
     value = getattr(flags, "value", None)
     return int(flags) if value is None else value
+
+
+def disconnect(signal, *slots):
+    """Disconnect a signal from some slots, or from all, that may be gone already: there Qt 5 raises and Qt 6 warns."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RuntimeWarning)
+        with suppress(RuntimeError):
+            signal.disconnect(*slots)
 
 
 def mouse_place(event):

@@ -63,7 +63,7 @@ class ReadyProcess:
         process, self._process = self._process, None
         if process is not None:
             process.kill()
-            process.waitForFinished(1000)
+            process.waitForFinished(3000)  # Qt warns of one that is deleted while it runs
             process.deleteLater()
 
     def _is_there(self):

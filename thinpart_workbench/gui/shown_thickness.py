@@ -14,7 +14,7 @@ from .fly_to import fly_to
 from .length_unit import length_unit
 from .object_watch import ObjectWatch
 from .part_list import PartRow
-from .qt import QtCore, Signal, translate
+from .qt import QtCore, Signal, disconnect, translate
 from .sentences import translated
 from .thickness_chart import bar_edges
 from .thickness_colours import ThicknessColours
@@ -103,10 +103,7 @@ class ShownThickness(QtCore.QObject):
         self._watch.end()
         self._selection.end()
         for signal, slot in self._connections:
-            try:
-                signal.disconnect(slot)
-            except RuntimeError:
-                continue  # FreeCAD has taken the box away already
+            disconnect(signal, slot)  # FreeCAD may have taken the box away already
         self._draw.stop()
         self._settled.stop()
         self._picker.stop()

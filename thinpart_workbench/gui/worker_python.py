@@ -12,7 +12,7 @@ from ..freecad_adapter.additional_packages import package_folders
 from ..requirements import FREECAD_MODULES
 from ..system.priority import step_back
 from ..system.python_process import CHECKOUT, RUN_VARIABLE, module_command
-from .qt import QtCore, QtWidgets, translate
+from .qt import QtCore, QtWidgets, disconnect, translate
 
 # What is set for FreeCAD's own Python, or by a user for another one, and misleads this one.
 _UNSUITABLE = ("PYTHONSTARTUP", "PYTHONINSPECT", "PYTHONDEBUG", "PYTHONPATH", "PYTHONHOME",
@@ -122,7 +122,7 @@ def hand_over(process):
     """Nobody listens to a process any more; it may outlive whoever has started it, though not FreeCAD."""
     for signal in (process.readyReadStandardOutput, process.readyReadStandardError, process.finished,
                    process.errorOccurred):
-        signal.disconnect()
+        disconnect(signal)
     process.setParent(QtWidgets.QApplication.instance())
 
 
