@@ -21,6 +21,15 @@ from ..core.errors import ThinPartError
 from .bootstrap import module_folders
 from .linked_files import linked_files
 
+try:
+    from lzma import LZMAError
+except ImportError:
+    LZMAError = zlib.error  # a Python without that library
+try:
+    from compression.zstd import ZstdError
+except ImportError:
+    ZstdError = zlib.error  # before Python 3.14
+
 _LOCAL_HEADER = struct.Struct("<4s5H3I2H")
 _LOCAL_SIGNATURE = b"PK\3\4"
 _DESCRIPTOR_FLAG = 0x08
@@ -31,7 +40,7 @@ _MOST_XML = 1 << 30
 """Bytes of XML; more is no document but an attempt to fill the memory."""
 
 DAMAGED_ARCHIVE = (OSError, EOFError, KeyError, ValueError, RuntimeError, zipfile.BadZipFile, zlib.error,
-                   ElementTree.ParseError)
+                   LZMAError, ZstdError, ElementTree.ParseError)
 """Whatever an archive raises that is damaged, encrypted or packed in a way that Python does not know, or whose XML is
 damaged."""
 
