@@ -11,7 +11,6 @@ import re
 import struct
 import sys
 import zipfile
-import zlib
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,16 +18,8 @@ from xml.etree import ElementTree
 
 from ..core.errors import ThinPartError
 from .bootstrap import module_folders
+from .damaged_archive import DAMAGED_ARCHIVE
 from .linked_files import linked_files
-
-try:
-    from lzma import LZMAError
-except ImportError:
-    LZMAError = zlib.error  # a Python without that library
-try:
-    from compression.zstd import ZstdError
-except ImportError:
-    ZstdError = zlib.error  # before Python 3.14
 
 _LOCAL_HEADER = struct.Struct("<4s5H3I2H")
 _LOCAL_SIGNATURE = b"PK\3\4"
@@ -38,11 +29,6 @@ _DESCRIPTOR_SIZES = (12, 16, 20, 24)
 
 _MOST_XML = 1 << 30
 """Bytes of XML; more is no document but an attempt to fill the memory."""
-
-DAMAGED_ARCHIVE = (OSError, EOFError, KeyError, ValueError, RuntimeError, zipfile.BadZipFile, zlib.error,
-                   LZMAError, ZstdError, ElementTree.ParseError)
-"""Whatever an archive raises that is damaged, encrypted or packed in a way that Python does not know, or whose XML is
-damaged."""
 
 _XML = ("Document.xml", "GuiDocument.xml")
 _OWN_PACKAGE = __package__.partition(".")[0]

@@ -12,10 +12,9 @@ import numpy as np
 
 from ..core.errors import ThinPartError
 from .bootstrap import load_freecad
+from .damaged_archive import DAMAGED_ARCHIVE
 from .document_parts import DocumentContent, document_content
-from .document_safety import (
-    DAMAGED_ARCHIVE, check_document, named_modules, without_modules,
-)
+from .document_safety import check_document, named_modules, without_modules
 from .equal_solids import equal_part
 from .linked_files import linked_files
 from .mesh_file_check import check_mesh_file
