@@ -1810,8 +1810,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>FreeCAD gab nicht an, welches Dreieck zu welcher Fläche gehört.</translation>
     </message>
     <message>
-        <source>FreeCAD opens no document whose path is no UTF-8 text: rename {} or the folder that it lies in.</source>
-        <translation>FreeCAD öffnet kein Dokument, dessen Pfad kein UTF-8-Text ist: Benennen Sie {} oder den Ordner darum um.</translation>
+        <source>FreeCAD follows no links from a document whose path is no UTF-8 text or has a backslash: rename {} or the folder that it lies in.</source>
+        <translation>FreeCAD folgt keinen Verknüpfungen aus einem Dokument, dessen Pfad kein UTF-8-Text ist oder einen umgekehrten Schrägstrich enthält: Benennen Sie {} oder seinen Ordner um.</translation>
     </message>
     <message>
         <source>Giannini et al. 2012</source>
@@ -1928,6 +1928,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>The document '{}' is empty: make or import a solid first.</source>
         <translation>Das Dokument „{}“ ist leer: Erstellen oder importieren Sie zuerst einen Volumenkörper.</translation>
+    </message>
+    <message>
+        <source>The document names Python modules that are not FreeCAD's ({}): they were not loaded, and objects that need them may lack their shape.</source>
+        <translation>Das Dokument nennt Python-Module, die nicht zu FreeCAD gehören ({}): Sie wurden nicht geladen, und Objekten, die sie brauchen, kann ihre Form fehlen.</translation>
     </message>
     <message>
         <source>The document's folder has not answered for {} s: connect it, or choose a folder for info files in the preferences.</source>
@@ -2194,6 +2198,22 @@ Sein Volumen ist unbekannt.</translation>
         <translation>ein Schwellenwert muss endlich sein</translation>
     </message>
     <message>
+        <source>an entry has no header</source>
+        <translation>ein Eintrag hat keinen Kopf</translation>
+    </message>
+    <message>
+        <source>an entry has two names</source>
+        <translation>ein Eintrag hat zwei Namen</translation>
+    </message>
+    <message>
+        <source>an entry is called '{}'</source>
+        <translation>ein Eintrag heißt „{}“</translation>
+    </message>
+    <message>
+        <source>an entry is cut off</source>
+        <translation>ein Eintrag ist abgeschnitten</translation>
+    </message>
+    <message>
         <source>an info file is damaged, foreign or of a newer version</source>
         <translation>eine Infodatei ist beschädigt, fremd oder von einer neueren Version</translation>
     </message>
@@ -2248,6 +2268,26 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>it is a file</source>
         <translation>es ist eine Datei</translation>
+    </message>
+    <message>
+        <source>it is no regular file</source>
+        <translation>es ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>it stores a file as '{}'</source>
+        <translation>es legt eine Datei als „{}“ ab</translation>
+    </message>
+    <message>
+        <source>it stores a resource as '{}'</source>
+        <translation>es legt eine Ressource als „{}“ ab</translation>
+    </message>
+    <message>
+        <source>its {} declares entities of its own</source>
+        <translation>seine {} deklariert eigene Entitäten</translation>
+    </message>
+    <message>
+        <source>its {} would be larger than {} GB</source>
+        <translation>seine {} wäre größer als {} GB</translation>
     </message>
     <message>
         <source>less filled</source>
@@ -2354,6 +2394,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>die Datei oder das Dokument ist leer</translation>
     </message>
     <message>
+        <source>the file would write where it must not</source>
+        <translation>die Datei würde schreiben, wo sie nicht darf</translation>
+    </message>
+    <message>
         <source>the format cannot be read here</source>
         <translation>das Format kann hier nicht gelesen werden</translation>
     </message>
@@ -2406,12 +2450,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>diese Datei gibt es nicht</translation>
     </message>
     <message>
+        <source>two entries are called '{}'</source>
+        <translation>zwei Einträge heißen „{}“</translation>
+    </message>
+    <message>
         <source>unknown kind of failure: {}</source>
         <translation>unbekannte Art von Fehler: {}</translation>
     </message>
     <message>
         <source>{} It was left as it is: move it away to have it written anew.</source>
         <translation>{} Sie blieb unverändert: Verschieben Sie sie, damit sie neu geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>{} bytes after its last entry belong to none</source>
+        <translation>{} Bytes nach dem letzten Eintrag gehören zu keinem</translation>
+    </message>
+    <message>
+        <source>{} bytes that belong to no entry lie before '{}'</source>
+        <translation>{} Bytes, die zu keinem Eintrag gehören, liegen vor „{}“</translation>
     </message>
     <message>
         <source>{} cannot be read ({}).</source>
@@ -2608,6 +2664,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{} uses a criterion's id twice.</source>
         <translation>{} verwendet die Kennung eines Kriteriums zweimal.</translation>
+    </message>
+    <message>
+        <source>{} was not opened: {}, so it would write outside its own folder or hide what it holds. Get it from somebody whom you trust.</source>
+        <translation>{} wurde nicht geöffnet: {}, so würde es außerhalb seines eigenen Ordners schreiben oder verbergen, was es enthält. Beziehen Sie es von jemandem, dem Sie vertrauen.</translation>
     </message>
     <message>
         <source>{} was written again meanwhile: classify it again.</source>

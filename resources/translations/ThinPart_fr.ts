@@ -1810,8 +1810,8 @@ Son volume est inconnu.</translation>
         <translation>FreeCAD n’a pas indiqué à quelle face appartient chaque triangle.</translation>
     </message>
     <message>
-        <source>FreeCAD opens no document whose path is no UTF-8 text: rename {} or the folder that it lies in.</source>
-        <translation>FreeCAD n’ouvre pas de document dont le chemin n’est pas du texte UTF-8 : renommez {} ou son dossier.</translation>
+        <source>FreeCAD follows no links from a document whose path is no UTF-8 text or has a backslash: rename {} or the folder that it lies in.</source>
+        <translation>FreeCAD ne suit aucun lien depuis un document dont le chemin n'est pas du texte UTF-8 ou contient une barre oblique inverse : renommez {} ou son dossier.</translation>
     </message>
     <message>
         <source>Giannini et al. 2012</source>
@@ -1928,6 +1928,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>The document '{}' is empty: make or import a solid first.</source>
         <translation>Le document « {} » est vide : créez ou importez d’abord un solide.</translation>
+    </message>
+    <message>
+        <source>The document names Python modules that are not FreeCAD's ({}): they were not loaded, and objects that need them may lack their shape.</source>
+        <translation>Le document nomme des modules Python qui ne sont pas de FreeCAD ({}) : ils n'ont pas été chargés, et la forme des objets qui en ont besoin peut manquer.</translation>
     </message>
     <message>
         <source>The document's folder has not answered for {} s: connect it, or choose a folder for info files in the preferences.</source>
@@ -2194,6 +2198,22 @@ Son volume est inconnu.</translation>
         <translation>un seuil doit être fini</translation>
     </message>
     <message>
+        <source>an entry has no header</source>
+        <translation>une entrée n'a pas d'en-tête</translation>
+    </message>
+    <message>
+        <source>an entry has two names</source>
+        <translation>une entrée a deux noms</translation>
+    </message>
+    <message>
+        <source>an entry is called '{}'</source>
+        <translation>une entrée se nomme « {} »</translation>
+    </message>
+    <message>
+        <source>an entry is cut off</source>
+        <translation>une entrée est tronquée</translation>
+    </message>
+    <message>
         <source>an info file is damaged, foreign or of a newer version</source>
         <translation>un fichier d’information est endommagé, étranger ou d’une version plus récente</translation>
     </message>
@@ -2248,6 +2268,26 @@ Son volume est inconnu.</translation>
     <message>
         <source>it is a file</source>
         <translation>c’est un fichier</translation>
+    </message>
+    <message>
+        <source>it is no regular file</source>
+        <translation>ce n'est pas un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>it stores a file as '{}'</source>
+        <translation>il range un fichier sous « {} »</translation>
+    </message>
+    <message>
+        <source>it stores a resource as '{}'</source>
+        <translation>il range une ressource sous « {} »</translation>
+    </message>
+    <message>
+        <source>its {} declares entities of its own</source>
+        <translation>son {} déclare ses propres entités</translation>
+    </message>
+    <message>
+        <source>its {} would be larger than {} GB</source>
+        <translation>son {} dépasserait {} Go</translation>
     </message>
     <message>
         <source>less filled</source>
@@ -2354,6 +2394,10 @@ Son volume est inconnu.</translation>
         <translation>le fichier ou le document est vide</translation>
     </message>
     <message>
+        <source>the file would write where it must not</source>
+        <translation>le fichier écrirait là où il ne doit pas</translation>
+    </message>
+    <message>
         <source>the format cannot be read here</source>
         <translation>le format ne peut pas être lu ici</translation>
     </message>
@@ -2406,12 +2450,24 @@ Son volume est inconnu.</translation>
         <translation>ce fichier n’existe pas</translation>
     </message>
     <message>
+        <source>two entries are called '{}'</source>
+        <translation>deux entrées se nomment « {} »</translation>
+    </message>
+    <message>
         <source>unknown kind of failure: {}</source>
         <translation>type d’échec inconnu : {}</translation>
     </message>
     <message>
         <source>{} It was left as it is: move it away to have it written anew.</source>
         <translation>{} Il est resté inchangé : déplacez-le pour qu’il soit réécrit.</translation>
+    </message>
+    <message>
+        <source>{} bytes after its last entry belong to none</source>
+        <translation>{} octets après la dernière entrée n'appartiennent à aucune</translation>
+    </message>
+    <message>
+        <source>{} bytes that belong to no entry lie before '{}'</source>
+        <translation>{} octets qui n'appartiennent à aucune entrée précèdent « {} »</translation>
     </message>
     <message>
         <source>{} cannot be read ({}).</source>
@@ -2608,6 +2664,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{} uses a criterion's id twice.</source>
         <translation>{} utilise deux fois le même identifiant de critère.</translation>
+    </message>
+    <message>
+        <source>{} was not opened: {}, so it would write outside its own folder or hide what it holds. Get it from somebody whom you trust.</source>
+        <translation>{} n'a pas été ouvert : {}, il écrirait donc hors de son propre dossier ou cacherait ce qu'il contient. Procurez-vous-le auprès de quelqu'un de confiance.</translation>
     </message>
     <message>
         <source>{} was written again meanwhile: classify it again.</source>

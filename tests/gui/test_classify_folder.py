@@ -11,6 +11,7 @@ from folder_dialog_use import (  # noqa: F401 - fixtures among them
     CANCELLED, MANY, column, count_of, dialog, folder, info_files, many, message, model,
     no_choices, press_key, progress, run, select, sort_by, start, wait_for_end,
 )
+from slow_files import make_endless
 from thinpart_workbench.gui import classify_folder
 from thinpart_workbench.gui.folder_settings import FORMATS
 from thinpart_workbench.gui.qt import QtCore, QtWidgets
@@ -187,7 +188,7 @@ def test_failed_files_are_tried_again_alone(dialog, folder):
 
 def test_the_time_limit_can_be_raised_for_those_that_failed(dialog, tmp_path):
     endless = tmp_path / "tube.step"
-    os.mkfifo(endless)
+    make_endless(endless)
     window.widget("ThinPart_FolderSeconds").setValue(1)
     run(tmp_path)
     assert count_of("failed") == 1

@@ -16,6 +16,7 @@ import pytest
 import made_meshes
 import time_limit
 from program import SAMPLES, SCHEMA, environment, failures, group_ended, records, thinpart
+from slow_files import make_endless
 from thinpart_workbench.freecad_adapter.mesh_file_check import check_mesh_file
 
 
@@ -231,7 +232,7 @@ def test_a_file_that_ends_its_reader_is_one_row(tmp_path, rng):
 
 @pytest.mark.usefixtures("each_python")
 def test_a_file_that_never_ends_is_one_row(tmp_path):
-    os.mkfifo(tmp_path / "hang.step")
+    make_endless(tmp_path / "hang.step")
     shutil.copy(SAMPLES / "wedge.step", tmp_path / "good.step")
     run = thinpart("classify", tmp_path, "--json", "--no-info", "--timeout", "6")
     assert failures(run) == {"hang.step": "timeout"} and len(records(run)) == 2
@@ -369,7 +370,7 @@ def test_kill_9_leaves_no_half_written_file(tmp_path):
 def test_temporary_folders_of_killed_runs_are_removed_by_the_next(tmp_path):
     folder = tmp_path / "parts"
     folder.mkdir()
-    os.mkfifo(folder / "hang.step")
+    make_endless(folder / "hang.step")
     temporary = tmp_path / "temporary"
     temporary.mkdir()
     elsewhere = environment(TMPDIR=str(temporary))

@@ -14,6 +14,7 @@ import pytest
 
 import time_limit
 from program import ROOT, SAMPLES, SCHEMA, failures, records, thinpart
+from slow_files import make_endless
 from thinpart_workbench.core.errors import ThinPartError
 from thinpart_workbench.requirements import FREECAD_LIBS
 from thinpart_workbench.workflow.analyse_file import FileTask
@@ -181,12 +182,12 @@ def test_the_files_of_a_worker_that_is_lost_are_done_by_others(cluster, tmp_path
 
 def test_a_file_that_ends_its_reader_is_one_row(cluster, tmp_path):
     parts = copies(tmp_path / "parts", 3)
-    os.mkfifo(parts / "deadly.step")
+    make_endless(parts / "deadly.step")
     run = start(parts, "--no-info", "--dask", cluster.address)
-    with open(parts / "deadly.step", "wb"):
-        for reader in set(readers_of(parts / "deadly.step")) - {os.getpid()}:
-            os.kill(reader, signal.SIGKILL)
-        output, errors = run.communicate()
+    time_limit.wait_until(lambda: [*readers_of(parts / "deadly.step")], "a reader of the file")
+    for reader in readers_of(parts / "deadly.step"):
+        os.kill(reader, signal.SIGKILL)
+    output, errors = run.communicate()
     lines = [json.loads(line) for line in output.splitlines()]
     assert run.returncode == 1 and len(lines) == 4 and "Traceback" not in errors
     assert [line["error"]["kind"] for line in lines if "error" in line] == ["crash"]
@@ -195,13 +196,13 @@ def test_a_file_that_ends_its_reader_is_one_row(cluster, tmp_path):
 
 def test_a_file_that_ends_dask_workers_is_one_row(bare, tmp_path):
     parts = copies(tmp_path / "parts", 1)
-    os.mkfifo(parts / "deadly.step")
+    make_endless(parts / "deadly.step")
     watched = bare.worker()
     run = start(parts, "--no-info", "--dask", bare.address)
-    with open(parts / "deadly.step", "wb"):
-        server, = bare.servers()
-        os.kill(parent_of(server), signal.SIGKILL)
-        output, errors = run.communicate()
+    time_limit.wait_until(lambda: [*readers_of(parts / "deadly.step")], "a reader of the file")
+    server, = bare.servers()
+    os.kill(parent_of(server), signal.SIGKILL)
+    output, errors = run.communicate()
     assert run.returncode == 1 and "given up by Dask" in errors and watched.poll() is None
     kinds = {Path(line["file"]).name: line.get("error", {}).get("kind")
              for line in map(json.loads, output.splitlines())}

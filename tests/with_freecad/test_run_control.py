@@ -15,6 +15,7 @@ import pytest
 
 from folder_runs import infos, messages, tubes
 from program import environment, group_ended, thinpart
+from slow_files import make_endless
 
 PROGRESS_KEYS = ["done", "total", "failed", "reused", "seconds", "seconds_left", "file"]
 
@@ -124,7 +125,7 @@ def test_pause_in_the_middle_lets_those_at_work_end(tmp_path, start):
 @pytest.mark.parametrize("how", ["stop", "end of input", "SIGTERM", "SIGINT", "SIGHUP", "stop in a pause"])
 def test_a_run_that_is_stopped_keeps_what_was_done(tmp_path, start, how):
     folder = tubes(tmp_path / "parts", *(f"{number:02}.step" for number in range(3)))
-    os.mkfifo(folder / "zzz.step")  # its reader never ends
+    make_endless(folder / "zzz.step")  # its reader never ends
     table = tmp_path / "table.csv"
     run = start(folder, "--json", "--control", "--jobs", "1", "--csv", table)
     run.until('"done": 3')
@@ -160,7 +161,7 @@ def test_a_run_is_stopped_while_it_searches_too(tmp_path, start):
 def test_after_kill_9_of_the_command_no_worker_lives_on(tmp_path, start, jobs):
     folder = tubes(tmp_path / "parts", "a.step", "b.step", "c.step")
     (folder / "bad.step").write_bytes(b"")
-    os.mkfifo(folder / "zzz.step")
+    make_endless(folder / "zzz.step")
     run = start(folder, "--json", "--jobs", jobs)
     run.until('"done": 4')
     os.kill(run.process.pid, signal.SIGKILL)  # not its group: it is the system that ends the workers

@@ -11,6 +11,7 @@ import time
 import pytest
 import time_limit
 from program import ROOT, SAMPLES, group_ended
+from slow_files import held
 
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
 from thinpart_workbench.core.criteria import load_profile
@@ -91,8 +92,8 @@ def test_a_folder_that_is_gone_or_does_not_answer_is_one_sentence_and_the_verdic
     assert len(answer["verdicts"]) == 1 and not (tmp_path / "gone").exists()
     info = info_location(plate, str(tmp_path))
     info.parent.mkdir(parents=True)
-    os.mkfifo(info)  # whoever opens it waits for ever, as for a server that is off
-    answer = classified(plate, folder=str(tmp_path), patience=0.5)
+    with held(info):
+        answer = classified(plate, folder=str(tmp_path), patience=0.5)
     assert "has not answered for 0.5 s" in answer["failures"][0] and len(answer["verdicts"]) == 1
 
 
@@ -118,16 +119,22 @@ def test_failures_are_sentences(plate, tmp_path):
     assert "took longer than 0.05 s" in classified(plate, seconds=0.05)["failures"][0]
 
 
-@pytest.mark.parametrize("moment", ["waiting for the folder", "measuring"])
-def test_it_ends_when_nobody_listens(tmp_path, moment):
+def test_it_ends_when_nobody_listens_while_it_measures(tmp_path):
     document = shutil.copy(SAMPLES / "worm_run_out.FCStd", tmp_path / "worm.FCStd")
-    if moment == "waiting for the folder":
-        os.mkfifo(info_location(document))
     worker = Worker("saved_document_worker", **job(document))
-    if moment == "measuring":
-        time_limit.wait_until(lambda: [*time_limit.children(worker.process.pid)], "the process that measures")
-    else:
+    time_limit.wait_until(lambda: [*time_limit.children(worker.process.pid)], "the process that measures")
+    _assert_it_ends(worker)
+
+
+def test_it_ends_when_nobody_listens_while_it_waits_for_the_folder(tmp_path):
+    document = shutil.copy(SAMPLES / "worm_run_out.FCStd", tmp_path / "worm.FCStd")
+    with held(info_location(document)):
+        worker = Worker("saved_document_worker", **job(document))
         time.sleep(2.0)
+        _assert_it_ends(worker)
+
+
+def _assert_it_ends(worker):
     worker.process.stdin.close()
     worker.process.wait()
     assert worker.process.stdout.read() == b"" and group_ended(worker.process.pid)

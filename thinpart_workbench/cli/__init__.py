@@ -7,6 +7,7 @@ import sys
 
 from .. import __version__
 from ..core.errors import ThinPartError
+from .terminal_table import printable
 
 COMMANDS = {
     "classify": ("classify", "classify parts and folders of parts"),
@@ -38,17 +39,31 @@ def main(arguments=None):
         parser.error(f"unrecognized arguments: {' '.join(rest)}")
     options.rest = rest
     try:
-        return options.run(options)
+        status = options.run(options)
+        sys.stdout.flush()  # at its own end, Python would print a traceback
+        return status
     except ThinPartError as error:
-        print(f"thinpart: {error}", file=sys.stderr)
+        print(f"thinpart: {printable(str(error))}", file=sys.stderr)
         return WRONG_USAGE if error.kind in ("usage", "profile") else SOME_FAILED
     except KeyboardInterrupt:
         print("thinpart: interrupted; what was done is kept.", file=sys.stderr)
         return INTERRUPTED
     except BrokenPipeError:
         # The reader of a pipe (head, less) has seen enough.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _forget_output()
         return ALL_CLASSIFIED
+    except OSError as error:
+        # What fails at a file has its name, and a sentence where it was opened.
+        if error.filename is not None:
+            raise
+        _forget_output()
+        print(f"thinpart: The output could not be written ({error.strerror}): make room, or write it elsewhere.",
+              file=sys.stderr)
+        return SOME_FAILED
+
+
+def _forget_output():
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _parser(arguments):

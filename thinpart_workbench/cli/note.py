@@ -5,6 +5,7 @@ import os
 
 from ..storage.kept_content import KEPT
 from ..workflow.kept_notes import keep_with_part, mesh_settings, stored_records
+from .terminal_table import printable
 
 
 def add_arguments(parser):
@@ -44,12 +45,13 @@ def run(options):
 
 
 def _show(label, kept):
+    label = printable(label)
     print(f"{label}:" if any(kept.values()) else f"{label}: nothing is kept")
-    if kept["notes"]:
-        print("  " + kept["notes"].replace("\n", "\n  "))
+    for line in (kept["notes"] or "").splitlines():
+        print("  " + printable(line))
     if kept["mesh"]:
         settings = kept["mesh"].get("settings")
         told = kept["mesh"]["file"] if settings is None else json.dumps(settings, ensure_ascii=False)
-        print(f"  mesh settings: {told}")
+        print(f"  mesh settings: {printable(told)}")
     if kept["link"]:
-        print(f"  {kept['link']}")
+        print(f"  {printable(kept['link'])}")

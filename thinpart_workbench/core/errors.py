@@ -59,6 +59,7 @@ KINDS = {
     "profile": "the profile is not usable",
     "timeout": "the time limit was reached",
     "unreadable": "the file is damaged or not what its name says",
+    "unsafe": "the file would write where it must not",
     "unsupported": "the format cannot be read here",
     "usage": "the command was called wrongly",
     "zero_volume": "the part encloses no volume",

@@ -48,14 +48,27 @@ def load_freecad():
             "FreeCAD.pyd.",
             "unsupported",
         ) from None
-    homes = [Path(freecad.getHomePath()), *map(Path, _SHARE)]
-    for home in homes:
+    for home in _homes(freecad):
         _append(home / "Ext")
         # The folder itself too: PartDesign is imported as a package out of it.
         _append(home / "Mod")
         for module in sorted((home / "Mod").glob("*")):
             _append(module)
     return freecad
+
+
+def _homes(freecad):
+    return [Path(freecad.getHomePath()), *map(Path, _SHARE)]
+
+
+def module_folders():
+    """Folders in which FreeCAD's own modules lie and those of its add-ons, list of str; FreeCAD is loaded."""
+    freecad = load_freecad()
+    folders = [os.path.dirname(freecad.__file__)]
+    for home in _homes(freecad):
+        folders += [os.fspath(home / name) for name in ("lib", "Ext", "Mod")]
+    folders.append(os.path.join(freecad.getUserAppDataDir(), "Mod"))
+    return [folder for folder in folders if os.path.isdir(folder)]
 
 
 def load_meshing():

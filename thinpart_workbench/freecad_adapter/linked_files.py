@@ -3,9 +3,10 @@
 import os
 import re
 import zipfile
-import zlib
 from html import unescape
 from pathlib import Path
+
+from .damaged_archive import DAMAGED_ARCHIVE
 
 
 def linked_files(document):
@@ -39,7 +40,7 @@ def _links_of(file):
     try:
         with zipfile.ZipFile(file) as archive:
             text = archive.read("Document.xml").decode("utf-8", "surrogateescape")
-    except (OSError, EOFError, KeyError, ValueError, RuntimeError, zipfile.BadZipFile, zlib.error):
+    except DAMAGED_ARCHIVE:
         # Whatever a damaged archive raises: what cannot be read links to nothing, and reading the
         # document itself says why it cannot be read.
         return []

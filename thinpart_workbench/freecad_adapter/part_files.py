@@ -2,7 +2,6 @@
 
 import importlib
 import os
-import re
 import tempfile
 import zipfile
 from contextlib import contextmanager, suppress
@@ -13,8 +12,11 @@ import numpy as np
 
 from ..core.errors import ThinPartError
 from .bootstrap import load_freecad
+from .damaged_archive import DAMAGED_ARCHIVE
 from .document_parts import DocumentContent, document_content
+from .document_safety import check_document, named_modules, without_modules
 from .equal_solids import equal_part
+from .linked_files import linked_files
 from .mesh_file_check import check_mesh_file
 from .part import MeshedPart, Occurrence, SolidPart
 from .solids import solids_of
@@ -57,8 +59,10 @@ def read_parts(path):
 
 @contextmanager
 def _name_for_freecad(path):
-    """A path to a file that FreeCAD takes: text, which the bytes of old file names are not always."""
-    if _is_text(path):
+    """A path to a file that FreeCAD takes: text, which the bytes of old file names are not always, with no
+    backslash, which FreeCAD takes for a slash.
+    """
+    if _is_fit_for_freecad(path):
         yield os.fspath(path)
         return
     with tempfile.TemporaryDirectory(prefix="thinpart-name-") as folder:
@@ -67,30 +71,30 @@ def _name_for_freecad(path):
         yield link
 
 
-def _is_text(path):
+def _is_fit_for_freecad(path):
     try:
         os.fspath(path).encode()
     except UnicodeEncodeError:
         return False
-    return True
+    return os.sep == "\\" or "\\" not in os.fspath(path)
 
 
 def _read_document(path):
     import FreeCAD
 
-    if not _is_text(path):
+    if not _is_fit_for_freecad(path) and linked_files(path):
         # By another name it would not find the documents that it links into.
         raise ThinPartError(
-            f"FreeCAD opens no document whose path is no UTF-8 text: rename {path.name} or the folder "
-            "that it lies in.", "unsupported",
+            f"FreeCAD follows no links from a document whose path is no UTF-8 text or has a backslash: rename "
+            f"{path.name} or the folder that it lies in.", "unsupported",
         )
+    check_document(path)
     try:
         with zipfile.ZipFile(path) as archive:
             damaged = archive.testzip()
             names = archive.namelist()
             hidden = _hidden_objects(archive) if "GuiDocument.xml" in names else set()
-            modules = _proxy_modules(archive) if "Document.xml" in names else set()
-    except (zipfile.BadZipFile, OSError, EOFError, ValueError) as error:
+    except DAMAGED_ARCHIVE as error:
         raise ThinPartError(f"{path.name} is damaged or no FreeCAD document ({error}).",
                             "unreadable") from None
     if damaged is not None or "Document.xml" not in names:
@@ -98,11 +102,15 @@ def _read_document(path):
             f"{path.name} is damaged or no FreeCAD document ({damaged or 'no Document.xml'}).",
             "unreadable",
         )
-    for module in sorted(modules):
+    modules = named_modules(path)
+    # Without a window FreeCAD does not get them by itself while it reads, and such an object, a Draft array for
+    # one, then has no shape.
+    for module in modules.trusted:
         with suppress(Exception):  # an add-on that is not there or not whole: its shape is stored
             importlib.import_module(module)
     try:
-        document = FreeCAD.openDocument(os.fspath(path), True)
+        with without_modules(modules.others), _name_for_freecad(path) as name:
+            document = FreeCAD.openDocument(name, True)
     except Exception as error:  # FreeCAD raises its own classes, which differ between versions
         raise ThinPartError(f"FreeCAD cannot open {path.name} ({error}).", "unreadable") from None
     if not document.Objects:
@@ -111,19 +119,11 @@ def _read_document(path):
         # In memory only: without its window FreeCAD does not read what older files hid.
         document.getObject(name).Visibility = False
     # The document stays open while its shapes are in use; the worker drops it afterwards.
-    return document_content(document)
-
-
-def _proxy_modules(archive):
-    """Modules of the Python objects of a document, such as Draft's arrays.
-
-    Without a window FreeCAD does not get them by itself while it reads, and such an object then has
-    no shape.
-    """
-    return {
-        name.decode() for name in re.findall(
-            rb'<Python\b[^>]*\bmodule="([A-Za-z_][\w.]*)"', archive.read("Document.xml"))
-    }
+    content = document_content(document)
+    if modules.warning:
+        for part in content.parts:
+            part.warnings = (*part.warnings, modules.warning)
+    return content
 
 
 def _hidden_objects(archive):

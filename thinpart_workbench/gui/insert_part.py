@@ -7,6 +7,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from ..core.errors import ThinPartError
+from ..freecad_adapter.document_safety import check_document
 from .qt import translate
 
 
@@ -27,7 +28,8 @@ def insert_part(file, name=None):
     Raises
     ------
     ThinPartError
-        Where there is no active document, no file, or FreeCAD cannot read it.
+        Where there is no active document, no file, FreeCAD cannot read it, or it would write outside its own
+        folder.
     """
     document = App.ActiveDocument
     if document is None:
@@ -35,6 +37,7 @@ def insert_part(file, name=None):
             "ThinPart", "There is no document to insert into: open or create one first."), "usage")
     if not os.path.isfile(file):
         raise ThinPartError(translate("ThinPart", "There is no file {} any more.").format(file), "missing")
+    check_document(file)
     document.openTransaction(translate("ThinPart", "Insert part"))
     try:
         how = _insert(document, file, name)

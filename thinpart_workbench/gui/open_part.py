@@ -6,6 +6,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from ..core.errors import ThinPartError
+from ..freecad_adapter.document_safety import check_document
 from .qt import QtWidgets, translate
 from .question_box import is_confirmed
 
@@ -27,11 +28,12 @@ def open_part(file, name=None):
     Raises
     ------
     ThinPartError
-        When the file is gone or FreeCAD cannot read it.
+        When the file is gone, FreeCAD cannot read it, or it would write outside its own folder.
     """
     if not os.path.isfile(file):
         raise ThinPartError(translate(
             "ThinPart", "There is no file {} any more.").format(file), "missing")
+    check_document(file)
     try:
         document = _document(file)
     except Exception as error:  # every importer of FreeCAD raises what it likes

@@ -13,6 +13,7 @@ from ..system.file_paths import place_in_tree, relative_path
 from .atomic_file import write_atomically
 from .folder_lock import folder_lock
 from .kept_content import carry_kept
+from .regular_file import open_regular
 
 FORMAT, VERSION = "thinpart-info", 1
 SUFFIX = ".thinpart.json"
@@ -21,7 +22,7 @@ LARGEST = 256 * 1024 * 1024
 
 _ENCODE = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
 
-_LASTING = ("empty", "no_solid", "not_finite", "unreadable", "unsupported", "zero_volume")
+_LASTING = ("empty", "no_solid", "not_finite", "unreadable", "unsafe", "unsupported", "zero_volume")
 """Kinds of failures that an unchanged document has again; others may have passed by."""
 
 
@@ -82,7 +83,7 @@ def new_source(document, links=(), info_file=None):
 def _state(document):
     digest = hashlib.sha256()
     try:
-        with open(document, "rb") as file:
+        with open_regular(document) as file:
             status = os.fstat(file.fileno())
             for block in iter(lambda: file.read(1 << 20), b""):
                 digest.update(block)
@@ -216,7 +217,7 @@ def read_info(path):
     """
     path = Path(path)
     try:
-        with open(path, "rb") as file:
+        with open_regular(path) as file:
             return read_open_info(file, path.name)
     except OSError as error:
         raise ThinPartError(f"The info file {path.name} cannot be read ({error.strerror}).",
@@ -240,7 +241,7 @@ def read_open_info(file, name):
     if os.fstat(file.fileno()).st_size > LARGEST:
         raise ThinPartError(f"{name} is too large for an info file.", "info_file")
     try:
-        content = json.loads(file.read())
+        content = json.loads(file.read(LARGEST + 1))
     except (ValueError, RecursionError) as error:
         raise ThinPartError(f"The info file {name} cannot be read ({error}).", "info_file") from None
     if not isinstance(content, dict) or content.get("format") != FORMAT:

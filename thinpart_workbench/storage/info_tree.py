@@ -55,8 +55,15 @@ def _list(folder, entries, found, waiting):
             stamp = _stamp(entry)
             if stamp is not None:
                 found[inner] = stamp
-        elif not name.startswith(b".") and entry.is_dir():
+        elif not name.startswith(b".") and _is_folder(entry):
             waiting.append(inner)
+
+
+def _is_folder(entry):
+    try:
+        return entry.is_dir()
+    except OSError:
+        return False  # a link that leads to itself, for one: it hides nothing else
 
 
 def _stamp(entry):

@@ -14,6 +14,7 @@ from .folder_lock import folder_lock
 from .index_columns import COLUMNS, LARGE_COLUMNS, large_values, small_values
 from .info_file import read_open_info
 from .info_tree import Stamp, scan, stamp_of
+from .regular_file import open_regular
 
 VERSION = 1
 """Of the index; part of its file name, so that programs of two versions do not disturb each other."""
@@ -223,7 +224,7 @@ def _read(root, path):
     full = os.path.join(root, os.fsdecode(path))
     name, stamp, failure = os.path.basename(full), None, None
     try:
-        with open(full, "rb") as file:
+        with open_regular(full) as file:
             status = os.fstat(file.fileno())  # of just what is read
             stamp = stamp_of(status)
             content = read_open_info(file, name)

@@ -57,8 +57,17 @@ def csv_text(rows):
     rows : iterable of tuple
     """
     text = io.StringIO(newline="")
-    csv.writer(text).writerows(rows)
+    csv.writer(text).writerows(map(_harmless, row) for row in rows)
     return text.getvalue()
+
+
+_COMPUTED = ("=", "+", "-", "@", "\t", "\r")
+"""What a cell begins with that spreadsheets compute, and may send elsewhere (OWASP, CSV injection)."""
+
+
+def _harmless(value):
+    """A value that no spreadsheet takes for a formula: names of files and parts are other people's."""
+    return "'" + value if isinstance(value, str) and value.startswith(_COMPUTED) else value
 
 
 def write_part_table(path, texts):

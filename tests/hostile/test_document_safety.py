@@ -1,0 +1,166 @@
+"""A document that is read writes nothing and runs nothing."""
+
+import json
+import os
+import struct
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from hostile_documents import changed, harmless, with_module, with_resource
+from program import records, thinpart
+from thinpart_workbench.core.errors import ThinPartError
+from thinpart_workbench.freecad_adapter.document_safety import (
+    check_document, leaves_its_folder, named_modules,
+)
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture(scope="module")
+def document(freecad, tmp_path_factory):
+    return harmless(freecad, tmp_path_factory.mktemp("harmless") / "harmless.FCStd")
+
+
+def _classified(*files, **options):
+    run = thinpart("classify", "--json", "--no-info", "--no-thumbnails", *files, **options)
+    assert "Traceback" not in run.stderr
+    return {Path(line["file"]).name: line for line in records(run)}
+
+
+def _opened_by_freecad(file, folder):
+    """Open a document in a process of its own, with nothing of ThinPart's in between."""
+    code = ("import sys; sys.path[:0] = {!r}; import FreeCAD, Part; FreeCAD.openDocument({!r}, True)").format(
+        [each for each in sys.path if "freecad" in each.lower()], os.fspath(file))
+    subprocess.run([sys.executable, "-c", code], cwd=folder, capture_output=True, timeout=60, check=False,
+                   env={**os.environ, "PYTHONPATH": os.fspath(folder), "TMPDIR": os.fspath(folder)})
+
+
+def test_a_harmless_document_is_read(document):
+    check_document(document)
+    assert named_modules(document).others == ()
+    assert _classified(document)["harmless.FCStd"]["category"] == "normal"
+
+
+@pytest.mark.parametrize("stored", ["V/../../../victim.step", "V/../../../../../../../../../../{victim}"])
+def test_a_resource_that_leaves_its_folder_is_refused(document, tmp_path, stored):
+    victim = tmp_path / "victim.step"
+    victim.write_text("the user's own")
+    stored = stored.format(victim=os.fspath(victim).lstrip("/"))
+    hostile = changed(document, tmp_path / "hostile.FCStd", with_resource(stored), [(stored, b"overwritten")])
+    found = _classified(hostile)["hostile.FCStd"]
+    assert found["error"]["kind"] == "unsafe"
+    assert "hostile.FCStd was not opened" in found["error"]["message"]
+    assert victim.read_text() == "the user's own"
+
+
+def test_freecad_alone_would_have_written_there(document, tmp_path):
+    """The exploit is a real one: without the check, the file is overwritten."""
+    victim = tmp_path / "victim.step"
+    victim.write_text("the user's own")
+    stored = "V/" + "../" * 12 + os.fspath(victim).lstrip("/")
+    hostile = changed(document, tmp_path / "hostile.FCStd", with_resource(stored), [(stored, b"overwritten")])
+    _opened_by_freecad(hostile, tmp_path)
+    if victim.read_text() == "the user's own":
+        pytest.skip("this FreeCAD writes no resource outside the folder of the document")
+    assert victim.read_text() == "overwritten"
+
+
+def test_a_document_that_links_to_a_hostile_one_is_refused(freecad, document, tmp_path):
+    target = harmless(freecad, tmp_path / "target.FCStd")
+    opened = freecad.openDocument(str(target))
+    main = freecad.newDocument("Main")
+    main.saveAs(str(tmp_path / "main.FCStd"))
+    main.addObject("App::Link", "Link").LinkedObject = opened.Block
+    main.recompute()
+    main.save()
+    freecad.closeDocument(main.Name)
+    freecad.closeDocument(opened.Name)
+    check_document(tmp_path / "main.FCStd")
+    changed(document, target, with_resource("V/../../x"), [("V/../../x", b"")])
+    with pytest.raises(ThinPartError, match="target.FCStd was not opened") as error:
+        check_document(tmp_path / "main.FCStd")
+    assert error.value.kind == "unsafe"
+
+
+@pytest.mark.parametrize("name", ["/etc/x", "../x", "a/../../x", "..\\x", "C:\\x", "C:x", "\\\\server\\x"])
+def test_an_entry_that_leaves_its_folder_is_refused(document, tmp_path, name):
+    hostile = changed(document, tmp_path / "hostile.FCStd", entries=[(name, b"")])
+    with pytest.raises(ThinPartError, match="was not opened"):
+        check_document(hostile)
+
+
+def test_names_that_only_look_alike_are_fine():
+    assert not any(map(leaves_its_folder, ["Part..brp", "a/b.brp", "xy:z", "...", "Box.Shape.brp", ""]))
+
+
+def test_two_entries_of_one_name_are_refused(document, tmp_path):
+    with pytest.warns(UserWarning):
+        hostile = changed(document, tmp_path / "hostile.FCStd", entries=[("Document.xml", b"<Document/>")])
+    with pytest.raises(ThinPartError, match="two entries"):
+        check_document(hostile)
+
+
+def test_an_entry_that_the_table_hides_is_refused(document, tmp_path):
+    """FreeCAD reads one entry after the other; the table of contents at the end may leave some out."""
+    content = document.read_bytes()
+    with zipfile.ZipFile(document) as archive:
+        start = archive.start_dir
+    name, data = b"V/../../x", b"hidden"
+    hidden = struct.pack("<4s5H3I2H", b"PK\3\4", 20, 0, 0, 0, 0, zipfile.crc32(data), len(data), len(data),
+                         len(name), 0) + name + data
+    end = content.rindex(b"PK\5\6")
+    moved = bytearray(content[:start] + hidden + content[start:])
+    struct.pack_into("<I", moved, end + len(hidden) + 16, start + len(hidden))
+    hostile = tmp_path / "hostile.FCStd"
+    hostile.write_bytes(moved)
+    with zipfile.ZipFile(hostile) as archive:
+        assert archive.testzip() is None and name.decode() not in archive.namelist()
+    with pytest.raises(ThinPartError, match="belong to none"):
+        check_document(hostile)
+
+
+def test_entities_are_refused(document, tmp_path):
+    hostile = changed(document, tmp_path / "hostile.FCStd", lambda text: text.replace(
+        "<Document ", '<!DOCTYPE d [<!ENTITY a "../../x">]>\n<Document ', 1))
+    with pytest.raises(ThinPartError, match="entities"):
+        check_document(hostile)
+
+
+@pytest.mark.parametrize("module", ["marker_of_a_module", "marker_of_a_module.inner", "antigravity", "this"])
+def test_a_module_that_is_not_freecads_is_not_run(document, tmp_path, module):
+    package = tmp_path / "marker_of_a_module"
+    package.mkdir()
+    for name in ("__init__", "inner"):
+        (package / f"{name}.py").write_text(
+            f"open({os.fspath(tmp_path / 'ran')!r}, 'a').write('{name}')\nclass C: pass\n")
+    hostile = changed(document, tmp_path / "hostile.FCStd", with_module(module))
+    found = _classified(hostile, cwd=tmp_path)["hostile.FCStd"]
+    assert found["category"] == "normal"
+    assert not (tmp_path / "ran").exists()
+    assert any(module.partition(".")[0] in each and "not loaded" in each for each in found["warnings"]), (
+        json.dumps(found["warnings"]))
+
+
+def test_a_type_of_a_module_that_is_not_freecads_is_not_run(document, tmp_path, monkeypatch):
+    (tmp_path / "marker_of_a_type.py").write_text(f"open({os.fspath(tmp_path / 'ran')!r}, 'a')\n")
+    hostile = changed(document, tmp_path / "hostile.FCStd", lambda text: text.replace(
+        'type="App::VRMLObject"', 'type="marker_of_a_type::Feature"'))
+    monkeypatch.setenv("PYTHONPATH", f"{ROOT}:{tmp_path}")
+    assert named_modules(hostile).others == () or "marker_of_a_type" in named_modules(hostile).others
+    _classified(hostile, cwd=tmp_path)
+    assert not (tmp_path / "ran").exists()
+
+
+def test_the_parts_own_folder_is_on_no_module_path(document, tmp_path, monkeypatch):
+    """An empty entry of PYTHONPATH stands for the folder that the program was started in."""
+    (tmp_path / "rich.py").write_text(f"open({os.fspath(tmp_path / 'ran')!r}, 'a')\n")
+    changed(document, tmp_path / "part.FCStd")
+    environment = dict(os.environ, PYTHONPATH=":", PYTHONSAFEPATH="")
+    run = subprocess.run([os.fspath(ROOT / "thinpart"), "classify", "part.FCStd", "--no-info"], cwd=tmp_path,
+                         env=environment, capture_output=True, text=True, timeout=120, stdin=subprocess.DEVNULL)
+    assert run.returncode == 0, run.stderr
+    assert not (tmp_path / "ran").exists()

@@ -1,0 +1,93 @@
+"""Pipes, devices and folders that are called like info files or parts: each is a row, and none is waited for."""
+
+import csv
+import json
+import os
+import shutil
+import socket
+
+import pytest
+
+from program import SAMPLES, records, thinpart
+from thinpart_workbench.storage.part_table import csv_text
+from thinpart_workbench.storage.regular_file import open_regular
+
+
+def _pipe(path):
+    os.mkfifo(path)
+
+
+def _zeros(path):
+    path.symlink_to("/dev/zero")
+
+
+def _socket(path):
+    with socket.socket(socket.AF_UNIX) as made:
+        made.bind(os.fspath(path))
+
+
+def _loop(path):
+    path.symlink_to(path)
+
+
+KINDS = [_pipe, _zeros, _socket, _loop]
+
+
+@pytest.fixture(scope="module")
+def classified(tmp_path_factory):
+    """A library of one part."""
+    folder = tmp_path_factory.mktemp("library")
+    shutil.copyfile(SAMPLES / "plate.step", folder / "plate.step")
+    assert thinpart("classify", folder).returncode == 0
+    return folder
+
+
+@pytest.fixture
+def library(classified, tmp_path):
+    return shutil.copytree(classified, tmp_path / "library")
+
+
+@pytest.mark.parametrize("make", KINDS)
+@pytest.mark.parametrize("command", [("find",), ("similar", "plate.step"), ("reclassify", "--profile", "paper")])
+def test_what_is_called_like_an_info_file_holds_nothing_up(library, make, command):
+    make(library / "other.step.thinpart.json")
+    arguments = [library / each if each.endswith(".step") else each for each in command]
+    run = thinpart(*arguments, library, "--json")
+    assert "Traceback" not in run.stderr
+    parts = [line for line in records(run) if "error" not in line]
+    assert command[0] == "similar" or [each["name"] for each in parts] == ["Solid1"], run.stdout + run.stderr
+    # A link that leads nowhere is no file at all.
+    assert make is _loop or "other.step.thinpart.json" in run.stdout + run.stderr
+
+
+@pytest.mark.parametrize("command", [("classify",), ("find",), ("reclassify", "--profile", "paper")])
+def test_a_link_to_itself_does_not_hide_its_folder(library, command):
+    for name in ("loop", "loop.step"):
+        _loop(library / name)
+    run = thinpart(*command, library, "--json")
+    assert "Traceback" not in run.stderr
+    assert "plate.step" in [os.path.basename(line["file"]) for line in records(run) if "error" not in line]
+
+
+@pytest.mark.parametrize("make", [_pipe, _zeros, _socket])
+def test_what_is_called_like_a_part_holds_nothing_up(library, make):
+    make(library / "other.step")
+    run = thinpart("classify", library / "other.step", library / "plate.step", "--json", "--timeout", "20")
+    kinds = {os.path.basename(line["file"]): line.get("error", {}).get("kind") for line in records(run)}
+    assert kinds["plate.step"] is None
+    assert kinds.get("other.step") in ("unreadable", "missing", "unsupported"), json.dumps(kinds)
+
+
+def test_regular_files_are_read(tmp_path):
+    (tmp_path / "a").write_bytes(b"text")
+    with open_regular(tmp_path / "a") as file:
+        assert file.read() == b"text"
+    for wrong in (tmp_path, "/dev/zero"):
+        with pytest.raises(OSError, match="no regular file|directory"):
+            open_regular(wrong)
+
+
+@pytest.mark.parametrize("text", ["=1+1", "+cmd", "-2", "@SUM(A1)", "\t=1", "\r=1"])
+def test_no_spreadsheet_computes_a_name(text):
+    cell, number = next(csv.reader(csv_text([(text, -2.5)]).splitlines(keepends=True)))
+    assert cell == "'" + text and number == "-2.5"
