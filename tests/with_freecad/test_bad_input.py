@@ -220,7 +220,7 @@ def test_a_file_that_ends_its_reader_is_one_row(tmp_path, rng):
             spoilt[line] = re.sub(r"#\d+", lambda _: f"#{rng.integers(1, 400)}", spoilt[line])
         (folder / f"{number}.step").write_text("\n".join(spoilt))
     shutil.copy(SAMPLES / "wedge.step", folder / "good.step")
-    run = thinpart("classify", folder, "--json", "--no-info", "--timeout", "20")
+    run = thinpart("classify", folder, "--json", "--no-info", "--timeout", "8")
     kinds = set(failures(run).values())
     assert len(records(run)) == 9
     # OCCT 7.9 finds out that they are damaged.
