@@ -36,7 +36,7 @@ def _outcome(content):
         try:
             content = pickle.dumps(error)
             pickle.loads(content)  # some exceptions are written and cannot be read again
-        except Exception:
+        except Exception:  # __reduce__ and constructors of foreign classes raise what they like
             content = pickle.dumps(RuntimeError(f"{type(error).__name__}: {error}"))
         return FAILED, content
 
