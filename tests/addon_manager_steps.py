@@ -53,6 +53,13 @@ def nothing_installed(checker, packages):
             checker.package_is_installed = staticmethod(asked)
 
 
+def _wait_for(working, ended):
+    """Wait until a thread has ended and said how; `ended` has "" where all went well, else why not."""
+    wait_until(lambda: working.isFinished() and ended, "installing")
+    if ended != [""]:
+        raise RuntimeError(str(ended))
+
+
 class Since1_0:
     """Classes that are meant to be called by others."""
 
@@ -87,9 +94,7 @@ class Since1_0:
         installer.finished.connect(thread.quit)
         thread.started.connect(installer.run)
         thread.start()
-        wait_until(lambda: thread.isFinished() and ended, "installing")
-        if ended != [""]:
-            raise RuntimeError(str(ended))
+        _wait_for(thread, ended)
 
     def check(self, addon):
         from addonmanager_workers_startup import CheckSingleUpdateWorker
@@ -164,9 +169,7 @@ class Only0_20:
         worker.success.connect(lambda *_: ended.append(""))
         worker.failure.connect(lambda _, why: ended.append(why or "failed"))
         worker.start()
-        wait_until(lambda: worker.isFinished() and ended, "installing")
-        if ended != [""]:
-            raise RuntimeError(str(ended))
+        _wait_for(worker, ended)
 
     def check(self, addon):
         from addonmanager_workers import CheckSingleUpdateWorker

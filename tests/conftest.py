@@ -70,16 +70,17 @@ def rng():
 @pytest.fixture(scope="session")
 def real_samples():
     """Folder of labelled third-party parts, which are not part of the repository."""
-    folder = Path(os.environ.get("THINPART_SAMPLES", ROOT.parent / "shared" / "samples"))
-    if not (folder / "manifest.csv").is_file():
-        pytest.skip("the labelled sample parts are not on this machine")
-    return folder
+    return _labelled_parts("THINPART_SAMPLES", "samples")
 
 
 @pytest.fixture(scope="session")
 def training_parts():
     """Folder of labelled third-party parts to learn from, which are not part of the repository."""
-    folder = Path(os.environ.get("THINPART_TRAINING", ROOT.parent / "shared" / "training"))
+    return _labelled_parts("THINPART_TRAINING", "training")
+
+
+def _labelled_parts(variable, name):
+    folder = Path(os.environ.get(variable, ROOT.parent / "shared" / name))
     if not (folder / "manifest.csv").is_file():
-        pytest.skip("the parts to learn from are not on this machine")
+        pytest.skip(f"the labelled parts of shared/{name} are not on this machine")
     return folder

@@ -293,9 +293,9 @@ def test_a_file_on_windows_is_known_by_size_and_time_alone(tmp_path):
 def test_workers_take_tasks_time_limits_and_deaths_on_windows(tmp_path):
     program = """
         import os, subprocess
-        from thinpart_workbench.workflow.analyse_file import FileTask
         from thinpart_workbench.workflow.process_pool import ProcessPool
         from thinpart_workbench.workflow.workers import Workers
+        from worker_outcomes import results
         sys.path.insert(0, os.path.join(sys.path[1], "workflow"))
         import windows_tasks
         begin = subprocess.Popen
@@ -304,16 +304,7 @@ def test_workers_take_tasks_time_limits_and_deaths_on_windows(tmp_path):
             return begin(command, **options)
         subprocess.Popen = started
         workers = Workers(1, 1.0, sys.argv[1], windows_tasks.do, windows_tasks.start, (os.getpid(),), ProcessPool)
-        waiting, ended = [FileTask(each) for each in ("good 1", "die", "sleep", "good 2")], []
-        while waiting or workers.busy:
-            while waiting and workers.has_room:
-                workers.begin(waiting.pop(0))
-            one = workers.next_ended()
-            if one is None:
-                waiting[:0] = workers.lost_tasks()
-                continue
-            error = one[0].exception()
-            ended.append((one[1].file, one[0].result() if error is None else type(error).__name__))
+        ended = results(workers, ["good 1", "die", "sleep", "good 2"])
         workers.stop()
         print(*sorted(ended), sep="\\n")
     """

@@ -1,5 +1,8 @@
+import shutil
+
 import pytest
 
+from program import SAMPLES, thinpart
 from thinpart_workbench.freecad_adapter.bootstrap import load_freecad
 
 
@@ -7,3 +10,18 @@ from thinpart_workbench.freecad_adapter.bootstrap import load_freecad
 def freecad():
     """The real FreeCAD, without a window."""
     return load_freecad()
+
+
+@pytest.fixture(scope="session")
+def classified(tmp_path_factory):
+    """A library of one part."""
+    folder = tmp_path_factory.mktemp("classified")
+    shutil.copyfile(SAMPLES / "plate.step", folder / "plate.step")
+    assert thinpart("classify", folder).returncode == 0
+    return folder
+
+
+@pytest.fixture
+def library(classified, tmp_path):
+    """The same, for a test to change."""
+    return shutil.copytree(classified, tmp_path / "library")

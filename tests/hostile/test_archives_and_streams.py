@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from hostile_documents import harmless
-from program import SAMPLES, failures, thinpart
+from program import failures, thinpart
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -42,14 +42,6 @@ def test_archives_that_cannot_be_unpacked_are_rows(folder):
     assert failures(run) == {f"{name}.FCStd": "unreadable" for name in ("deflate", "encrypted", "method")}
     assert "Traceback" not in run.stderr
     assert run.stdout.count('"category"') >= 2  # the whole one, and the one with a backslash in its name
-
-
-@pytest.fixture(scope="module")
-def library(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("library")
-    shutil.copyfile(SAMPLES / "plate.step", folder / "plate.step")
-    assert thinpart("classify", folder).returncode == 0
-    return folder
 
 
 COMMANDS = [("find", "--json"), ("find",), ("reclassify", "--profile", "paper"), ("classify", "--json"),

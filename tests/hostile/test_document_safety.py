@@ -45,6 +45,14 @@ def test_a_harmless_document_is_read(document):
     assert _classified(document)["harmless.FCStd"]["category"] == "normal"
 
 
+def test_no_document_of_other_people_is_refused_for_nothing(training_parts):
+    documents = [each for each in training_parts.glob("parts/*") if each.suffix.lower() == ".fcstd"]
+    for document in documents:
+        check_document(document)
+        assert named_modules(document).others == (), document.name
+    assert len(documents) > 20
+
+
 @pytest.mark.parametrize("stored", ["V/../../../victim.step", "V/../../../../../../../../../../{victim}"])
 def test_a_resource_that_leaves_its_folder_is_refused(document, tmp_path, stored):
     victim = tmp_path / "victim.step"

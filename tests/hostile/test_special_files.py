@@ -3,12 +3,11 @@
 import csv
 import json
 import os
-import shutil
 import socket
 
 import pytest
 
-from program import SAMPLES, records, thinpart
+from program import records, thinpart
 from thinpart_workbench.storage.part_table import csv_text
 from thinpart_workbench.storage.regular_file import open_regular
 
@@ -31,20 +30,6 @@ def _loop(path):
 
 
 KINDS = [_pipe, _zeros, _socket, _loop]
-
-
-@pytest.fixture(scope="module")
-def classified(tmp_path_factory):
-    """A library of one part."""
-    folder = tmp_path_factory.mktemp("library")
-    shutil.copyfile(SAMPLES / "plate.step", folder / "plate.step")
-    assert thinpart("classify", folder).returncode == 0
-    return folder
-
-
-@pytest.fixture
-def library(classified, tmp_path):
-    return shutil.copytree(classified, tmp_path / "library")
 
 
 @pytest.mark.parametrize("make", KINDS)

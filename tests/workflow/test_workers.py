@@ -17,6 +17,7 @@ from thinpart_workbench.workflow.analyse_file import FileTask
 from thinpart_workbench.system.parent_death import end_with_parent  # noqa: F401 - programs import it from here
 from thinpart_workbench.workflow.process_pool import ProcessPool
 from thinpart_workbench.workflow.workers import Workers, chosen_pool
+from worker_outcomes import results
 
 POOLS = ["own"] + ["pebble"] * (importlib.util.find_spec("pebble") is not None)
 ROOT = Path(__file__).resolve().parents[2]
@@ -89,22 +90,6 @@ def worker_processes():
         if parent == os.getpid() and (b"spawn_main" in command or b"pool_worker" in command):
             found.append(int(process.name))
     return found
-
-
-def results(workers, tasks):
-    """(task, result or name of the exception) in the order in which they end."""
-    waiting, ended = [FileTask(task) for task in tasks], []
-    while waiting or workers.busy:
-        while waiting and workers.has_room:
-            workers.begin(waiting.pop(0))
-        one = workers.next_ended()
-        if one is None:
-            waiting[:0] = workers.lost_tasks()
-            continue
-        future, task, _ = one
-        error = future.exception()
-        ended.append((task.file, future.result() if error is None else type(error).__name__))
-    return ended
 
 
 def test_a_task_that_waits_does_not_run_into_the_time_limit(started):

@@ -61,8 +61,8 @@ def _homes(freecad):
     return [Path(freecad.getHomePath()), *map(Path, _SHARE)]
 
 
-def module_folders():
-    """Folders in which FreeCAD's own modules lie and those of its add-ons, list of str; FreeCAD is loaded."""
+def trusted_code_folders():
+    """Folders of Python code that FreeCAD brings, and of its add-ons, list of str; loads FreeCAD."""
     freecad = load_freecad()
     folders = [os.path.dirname(freecad.__file__)]
     for home in _homes(freecad):

@@ -17,7 +17,8 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 from ..core.errors import ThinPartError
-from .bootstrap import module_folders
+from ..system.file_paths import is_below
+from .bootstrap import trusted_code_folders
 from .damaged_archive import DAMAGED_ARCHIVE
 from .linked_files import linked_files
 
@@ -230,7 +231,7 @@ def _is_trusted(name):
 
 def _lies_in_freecad(place):
     real = os.path.realpath(place)
-    return any(os.path.commonpath([real, folder]) == folder for folder in map(os.path.realpath, module_folders()))
+    return any(is_below(real, os.path.realpath(folder)) for folder in trusted_code_folders())
 
 
 def leaves_its_folder(path):

@@ -4,7 +4,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from ..freecad_adapter.edge import guarded_methods
-from .qt import QtCore, QtWidgets
+from .qt import QtCore, QtWidgets, soon
 
 _COMMAND = "Std_Measure"
 _TAKING_KEYS = (QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter, QtCore.Qt.Key_Space)
@@ -65,7 +65,7 @@ class MeasureTool(QtCore.QObject):
             return pressed
         if isinstance(watched, QtWidgets.QMenu) and (pressed or kind == QtCore.QEvent.MouseButtonRelease):
             if watched.activeAction() in self._actions:
-                QtCore.QTimer.singleShot(0, watched.close)
+                soon(watched, watched.close)
                 return True
         return False
 
