@@ -1,29 +1,22 @@
-"""Read by FreeCAD's window when it starts: the workbench, its preferences, the document observer."""
+"""Run by FreeCAD when its GUI starts: registers the workbench and starts its application-wide objects."""
 
 import FreeCADGui as Gui
 
-from thinpart_workbench.gui.language import add_translations
+from thinpart_workbench.gui.application.language import add_translations
 
 add_translations()  # before any text is made
-from thinpart_workbench.gui.loaded_copy import is_to_start
+from thinpart_workbench.gui.loaded_copy import is_to_start  # noqa: E402
 
 # FreeCAD runs this file inside a function that has the path of it in InstallFile.
 if is_to_start(locals().get("InstallFile")):
-    from thinpart_workbench.freecad_adapter.edge import guarded_methods
-    from thinpart_workbench.freecad_adapter.wall_measurement import add_wall_measurement
-    from thinpart_workbench.gui.automatic_classification import AUTOMATIC
-    from thinpart_workbench.gui.document_observer import observe
-    from thinpart_workbench.gui.faults import tell_faults
-    from thinpart_workbench.gui.preferences_pages import add_pages
-    from thinpart_workbench.gui.show_thickness import follow_requests
-    from thinpart_workbench.gui.unit_watch import UNITS
-    from thinpart_workbench.gui.workbench import add_icons
+    from thinpart_workbench.freecad_adapter.guard import guarded_methods
+    from thinpart_workbench.gui.start import start
 
     @guarded_methods("Initialize", "Activated")
     class ThinPartWorkbench(Gui.Workbench):
         """The workbench as FreeCAD's list of workbenches shows it."""
 
-        # What is named outside a method of this file cannot be seen in it.
+        # Imported here, because FreeCAD runs this file so that outer names are not visible inside the class.
         from thinpart_workbench.gui.workbench import ICONS, MENU_TEXT, TOOL_TIP
 
         MenuText = MENU_TEXT
@@ -37,21 +30,14 @@ if is_to_start(locals().get("InstallFile")):
             initialize(self)
 
         def Activated(self):
-            """Called whenever the workbench is opened: a part will soon be measured."""
-            from thinpart_workbench.gui.ready_process import READY
+            """Called whenever the workbench is activated: prepare the worker process for the first measurement."""
+            from thinpart_workbench.gui.application import lifelong
 
-            READY.make_soon()
+            lifelong.standby_worker.prepare_next()
 
         def GetClassName(self):
             """A workbench written in Python."""
             return "Gui::PythonWorkbench"
 
-    tell_faults()
+    start()
     Gui.addWorkbench(ThinPartWorkbench())
-    add_icons()
-    add_pages()
-    add_wall_measurement()
-    observe()
-    AUTOMATIC.begin()
-    UNITS.begin()
-    follow_requests()

@@ -5,7 +5,7 @@ from collections import namedtuple
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from .child_process import Child, ChildError
+from .children.child_process import Child, ChildError
 
 PLACEMENTS = ("aligned", "rotated")
 
@@ -25,8 +25,11 @@ SHORT_TURN = 0.05
 MORE_TURNS = 4
 """Where its turns are shorter than that many seconds, it gets so many times more of them."""
 
-Contestants = namedtuple("Contestants", "freecad pair_loop peers")
-"""Children that stay for the whole run: FreeCAD, the pair loop or None, and the peers by name."""
+Contestants = namedtuple("Contestants", "freecad pair_loop peers has_cores")
+"""Children that stay for the whole run: FreeCAD, the pair loop or None, and the peers by name; and whether the core and the
+whole are also measured on one processor and on two."""
+
+CORES = (1, 2)
 
 
 @dataclass
@@ -122,7 +125,11 @@ def compare(contestants, python, solids, sizes, repeat, cache, say):
 def _rows(contestants, python, solid, wanted, mesh, repeat, folder, paces):
     """The rows of one solid at one size: both placements take turns with each other too."""
     rows, turns, products = [], [], []
+    pinned = {cores: Child(python, "product", cores=cores) for cores in CORES if contestants.has_cores}
+    products += pinned.values()
     try:
+        for product in pinned.values():
+            product.ask("warm_up")
         for placement in PLACEMENTS:
             product = Child(python, "product")
             products.append(product)
@@ -140,6 +147,9 @@ def _rows(contestants, python, solid, wanted, mesh, repeat, folder, paces):
             for task, source in (("core", clean), ("whole", file)):
                 _measure_memory(row, python, task, source)
             turns += _turns(contestants, row, product, mesh, file, arrays, paces)
+            if placement == PLACEMENTS[0]:
+                turns += [Turns(f"{task}_on_{cores}", row, child, task, {"file": file})
+                          for task in ("core", "whole") for cores, child in pinned.items()]
         # By contestant, so that the two placements of one follow each other.
         names = list(dict.fromkeys(each.name for each in turns))
         turns.sort(key=lambda each: names.index(each.name))

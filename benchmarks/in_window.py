@@ -69,8 +69,8 @@ def _turn(dimples):
     import FreeCADGui as Gui
     import window_actions as window
 
-    from thinpart_workbench.freecad_adapter.thickness_object import thickness_objects
-    from thinpart_workbench.workflow.document_maps import parts_of
+    from thinpart_workbench.api.document_maps import parts_of
+    from thinpart_workbench.freecad_adapter.objects.thickness_object import thickness_objects
 
     document = App.newDocument("Plate")
     window.add(document, "Plate", dimpled_plate(dimples))
@@ -108,7 +108,7 @@ class Gaps:
     """The longest time between two events of a timer of the window."""
 
     def __init__(self):
-        from thinpart_workbench.gui.qt import QtCore
+        from thinpart_workbench.gui.application.qt import QtCore
 
         self._longest, self._last = 0.0, time.perf_counter()
         self._timer = QtCore.QTimer()
@@ -134,8 +134,8 @@ def _scenes(dimples):
     import MeshPart
     import window_actions as window
 
-    from thinpart_workbench.freecad_adapter.thickness_object import thickness_objects
-    from thinpart_workbench.workflow.document_maps import parts_of
+    from thinpart_workbench.api.document_maps import parts_of
+    from thinpart_workbench.freecad_adapter.objects.thickness_object import thickness_objects
 
     document = App.newDocument("Frames")
     yield "an empty view", {"facets": 0, "frames": _frames()}
@@ -186,7 +186,7 @@ class Drawn:
 
     def next(self):
         """Wait until one more frame is drawn and all that follows on it is done."""
-        from thinpart_workbench.gui.qt import QtWidgets
+        from thinpart_workbench.gui.application.qt import QtWidgets
 
         before, until = self.count, time.perf_counter() + 60.0
         while self.count == before:

@@ -22,13 +22,13 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, os.fspath(ROOT))
 
 from benchmarks.machine import machine  # noqa: E402
-from thinpart_workbench.core.conditions import search_conditions  # noqa: E402
-from thinpart_workbench.core.criteria import load_profile  # noqa: E402
-from thinpart_workbench.storage.info_file import SUFFIX, dumps  # noqa: E402
-from thinpart_workbench.storage.library_index import LibraryIndex  # noqa: E402
-from thinpart_workbench.workflow.find_parts import PartQuery, find_parts  # noqa: E402
-from thinpart_workbench.workflow.reclassify import reclassify_files  # noqa: E402
-from thinpart_workbench.workflow.similar_parts import similar_parts  # noqa: E402
+from thinpart_workbench.core.judging.conditions import search_conditions  # noqa: E402
+from thinpart_workbench.core.judging.criteria import load_profile  # noqa: E402
+from thinpart_workbench.storage.index.library_index import LibraryIndex  # noqa: E402
+from thinpart_workbench.storage.info.info_file import SUFFIX, dumps  # noqa: E402
+from thinpart_workbench.workflow.library.find_parts import PartQuery, find_parts  # noqa: E402
+from thinpart_workbench.workflow.library.reclassify import reclassify_files  # noqa: E402
+from thinpart_workbench.workflow.library.similar_parts import similar_parts  # noqa: E402
 
 FILES_PER_FOLDER = 1000
 REPEAT = 5

@@ -4,7 +4,7 @@ import os
 import platform
 import subprocess
 
-from .child_process import ROOT
+from .places import ROOT
 
 
 def machine():

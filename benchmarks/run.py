@@ -1,144 +1,156 @@
 #!/usr/bin/env python3
 """The benchmark: ThinPart beside its peers, in one run.
 
-    python3 benchmarks/run.py [--quick] [--markdown] [-o FILE]
+    python3 benchmarks/run.py [--quick] [--parts FOLDER] [-o FILE]
 
-Any Python will do: with rich, or where Debian's has it. See README.md in this folder.
+Any Python will do. See README.md in this folder.
 """
 
 import argparse
 import hashlib
-import importlib.util
 import json
 import os
 import subprocess
 import sys
+import tempfile
 from contextlib import ExitStack
 from datetime import datetime, timezone
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, os.fspath(ROOT))
+sys.path.insert(0, os.fspath(Path(__file__).resolve().parents[1]))
 
-DEBIAN_PYTHON = "/usr/bin/python3"
-RESULTS = ROOT / "benchmarks" / "results"
-CACHE = Path(os.environ.get("THINPART_CACHE") or "~/.cache/thinpart").expanduser() / "benchmarks"
+from benchmarks.children.child_process import Child, ChildError, environment
+from benchmarks.children.peer_environment import open_peers
+from benchmarks.children.solids import SOLIDS
+from benchmarks.comparison import Contestants, compare
+from benchmarks.machine import machine, product_version
+from benchmarks.places import CACHE, DEBIAN_PYTHON, RESULTS, ROOT
+from benchmarks.tables import all_text
+from benchmarks.targets import summary
+from benchmarks.verdict_times import measure_verdicts
 
-if importlib.util.find_spec("rich") is None:
-    if os.path.exists(DEBIAN_PYTHON) and os.path.realpath(sys.executable) != os.path.realpath(DEBIAN_PYTHON):
-        os.execv(DEBIAN_PYTHON, [DEBIAN_PYTHON, *sys.argv])
-    sys.exit("benchmarks: rich is missing, which prints the tables: apt-get install python3-rich")
-
-from rich.console import Console  # noqa: E402
-
-from benchmarks.child_process import Child, ChildError  # noqa: E402
-from benchmarks.command_line import measure_command_line  # noqa: E402
-from benchmarks.comparison import Contestants, compare  # noqa: E402
-from benchmarks.machine import machine, product_version  # noqa: E402
-from benchmarks.peer_environment import open_peers  # noqa: E402
-from benchmarks.solids import SOLIDS  # noqa: E402
-from benchmarks.tables import markdown, print_results  # noqa: E402
-from benchmarks.targets import summary  # noqa: E402
+PARTS = ("verdicts", "large", "rays", "peers", "cores", "accuracy")
+"""What can be left out: times to a verdict; that of a part of a million triangles; the core's rays; beside them the other
+programs, and one core against two; how accurate the values are."""
 
 ALL_SIZES = (1_000, 10_000, 100_000, 1_000_000)
 QUICK_SIZES = (1_000, 10_000)
-NARROWEST = 170
-"""Columns of the tables where output is no terminal."""
+QUICK_SOLIDS = ("casting", "heat_sink")
+REPEAT, QUICK_REPEAT = 5, 2
 
 
 def main(arguments=None):
-    """Run the benchmark; the exit status: 1 where a mesh or the command line failed, 2 for wrong usage."""
+    """Run the benchmark; the exit status: 1 where a part of it failed, 2 for wrong usage."""
     options = _options(arguments)
-    say = Console(stderr=True, highlight=False, soft_wrap=True).print
     try:
-        results = _stored(options.show) if options.show else _measured(options, say)
+        results = _measured(options)
     except (ChildError, OSError) as error:
-        say(f"benchmarks: {error}", markup=False)
+        _say(f"benchmarks: {error}")
         return 1
     except KeyboardInterrupt:
-        say("benchmarks: interrupted, nothing was written")
+        _say("benchmarks: interrupted, nothing was written")
         return 130
-    console = Console()
-    if not console.is_terminal:
-        console = Console(width=max(console.width, NARROWEST))
-    if options.markdown:
-        print(markdown(results))
-    else:
-        print_results(console, results)
+    print(all_text(results))
     return 1 if results["failures"] else 0
+
+
+def _say(text):
+    print(text, file=sys.stderr, flush=True)
 
 
 def _options(arguments):
     parser = argparse.ArgumentParser(
         prog="benchmarks/run.py", description="Measure ThinPart and its peers side by side.")
+    parser.add_argument("--quick", action="store_true", help="small sets only, about two minutes")
+    parser.add_argument("--only", nargs="+", choices=PARTS, metavar="PART", help=f"some of: {', '.join(PARTS)}")
+    parser.add_argument("--without", nargs="+", choices=PARTS, default=[], metavar="PART", help="leave out some of these")
+    parser.add_argument("--parts", type=Path, metavar="FOLDER", help="a folder of real parts, beside the made ones")
     parser.add_argument("--sizes", type=int, nargs="+", metavar="N",
-                        help="triangles wanted (default: 1000 10000 100000 1000000)")
-    parser.add_argument("--solids", nargs="+", choices=list(SOLIDS), default=list(SOLIDS), metavar="NAME",
-                        help=f"some of: {', '.join(SOLIDS)} (default: all)")
-    parser.add_argument("--quick", action="store_true", help="small sizes only: 1000 10000")
-    parser.add_argument("--repeat", type=int, default=5, metavar="N", help="turns each (default: 5)")
-    parser.add_argument("--no-peers", action="store_true", help="ThinPart and FreeCAD alone")
-    parser.add_argument("--no-command-line", action="store_true", help="leave out the command line")
-    parser.add_argument("--markdown", action="store_true", help="print the ratios as Markdown instead")
-    parser.add_argument("--show", type=Path, metavar="FILE",
-                        help="print an earlier results file, measure nothing")
-    parser.add_argument("-o", "--output", type=Path, metavar="FILE",
+                        help="triangles of the meshes (default: 1000 10000 100000 1000000)")
+    parser.add_argument("--solids", nargs="+", choices=list(SOLIDS), metavar="NAME",
+                        help=f"of which meshes are made, some of: {', '.join(SOLIDS)} (default: all)")
+    parser.add_argument("--repeat", type=int, metavar="N", help=f"turns each (default: {REPEAT})")
+    parser.add_argument("--classify", default="", metavar="OPTIONS",
+                        help="further options of thinpart classify, as one argument")
+    parser.add_argument("--reference", type=Path, default=CACHE / "reference", metavar="FOLDER",
+                        help="where the accurate measurement is kept (default: in the cache)")
+    parser.add_argument("-o", "--output", "--json", type=Path, metavar="FILE",
                         help="results file (default: benchmarks/results/TIME.json)")
     options = parser.parse_args(arguments)
-    if options.quick and options.sizes:
-        parser.error("use either --quick or --sizes")
-    if options.repeat < 1 or any(size < 1 for size in options.sizes or ()):
-        parser.error("--repeat and --sizes take numbers from 1 on")
+    options.repeat = options.repeat if options.repeat is not None else QUICK_REPEAT if options.quick else REPEAT
     options.sizes = sorted(options.sizes or (QUICK_SIZES if options.quick else ALL_SIZES))
+    options.solids = options.solids or list(QUICK_SOLIDS if options.quick else SOLIDS)
+    if options.repeat < 1 or any(size < 1 for size in options.sizes):
+        parser.error("--repeat and --sizes take numbers from 1 on")
+    if options.parts is not None and not options.parts.is_dir():
+        _say(f"benchmarks: {options.parts} is no folder, so no real parts are measured")
+        options.parts = None
+    options.wanted = set(options.only or PARTS) - set(options.without)
     return options
 
 
-def _stored(file):
-    try:
-        results = json.loads(file.read_text(encoding="utf-8"))
-    except ValueError:
-        results = None
-    if not isinstance(results, dict) or not {"meshes", "failures", "summary"} <= results.keys():
-        raise ChildError(f"{file} is no results file of this benchmark.")
-    return results
-
-
-def _measured(options, say):
+def _measured(options):
     """Measure, and write the results file."""
     started = datetime.now(timezone.utc)
     output = options.output or RESULTS / f"{started:%Y-%m-%d_%H%M}.json"
     output.parent.mkdir(parents=True, exist_ok=True)
     python = _product_python()
-    with ExitStack() as stack:
-        freecad = stack.enter_context(Child(python, "tessellation"))
-        with Child(python, "product") as product:
-            versions = {**product_version(), **product.ask("versions"), **freecad.ask("version")}
-        peers, missing, pair_loop = {}, {}, None
-        if not options.no_peers:
-            peers, found, missing = open_peers(CACHE / "peers", [python, sys.executable], say)
-            for child in peers.values():
-                stack.enter_context(child)
-            versions.update(found)
-            pair_loop = stack.enter_context(Child(python, "pair_loop"))
-        rows, failures = compare(
-            Contestants(freecad, pair_loop, peers), python, options.solids, options.sizes, options.repeat,
-            CACHE / f"meshes-{_recipe(versions)}", say,
-        )
-    times = None
-    if not options.no_command_line:
-        try:
-            times = measure_command_line(options.repeat, say)
-        except ChildError as error:
-            failures["command line"] = str(error)
     results = {
-        "date": started.isoformat(timespec="seconds"), "machine": machine(), "versions": versions,
-        "options": {"sizes": options.sizes, "solids": options.solids, "repeat": options.repeat},
-        "meshes": rows, "command_line": times, "missing_peers": missing, "failures": failures,
+        "date": started.isoformat(timespec="seconds"), "machine": machine(), "versions": _versions(python),
+        "options": {"sizes": options.sizes, "solids": options.solids, "repeat": options.repeat,
+                    "parts": sorted(options.wanted), "classify": options.classify},
+        "verdicts": [], "meshes": [], "accuracy": [], "missing_peers": {}, "failures": {},
     }
+    for name, measure in (("verdicts", _verdicts), ("rays", _rays), ("accuracy", _accuracy)):
+        if name not in options.wanted:
+            continue
+        try:
+            measure(results, python, options)
+        except ChildError as error:
+            results["failures"][name] = str(error)
     results["summary"] = summary(results)
     output.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
-    say(f"written to {output}")
+    _say(f"written to {output}")
     return results
+
+
+def _versions(python):
+    with Child(python, "product") as product, Child(python, "tessellation") as freecad:
+        return {**product_version(), **product.ask("versions"), **freecad.ask("version")}
+
+
+def _verdicts(results, python, options):
+    results["verdicts"] = measure_verdicts(
+        python, CACHE / f"parts-{_recipe(results['versions'], 'made_parts')}", options.parts, options.repeat, options.quick,
+        "large" in options.wanted, options.classify.split(), _say)
+
+
+def _rays(results, python, options):
+    with ExitStack() as stack:
+        freecad = stack.enter_context(Child(python, "tessellation"))
+        peers, pair_loop = {}, None
+        if "peers" in options.wanted:
+            peers, found, results["missing_peers"] = open_peers(CACHE / "peers", [python, sys.executable], _say)
+            for child in peers.values():
+                stack.enter_context(child)
+            results["versions"].update(found)
+            pair_loop = stack.enter_context(Child(python, "pair_loop"))
+        results["meshes"], failures = compare(
+            Contestants(freecad, pair_loop, peers, "cores" in options.wanted), python, options.solids, options.sizes,
+            options.repeat, CACHE / f"meshes-{_recipe(results['versions'], 'tessellation')}", _say)
+        results["failures"].update(failures)
+
+
+def _accuracy(results, python, options):
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "accuracy.json"
+        command = [python, ROOT / "benchmarks" / "accuracy.py", "--reference", options.reference, "-o", file]
+        command += ["--parts", options.parts] if options.parts else []
+        run = subprocess.run([*map(str, command), *(["--quick"] if options.quick else [])], env=environment(),
+                             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+        if not file.is_file():
+            raise ChildError(f"benchmarks/accuracy.py ended with status {run.returncode}.")
+        results["accuracy"] = json.loads(file.read_text(encoding="utf-8"))["accuracy"]
 
 
 def _product_python():
@@ -157,9 +169,9 @@ def _product_python():
     raise ChildError(f"No Python here has all that ThinPart needs: apt-get install {lacks}")
 
 
-def _recipe(versions):
-    """Changes with whatever makes other meshes: the solids and FreeCAD."""
-    sources = [(ROOT / "benchmarks" / name).read_bytes() for name in ("solids.py", "tessellation.py")]
+def _recipe(versions, module):
+    """Changes with whatever makes other files: the solids, FreeCAD, and the module that makes them; str."""
+    sources = [(ROOT / "benchmarks" / "children" / f"{name}.py").read_bytes() for name in ("solids", module)]
     text = "".join(str(versions[name]) for name in ("FreeCAD", "OCCT")).encode()
     return hashlib.sha256(b"".join([text, *sources])).hexdigest()[:10]
 

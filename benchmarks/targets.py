@@ -4,6 +4,11 @@ import math
 from collections import namedtuple
 from statistics import geometric_mean, median
 
+from .verdict_times import BARE, COPIES, LARGE_PART, MADE, ONE_CORE, REAL, SMALL, TABLE, TWO_CORES
+
+DEFAULT = "calibrated"
+"""The profile where none is named."""
+
 CLASSES = (1_000, 10_000, 100_000, 1_000_000)
 """A mesh counts for the one that its actual number of triangles is nearest to."""
 
@@ -40,7 +45,8 @@ def summary(results):
         _worst("rotated / axis-aligned, worst", 1.2, 1.05, _rotation_ratios(rows)),
         *_growth(rows), _memory(rows), *_box(rows),
         _worst("non-parallel minimum / core, worst", 1.0, 0.5, _ratios(rows, "nonparallel", "core")),
-        *_command_line(results.get("command_line") or {}),
+        *_verdicts({each["name"]: each for each in results.get("verdicts") or []}),
+        *_accuracy(results.get("accuracy") or []),
     ]
     return [{**line._asdict(), "verdict": _verdict(line)} for line in lines]
 
@@ -173,9 +179,27 @@ def box_ratio(row):
     return ours / theirs if ours and theirs else None
 
 
-def _command_line(times):
-    small = times.get("small_part")
-    yield Summary("one small part, command line, s", 0.6, 0.4, median(small) if small else None, "")
-    one, two = times.get("folder_one_job"), times.get("folder_two_jobs")
-    rate = median(one) / median(two) if one and two else None
+def time_ratio(times, name, other):
+    """Median time of a contestant over that of another on a set of files; see `verdict_times`."""
+    return median(times["seconds"][name]) / median(times["seconds"][other])
+
+
+def _verdicts(sets):
+    small = sets.get(SMALL)
+    yield Summary("one small part, command line, s", 0.6, 0.4, median(small["seconds"][TABLE]) if small else None, "")
+    copies = sets.get(COPIES)
+    rate = time_ratio(copies, ONE_CORE, TWO_CORES) if copies else None
     yield Summary("folder of small parts, rate of 2 jobs / rate of 1", 1.8, 1.95, rate, "")
+    for name in (MADE, LARGE_PART, REAL):
+        got = time_ratio(sets[name], ONE_CORE, BARE) if name in sets else None
+        yield Summary(f"time to a verdict / reading and tessellating, {name}", 1.5, 1.0, got, "")
+
+
+def _accuracy(found):
+    usual = [each for each in found if each["is_default"] and each["parts"]]
+    verdicts = [(each["verdicts"][DEFAULT], each["folder"]) for each in usual]
+    sure = [(count["differ"] - count["borderline"], folder) for count, folder in verdicts]
+    yield _worst("verdicts that differ from the reference, without borderline ones, worst", 0, 0, sure)
+    yield _worst("greatest difference of a share of the surface, at 97 %, worst", 0.015, 0.005, [
+        (row["most"], f"{each['folder']}, {row['name']}") for each in usual for row in each["quantities"]
+        if row["name"][:2] in ("F[", "K[", "P[") and row["most"] is not None])

@@ -17,8 +17,9 @@ from statistics import median
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [os.fspath(ROOT), os.fspath(ROOT / "tests" / "gui")]
 
-from benchmarks.machine import machine, product_version  # noqa: E402
 from run_in_freecad import run  # noqa: E402
+
+from benchmarks.machine import machine, product_version  # noqa: E402
 
 SECONDS = 1200
 """After which FreeCAD is ended."""

@@ -10,17 +10,18 @@ import time
 
 import FreeCAD as App
 import FreeCADGui as Gui
-from PySide import QtCore
+from PySide import QtCore, QtGui
 
 try:
     from PySide import QtWidgets
-    QtWidgets.QApplication
-except (ImportError, AttributeError):
-    from PySide import QtGui as QtWidgets
+except ImportError:
+    QtWidgets = QtGui
+if not hasattr(QtWidgets, "QApplication"):
+    QtWidgets = QtGui
 
 PREFERENCES = App.ParamGet("User parameter:BaseApp/Preferences/Addons")
 MOD = os.path.join(App.getUserAppDataDir(), "Mod")
-PACKAGES = ("numpy", "scipy", "pebble", "rich", "jinja2")
+PACKAGES = ("numpy", "scipy", "rich", "jinja2")
 VERSION = tuple(int(part) for part in App.Version()[:2])
 
 
@@ -60,7 +61,7 @@ def _wait_for(working, ended):
         raise RuntimeError(str(ended))
 
 
-class Since1_0:
+class SinceOne:
     """Classes that are meant to be called by others."""
 
     def __init__(self, route):
@@ -133,7 +134,7 @@ class Since1_0:
     def icon(self, addon):
         return addon.metadata.icon
 
-class Only0_20:
+class BeforeOne:
     """Workers and a window that do it all."""
 
     def __init__(self, route):
@@ -145,7 +146,7 @@ class Only0_20:
         addonmanager_workers.NOGIT = route == "zip"
 
     def listed(self):
-        """The add-on as the list shows it. Lists of FreeCAD's in the internet are answered here: there is nothing in them."""
+        """The add-on as the list shows it. Lists of FreeCAD's in the internet are answered here, as empty."""
         import addonmanager_workers
         import NetworkManager
 
@@ -204,7 +205,8 @@ class Only0_20:
         missing = CommandAddonManager.MissingDependencies(addon, [addon])
         with nothing_installed(None, PACKAGES):
             elsewhere = CommandAddonManager.MissingDependencies(addon, [addon])
-        return {"required": sorted(addon.requires), "missing": missing.python_required + missing.python_optional + missing.wbs,
+        return {"required": sorted(addon.requires),
+                "missing": missing.python_required + missing.python_optional + missing.wbs,
                 "elsewhere": [elsewhere.python_required, elsewhere.python_optional]}
 
     def readme(self, addon):
@@ -240,7 +242,7 @@ def do(step, name, url, branch, route, proxy):
         PREFERENCES.SetBool("NoProxyCheck", False)
         PREFERENCES.SetBool("UserProxyCheck", True)
         PREFERENCES.SetString("ProxyUrl", proxy)
-    steps = (Only0_20 if VERSION < (1, 0) else Since1_0)(route)
+    steps = (BeforeOne if VERSION < (1, 0) else SinceOne)(route)
     addon = steps.listed()
     seen = {"before": [addon.name, addon.url, addon.branch, addon.status().name]}
     if step == "install":

@@ -1,11 +1,11 @@
 import os
 import signal
 import sys
+import time
 from pathlib import Path
 
 import numpy as np
 import pytest
-
 import time_limit
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -20,6 +20,19 @@ def pytest_configure(config):
     """Where the stacks go of a test that nothing but the end of the run can end: past pytest's capturing."""
     with config.pluginmanager.getplugin("capturemanager").global_and_fixture_disabled():
         time_limit.stacks_to(os.dup(sys.stderr.fileno()))
+
+
+@pytest.hookimpl(optionalhook=True, hookwrapper=True)
+def pytest_xdist_newgateway(gateway):
+    """Let a process of pytest-xdist finish answering before it is given the tests.
+
+    With --verbose it is asked for its version first. execnet runs what comes while the main thread still answers in
+    another thread, where no test can set a signal handler (pytest-dev/execnet issue 96).
+    """
+    yield
+    while gateway.remote_status().numexecuting:
+        time.sleep(0.01)
+    time.sleep(0.1)  # it counts itself as free a moment before its main thread is
 
 
 @pytest.hookimpl(tryfirst=True)

@@ -8,7 +8,6 @@ import sys
 import threading
 
 import jsonschema
-
 import time_limit
 from program import SAMPLES, SCHEMA, environment
 
@@ -80,12 +79,17 @@ class Run:
     def end(self):
         """(exit status, records, JSON lines of stderr, sentences) once it has ended."""
         status = self.process.wait()
-        for thread in self.threads:
-            thread.join()
+        self.close()
         while not self.lines.empty():
             self.said.append(self.lines.get())
-        self.process.stdin.close()
         return (status, [json.loads(line) for line in self.output], *messages("".join(self.said)))
+
+    def close(self):
+        """Close the pipes of a process that has ended, once all is read."""
+        for thread in self.threads:
+            thread.join()
+        for pipe in (self.process.stdin, self.process.stdout, self.process.stderr):
+            pipe.close()
 
     def done(self):
         """Numbers of done files that were told so far."""

@@ -129,10 +129,10 @@ def _new_assembly(document, name):
     return assembly
 
 
-def _link(assembly, name, linked, base, rotation=App.Rotation()):
+def _link(assembly, name, linked, base, rotation=None):
     link = assembly.newObject("App::Link", name)
     link.LinkedObject = linked
-    link.Placement = App.Placement(App.Vector(*base), rotation)
+    link.Placement = App.Placement(App.Vector(*base), App.Rotation() if rotation is None else rotation)
     return link
 
 

@@ -4,19 +4,20 @@ import copy
 import json
 import os
 import random
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
 
 import made_meshes
+
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
-from thinpart_workbench.core.classification import classify
-from thinpart_workbench.core.criteria import load_profile
-from thinpart_workbench.core.face_thickness import face_thicknesses
-from thinpart_workbench.core.measurement import measure
-from thinpart_workbench.core.part_record import part_record
-from thinpart_workbench.core.surface_mesh import surface_mesh
-from thinpart_workbench.storage.info_file import info_content, info_path, new_source, write_info
+from thinpart_workbench.core.judging.classification import classify
+from thinpart_workbench.core.judging.criteria import load_profile
+from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
+from thinpart_workbench.core.record.part_record import part_record
+from thinpart_workbench.core.thickness.face_thickness import face_thicknesses
+from thinpart_workbench.core.thickness.measurement import measure
+from thinpart_workbench.storage.info.info_file import info_content, info_path, new_source, write_info
 
 PAPER = load_profile("paper")
 SHAPES = {
@@ -31,7 +32,7 @@ SHAPES = {
 CATEGORIES = {"plate": "thin", "long_plate": "thin", "cube": "normal", "open_box": "unknown"}
 
 
-@lru_cache(maxsize=None)
+@cache
 def _record(shape):
     return measured_record(shape, SHAPES[shape]())
 

@@ -2,12 +2,12 @@
 
 import numpy as np
 
+from thinpart_workbench.api.document_maps import new_thickness_object
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
-from thinpart_workbench.core.mapped_part import MappedPart
-from thinpart_workbench.core.measurement import measure
-from thinpart_workbench.core.thickness_map import thickness_map
-from thinpart_workbench.freecad_adapter.document_parts import document_parts
-from thinpart_workbench.workflow.document_maps import new_thickness_object
+from thinpart_workbench.core.maps.mapped_part import MappedPart
+from thinpart_workbench.core.maps.thickness_map import thickness_map
+from thinpart_workbench.core.thickness.measurement import measure
+from thinpart_workbench.freecad_adapter.reading.document_parts import document_parts
 
 SETTINGS = AnalysisSettings()
 

@@ -86,7 +86,7 @@ def wedge(angle=30.0, side=100.0, length=60.0):
 
 
 def revolved(profile, steps=90):
-    """A closed profile of (radius, z), all radii positive, turned about z.
+    """A closed profile of (radius, z), turned about z; radii of 0 give triangles of no area, which are dropped.
 
     The profile runs so that the material is on its left.
     """
@@ -161,3 +161,46 @@ def moved(mesh, rotation=None, shift=(0.0, 0.0, 0.0), scale=1.0):
     if rotation is not None:
         points = points @ rotation.T
     return points + np.asarray(shift, dtype=float), mesh[1]
+
+
+def wire(path, radius, closed=False, steps=24):
+    """A round wire along points of shape (k, 3); nowhere may it run along z."""
+    count = len(path)
+    along = np.roll(path, -1, axis=0) - np.roll(path, 1, axis=0) if closed else np.gradient(path, axis=0)
+    along = along / np.linalg.norm(along, axis=1)[:, None]
+    first = np.cross(along, [0.0, 0.0, 1.0])
+    first /= np.linalg.norm(first, axis=1)[:, None]
+    second = np.cross(along, first)
+    turn = np.linspace(0.0, 2.0 * np.pi, steps, endpoint=False)[None, :, None]
+    points = path[:, None] + radius * (np.cos(turn) * first[:, None] + np.sin(turn) * second[:, None])
+    sides = _round_sides(count if closed else count - 1, count, steps)
+    if closed:
+        return points.reshape(-1, 3), sides
+    return _capped(points, sides)
+
+
+def screw(diameter=10.0, pitch=1.5, turns=20, depth=0.92, steps=60, per_turn=12):
+    """A thread, helical and without a head, around z; its crest and its root are an eighth of the pitch wide."""
+    height, turn = np.linspace(0, turns * pitch, turns * per_turn + 1), np.linspace(0.0, 2.0 * np.pi, steps, endpoint=False)
+    phase = (height[:, None] / pitch - turn / (2.0 * np.pi)) % 1.0
+    radius = diameter / 2 - depth * np.clip((2.0 * np.abs(phase - 0.5) - 0.125) / 0.625, 0.0, 1.0)
+    points = np.stack([radius * np.cos(turn), radius * np.sin(turn), np.broadcast_to(height[:, None], radius.shape)], axis=2)
+    return _capped(points, _round_sides(len(height) - 1, len(height), steps))
+
+
+def _round_sides(gaps, count, steps):
+    """Triangles between rings of points, each with the next."""
+    i, k = np.meshgrid(np.arange(gaps), np.arange(steps), indexing="ij")
+    here, there, ahead = i * steps, (i + 1) % count * steps, (k + 1) % steps
+    a, b, c, d = ((start + place).ravel() for start, place in ((here, k), (here, ahead), (there, ahead), (there, k)))
+    return np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
+
+
+def _capped(rings, sides):
+    """Points of rings, of shape (k, steps, 3), and of the middles of both ends; the triangles with those of the ends."""
+    count, steps, _ = rings.shape
+    here = np.arange(steps)
+    ahead, last = (here + 1) % steps, (count - 1) * steps
+    low, high = np.full(steps, count * steps), np.full(steps, count * steps + 1)
+    points = np.concatenate([rings.reshape(-1, 3), rings[0].mean(axis=0)[None], rings[-1].mean(axis=0)[None]])
+    return points, np.concatenate([sides, np.stack([low, ahead, here], 1), np.stack([high, last + here, last + ahead], 1)])

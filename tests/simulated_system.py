@@ -66,7 +66,7 @@ def modules():
 
     for each in pkgutil.walk_packages(thinpart_workbench.__path__, "thinpart_workbench."):
         if not each.name.startswith(("thinpart_workbench.gui.", "thinpart_workbench.freecadcmd")) and (
-                each.name not in ("thinpart_workbench.__main__", "thinpart_workbench.workflow.cluster_worker",
+                each.name not in ("thinpart_workbench.__main__", "thinpart_workbench.workflow.cluster.cluster_worker",
                                   "thinpart_workbench.freecad_adapter.additional_packages")):
             yield each.name
 
@@ -74,7 +74,7 @@ def modules():
 def _import_what_others_bring():
     import asyncio  # noqa: F401
     import concurrent.futures.process  # noqa: F401
-    import multiprocessing.pool  # noqa: F401
+    import multiprocessing.pool
     import multiprocessing.synchronize  # noqa: F401
     import sqlite3  # noqa: F401
     import subprocess  # noqa: F401
@@ -82,9 +82,9 @@ def _import_what_others_bring():
     import uuid  # noqa: F401
     import webbrowser  # noqa: F401
 
-    import scipy.ndimage  # noqa: F401
-    import scipy.optimize  # noqa: F401
-    import scipy.sparse  # noqa: F401
+    import scipy.ndimage
+    import scipy.optimize
+    import scipy.sparse
     import scipy.spatial  # noqa: F401
 
 

@@ -1,6 +1,7 @@
-"""The layers: gui and cli -> workflow -> freecad_adapter, storage -> core, system."""
+"""The layers: gui, window_processes and cli -> api -> workflow -> freecad_adapter, storage -> core, system."""
 
 import ast
+import re
 import sys
 from pathlib import Path
 
@@ -20,8 +21,11 @@ MAY_IMPORT = {
     "storage": {"core", "system"},
     "freecad_adapter": {"core", "system"},
     "workflow": {"core", "system", "storage", "freecad_adapter"},
-    "cli": {"core", "system", "storage", "workflow", "freecad_adapter"},
-    "gui": {"core", "system", "storage", "workflow", "freecad_adapter"},
+    "api": {"core", "system", "storage", "workflow", "freecad_adapter"},
+    # `workflow` by way of `api` alone:
+    "cli": {"core", "system", "storage", "freecad_adapter", "api"},
+    "window_processes": {"core", "system", "storage", "freecad_adapter", "api"},
+    "gui": {"core", "system", "storage", "freecad_adapter", "api"},
 }
 
 
@@ -61,23 +65,35 @@ def test_core_and_storage_use_numpy_scipy_and_the_standard_library(layer):
         assert foreign <= set(sys.stdlib_module_names) | {"numpy", "scipy"}, path
 
 
-@pytest.mark.parametrize("layer", ["freecad_adapter", "workflow", "cli"])
+@pytest.mark.parametrize("layer", ["freecad_adapter", "workflow", "api", "cli", "window_processes"])
 def test_what_runs_without_a_window_never_imports_one(layer):
     for path in files(layer):
         assert not {module for _, module in imports(path)} & (QT | GUI), path
 
 
 def test_what_systems_do_differently_stands_in_one_layer():
-    allowed = {"contextlib", "ctypes", "fcntl", "json", "msvcrt", "os", "pathlib", "resource", "select", "signal",
-               "functools", "subprocess", "sys", "threading", "time", ""}
+    allowed = {"contextlib", "ctypes", "dataclasses", "enum", "errno", "fcntl", "functools", "getpass", "json", "msvcrt",
+               "os", "pathlib", "platform", "resource", "select", "shutil", "signal", "struct", "subprocess", "sys",
+               "threading", "time", ""}
     assert {module for path in files("system") for _, module in imports(path)} <= allowed
     for layer in set(MAY_IMPORT) - {"system"}:
         for path in files(layer):
             assert not {module for _, module in imports(path)} & UNIX_OR_WINDOWS, path
 
 
+def test_only_tables_bars_reports_and_learning_ask_for_more_than_a_bundle_of_freecad_has():
+    # So the tests of these alone run in a Python without them too. Importing the list would hide them here.
+    bundle = ast.parse((Path(__file__).parent / "bare_python" / "sitecustomize.py").read_text(encoding="utf-8"))
+    hidden, = [ast.literal_eval(each.value) for each in bundle.body
+               if isinstance(each, ast.Assign) and ast.unparse(each.targets[0]) == "HIDDEN"]
+    asking = {path.stem: module for layer in MAY_IMPORT for path in files(layer) for _, module in imports(path)
+              if module in hidden}
+    assert asking == {"terminal_table": "rich", "run_report": "rich", "page_templates": "jinja2",
+                      "fit_probabilities": "sklearn"}
+
+
 def test_freecad_is_known_to_the_adapter_alone_below_the_window():
-    for layer in ("core", "storage", "workflow", "cli"):
+    for layer in ("core", "storage", "workflow", "api", "cli", "window_processes"):
         for path in files(layer):
             assert not {module for _, module in imports(path)} & FREECAD, path
 
@@ -86,29 +102,81 @@ def test_one_module_of_gui_imports_qt():
     assert [path.name for path in files("gui") if {m for _, m in imports(path)} & QT] == ["qt.py"]
 
 
-MEASURING = (
-    "columns", "surface_mesh", "edge_balance", "flat_regions", "smooth_normals", "mass_properties", "bounds",
-    "box_refinement", "sampling", "box_tree", "ray_packets", "tree_descent", "ray_casting",
-    "inward_rays", "thickness", "convex_clipping", "nonparallel", "slanted_pairs", "pair_rule",
-    "distribution", "measurement", "face_thickness", "descriptors", "chord_error",
-    "similarity", "camera", "rasterizer", "picture", "facet_refinement", "thickness_map", "map_summary",
-    "map_search", "map_outline", "part_views",
-)
-JUDGING = ("criteria", "classification")
+PACKAGE_ORDER = {
+    "core": "kinds mesh rays descriptors thickness record sizing shells judging maps rendering",
+    "storage": "exchange info index",
+    "freecad_adapter": "tessellating shapes mid_surface reading occurrences features objects",
+    "workflow": "report analysis workers cluster library meshing learning",
+    "cli": "commands",
+    "gui": "application widgets processes record document scene colour_bar section view3d map_export classify "
+           "thickness mesh_sizes folder library profile learning report preferences on_save",
+}
+"""The packages of each layer: each imports only those before it, and modules that lie in the layer itself, not in a package.
+
+Modules of the layer itself may lie below the packages, as in core, or above, as in gui, where `start` puts all together;
+they are held by the search for circles among packages.
+"""
+
+MOST_MODULES = 18
+"""Modules of one package: those that one can look through at a glance."""
 
 
-def _core_imports(name):
-    path = PACKAGE / "core" / f"{name}.py"
-    tree = ast.parse(path.read_text(encoding="utf-8"))
-    return {node.module for node in ast.walk(tree)
-            if isinstance(node, ast.ImportFrom) and node.level == 1}
+def _package_edges(layer):
+    """{package: {packages that its modules import, be it within functions}}; "" is the layer itself."""
+    modules = _modules(PACKAGE)
+    inside = f"{PACKAGE.name}.{layer}."
+    edges = {}
+    for name, file in modules.items():
+        if name.startswith(inside) and name not in OLD_NAMES:
+            own = edges.setdefault(_package(name, file, layer), set())
+            for imported in _imported_anywhere(name, file, modules):
+                if imported.startswith(inside):
+                    own.add(_package(imported, modules[imported], layer))
+    return {package: others - {package} for package, others in edges.items()}
+
+
+def _package(name, file, layer):
+    parts = name.split(".") if file.name == "__init__.py" else name.split(".")[:-1]
+    return ".".join(parts[2:])
+
+
+@pytest.mark.parametrize("layer", PACKAGE_ORDER)
+def test_packages_are_those_that_are_listed_and_import_only_those_before_them(layer):
+    order = PACKAGE_ORDER[layer].split()
+    edges = _package_edges(layer)
+    assert sorted(order) == sorted(set(edges) - {""})
+    for number, package in enumerate(order):
+        assert edges[package] - {""} <= set(order[:number]), package
+
+
+@pytest.mark.parametrize("layer", [*PACKAGE_ORDER, "system", "api", "window_processes"])
+def test_no_two_packages_of_a_layer_import_each_other(layer):
+    edges = _package_edges(layer)
+    assert not [(one, other) for one in edges for other in edges[one] if one in edges[other]]
+
+
+def test_packages_can_be_looked_through():
+    folders = [PACKAGE / layer for layer in MAY_IMPORT]
+    folders += [path.parent for folder in folders for path in folder.rglob("*/__init__.py") if path.parent != folder]
+    assert len(folders) > 30
+    for folder in folders:
+        modules = {path.stem for path in folder.glob("*.py")} - {"__init__"}
+        assert len(modules) <= MOST_MODULES, folder
+
+
+def _core_imports(folder):
+    """Packages of core that the modules of another one import."""
+    return _package_edges("core")[folder]
 
 
 def test_measuring_never_judges_and_judging_never_measures():
-    for name in MEASURING:
-        assert not _core_imports(name) & set(JUDGING), name
-    for name in JUDGING:
-        assert not _core_imports(name) & set(MEASURING) - {"descriptors"}, name
+    for package in ("mesh", "rays", "descriptors", "thickness", "maps", "rendering"):
+        assert "judging" not in _core_imports(package), package
+    assert _core_imports("judging") <= {"", "descriptors", "kinds", "record"}
+    measuring = {"measurement", "thickness_field", "nonparallel", "pair_rule"}
+    for path in files("core/judging"):
+        assert not {name.rpartition(".")[2] for name in _imported_anywhere(
+            f"{PACKAGE.name}.core.judging.{path.stem}", path, _modules(PACKAGE))} & measuring, path
 
 
 def _imported_at_once(path, package):
@@ -123,6 +191,8 @@ def _imported_at_once(path, package):
             module = ".".join(filter(None, (base, node.module)))
             yield module
             yield from (f"{module}.{name.name}" for name in node.names)
+        elif isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING":
+            waiting += node.orelse
         elif not isinstance(node, (ast.FunctionDef, ast.Lambda)):
             waiting += list(ast.iter_child_nodes(node))
 
@@ -140,5 +210,159 @@ def test_freecad_starts_without_numpy():
             seen.add(file)
             parts = tuple(name.split("."))
             waiting += _imported_at_once(file, parts if path.is_dir() else parts[:-1])
-    assert PACKAGE / "gui" / "automatic_classification.py" in seen
-    assert not foreign & {"numpy", "scipy", "pebble"}
+    assert PACKAGE / "gui" / "on_save" / "auto_classifier.py" in seen
+    assert not foreign & {"numpy", "scipy"}
+
+
+def _modules(package):
+    """Files of all modules of a package, by their dotted names."""
+    found = {}
+    for file in sorted(package.rglob("*.py")):
+        parts = file.relative_to(package.parent).with_suffix("").parts
+        found[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = file
+    return found
+
+
+def _imported_anywhere(name, file, modules):
+    """Modules of ours that a module imports, be it within a function."""
+    parts = name.split(".")
+    package = parts if file.name == "__init__.py" else parts[:-1]
+    found = set()
+    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            found |= {each.name for each in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            base = package[:len(package) - node.level + 1] if node.level else []
+            module = ".".join([*base, *filter(None, [node.module])])
+            inner = {f"{module}.{each.name}" for each in node.names}
+            found |= inner & set(modules) or {module}
+    return found & set(modules) - {name}
+
+
+def test_modules_that_are_imported_exist():
+    """Also within functions, which run late: the type checker does not read the window's modules."""
+    modules = _modules(PACKAGE)
+    missing = []
+    for name, file in modules.items():
+        package = name.split(".") if file.name == "__init__.py" else name.split(".")[:-1]
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ImportFrom) and node.level:
+                imported = ".".join([*package[:len(package) - node.level + 1], *filter(None, [node.module])])
+                missing += [f"{name}:{node.lineno}: {imported}"] if imported not in modules else []
+    assert len(modules) > 300 and missing == []
+
+
+def circles(package):
+    """The shortest ways from every module back to itself, as "a -> b -> a"; each of them once."""
+    modules = _modules(package)
+    imported = {name: _imported_anywhere(name, file, modules) for name, file in modules.items()}
+    ways = {}
+    for start in imported:
+        waiting, seen = [(start,)], {start}
+        while waiting:
+            way = waiting.pop(0)
+            if start in imported[way[-1]]:
+                ways.setdefault(frozenset(way), " -> ".join([*way, start]))
+                break
+            more = sorted(imported[way[-1]] - seen)
+            seen |= set(more)
+            waiting += [(*way, each) for each in more]
+    return sorted(ways.values())
+
+
+def test_no_module_imports_itself_by_way_of_others():
+    found = circles(PACKAGE)
+    assert not found, "\n".join(["import circles:", *found])
+
+
+def test_circles_are_found_wherever_they_are_closed(tmp_path):
+    package = tmp_path / "example"
+    (package / "inner").mkdir(parents=True)
+    for name, text in {
+            "__init__": "", "inner/__init__": "", "a": "from .inner import b", "c": "import example.a",
+            "inner/b": "def late():\n    from ..c import d", "alone": "from . import a"}.items():
+        (package / f"{name}.py").write_text(text)
+    assert circles(package) == ["example.a -> example.inner.b -> example.c -> example.a"]
+
+
+MADE_AT_IMPORT = {
+    "Path", "Path.resolve", "?.as_posix", "tuple", "list", "range", "namedtuple", "re.compile", "np.radians",
+    "__name__.partition", "translate", "LengthUnit", "QtGui.QColor", "QtCore.QModelIndex", "Signal", "dataclass",
+    "guarded_methods", "lru_cache",
+}
+"""What a module of gui may call when it is imported: what gives values, and what declares classes and functions."""
+
+
+def _called(node):
+    """Name of what a call calls: ``Path(...).resolve()`` is Path.resolve."""
+    if isinstance(node, ast.Call):
+        return _called(node.func).partition(".")[0]
+    if isinstance(node, ast.Subscript):
+        return _called(node.value)
+    if isinstance(node, ast.Attribute):
+        return f"{_called(node.value)}.{node.attr}"
+    return getattr(node, "id", "?")
+
+
+def _done_at_import(tree):
+    """Names of what a module calls when it is imported, in its classes too; of loops, the word."""
+    waiting = list(tree.body)
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, (ast.For, ast.While, ast.With)):
+            yield type(node).__name__
+        if isinstance(node, (ast.FunctionDef, ast.Lambda)):
+            waiting += [*getattr(node, "decorator_list", ()), *node.args.defaults, *filter(None, node.args.kw_defaults)]
+            continue
+        if isinstance(node, ast.Call):
+            yield _called(node.func)
+        waiting += list(ast.iter_child_nodes(node))
+
+
+def test_importing_a_module_of_the_window_makes_nothing():
+    for path in set(files("gui")) - {PACKAGE / "gui" / "activate_workbench.py"}:  # which is a script
+        assert set(_done_at_import(ast.parse(path.read_text(encoding="utf-8")))) <= MADE_AT_IMPORT, path
+
+
+def test_what_lives_as_long_as_freecad_is_made_by_the_start_alone():
+    for path in files("gui"):
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        made = {ast.unparse(node) for node in ast.walk(tree)
+                if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store)
+                and isinstance(node.value, ast.Name) and node.value.id == "lifelong"}
+        assert not made or path.name == "start.py", path
+    assert set(imports(PACKAGE / "gui" / "application" / "lifelong.py")) == set(), "so that anything may import it"
+
+
+@pytest.mark.parametrize("layer", ["gui", "window_processes", "cli"])
+def test_the_window_and_the_command_line_have_their_work_done_by_api_alone(layer):
+    modules, below = _modules(PACKAGE), f"{PACKAGE.name}.workflow"
+    for path in files(layer):
+        name = ".".join(path.relative_to(PACKAGE.parent).with_suffix("").parts)
+        assert not [each for each in _imported_anywhere(name, path, modules) if each.startswith(below)], path
+        assert below not in path.read_text(encoding="utf-8"), "nor does it start a process of workflow"
+
+
+IN_SAVED_DOCUMENTS = {
+    "gui.thickness_view": "ThicknessView",
+    "freecad_adapter.thickness_object": "ThicknessObject",
+    "freecad_adapter.wall_measurement": "WallMeasurement",
+}
+"""Classes that documents of earlier versions name by their module; one that moves leaves its name behind there."""
+
+OLD_NAMES = {f"{PACKAGE.name}.{name}" for name in IN_SAVED_DOCUMENTS}
+
+
+@pytest.mark.parametrize("module", IN_SAVED_DOCUMENTS)
+def test_classes_are_where_saved_documents_name_them(module):
+    tree = ast.parse((PACKAGE / Path(*module.split("."))).with_suffix(".py").read_text(encoding="utf-8"))
+    there = {node.name for node in tree.body if isinstance(node, ast.ClassDef)}
+    there |= {name.asname or name.name for node in tree.body if isinstance(node, ast.ImportFrom) for name in node.names}
+    assert IN_SAVED_DOCUMENTS[module] in there
+
+
+def test_every_process_of_the_window_is_a_module():
+    named = {text for path in files("gui") for text in re.findall(r'"([a-z_]+_worker)"', path.read_text(encoding="utf-8"))}
+    assert len(named) >= 5
+    for name in named:
+        assert (PACKAGE / "window_processes" / f"{name}.py").is_file(), name

@@ -3,7 +3,9 @@
 What a simulation cannot show is said in docs/platforms.md.
 """
 
+import importlib.util
 import ntpath
+import os
 import subprocess
 import sys
 import textwrap
@@ -11,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from thinpart_workbench.system import file_paths
+from thinpart_workbench.system import file_paths as paths_here
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -100,7 +102,7 @@ def test_folders_of_runs_that_were_killed_are_removed_on_windows(tmp_path):
     told = on("win32", """
         import os, tempfile
         tempfile.tempdir = sys.argv[1]
-        from thinpart_workbench.workflow.temporary_folder import LOCK, PREFIX, temporary_folder
+        from thinpart_workbench.storage.temporary_folder import LOCK, PREFIX, temporary_folder
         left = os.path.join(sys.argv[1], PREFIX + "left")
         os.mkdir(left)
         open(os.path.join(left, LOCK), "w").close()
@@ -189,7 +191,7 @@ def test_a_process_ends_with_its_parent_on_macos(how):
     number, told = parent.stdout.readline().split(maxsplit=1)
     assert told.strip() == "goes on" and Path(f"/proc/{number}").exists()
     parent.kill()
-    parent.wait()
+    parent.communicate()
     from workflow.test_workers import ended
 
     assert ended(int(number))
@@ -216,9 +218,9 @@ def test_stop_signals_and_ctrl_c_on_windows():
     assert on("win32", """
         import os, signal
         from thinpart_workbench.cli.stop_signals import stop_signals
-        from thinpart_workbench.system.interruption import DEAF_TO_CTRL_C, STOP_SIGNALS, without_ctrl_c
-        from thinpart_workbench.workflow.run_control import RunControl
-        print(*map(int, STOP_SIGNALS), DEAF_TO_CTRL_C)
+        from thinpart_workbench.system.interruption import IGNORE_CTRL_C, STOP_SIGNALS, without_ctrl_c
+        from thinpart_workbench.core.run_control import RunControl
+        print(*map(int, STOP_SIGNALS), IGNORE_CTRL_C)
         control = RunControl()
         with stop_signals(control), without_ctrl_c():
             os.kill(os.getpid(), signal.SIGINT)
@@ -229,11 +231,11 @@ def test_stop_signals_and_ctrl_c_on_windows():
 def test_stepping_back_and_the_user_on_windows():
     assert on("win32", """
         import os
-        from thinpart_workbench.system.priority import step_back
+        from thinpart_workbench.system.priority import lower_priority
         from thinpart_workbench.system.user import is_own, is_root
-        step_back(os.getpid())
+        lower_priority(os.getpid())
         try:
-            step_back(1)
+            lower_priority(1)
         except OSError:
             print("gone")
         print(simulated.KERNEL.named("SetPriorityClass"), is_root(), is_own(os.stat("/")))
@@ -252,26 +254,32 @@ def test_the_cache_lies_where_the_system_has_such_things(system, place, monkeypa
 # -- paths
 
 
-@pytest.fixture
-def on_windows_drives(monkeypatch):
-    monkeypatch.setattr(file_paths, "_path", ntpath)
+def as_on_windows(module):
+    """A second copy of a module, which found Windows's paths when it was imported."""
+    spec = importlib.util.spec_from_file_location(f"{module.__name__}_on_windows", module.__file__)
+    copy = importlib.util.module_from_spec(spec)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(os, "path", ntpath)
+        spec.loader.exec_module(copy)
+    return copy
 
 
-@pytest.mark.usefixtures("on_windows_drives")
 def test_paths_on_drives_of_windows():
+    file_paths = as_on_windows(paths_here)
     assert file_paths.relative_path("C:\\parts\\in\\a.step", "C:\\parts") == "in/a.step"
     assert file_paths.relative_path("C:\\a", "C:\\info\\deep") == "../../a"
     assert file_paths.relative_path("D:\\parts\\a.step", "C:\\parts") == "D:/parts/a.step"
-    assert file_paths.place_in_tree("C:\\parts\\in", "C:\\parts") == "in"
-    assert file_paths.place_in_tree("D:\\parts\\in", "C:\\") == "D\\parts\\in"
-    assert file_paths.place_in_tree("\\\\server\\share\\in", "C:\\") == "server-share\\in"
+    assert file_paths.path_in_tree("C:\\parts\\in", "C:\\parts") == "in"
+    assert file_paths.path_in_tree("D:\\parts\\in", "C:\\") == "D\\parts\\in"
+    assert file_paths.path_in_tree("\\\\server\\share\\in", "C:\\") == "server-share\\in"
     assert file_paths.is_below("D:\\parts", "\\") and file_paths.is_below("D:\\parts\\in", "D:\\parts")
     assert not file_paths.is_below("D:\\parts", "C:\\") and not file_paths.is_below("D:\\partsin", "D:\\parts")
 
 
-def test_paths_here(tmp_path):
+def test_paths_here():
+    file_paths = paths_here
     assert file_paths.relative_path("/a/b\\c", "/a") == "b\\c"  # a name like others
-    assert file_paths.place_in_tree("/a/b", "/") == "a/b" and file_paths.is_below("/a/b", "/")
+    assert file_paths.path_in_tree("/a/b", "/") == "a/b" and file_paths.is_below("/a/b", "/")
     assert not file_paths.is_below("/ab", "/a")
 
 
@@ -279,7 +287,7 @@ def test_a_file_on_windows_is_known_by_size_and_time_alone(tmp_path):
     (tmp_path / "a.thinpart.json").write_text("{}")
     told = on("win32", """
         import os
-        from thinpart_workbench.storage.info_tree import scan, stamp_of
+        from thinpart_workbench.storage.info.info_tree import scan, stamp_of
         found, _ = scan(sys.argv[1])
         print([*found.values()] == [stamp_of(os.stat(os.path.join(sys.argv[1], "a.thinpart.json")))],
               [*found.values()][0].inode)
@@ -293,8 +301,7 @@ def test_a_file_on_windows_is_known_by_size_and_time_alone(tmp_path):
 def test_workers_take_tasks_time_limits_and_deaths_on_windows(tmp_path):
     program = """
         import os, subprocess
-        from thinpart_workbench.workflow.process_pool import ProcessPool
-        from thinpart_workbench.workflow.workers import Workers
+        from thinpart_workbench.workflow.workers.pool_supervisor import PoolSupervisor
         from worker_outcomes import results
         sys.path.insert(0, os.path.join(sys.path[1], "workflow"))
         import windows_tasks
@@ -303,7 +310,7 @@ def test_workers_take_tasks_time_limits_and_deaths_on_windows(tmp_path):
             assert creationflags == 0x200
             return begin(command, **options)
         subprocess.Popen = started
-        workers = Workers(1, 1.0, sys.argv[1], windows_tasks.do, windows_tasks.start, (os.getpid(),), ProcessPool)
+        workers = PoolSupervisor(1, 1.0, sys.argv[1], windows_tasks.do, windows_tasks.start, (os.getpid(),))
         ended = results(workers, ["good 1", "die", "sleep", "good 2"])
         workers.stop()
         print(*sorted(ended), sep="\\n")

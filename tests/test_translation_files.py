@@ -1,7 +1,6 @@
 """Every text of the window is translated, whole, into every language, and none escapes translation."""
 
 import ast
-import json
 import re
 import string
 import sys
@@ -17,9 +16,9 @@ import texts_of_code  # noqa: E402
 import ts_file  # noqa: E402
 import update_translations  # noqa: E402
 
-GUI = sorted((ROOT / "thinpart_workbench" / "gui").glob("*.py"))
-BELOW = [path for layer in ("core", "storage", "freecad_adapter", "workflow")
-         for path in sorted((ROOT / "thinpart_workbench" / layer).glob("*.py"))]
+GUI = sorted((ROOT / "thinpart_workbench" / "gui").rglob("*.py"))
+BELOW = [path for layer in ("core", "storage", "freecad_adapter", "workflow", "api", "window_processes")
+         for path in sorted((ROOT / "thinpart_workbench" / layer).rglob("*.py"))]
 FILES = sorted(TRANSLATIONS.glob("ThinPart_*.ts"))
 CALL = "call resources/translations/update_translations.py and translate what it lists"
 
@@ -38,9 +37,10 @@ def test_every_text_is_translated_and_no_other(translations):
     assert [key for key, translation in translations.items() if not translation] == [], CALL
 
 
-def test_the_list_of_texts_from_below_is_that_of_the_code():
-    listed = json.loads((TRANSLATIONS / "texts_from_below.json").read_text(encoding="utf-8"))
-    assert listed == sorted(texts_of_code.texts_from_below()), CALL
+def test_messages_tables_and_profiles_are_among_the_texts():
+    below = {text for context, text in texts_of_code.all_texts() if context == texts_of_code.BELOW}
+    assert {"{file} is empty (0 bytes).", "Volume of the part", "the memory limit was reached", "same fill",
+            "Plate"} <= below
 
 
 def fields(text):
@@ -78,9 +78,9 @@ def test_translations_have_a_letter_to_press_where_the_text_has(translations):
 
 def test_lines_of_one_form_are_pressed_by_different_letters(translations):
     """Those of the window for folders, which are all seen at once."""
-    names = ("folder_form.py", "folder_dialog.py", "result_panel.py")
+    names = ("form.py", "dialog.py", "results_panel.py")
     texts = {ast.literal_eval(call.args[1]) for name in names
-             for call in texts_of_code.calls(texts_of_code.tree_of(ROOT / "thinpart_workbench/gui" / name))}
+             for call in texts_of_code.calls(texts_of_code.tree_of(ROOT / "thinpart_workbench/gui/folder" / name))}
     # One button, which says one or the other.
     letters = [letter.lower() for text in texts - {"Resu&me"}
                for letter in mnemonics(translations["ThinPart", text])]
@@ -91,8 +91,10 @@ NO_TEXTS = {
     "D2/D3 > 6 and F[0;0.05] >= 0.5",  # what a condition looks like
     "Unable to allocate",  # what others say
     "go on",
+    '<span style="color: #{:02x}{:02x}{:02x}">\u25a0</span>&nbsp;{}',  # mark-up
     "No matching distribution", "No module named pip",
     "User parameter:BaseApp/Preferences/Units",  # where FreeCAD keeps its own
+    r"\s|File \"|Traceback|(Current t|T)hread\b|Extension modules:|\.\.\.$|<",  # Python's traces
     "Facets and edges",  # what documents keep of how a map is shown
 }
 """What looks like a text in the window's modules and is none."""

@@ -1,12 +1,12 @@
-"""What ThinPart needs besides its own files: one table, for the launcher, the tests and error messages.
+"""The packages that ThinPart needs, in one table for the launcher, the tests and error messages.
 
-The launcher runs this file before every command, so it imports nothing but the standard library, looks
-for modules without importing them, and stays within a few milliseconds::
+The launcher runs this file before every command, so it imports only the standard library, looks for modules without
+importing them, and takes a few milliseconds::
 
-    python3 requirements.py COMMAND [ARGUMENTS]    what is missing, one "package<TAB>why" per line
-    python3 requirements.py --all COMMAND          the same for everything the command needs
+    python3 requirements.py COMMAND [ARGUMENTS]    missing packages, one "package<TAB>why" per line
+    python3 requirements.py --all COMMAND          the same for all packages that the command needs
 
-The answer holds for the Python that runs it. The exit status is always 0.
+The result is for the Python that runs this file. The exit status is always 0.
 """
 
 import importlib.util
@@ -16,7 +16,7 @@ from collections import namedtuple
 
 OLDEST_PYTHON = (3, 9)
 
-# Where Debian keeps FreeCAD's Python modules; the environment's FREECAD_LIB goes first.
+# Folders of FreeCAD's Python modules on Debian; the environment variable FREECAD_LIB goes first.
 FREECAD_LIBS = ("/usr/lib/freecad/lib", "/usr/lib/freecad-python3/lib")
 
 
@@ -35,8 +35,8 @@ def freecad_library():
 
 
 def _loads_here(library):
-    # A FreeCAD of the system needs the system's Python: the same version built elsewhere (pyenv, conda)
-    # would bring a second Python runtime into the process, which crashes.
+    # The system's FreeCAD needs the system's Python: the same version from elsewhere (pyenv, conda) would load a
+    # second Python runtime into the process and crash it.
     if os.path.realpath(library).startswith("/usr/lib/") and sys.base_prefix != "/usr":
         return False
     with open(library, "rb") as file:
@@ -56,7 +56,7 @@ def _module(name):
         if name in sys.modules:
             return True
         spec = importlib.util.find_spec(name)
-        # A removed package may leave an empty folder, which passes for a namespace package without origin.
+        # A removed package may leave an empty folder, which looks like a namespace package without origin.
         return spec is not None and spec.origin is not None
 
     return found
@@ -70,30 +70,41 @@ def _program(name):
     return found
 
 
-# The commands that open CAD files, and those that work from info files alone.
+# Commands that open CAD files, and commands that need info files only.
 CAD = ("classify", "report", "size", "gui", "demo", "test")
-STORED = ("reclassify", "find", "similar", "learn", "note")
-# FreeCAD itself says where its add-ons lie.
+STORED = (
+    "reclassify",
+    "learn",
+    "find",
+    "similar",
+    "note",
+)
+# Commands that ask FreeCAD for the folders of its add-ons.
 LINKING = ("install", "uninstall")
 
 Requirement = namedtuple("Requirement", "package why found commands")
 
-# "size --check" stands for the command with that option.
+# "classify --dask" stands for the command with that option.
 TABLE = (
     Requirement("freecad", "reads the CAD files and makes their surface meshes", _freecad, CAD + LINKING),
     Requirement("freecad", "is the window that the workbench runs in", _program("freecad"), ("gui", "test")),
     Requirement("python3-numpy", "does the arithmetic on meshes", _module("numpy"), CAD + STORED + LINKING),
-    Requirement("python3-scipy", "finds neighbours and fits thresholds", _module("scipy"), CAD + STORED + LINKING),
+    Requirement("python3-scipy", "finds neighbours, hulls and connected pieces", _module("scipy"), CAD + STORED + LINKING),
     Requirement("python3-rich", "prints the tables and the progress", _module("rich"), CAD + STORED),
-    Requirement("python3-pebble", "keeps a damaged file from ending the run", _module("pebble"), CAD),
     Requirement("python3-jinja2", "fills in the pages of reports", _module("jinja2"), ("report", "gui", "test")),
-    Requirement("gmsh", "makes the volume meshes that --check compares", _program("gmsh"), ("size --check",)),
-    Requirement("python3-distributed", "spreads the work over a cluster", _module("distributed"), ("classify --dask", "test")),
+    Requirement("python3-sklearn", "fits the probabilities of a profile", _module("sklearn"), ("learn", "test")),
+    Requirement("freecad", "reads the CAD files that Gmsh meshes", _freecad, ("learn --from-meshing",)),
+    Requirement("gmsh", "meshes parts, to label them by it and to try element sizes", _program("gmsh"),
+                ("learn --from-meshing", "size --check", "size --shell", "test")),
+    Requirement("python3-distributed", "spreads the work over a cluster", _module("distributed"),
+                ("classify --dask", "test")),
     Requirement("python3-pytest", "runs the tests", _module("pytest"), ("test",)),
     Requirement("python3-pytest-timeout", "ends a test that hangs", _module("pytest_timeout"), ("test",)),
+    Requirement("python3-pytest-xdist", "runs tests on all cores", _module("xdist"), ("test",)),
     Requirement("python3-hypothesis", "makes up cases for the tests", _module("hypothesis"), ("test",)),
     Requirement("python3-pyflakes", "finds names that nothing defines", _module("pyflakes"), ("test",)),
     Requirement("python3-jsonschema", "checks info files against their schema", _module("jsonschema"), ("test",)),
+    Requirement("bubblewrap", "confines what reads foreign files where the kernel cannot", _program("bwrap"), ("test",)),
     Requirement("python3-pip", "installs what reports need, as the window offers to", _module("pip"), ("test",)),
     Requirement("xvfb", "is the screen that the window's tests run on", _program("Xvfb"), ("test",)),
     Requirement("git", "makes the repositories that FreeCAD's Addon Manager installs from", _program("git"), ("test",)),
@@ -115,7 +126,7 @@ def required(command, arguments=()):
 
 
 def missing(command, arguments=()):
-    """(package, why) of everything that a command line needs and this Python does not find."""
+    """(package, why) of everything that a command line needs and this Python cannot find."""
     return _packages(row for row in required(command, arguments) if not row.found())
 
 
@@ -128,7 +139,7 @@ def _packages(rows):
 
 def main(arguments):
     if sys.version_info < OLDEST_PYTHON:
-        lines = [("python3", "ThinPart needs Python %d.%d or newer" % OLDEST_PYTHON)]
+        lines = [("python3", "ThinPart needs Python {}.{} or newer".format(*OLDEST_PYTHON))]
     elif arguments[:1] == ["--all"]:
         lines = _packages(required(*arguments[1:2] or [""]))
     else:

@@ -4,20 +4,52 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>Colour where no wall was measured</source>
+        <translation>Farbe, wo keine Wand gemessen wurde</translation>
+    </message>
+    <message>
         <source>Colours from thin to thick</source>
         <translation>Farben von dünn nach dick</translation>
+    </message>
+    <message>
+        <source>Diagonal of the largest part's bounding box, mm</source>
+        <translation>Diagonale des Hüllquaders des größten Bauteils, mm</translation>
+    </message>
+    <message>
+        <source>Greatest wall that the process allows, mm; 0: any</source>
+        <translation>Größte Wandstärke, die das Verfahren zulässt, mm; 0: jede</translation>
+    </message>
+    <message>
+        <source>How it was measured: across the wall, or as the largest ball inside</source>
+        <translation>Wie gemessen wurde: quer durch die Wand oder als größte Kugel darin</translation>
+    </message>
+    <message>
+        <source>Measured point on the face, in the coordinates of its object</source>
+        <translation>Gemessener Punkt auf der Fläche, in den Koordinaten ihres Objekts</translation>
     </message>
     <message>
         <source>Number of steps; 0: smooth</source>
         <translation>Anzahl der Stufen; 0: stufenlos</translation>
     </message>
     <message>
-        <source>Of the facets, in percent</source>
-        <translation>Der Facetten, in Prozent</translation>
+        <source>Opposite point, in the coordinates of the document</source>
+        <translation>Gegenüberliegender Punkt, in den Koordinaten des Dokuments</translation>
     </message>
     <message>
-        <source>Of the largest part's box, mm</source>
-        <translation>Des Hüllquaders des größten Bauteils, mm</translation>
+        <source>Placements of the sources when they were measured</source>
+        <translation>Lage der Quellen bei der Messung</translation>
+    </message>
+    <message>
+        <source>Points opposite the probed points</source>
+        <translation>Punkte gegenüber den Messpunkten</translation>
+    </message>
+    <message>
+        <source>Points where the thickness was probed</source>
+        <translation>Punkte, an denen die Wandstärke gemessen wurde</translation>
+    </message>
+    <message>
+        <source>Process whose walls are at least Threshold and at most CheckMost</source>
+        <translation>Verfahren, dessen Wände mindestens Threshold und höchstens CheckMost dick sind</translation>
     </message>
     <message>
         <source>The face where the wall is measured</source>
@@ -28,28 +60,8 @@
         <translation>Die gemessene Wandstärke</translation>
     </message>
     <message>
-        <source>The opposite sides of those</source>
-        <translation>Deren gegenüberliegende Seiten</translation>
-    </message>
-    <message>
-        <source>The place on the face, in the coordinates of its object</source>
-        <translation>Die Stelle auf der Fläche, in den Koordinaten ihres Objekts</translation>
-    </message>
-    <message>
-        <source>The place on the opposite side, in the coordinates of the document</source>
-        <translation>Die Stelle auf der gegenüberliegenden Seite, in den Koordinaten des Dokuments</translation>
-    </message>
-    <message>
         <source>The sources' shapes when measured</source>
         <translation>Die Formen der Quellen bei der Messung</translation>
-    </message>
-    <message>
-        <source>The thickness of the material under that place</source>
-        <translation>Die Dicke des Materials unter dieser Stelle</translation>
-    </message>
-    <message>
-        <source>The thickness there, mm</source>
-        <translation>Die Wandstärke dort, mm</translation>
     </message>
     <message>
         <source>Thickest wall of the map, mm</source>
@@ -68,32 +80,36 @@
         <translation>Dünnste Wand der Karte, mm</translation>
     </message>
     <message>
+        <source>Transparency of the facets, in percent</source>
+        <translation>Transparenz der Facetten, in Prozent</translation>
+    </message>
+    <message>
         <source>Unit of Low and High</source>
         <translation>Einheit von Low und High</translation>
     </message>
     <message>
-        <source>Walls under it are thin, mm</source>
-        <translation>Wände darunter sind dünn, mm</translation>
+        <source>Wall thickness at the measured point</source>
+        <translation>Wandstärke am gemessenen Punkt</translation>
+    </message>
+    <message>
+        <source>Wall thickness at the probed points, mm</source>
+        <translation>Wandstärke an den Messpunkten, mm</translation>
+    </message>
+    <message>
+        <source>Walls thinner than this are thin, mm</source>
+        <translation>Wände unter dieser Stärke sind dünn, mm</translation>
     </message>
     <message>
         <source>What was measured</source>
         <translation>Was gemessen wurde</translation>
     </message>
     <message>
-        <source>Where nothing was measured</source>
-        <translation>Wo nichts gemessen wurde</translation>
-    </message>
-    <message>
-        <source>Where the sources stood when measured</source>
-        <translation>Lage der Quellen bei der Messung</translation>
-    </message>
-    <message>
-        <source>Where thickness was asked for</source>
-        <translation>Wo nach der Wandstärke gefragt wurde</translation>
-    </message>
-    <message>
         <source>Whether colours run from the thinnest to the thickest wall</source>
         <translation>Ob die Farben von der dünnsten bis zur dicksten Wand reichen</translation>
+    </message>
+    <message>
+        <source>Whether equal ratios of thickness are equally far apart on the scale</source>
+        <translation>Ob gleiche Verhältnisse der Dicke auf der Skala gleich weit auseinander liegen</translation>
     </message>
     <message>
         <source>Whether only thin walls are coloured</source>
@@ -102,6 +118,10 @@
     <message>
         <source>Whether the colours run the other way</source>
         <translation>Ob die Farben umgekehrt verlaufen</translation>
+    </message>
+    <message>
+        <source>Whether the map is lit; off: flat colours, exactly those of the colour bar</source>
+        <translation>Ob die Karte beleuchtet ist; aus: flache Farben, genau die des Farbbalkens</translation>
     </message>
     <message>
         <source>Whether the sources have changed since</source>
@@ -139,12 +159,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Abbre&amp;chen</translation>
     </message>
     <message>
+        <source>&amp;Colours show</source>
+        <translation>&amp;Farben zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Exclude…</source>
+        <translation>&amp;Ausschließen…</translation>
+    </message>
+    <message>
         <source>&amp;Export CSV…</source>
         <translation>CSV e&amp;xportieren…</translation>
     </message>
     <message>
-        <source>&amp;Fly to thinnest place</source>
-        <translation>Zur dünn&amp;sten Stelle</translation>
+        <source>&amp;Fly to thinnest wall</source>
+        <translation>Zur dünn&amp;sten Wand</translation>
     </message>
     <message>
         <source>&amp;Folder</source>
@@ -159,12 +187,32 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{} &amp;installieren</translation>
     </message>
     <message>
+        <source>&amp;Isolate</source>
+        <translation>&amp;Isolieren</translation>
+    </message>
+    <message>
+        <source>&amp;Keep measuring</source>
+        <translation>&amp;Weiter messen</translation>
+    </message>
+    <message>
+        <source>&amp;Learn</source>
+        <translation>&amp;Lernen</translation>
+    </message>
+    <message>
+        <source>&amp;Library</source>
+        <translation>&amp;Bibliothek</translation>
+    </message>
+    <message>
+        <source>&amp;Logarithmic</source>
+        <translation>&amp;Logarithmisch</translation>
+    </message>
+    <message>
         <source>&amp;Measure again</source>
         <translation>Erne&amp;ut messen</translation>
     </message>
     <message>
-        <source>&amp;Measure again what has not changed</source>
-        <translation>&amp;Unverändertes neu messen</translation>
+        <source>&amp;Measure unchanged documents again</source>
+        <translation>&amp;Unveränderte Dokumente neu messen</translation>
     </message>
     <message>
         <source>&amp;Names</source>
@@ -187,6 +235,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Bericht ö&amp;ffnen</translation>
     </message>
     <message>
+        <source>&amp;Open…</source>
+        <translation>Öf&amp;fnen …</translation>
+    </message>
+    <message>
         <source>&amp;Pause</source>
         <translation>&amp;Pausieren</translation>
     </message>
@@ -195,20 +247,48 @@ Sein Volumen ist unbekannt.</translation>
         <translation>&amp;Messpunkt</translation>
     </message>
     <message>
+        <source>&amp;Profile:</source>
+        <translation>&amp;Profil:</translation>
+    </message>
+    <message>
         <source>&amp;Remove</source>
         <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove mesh size</source>
+        <translation>Netzweite &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Reset to saved</source>
+        <translation>&amp;Zurücksetzen</translation>
     </message>
     <message>
         <source>&amp;Retry failed</source>
         <translation>&amp;Fehlgeschlagene wiederholen</translation>
     </message>
     <message>
-        <source>&amp;Save the document</source>
-        <translation>Dokument &amp;speichern</translation>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Save as…</source>
+        <translation>&amp;Speichern unter…</translation>
+    </message>
+    <message>
+        <source>&amp;Shaded</source>
+        <translation>&amp;Schattiert</translation>
     </message>
     <message>
         <source>&amp;Start</source>
         <translation>&amp;Starten</translation>
+    </message>
+    <message>
+        <source>&amp;Stop it</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Tables</source>
+        <translation>&amp;Tabellen</translation>
     </message>
     <message>
         <source>&amp;Thin below</source>
@@ -217,6 +297,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>&amp;Thresholds</source>
         <translation>Sch&amp;wellenwerte</translation>
+    </message>
+    <message>
+        <source>&amp;Use as my profile</source>
+        <translation>Als mein Profil &amp;verwenden</translation>
+    </message>
+    <message>
+        <source>&amp;Use it</source>
+        <translation>&amp;Verwenden</translation>
     </message>
     <message>
         <source>&amp;Whole range</source>
@@ -235,28 +323,104 @@ Sein Volumen ist unbekannt.</translation>
         <translation>&amp;im Ordner</translation>
     </message>
     <message>
-        <source>'{}' has no parts any more that could be measured.</source>
-        <translation>„{}“ hat keine Bauteile mehr, die gemessen werden könnten.</translation>
+        <source>'Find parts' searches this folder from now on.</source>
+        <translation>„Bauteile finden“ durchsucht diesen Ordner ab jetzt.</translation>
     </message>
     <message>
-        <source>'{}' was not classified yet: classify the part first.</source>
+        <source>'normal' and 'unknown' mean that no criterion holds, or that it cannot be told: choose another name.</source>
+        <translation>„normal“ und „unknown“ bedeuten, dass kein Kriterium erfüllt ist oder dass es sich nicht sagen lässt: Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>'{}' has not been classified yet: classify the part first.</source>
         <translation>„{}“ wurde noch nicht klassifiziert: Klassifizieren Sie zuerst das Bauteil.</translation>
     </message>
     <message>
-        <source>1 probe was removed: the surface is no longer where it was.</source>
+        <source>'{}' is still being measured.</source>
+        <translation>„{}“ wird noch gemessen.</translation>
+    </message>
+    <message>
+        <source>'{}' no longer has a part that can be measured.</source>
+        <translation>„{}“ hat kein messbares Bauteil mehr.</translation>
+    </message>
+    <message>
+        <source>, layers in {} of the thin walls</source>
+        <translation>, Schichten in {} der dünnen Wände</translation>
+    </message>
+    <message>
+        <source>1 probe was removed: the surface is no longer at its position.</source>
         <translation>1 Messpunkt wurde entfernt: Die Oberfläche ist nicht mehr dort, wo er war.</translation>
     </message>
     <message>
-        <source>A folder for the info files, in which the folders of the documents are repeated; it may lie on another computer. Empty: beside each document</source>
-        <translation>Ein Ordner für die Infodateien, in dem die Ordner der Dokumente nachgebildet werden; er darf auf einem anderen Rechner liegen. Leer: neben jedem Dokument</translation>
+        <source>A click on the part pins the wall there</source>
+        <translation>Ein Klick auf das Bauteil setzt dort einen Messpunkt</translation>
     </message>
     <message>
         <source>A link to {} was put into {}.</source>
         <translation>In {1} wurde eine Verknüpfung zu {0} eingefügt.</translation>
     </message>
     <message>
+        <source>A part gets the first category of which a criterion holds. If none holds, it is normal.</source>
+        <translation>Ein Bauteil erhält die erste Kategorie, von der ein Kriterium erfüllt ist. Ist keines erfüllt, ist es normal.</translation>
+    </message>
+    <message>
+        <source>A profile that comes with ThinPart stays as it is: save under another name</source>
+        <translation>Ein mitgeliefertes Profil bleibt, wie es ist: unter anderem Namen speichern</translation>
+    </message>
+    <message>
+        <source>A smaller share of the surface counts as none, because single rays may stray</source>
+        <translation>Ein kleinerer Anteil der Oberfläche zählt als keiner, weil einzelne Strahlen danebengehen können</translation>
+    </message>
+    <message>
+        <source>A verdict is called borderline if a quantity lies nearer to its threshold, relative to that</source>
+        <translation>Ein Urteil heißt Grenzfall, wenn eine Größe näher an ihrem Schwellenwert liegt, relativ zu diesem</translation>
+    </message>
+    <message>
+        <source>A verdict that is less probable is called unsure</source>
+        <translation>Ein weniger wahrscheinliches Urteil heißt unsicher</translation>
+    </message>
+    <message>
+        <source>About {} elements, of {} to {}.</source>
+        <translation>Etwa {} Elemente, von {} bis {}.</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Quer zu</translation>
+    </message>
+    <message>
+        <source>Across the wall (ray)</source>
+        <translation>Quer durch die Wand (Strahl)</translation>
+    </message>
+    <message>
+        <source>Add a category</source>
+        <translation>Kategorie hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a condition (and)</source>
+        <translation>Bedingung hinzufügen (und)</translation>
+    </message>
+    <message>
+        <source>Add a criterion (or)</source>
+        <translation>Kriterium hinzufügen (oder)</translation>
+    </message>
+    <message>
         <source>Add a folder with classified parts under 'Libraries'.</source>
         <translation>Fügen Sie unter „Bibliotheken“ einen Ordner mit klassifizierten Bauteilen hinzu.</translation>
+    </message>
+    <message>
+        <source>Add a material</source>
+        <translation>Werkstoff hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a process</source>
+        <translation>Verfahren hinzufügen</translation>
+    </message>
+    <message>
+        <source>Adds the folder to the libraries of 'Find parts'</source>
+        <translation>Fügt den Ordner zu den Bibliotheken von „Bauteile finden“ hinzu</translation>
     </message>
     <message>
         <source>Add…</source>
@@ -267,8 +431,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Nachher</translation>
     </message>
     <message>
+        <source>Agreement</source>
+        <translation>Übereinstimmung</translation>
+    </message>
+    <message>
+        <source>All labels, either answer</source>
+        <translation>Alle Einordnungen, eine der Antworten</translation>
+    </message>
+    <message>
         <source>All parts</source>
         <translation>Alle Bauteile</translation>
+    </message>
+    <message>
+        <source>An unexpected error occurred ({}): try again, and if it happens again, report it with FreeCAD's log.</source>
+        <translation>Ein unerwarteter Fehler ist aufgetreten ({}): Versuchen Sie es noch einmal, und melden Sie es mit FreeCADs Protokoll, wenn es wieder geschieht.</translation>
     </message>
     <message>
         <source>Angle between neighbouring facets of a curved face</source>
@@ -279,8 +455,60 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Winkelabweichung</translation>
     </message>
     <message>
+        <source>Another folder…</source>
+        <translation>Anderer Ordner …</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>Area of both of its sides</source>
+        <translation>Fläche ihrer beiden Seiten</translation>
+    </message>
+    <message>
+        <source>Area, {}²</source>
+        <translation>Fläche, {}²</translation>
+    </message>
+    <message>
+        <source>As a picture of any size, or as triangles with their thickness for ParaView, MeshLab and others</source>
+        <translation>Als Bild beliebiger Größe, oder als Dreiecke mit ihrer Dicke für ParaView, MeshLab und andere</translation>
+    </message>
+    <message>
+        <source>As proposed: {}</source>
+        <translation>Wie vorgeschlagen: {}</translation>
+    </message>
+    <message>
+        <source>Ask for this category earlier: a part gets the first one that applies</source>
+        <translation>Diese Kategorie früher prüfen: Ein Bauteil erhält die erste, die zutrifft</translation>
+    </message>
+    <message>
+        <source>Ask for this category later: a part gets the first one that applies</source>
+        <translation>Diese Kategorie später prüfen: Ein Bauteil erhält die erste, die zutrifft</translation>
+    </message>
+    <message>
+        <source>At least</source>
+        <translation>Mindestens</translation>
+    </message>
+    <message>
+        <source>At least, {}</source>
+        <translation>Mindestens, {}</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Höchstens</translation>
+    </message>
+    <message>
+        <source>At most, {}</source>
+        <translation>Höchstens, {}</translation>
+    </message>
+    <message>
         <source>Automatic</source>
         <translation>Automatik</translation>
+    </message>
+    <message>
+        <source>Back to the shipped limits</source>
+        <translation>Zurück zu den mitgelieferten Grenzen</translation>
     </message>
     <message>
         <source>Bands</source>
@@ -291,12 +519,28 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Vorher</translation>
     </message>
     <message>
+        <source>Borderline within</source>
+        <translation>Grenzfall innerhalb von</translation>
+    </message>
+    <message>
         <source>Bounding box {}</source>
         <translation>Hüllquader {}</translation>
     </message>
     <message>
         <source>Box, {}</source>
         <translation>Quader, {}</translation>
+    </message>
+    <message>
+        <source>By the thresholds of the paper: {}</source>
+        <translation>Nach den Schwellen des Fachartikels: {}</translation>
+    </message>
+    <message>
+        <source>By the thresholds of the paper: {} (criteria {})</source>
+        <translation>Nach den Schwellen des Fachartikels: {} (Kriterien {})</translation>
+    </message>
+    <message>
+        <source>By which the process is chosen, as in --check</source>
+        <translation>Damit wird das Verfahren gewählt, wie bei --check</translation>
     </message>
     <message>
         <source>C&amp;hoose…</source>
@@ -313,6 +557,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Cancelled. Nothing was changed.</source>
         <translation>Abgebrochen. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was written.</source>
+        <translation>Abgebrochen. Nichts wurde geschrieben.</translation>
     </message>
     <message>
         <source>Cancelled: no info file was written, since other parts of the document are not measured.</source>
@@ -343,8 +591,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>In der letzten Woche geändert</translation>
     </message>
     <message>
+        <source>Chec&amp;k</source>
+        <translation>P&amp;rüfen</translation>
+    </message>
+    <message>
+        <source>Chec&amp;k for</source>
+        <translation>P&amp;rüfen für</translation>
+    </message>
+    <message>
         <source>Check before meshing whether a part is thin, and where</source>
         <translation>Vor dem Vernetzen prüfen, ob ein Bauteil dünnwandig ist und wo</translation>
+    </message>
+    <message>
+        <source>Check for</source>
+        <translation>Prüfen für</translation>
+    </message>
+    <message>
+        <source>Checks use the thickness across the wall: choose it under 'Colours show' to see where the limits are broken.</source>
+        <translation>Prüfungen verwenden die Wandstärke quer durch die Wand: Wählen Sie diese bei „Farben zeigen“, um zu sehen, wo die Grenzwerte verletzt sind.</translation>
     </message>
     <message>
         <source>Choose a file with mesh settings</source>
@@ -363,12 +627,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Ordner mit klassifizierten Bauteilen wählen</translation>
     </message>
     <message>
+        <source>Choose a folder with classified parts, or add one under 'Libraries' in the panel 'Find parts'.</source>
+        <translation>Wählen Sie einen Ordner mit klassifizierten Bauteilen oder fügen Sie im Fenster „Bauteile finden“ unter „Bibliotheken“ einen hinzu.</translation>
+    </message>
+    <message>
         <source>Choose a part in the list to see its faces.</source>
         <translation>Wählen Sie ein Bauteil in der Liste, um seine Flächen zu sehen.</translation>
     </message>
     <message>
+        <source>Choose a part in the list to see its walls.</source>
+        <translation>Wählen Sie in der Liste ein Bauteil, um seine Wände zu sehen.</translation>
+    </message>
+    <message>
         <source>Choose at least one format.</source>
         <translation>Wählen Sie mindestens ein Format.</translation>
+    </message>
+    <message>
+        <source>Choose tables of labels</source>
+        <translation>Tabellen mit Einordnungen wählen</translation>
     </message>
     <message>
         <source>Choose the folder for the info files.</source>
@@ -377,6 +653,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Choose the folder that is to be classified.</source>
         <translation>Wählen Sie den Ordner, der klassifiziert werden soll.</translation>
+    </message>
+    <message>
+        <source>Choose the folder with the labelled parts.</source>
+        <translation>Wählen Sie den Ordner mit den eingeordneten Bauteilen.</translation>
+    </message>
+    <message>
+        <source>Chooses the thresholds that agree most often with what people say of parts: by 'Not right?' beside a verdict, or in tables. Folders that were left out show how good they are.</source>
+        <translation>Wählt die Schwellenwerte, die am häufigsten mit dem übereinstimmen, was Menschen über Bauteile sagen: mit „Stimmt nicht?“ neben einem Urteil oder in Tabellen. Ausgelassene Ordner zeigen, wie gut sie sind.</translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -403,6 +687,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Bauteil klassifizieren</translation>
     </message>
     <message>
+        <source>Classifying again by another profile</source>
+        <translation>Neu klassifizieren nach anderem Profil</translation>
+    </message>
+    <message>
         <source>Classifying the folder has ended: {}</source>
         <translation>Das Klassifizieren des Ordners ist beendet: {}</translation>
     </message>
@@ -419,8 +707,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Klicken Sie auf Balken oder ziehen Sie darüber, um zu sehen, wo diese Wände sind.</translation>
     </message>
     <message>
-        <source>Click to take this away.</source>
+        <source>Click to close this message.</source>
         <translation>Klicken Sie, um diese Meldung zu entfernen.</translation>
+    </message>
+    <message>
+        <source>Click to show its window.</source>
+        <translation>Klicken Sie, um das Fenster zu zeigen.</translation>
+    </message>
+    <message>
+        <source>Click: fly to its thinnest place. N, P: to the next and the previous one.</source>
+        <translation>Klick: zur dünnsten Stelle fliegen. N, P: zur nächsten und zur vorigen.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -437,6 +733,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Colours</source>
         <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Colours and shares are of the largest balls inside, which shrink to nothing towards sharp edges; the line above is of the thickness across the wall.</source>
+        <translation>Farben und Anteile sind die der größten Kugeln darin, die zu scharfen Kanten hin verschwinden; die Zeile darüber gilt der Dicke quer zur Wand.</translation>
     </message>
     <message>
         <source>Colours from the thinnest to the thickest wall</source>
@@ -463,12 +763,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Sicherheit: eindeutig ({} von der Grenze)</translation>
     </message>
     <message>
-        <source>Continue in the background? 'Classify folder' shows it again. What is done so far is kept either way.</source>
-        <translation>Im Hintergrund fortsetzen? „Ordner klassifizieren“ zeigt es wieder an. Was bisher erledigt ist, bleibt in jedem Fall erhalten.</translation>
+        <source>Connected walls of like thickness</source>
+        <translation>Zusammenhängende Wände ähnlicher Dicke</translation>
+    </message>
+    <message>
+        <source>Continue in the background? 'Classify folder' shows the progress again. Finished results are saved either way.</source>
+        <translation>Im Hintergrund fortsetzen? „Ordner klassifizieren“ zeigt den Fortschritt wieder an. Fertige Ergebnisse bleiben in jedem Fall gespeichert.</translation>
+    </message>
+    <message>
+        <source>Copied: {}</source>
+        <translation>Kopiert: {}</translation>
     </message>
     <message>
         <source>Copy path</source>
         <translation>Pfad kopieren</translation>
+    </message>
+    <message>
+        <source>Counting…</source>
+        <translation>Wird gezählt …</translation>
     </message>
     <message>
         <source>Criteria</source>
@@ -479,8 +791,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Erfüllte Kriterien (keines gewählt: beliebig)</translation>
     </message>
     <message>
+        <source>Criterion</source>
+        <translation>Kriterium</translation>
+    </message>
+    <message>
         <source>Criterion {}: {}. All its conditions hold: {}.</source>
         <translation>Kriterium {}: {}. Alle Bedingungen erfüllt: {}.</translation>
+    </message>
+    <message>
+        <source>Cut open</source>
+        <translation>Aufschneiden</translation>
+    </message>
+    <message>
+        <source>Cuts the map and the part; the edge of the cut has the colours of the walls</source>
+        <translation>Schneidet die Karte und das Bauteil; der Rand des Schnitts hat die Farben der Wände</translation>
     </message>
     <message>
         <source>Display</source>
@@ -491,8 +815,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Verteilung</translation>
     </message>
     <message>
+        <source>Double-click a size or a number of layers to change it, for all selected walls. Without the check mark, a wall asks for no small elements.</source>
+        <translation>Doppelklick auf eine Größe oder eine Zahl von Schichten ändert sie für alle gewählten Wände. Ohne Häkchen verlangt eine Wand keine kleinen Elemente.</translation>
+    </message>
+    <message>
+        <source>Double-click: fly to its thinnest place. N, P: to the next and the previous one.</source>
+        <translation>Doppelklick: zur dünnsten Stelle fliegen. N, P: zur nächsten und zur vorigen.</translation>
+    </message>
+    <message>
         <source>E&amp;xcept</source>
         <translation>&amp;Außer</translation>
+    </message>
+    <message>
+        <source>E&amp;xport map…</source>
+        <translation>Karte e&amp;xportieren…</translation>
     </message>
     <message>
         <source>Each document is classified in the background when it is saved; the status bar shows the verdict</source>
@@ -503,8 +839,48 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Notizen bearbeiten</translation>
     </message>
     <message>
+        <source>Edit profile</source>
+        <translation>Profil bearbeiten</translation>
+    </message>
+    <message>
+        <source>Edit profile: {}</source>
+        <translation>Profil bearbeiten: {}</translation>
+    </message>
+    <message>
+        <source>Edit your own limits…</source>
+        <translation>Eigene Grenzen bearbeiten …</translation>
+    </message>
+    <message>
+        <source>Element size, {}</source>
+        <translation>Elementgröße, {}</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>Elemente</translation>
+    </message>
+    <message>
+        <source>Equal ratios of thickness are equally far apart on the scale</source>
+        <translation>Gleiche Verhältnisse der Dicke liegen auf der Skala gleich weit auseinander</translation>
+    </message>
+    <message>
+        <source>Equal ratios of thickness are equally far apart, so that thin walls get more of the colours</source>
+        <translation>Gleiche Verhältnisse der Dicke liegen gleich weit auseinander, sodass dünne Wände mehr von den Farben bekommen</translation>
+    </message>
+    <message>
+        <source>Error of probabilities</source>
+        <translation>Fehler der Wahrscheinlichkeiten</translation>
+    </message>
+    <message>
+        <source>Exclude a wall</source>
+        <translation>Wand ausschließen</translation>
+    </message>
+    <message>
         <source>Export the rows that are shown</source>
         <translation>Angezeigte Zeilen exportieren</translation>
+    </message>
+    <message>
+        <source>Export thickness map</source>
+        <translation>Dickenkarte exportieren</translation>
     </message>
     <message>
         <source>Face</source>
@@ -547,10 +923,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Dateien gleichzeitig</translation>
     </message>
     <message>
-        <source>Files of a folder that are measured at once</source>
-        <translation>Dateien eines Ordners, die gleichzeitig gemessen werden</translation>
-    </message>
-    <message>
         <source>Filter: words of the file or the part</source>
         <translation>Filter: Wörter der Datei oder des Bauteils</translation>
     </message>
@@ -565,6 +937,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Folder</source>
         <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Folder for the info files, which mirrors the folders of the documents; it may be on another computer. Empty: beside each document</source>
+        <translation>Ein Ordner für die Infodateien, in dem die Ordner der Dokumente nachgebildet werden; er darf auf einem anderen Rechner liegen. Leer: neben jedem Dokument</translation>
     </message>
     <message>
         <source>Folder of the report</source>
@@ -587,6 +963,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>FreeCAD kann {} nicht öffnen ({}).</translation>
     </message>
     <message>
+        <source>FreeCAD may crash in the same way when it opens the file: save your documents first. Open it anyway?</source>
+        <translation>FreeCAD kann auf dieselbe Weise abstürzen, wenn es die Datei öffnet: Speichern Sie zuerst Ihre Dokumente. Trotzdem öffnen?</translation>
+    </message>
+    <message>
         <source>FreeCAD shows one task at a time: close the one that is open, then try again.</source>
         <translation>FreeCAD zeigt immer nur eine Aufgabe: Schließen Sie die geöffnete und versuchen Sie es noch einmal.</translation>
     </message>
@@ -595,20 +975,56 @@ Sein Volumen ist unbekannt.</translation>
         <translation>FreeCADs Python hat kein pip, deshalb wurde {} nicht installiert: Installieren Sie es mit „pip install --target“ eines anderen Python nach {}.</translation>
     </message>
     <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
         <source>From file…</source>
         <translation>Aus Datei…</translation>
+    </message>
+    <message>
+        <source>From now on parts are judged by {}. 'Reclassify' in the panel 'Find parts' judges stored parts by it.</source>
+        <translation>Ab jetzt werden Bauteile nach {} beurteilt. „Neu klassifizieren“ in „Bauteile finden“ beurteilt gespeicherte Bauteile danach.</translation>
+    </message>
+    <message>
+        <source>From the thinnest confirmed wall to the thickness below which 98 % of the surface lies, without rims, whose rays run along the wall</source>
+        <translation>Von der dünnsten bestätigten Wand bis zu der Dicke, unter der 98 % der Oberfläche liegen, ohne Ränder, deren Strahlen an der Wand entlang laufen</translation>
     </message>
     <message>
         <source>From the thinnest to the thickest wall</source>
         <translation>Von der dünnsten bis zur dicksten Wand</translation>
     </message>
     <message>
+        <source>From {} profiles, each learned without some folders or groups, and tried on those. In brackets: intervals of 95 %.</source>
+        <translation>Aus {} Profilen, jedes ohne einige Ordner oder Gruppen gelernt und an diesen erprobt. In Klammern: Intervalle von 95 %.</translation>
+    </message>
+    <message>
+        <source>From {} profiles, each learned without some parts, and tried on those. All parts are in one folder, so parts may be similar: the figures are too good. In brackets: intervals of 95 %.</source>
+        <translation>Aus {} Profilen, jedes ohne einige Bauteile gelernt und an diesen erprobt. Alle Bauteile liegen in einem Ordner und können ähnlich sein: Die Zahlen sind zu gut. In Klammern: Intervalle von 95 %.</translation>
+    </message>
+    <message>
+        <source>Gmsh made no mesh ({}): try fewer layers, a smaller largest size, or switch a wall off. Nothing was changed.</source>
+        <translation>Gmsh hat kein Netz erzeugt ({}): Versuchen Sie weniger Schichten oder eine kleinere größte Größe, oder schalten Sie eine Wand aus. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Gmsh meshes {}</source>
+        <translation>Gmsh vernetzt {}</translation>
+    </message>
+    <message>
         <source>Go on</source>
         <translation>Weiterlaufen lassen</translation>
     </message>
     <message>
-        <source>Half of the face lies over thinner walls</source>
-        <translation>Die Hälfte der Fläche liegt über dünneren Wänden</translation>
+        <source>Growth</source>
+        <translation>Wachstum</translation>
+    </message>
+    <message>
+        <source>Half of the face's area has thinner walls</source>
+        <translation>Die Hälfte der Fläche hat dünnere Wände</translation>
+    </message>
+    <message>
+        <source>Heat map colour where no wall could be measured</source>
+        <translation>Farbe der Farbkarte, wo keine Wand gemessen werden konnte</translation>
     </message>
     <message>
         <source>Heat map of the thickness</source>
@@ -623,12 +1039,32 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Erfüllt</translation>
     </message>
     <message>
+        <source>How far it is from each point of the surface straight through the material to the other side. Verdicts are always judged by it.</source>
+        <translation>Wie weit es von jedem Punkt der Oberfläche geradeaus durch das Material zur anderen Seite ist. Urteile richten sich immer danach.</translation>
+    </message>
+    <message>
         <source>How far the mesh may lie from the surface, as a share of the part's diagonal; where walls are thin it is made finer anyway</source>
         <translation>Wie weit das Netz von der Oberfläche abweichen darf, als Anteil der Diagonale des Bauteils; an dünnen Wänden wird es ohnehin feiner</translation>
     </message>
     <message>
+        <source>How finely parts are measured at first; where the error of a quantity could turn the verdict, a part is measured again, more finely</source>
+        <translation>Wie fein Teile zuerst gemessen werden; wo der Fehler einer Größe das Urteil ändern könnte, wird ein Teil noch einmal feiner gemessen</translation>
+    </message>
+    <message>
         <source>How often the part stands in the document</source>
         <translation>Wie oft das Bauteil im Dokument vorkommt</translation>
+    </message>
+    <message>
+        <source>How sure a verdict is</source>
+        <translation>Wie sicher ein Urteil ist</translation>
+    </message>
+    <message>
+        <source>I would say:</source>
+        <translation>Ich würde sagen:</translation>
+    </message>
+    <message>
+        <source>I&amp;nclude again</source>
+        <translation>&amp;Wieder einschließen</translation>
     </message>
     <message>
         <source>Info file, beside the document: {}</source>
@@ -667,8 +1103,92 @@ Sein Volumen ist unbekannt.</translation>
         <translation>In wie viele Stufen die Farben unterteilt sind</translation>
     </message>
     <message>
-        <source>It is folders that could not be searched: see to them and start again.</source>
-        <translation>Fehlgeschlagen sind Ordner, die nicht durchsucht werden konnten: Beheben Sie das und starten Sie erneut.</translation>
+        <source>Kept in the info file, also when the part is measured again; the verdict does not change</source>
+        <translation>Bleibt in der Infodatei, auch wenn das Teil neu gemessen wird; das Urteil ändert sich nicht</translation>
+    </message>
+    <message>
+        <source>L&amp;abels</source>
+        <translation>&amp;Einordnungen</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Einordnung</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Einordnungen</translation>
+    </message>
+    <message>
+        <source>Labels (rows) and verdicts of {} (columns)</source>
+        <translation>Einordnungen (Zeilen) und Urteile von {} (Spalten)</translation>
+    </message>
+    <message>
+        <source>Labels: {}</source>
+        <translation>Einordnungen: {}</translation>
+    </message>
+    <message>
+        <source>Largest ball</source>
+        <translation>Größte Kugel</translation>
+    </message>
+    <message>
+        <source>Largest ball here: {}</source>
+        <translation>Größte Kugel hier: {}</translation>
+    </message>
+    <message>
+        <source>Largest ball in {}, and share of the diagonal</source>
+        <translation>Größte Kugel in {} und als Anteil der Diagonale</translation>
+    </message>
+    <message>
+        <source>Largest ball inside (sphere)</source>
+        <translation>Größte Kugel darin (Kugel)</translation>
+    </message>
+    <message>
+        <source>Largest ball, {}</source>
+        <translation>Größte Kugel, {}</translation>
+    </message>
+    <message>
+        <source>Largest size</source>
+        <translation>Größte Größe</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
+        <source>Layers in thin walls</source>
+        <translation>Schichten in dünnen Wänden</translation>
+    </message>
+    <message>
+        <source>Learn thresholds</source>
+        <translation>Schwellenwerte lernen</translation>
+    </message>
+    <message>
+        <source>Learned</source>
+        <translation>Gelernt</translation>
+    </message>
+    <message>
+        <source>Learning needs the Python package {}, which this FreeCAD does not have: install it from the internet into {}?</source>
+        <translation>Das Lernen braucht das Python-Paket {}, das dieses FreeCAD nicht hat: aus dem Internet nach {} installieren?</translation>
+    </message>
+    <message>
+        <source>Learning profile {} of {}</source>
+        <translation>Profil {} von {} wird gelernt</translation>
+    </message>
+    <message>
+        <source>Learning thresholds</source>
+        <translation>Schwellen werden gelernt</translation>
+    </message>
+    <message>
+        <source>Least and median thickness of the wall</source>
+        <translation>Kleinste und mittlere Dicke der Wand (Median)</translation>
+    </message>
+    <message>
+        <source>Least share of the surface that counts</source>
+        <translation>Kleinster Anteil der Oberfläche, der zählt</translation>
+    </message>
+    <message>
+        <source>Length of the wall</source>
+        <translation>Länge der Wand</translation>
     </message>
     <message>
         <source>Libraries</source>
@@ -683,12 +1203,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Grenzen</translation>
     </message>
     <message>
+        <source>Limits of the wall</source>
+        <translation>Grenzen der Wandstärke</translation>
+    </message>
+    <message>
         <source>Linear deflection</source>
         <translation>Lineare Abweichung</translation>
     </message>
     <message>
         <source>Link</source>
         <translation>Verknüpfung</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarithmisch</translation>
+    </message>
+    <message>
+        <source>Long, {}</source>
+        <translation>Länge, {}</translation>
     </message>
     <message>
         <source>Longest side, {}</source>
@@ -723,8 +1255,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Gemessen: {} parallel, {} verjüngt, {} ohne Gegenwand</translation>
     </message>
     <message>
+        <source>Measurements, notes, mesh settings and links stay unchanged. Write the info files now?</source>
+        <translation>Messwerte, Notizen, Netzeinstellungen und Verknüpfungen bleiben unverändert. Infodateien jetzt schreiben?</translation>
+    </message>
+    <message>
         <source>Measuring and drawing…</source>
         <translation>Messen und Zeichnen…</translation>
+    </message>
+    <message>
+        <source>Measuring needs Python {} beside FreeCAD, which was not found: install it.</source>
+        <translation>Zum Messen wird Python {} neben FreeCAD gebraucht, das nicht gefunden wurde: Installieren Sie es.</translation>
     </message>
     <message>
         <source>Measuring needs more than {} MB of memory: raise the limit in the preferences.</source>
@@ -739,28 +1279,64 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Median, {}</translation>
     </message>
     <message>
+        <source>Memory limit for measuring one document</source>
+        <translation>Speichergrenze für das Messen eines Dokuments</translation>
+    </message>
+    <message>
         <source>Memory per file</source>
         <translation>Speicher pro Datei</translation>
     </message>
     <message>
-        <source>Memory that measuring one document may take</source>
-        <translation>Speicher, den das Messen eines Dokuments belegen darf</translation>
+        <source>Mesh and compare</source>
+        <translation>Vernetzen und vergleichen</translation>
     </message>
     <message>
         <source>Mesh settings</source>
         <translation>Netzeinstellungen</translation>
     </message>
     <message>
+        <source>Mesh size of a wall</source>
+        <translation>Netzweite einer Wand</translation>
+    </message>
+    <message>
         <source>Meshes</source>
         <translation>Netze</translation>
+    </message>
+    <message>
+        <source>Most elements</source>
+        <translation>Höchstzahl der Elemente</translation>
     </message>
     <message>
         <source>Move over the part; a click pins the wall there.</source>
         <translation>Bewegen Sie den Zeiger über das Bauteil; ein Klick setzt dort einen Messpunkt.</translation>
     </message>
     <message>
+        <source>My label: {}</source>
+        <translation>Ich sage: {}</translation>
+    </message>
+    <message>
+        <source>New material</source>
+        <translation>Neuer Werkstoff</translation>
+    </message>
+    <message>
+        <source>New process</source>
+        <translation>Neues Verfahren</translation>
+    </message>
+    <message>
+        <source>Next wall</source>
+        <translation>Nächste Wand</translation>
+    </message>
+    <message>
         <source>No criterion holds: its walls are thick all over.</source>
         <translation>Kein Kriterium ist erfüllt: Die Wände sind überall dick.</translation>
+    </message>
+    <message>
+        <source>No file manager was found: open the folder {} yourself.</source>
+        <translation>Es wurde keine Dateiverwaltung gefunden: Öffnen Sie den Ordner {} selbst.</translation>
+    </message>
+    <message>
+        <source>No file manager was found: open the info file {} yourself.</source>
+        <translation>Es wurde keine Dateiverwaltung gefunden: Öffnen Sie die Infodatei {} selbst.</translation>
     </message>
     <message>
         <source>No info file was written, because the document is not saved.</source>
@@ -775,20 +1351,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Keine Infodatei: {}</translation>
     </message>
     <message>
-        <source>No program opens {} here.</source>
-        <translation>Hier öffnet kein Programm {}.</translation>
+        <source>No part was measured, so no info file was written.</source>
+        <translation>Kein Bauteil wurde gemessen, daher wurde keine Infodatei geschrieben.</translation>
     </message>
     <message>
-        <source>No program shows folders here; it is {}.</source>
-        <translation>Hier zeigt kein Programm Ordner an; er heißt {}.</translation>
+        <source>No program was found that opens {}.</source>
+        <translation>Es wurde kein Programm gefunden, das {} öffnet.</translation>
     </message>
     <message>
-        <source>No program shows folders here; the info file is {}.</source>
-        <translation>Hier zeigt kein Programm Ordner an; die Infodatei ist {}.</translation>
+        <source>No thin walls: one size is enough. About {} elements of {}.</source>
+        <translation>Keine dünnen Wände: Eine Größe genügt. Etwa {} Elemente von {}.</translation>
     </message>
     <message>
         <source>No wall could be measured.</source>
         <translation>Es konnte keine Wand gemessen werden.</translation>
+    </message>
+    <message>
+        <source>No wall regions are recorded: measure the part again.</source>
+        <translation>Es sind keine Wandbereiche verzeichnet: Messen Sie das Bauteil erneut.</translation>
     </message>
     <message>
         <source>No wall was measured here.</source>
@@ -797,6 +1377,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Normal part</source>
         <translation>Normales Bauteil</translation>
+    </message>
+    <message>
+        <source>Not counted: {}</source>
+        <translation>Nicht gezählt: {}</translation>
     </message>
     <message>
         <source>Not measured</source>
@@ -811,28 +1395,52 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Nicht gemessen: {} der Oberfläche</translation>
     </message>
     <message>
+        <source>Not right?</source>
+        <translation>Stimmt nicht?</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Anmerkung</translation>
+    </message>
+    <message>
         <source>Notes</source>
         <translation>Notizen</translation>
     </message>
     <message>
-        <source>Nothing can be written into {}: choose another folder for the info files.</source>
-        <translation>In {} kann nichts geschrieben werden: Wählen Sie einen anderen Ordner für die Infodateien.</translation>
-    </message>
-    <message>
-        <source>Nothing was written to {}: give the table a name that ends with .csv.</source>
-        <translation>In {} wurde nichts geschrieben: Geben Sie der Tabelle einen Namen, der auf .csv endet.</translation>
+        <source>Number of files of a folder that are measured at the same time</source>
+        <translation>Dateien eines Ordners, die gleichzeitig gemessen werden</translation>
     </message>
     <message>
         <source>On every save</source>
         <translation>Bei jedem Speichern</translation>
     </message>
     <message>
-        <source>Only borderline</source>
-        <translation>Nur Grenzfälle</translation>
+        <source>On parts that were left out, the learned profile agrees with the labels no better than {} does: keep {}, or label more parts.</source>
+        <translation>An ausgelassenen Bauteilen stimmt das gelernte Profil nicht besser mit den Einordnungen überein als {}: Behalten Sie {} oder ordnen Sie mehr Bauteile ein.</translation>
+    </message>
+    <message>
+        <source>On {} of the area the largest ball is smaller than {}</source>
+        <translation>Auf {} der Oberfläche ist die größte Kugel kleiner als {}</translation>
+    </message>
+    <message>
+        <source>One size: {}</source>
+        <translation>Eine Größe: {}</translation>
     </message>
     <message>
         <source>Only failures</source>
         <translation>Nur Fehlgeschlagene</translation>
+    </message>
+    <message>
+        <source>Only labelled</source>
+        <translation>Nur eingeordnete</translation>
+    </message>
+    <message>
+        <source>Only labelled otherwise</source>
+        <translation>Nur anders eingeordnete</translation>
+    </message>
+    <message>
+        <source>Only unsure</source>
+        <translation>Nur unsichere</translation>
     </message>
     <message>
         <source>Only with notes</source>
@@ -843,8 +1451,32 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Öffnen</translation>
     </message>
     <message>
+        <source>Open part</source>
+        <translation>Bauteil öffnen</translation>
+    </message>
+    <message>
+        <source>Opens a profile that somebody has given you</source>
+        <translation>Öffnet ein Profil, das Ihnen jemand gegeben hat</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Andere Seite</translation>
+    </message>
+    <message>
         <source>Out of date: recompute</source>
         <translation>Veraltet: neu berechnen</translation>
+    </message>
+    <message>
+        <source>Own limit</source>
+        <translation>Eigene Grenze</translation>
+    </message>
+    <message>
+        <source>Own limits</source>
+        <translation>Eigene Grenzen</translation>
+    </message>
+    <message>
+        <source>PLY with thickness and colours (*.ply)</source>
+        <translation>PLY mit Dicke und Farben (*.ply)</translation>
     </message>
     <message>
         <source>Part</source>
@@ -853,6 +1485,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Part with thin features</source>
         <translation>Bauteil mit dünnen Bereichen</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Bauteile</translation>
+    </message>
+    <message>
+        <source>Parts are judged by '{}' from now on. Parts that were classified before keep their verdicts until you reclassify them.</source>
+        <translation>Bauteile werden ab jetzt nach „{}“ beurteilt. Früher klassifizierte behalten ihr Urteil, bis Sie sie neu klassifizieren.</translation>
     </message>
     <message>
         <source>Parts like the active one</source>
@@ -867,12 +1507,36 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Muster für Dateinamen, durch Semikolon getrennt; eines mit Schrägstrich wird mit dem Pfad unterhalb des Ordners verglichen</translation>
     </message>
     <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>Picture of the view (*.png)</source>
+        <translation>Bild der Ansicht (*.png)</translation>
+    </message>
+    <message>
         <source>Pin thickness</source>
         <translation>Messpunkt setzen</translation>
     </message>
     <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Prepare mesh</source>
+        <translation>Netz vorbereiten</translation>
+    </message>
+    <message>
         <source>Preview</source>
         <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Previous wall</source>
+        <translation>Vorige Wand</translation>
+    </message>
+    <message>
+        <source>Probability: {}, next '{}' with {}</source>
+        <translation>Wahrscheinlichkeit: {}, danach „{}“ mit {}</translation>
     </message>
     <message>
         <source>Probe</source>
@@ -883,6 +1547,22 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Messpunkte</translation>
     </message>
     <message>
+        <source>Process and material</source>
+        <translation>Verfahren und Werkstoff</translation>
+    </message>
+    <message>
+        <source>Processes whose least and greatest wall the parts are checked against: a column each</source>
+        <translation>Verfahren, gegen deren kleinste und größte Wandstärke die Teile geprüft werden: je eine Spalte</translation>
+    </message>
+    <message>
+        <source>Processes, with commas between them, whose least and greatest wall every part is checked against</source>
+        <translation>Verfahren, durch Kommas getrennt, gegen deren kleinste und größte Wandstärke jedes Teil geprüft wird</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
         <source>Quantity</source>
         <translation>Größe</translation>
     </message>
@@ -891,12 +1571,40 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Bereich</translation>
     </message>
     <message>
+        <source>Range of &amp;most walls</source>
+        <translation>Bereich der &amp;meisten Wände</translation>
+    </message>
+    <message>
+        <source>Read the info files again, which may have changed</source>
+        <translation>Die Infodateien neu lesen, falls sie sich geändert haben</translation>
+    </message>
+    <message>
+        <source>Reading info files: {} of {}</source>
+        <translation>Infodateien werden gelesen: {} von {}</translation>
+    </message>
+    <message>
+        <source>Reading the labels…</source>
+        <translation>Einordnungen werden gelesen…</translation>
+    </message>
+    <message>
         <source>Reclassify</source>
         <translation>Neu klassifizieren</translation>
     </message>
     <message>
+        <source>Reclassify libraries…</source>
+        <translation>Bibliotheken neu klassifizieren …</translation>
+    </message>
+    <message>
+        <source>Red: elements of {}, light blue: of {}</source>
+        <translation>Rot: Elemente von {}, hellblau: von {}</translation>
+    </message>
+    <message>
         <source>Refresh</source>
         <translation>Aktualisieren</translation>
+    </message>
+    <message>
+        <source>Refreshing the libraries</source>
+        <translation>Bibliotheken werden aktualisiert</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -907,8 +1615,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Alle Messpunkte entfernen</translation>
     </message>
     <message>
+        <source>Remove my label</source>
+        <translation>Meine Einordnung entfernen</translation>
+    </message>
+    <message>
         <source>Remove thickness</source>
         <translation>Messpunkt entfernen</translation>
+    </message>
+    <message>
+        <source>Remove this category</source>
+        <translation>Diese Kategorie entfernen</translation>
+    </message>
+    <message>
+        <source>Remove this condition</source>
+        <translation>Diese Bedingung entfernen</translation>
+    </message>
+    <message>
+        <source>Remove this criterion</source>
+        <translation>Dieses Kriterium entfernen</translation>
     </message>
     <message>
         <source>Report</source>
@@ -923,6 +1647,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Berichte brauchen das Python-Paket {}, das diesem FreeCAD fehlt: aus dem Internet nach {} installieren?</translation>
     </message>
     <message>
+        <source>Reset to saved</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
         <source>Restore defaults</source>
         <translation>Standardwerte wiederherstellen</translation>
     </message>
@@ -935,36 +1663,108 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Umgekehrt</translation>
     </message>
     <message>
+        <source>S&amp;hare</source>
+        <translation>&amp;Teilen</translation>
+    </message>
+    <message>
         <source>Save</source>
         <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter …</translation>
     </message>
     <message>
         <source>Save and write info file</source>
         <translation>Speichern und Infodatei schreiben</translation>
     </message>
     <message>
+        <source>Save the learned profile</source>
+        <translation>Das gelernte Profil speichern</translation>
+    </message>
+    <message>
+        <source>Save the limits</source>
+        <translation>Grenzen speichern</translation>
+    </message>
+    <message>
+        <source>Save the profile as</source>
+        <translation>Profil speichern unter</translation>
+    </message>
+    <message>
+        <source>Save them?</source>
+        <translation>Sollen sie gespeichert werden?</translation>
+    </message>
+    <message>
+        <source>Saved in {}, without the probabilities, which belong to other thresholds.</source>
+        <translation>Gespeichert in {}, ohne die Wahrscheinlichkeiten, die zu anderen Schwellenwerten gehören.</translation>
+    </message>
+    <message>
+        <source>Saved in {}.</source>
+        <translation>Gespeichert in {}.</translation>
+    </message>
+    <message>
+        <source>Saved in {}. Wherever you choose processes, these limits hold from now on.</source>
+        <translation>Gespeichert in {}. Überall, wo Sie Verfahren wählen, gelten ab jetzt diese Grenzen.</translation>
+    </message>
+    <message>
         <source>Saved.</source>
         <translation>Gespeichert.</translation>
+    </message>
+    <message>
+        <source>Saves the profile and judges parts by it from now on</source>
+        <translation>Speichert das Profil und beurteilt Bauteile ab jetzt danach</translation>
+    </message>
+    <message>
+        <source>Say what the part is in your eyes. The label is kept in the info file, as of {}; thresholds can be learned from labels.</source>
+        <translation>Sagen Sie, was das Bauteil in Ihren Augen ist. Die Einordnung bleibt in der Infodatei, als die von {}; aus Einordnungen lassen sich Schwellenwerte lernen.</translation>
+    </message>
+    <message>
+        <source>Search in it…</source>
+        <translation>Darin suchen…</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
     </message>
     <message>
         <source>Select a part in the list.</source>
         <translation>Wählen Sie ein Bauteil in der Liste.</translation>
     </message>
     <message>
-        <source>Share</source>
-        <translation>Anteil</translation>
+        <source>Set &amp;mesh size…</source>
+        <translation>&amp;Netzweite festlegen…</translation>
     </message>
     <message>
-        <source>Share of the face over walls under the threshold</source>
-        <translation>Anteil der Fläche über Wänden unter dem Schwellenwert</translation>
+        <source>Shaded</source>
+        <translation>Schattiert</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Anteil</translation>
     </message>
     <message>
         <source>Share of the face where no wall could be measured</source>
         <translation>Anteil der Fläche, wo keine Wand gemessen werden konnte</translation>
     </message>
     <message>
-        <source>Share of the part's diagonal under which a wall is coloured as thin</source>
-        <translation>Anteil der Diagonale des Bauteils, unter dem eine Wand als dünn eingefärbt wird</translation>
+        <source>Share of the face whose walls are thinner than the threshold</source>
+        <translation>Anteil der Fläche, dessen Wände dünner als der Schwellenwert sind</translation>
+    </message>
+    <message>
+        <source>Short name</source>
+        <translation>Kurzname</translation>
+    </message>
+    <message>
+        <source>Show &amp;all</source>
+        <translation>A&amp;lle zeigen</translation>
+    </message>
+    <message>
+        <source>Show &amp;all walls</source>
+        <translation>&amp;Alle Wände zeigen</translation>
+    </message>
+    <message>
+        <source>Show in Find parts</source>
+        <translation>In „Bauteile finden“ zeigen</translation>
     </message>
     <message>
         <source>Show in file manager</source>
@@ -975,6 +1775,14 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Ordner der Infodatei zeigen</translation>
     </message>
     <message>
+        <source>Show poor elements ({})</source>
+        <translation>Schlechte Elemente zeigen ({})</translation>
+    </message>
+    <message>
+        <source>Show sizes on the part</source>
+        <translation>Größen am Teil zeigen</translation>
+    </message>
+    <message>
         <source>Show thickness</source>
         <translation>Wandstärke anzeigen</translation>
     </message>
@@ -983,16 +1791,60 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Als dünn angezeigt: unter {}, wie eingestellt. Das Ergebnis hängt nicht davon ab.</translation>
     </message>
     <message>
-        <source>Shows the defaults of this page; they are kept with OK or Apply</source>
+        <source>Shows the defaults of this page; OK or Apply saves them</source>
         <translation>Zeigt die Standardwerte dieser Seite; sie werden mit OK oder Anwenden übernommen</translation>
     </message>
     <message>
-        <source>Shows the wall under the cursor; a click pins it</source>
-        <translation>Zeigt die Wandstärke unter dem Zeiger; ein Klick setzt einen Messpunkt</translation>
+        <source>Shows the half that is cut off now</source>
+        <translation>Zeigt die Hälfte, die jetzt abgeschnitten ist</translation>
+    </message>
+    <message>
+        <source>Shows the thresholds of this profile, to change and save them as your own</source>
+        <translation>Zeigt die Schwellenwerte dieses Profils, um sie zu ändern und als eigene zu speichern</translation>
     </message>
     <message>
         <source>Similar size</source>
         <translation>Ähnliche Größe</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Size, {}</source>
+        <translation>Größe, {}</translation>
+    </message>
+    <message>
+        <source>Something stands before this wall from every side: the mark shows where it is. Hide what covers it, or cut the view open with the clipping plane of the View menu.</source>
+        <translation>Vor dieser Wand steht von allen Seiten etwas: Die Markierung zeigt, wo sie ist. Blenden Sie aus, was sie verdeckt, oder schneiden Sie die Ansicht mit der Schnittebene im Menü Ansicht auf.</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Source: address</source>
+        <translation>Quelle: Adresse</translation>
+    </message>
+    <message>
+        <source>Source: author</source>
+        <translation>Quelle: Autor</translation>
+    </message>
+    <message>
+        <source>Source: title</source>
+        <translation>Quelle: Titel</translation>
+    </message>
+    <message>
+        <source>Source: year</source>
+        <translation>Quelle: Jahr</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>Start &amp;with</source>
+        <translation>&amp;Ausgehen von</translation>
     </message>
     <message>
         <source>Starting to measure {}</source>
@@ -1003,20 +1855,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Beenden</translation>
     </message>
     <message>
+        <source>Stop it, and go on here?</source>
+        <translation>Dort abbrechen und hier weitermachen?</translation>
+    </message>
+    <message>
         <source>Stopped after {} of {} info files.</source>
         <translation>Nach {} von {} Infodateien abgebrochen.</translation>
     </message>
     <message>
-        <source>Stopped before the end, as asked.</source>
-        <translation>Wie gewünscht vorzeitig abgebrochen.</translation>
+        <source>Stopped on request before the end.</source>
+        <translation>Auf Wunsch vorzeitig abgebrochen.</translation>
     </message>
     <message>
         <source>Stopped: {} of {} info files are up to date.</source>
         <translation>Abgebrochen: {} von {} Infodateien sind aktuell.</translation>
     </message>
     <message>
-        <source>Stopping…</source>
-        <translation>Wird abgebrochen…</translation>
+        <source>Sure labels</source>
+        <translation>Sichere Einordnungen</translation>
     </message>
     <message>
         <source>Surface mesh that is measured</source>
@@ -1027,12 +1883,52 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Tabellen (*.csv)</translation>
     </message>
     <message>
+        <source>Temporary files cannot be written ({}): free some disk space. Nothing was classified.</source>
+        <translation>Temporäre Dateien können nicht geschrieben werden ({}): Geben Sie Speicherplatz frei. Nichts wurde klassifiziert.</translation>
+    </message>
+    <message>
+        <source>Temporary files cannot be written ({}): free some disk space. Nothing was measured.</source>
+        <translation>Temporäre Dateien können nicht geschrieben werden ({}): Geben Sie Speicherplatz frei. Nichts wurde gemessen.</translation>
+    </message>
+    <message>
         <source>The active document as it was saved. Click to classify it in the panel.</source>
         <translation>Das aktive Dokument, wie es gespeichert ist. Klicken Sie, um es im Aufgabenbereich zu klassifizieren.</translation>
     </message>
     <message>
-        <source>The content of {} was copied into {}, which has no file to link from yet.</source>
-        <translation>Der Inhalt von {} wurde in {} kopiert, das noch keine Datei hat, von der aus verknüpft werden könnte.</translation>
+        <source>The camera looks at it from where nothing stands before it. N, P: the next thicker wall, and the previous one</source>
+        <translation>Die Kamera blickt von dort auf sie, wo nichts davor steht. N, P: zur nächstdickeren Wand und zur vorigen</translation>
+    </message>
+    <message>
+        <source>The category needs a short name.</source>
+        <translation>Die Kategorie braucht einen Kurznamen.</translation>
+    </message>
+    <message>
+        <source>The category's short name, by which results and searches refer to it</source>
+        <translation>Der Kurzname der Kategorie, unter dem Ergebnisse und Suchen sie nennen</translation>
+    </message>
+    <message>
+        <source>The classification process could not be started.</source>
+        <translation>Der Klassifizierungsprozess konnte nicht gestartet werden.</translation>
+    </message>
+    <message>
+        <source>The classification process ended unexpectedly; finished results are saved. Start again for the rest; the report view shows its last output.</source>
+        <translation>Der Klassifizierungsprozess wurde unerwartet beendet; fertige Ergebnisse sind gespeichert. Starten Sie erneut für den Rest; seine letzten Meldungen stehen im Ausgabefenster.</translation>
+    </message>
+    <message>
+        <source>The content of {} was copied into {}: a link needs a saved document.</source>
+        <translation>Der Inhalt von {} wurde in {} kopiert: Eine Verknüpfung braucht ein gespeichertes Dokument.</translation>
+    </message>
+    <message>
+        <source>The criterion needs a short name.</source>
+        <translation>Das Kriterium braucht einen Kurznamen.</translation>
+    </message>
+    <message>
+        <source>The criterion's short name, by which results and searches refer to it</source>
+        <translation>Der Kurzname des Kriteriums, unter dem Ergebnisse und Suchen es nennen</translation>
+    </message>
+    <message>
+        <source>The diameter of the largest ball that fits into the material and touches the surface at each point. It is no larger than the wall across and does not see past the next face: at sharp edges it goes down to nothing. It takes longer.</source>
+        <translation>Der Durchmesser der größten Kugel, die in das Material passt und die Oberfläche an der jeweiligen Stelle berührt. Er ist nie größer als die Wand quer gemessen und reicht nicht über die nächste Fläche hinaus: An scharfen Kanten geht er gegen null. Das Messen dauert länger.</translation>
     </message>
     <message>
         <source>The document has changed since it was measured: no info file was written. Classify it again.</source>
@@ -1043,16 +1939,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Das Dokument hat sich während der Messung geändert: Messen Sie es erneut.</translation>
     </message>
     <message>
-        <source>The document has changes that are not saved. Save the document first.</source>
-        <translation>Das Dokument hat ungespeicherte Änderungen. Speichern Sie es zuerst.</translation>
-    </message>
-    <message>
-        <source>The document has never been saved. Save the document first.</source>
-        <translation>Das Dokument wurde noch nie gespeichert. Speichern Sie es zuerst.</translation>
+        <source>The document has changed while it was meshed: start again. Nothing was changed.</source>
+        <translation>Das Dokument hat sich während des Vernetzens geändert: Beginnen Sie neu. Nichts wurde geändert.</translation>
     </message>
     <message>
         <source>The document is closed: open it again for a report about it.</source>
         <translation>Das Dokument ist geschlossen: Öffnen Sie es wieder, um darüber zu berichten.</translation>
+    </message>
+    <message>
+        <source>The failures are folders that could not be searched: make them readable and start again.</source>
+        <translation>Fehlgeschlagen sind Ordner, die nicht durchsucht werden konnten: Machen Sie sie lesbar und starten Sie erneut.</translation>
+    </message>
+    <message>
+        <source>The file {} no longer exists.</source>
+        <translation>Die Datei {} gibt es nicht mehr.</translation>
     </message>
     <message>
         <source>The first colour stands for the thickest wall</source>
@@ -1063,11 +1963,11 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Der Ordner wird noch klassifiziert.</translation>
     </message>
     <message>
-        <source>The folder with your parts; the folders in it count as well</source>
+        <source>The folder with your parts; its subfolders are included</source>
         <translation>Der Ordner mit Ihren Bauteilen, einschließlich seiner Unterordner</translation>
     </message>
     <message>
-        <source>The folder {} for Python packages cannot be made ({}): {} was not installed.</source>
+        <source>The folder {} for Python packages cannot be created ({}): {} was not installed.</source>
         <translation>Der Ordner {} für Python-Pakete kann nicht angelegt werden ({}): {} wurde nicht installiert.</translation>
     </message>
     <message>
@@ -1075,52 +1975,116 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Der Ordner {} antwortet seit {} s nicht: Verbinden Sie ihn oder wählen Sie einen anderen für die Infodateien.</translation>
     </message>
     <message>
+        <source>The folder {} is not writable: choose another folder for the info files.</source>
+        <translation>Der Ordner {} ist nicht beschreibbar: Wählen Sie einen anderen Ordner für die Infodateien.</translation>
+    </message>
+    <message>
+        <source>The folder {} no longer exists.</source>
+        <translation>Den Ordner {} gibt es nicht mehr.</translation>
+    </message>
+    <message>
         <source>The info file {} is damaged ({}): classify its document again.</source>
         <translation>Die Infodatei {} ist beschädigt ({}): Klassifizieren Sie ihr Dokument erneut.</translation>
     </message>
     <message>
-        <source>The process that classifies could not be started.</source>
-        <translation>Der Prozess, der klassifiziert, konnte nicht gestartet werden.</translation>
+        <source>The installation process could not be started.</source>
+        <translation>Der Installationsprozess konnte nicht gestartet werden.</translation>
     </message>
     <message>
-        <source>The process that classifies ended unexpectedly; what was done is kept. Start again for the rest; the report view has its last words.</source>
-        <translation>Der Prozess, der klassifiziert, wurde unerwartet beendet; was erledigt ist, bleibt erhalten. Starten Sie erneut für den Rest; seine letzten Meldungen stehen im Ausgabefenster.</translation>
+        <source>The learned profile agrees with {} labels; {} does with {}.</source>
+        <translation>Das gelernte Profil stimmt mit {} Einordnungen überein, {} mit {}.</translation>
     </message>
     <message>
-        <source>The process that does this could not be started.</source>
-        <translation>Der Prozess dafür konnte nicht gestartet werden.</translation>
+        <source>The learned profile was written to {}.</source>
+        <translation>Das gelernte Profil wurde nach {} geschrieben.</translation>
     </message>
     <message>
-        <source>The process that does this ended unexpectedly.</source>
-        <translation>Der Prozess dafür wurde unerwartet beendet.</translation>
+        <source>The least wall has to be thinner than the greatest.</source>
+        <translation>Die kleinste Wandstärke muss unter der größten liegen.</translation>
     </message>
     <message>
-        <source>The process that does this ended unexpectedly; the report view has its last words. Refresh the libraries to go on.</source>
-        <translation>Der Prozess dafür wurde unerwartet beendet; seine letzten Meldungen stehen im Ausgabefenster. Aktualisieren Sie die Bibliotheken, um fortzufahren.</translation>
+        <source>The least wall; another one is a limit of your own</source>
+        <translation>Die kleinste Wand; eine andere ist eine eigene Grenze</translation>
     </message>
     <message>
-        <source>The process that installs could not be started.</source>
-        <translation>Der Prozess, der installiert, konnte nicht gestartet werden.</translation>
+        <source>The limit costs layers: {} instead of {}, which would take about {} elements.</source>
+        <translation>Die Höchstzahl kostet Schichten: {} statt {}, die etwa {} Elemente bräuchten.</translation>
     </message>
     <message>
-        <source>The process that measures could not be started.</source>
+        <source>The limits of the wall have unsaved changes.</source>
+        <translation>Die Grenzen der Wandstärke haben ungespeicherte Änderungen.</translation>
+    </message>
+    <message>
+        <source>The map is lit, so that its shape is seen: colours get darker away from the light. Off: flat colours, exactly those of the colour bar</source>
+        <translation>Die Karte ist beleuchtet, sodass man ihre Form sieht: vom Licht abgewandt werden Farben dunkler. Aus: flache Farben, genau die des Farbbalkens</translation>
+    </message>
+    <message>
+        <source>The measuring process could not be started.</source>
         <translation>Der Messprozess konnte nicht gestartet werden.</translation>
     </message>
     <message>
-        <source>The process that measures ended unexpectedly; the document is unharmed. Check the part with 'Check geometry' of the Part workbench.</source>
+        <source>The measuring process ended unexpectedly; the document is unharmed. Check the part with 'Check geometry' of the Part workbench.</source>
         <translation>Der Messprozess wurde unerwartet beendet; das Dokument ist unbeschädigt. Prüfen Sie das Bauteil mit „Geometrie prüfen“ des Arbeitsbereichs Part.</translation>
+    </message>
+    <message>
+        <source>The probabilities of this profile belong to its thresholds before your change: they say how often engineers agreed with verdicts by those. The changed profile is saved without them, and its verdicts are borderline near a threshold instead. 'thinpart learn' makes new ones from labels.</source>
+        <translation>Die Wahrscheinlichkeiten dieses Profils gehören zu seinen Schwellenwerten vor Ihrer Änderung: Sie sagen, wie oft Ingenieure den Urteilen danach zustimmten. Das geänderte Profil wird ohne sie gespeichert; seine Urteile sind stattdessen nahe einem Schwellenwert Grenzfälle. „thinpart learn“ gewinnt neue aus Einordnungen.</translation>
+    </message>
+    <message>
+        <source>The profile has unsaved changes.</source>
+        <translation>Das Profil hat ungespeicherte Änderungen.</translation>
     </message>
     <message>
         <source>The report is in {}.</source>
         <translation>Der Bericht liegt in {}.</translation>
     </message>
     <message>
-        <source>The same may happen to FreeCAD when it opens the file: save your documents first. Open it nevertheless?</source>
-        <translation>Dasselbe kann mit FreeCAD geschehen, wenn es die Datei öffnet: Speichern Sie zuerst Ihre Dokumente. Trotzdem öffnen?</translation>
+        <source>The second bound has to be greater than the first.</source>
+        <translation>Die zweite Schranke muss größer als die erste sein.</translation>
+    </message>
+    <message>
+        <source>The short name consists of 1 to 40 letters, digits, - and _.</source>
+        <translation>Der Kurzname besteht aus 1 bis 40 Buchstaben, Ziffern, - und _.</translation>
+    </message>
+    <message>
+        <source>The short name {} is there twice.</source>
+        <translation>Den Kurznamen {} gibt es zweimal.</translation>
+    </message>
+    <message>
+        <source>The smallest size everywhere would take {}.</source>
+        <translation>Überall die kleinste Größe bräuchte {}.</translation>
+    </message>
+    <message>
+        <source>The table was not written to {}: choose a file name that ends with .csv.</source>
+        <translation>Die Tabelle wurde nicht in {} geschrieben: Wählen Sie einen Dateinamen, der auf .csv endet.</translation>
     </message>
     <message>
         <source>The table {} could not be written ({}): choose another place for it.</source>
         <translation>Die Tabelle {} konnte nicht geschrieben werden ({}): Wählen Sie einen anderen Ort dafür.</translation>
+    </message>
+    <message>
+        <source>The thickness map cannot be written ({}): free some disk space. Nothing was changed.</source>
+        <translation>Die Wandstärkenkarte kann nicht geschrieben werden ({}): Geben Sie Speicherplatz frei. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The thickness map is hidden, to show the thin faces. Space shows it again.</source>
+        <translation>Die Dickenkarte ist ausgeblendet, damit die dünnen Flächen zu sehen sind. Die Leertaste blendet sie wieder ein.</translation>
+    </message>
+    <message>
+        <source>The threshold</source>
+        <translation>Der Schwellenwert</translation>
+    </message>
+    <message>
+        <source>The worker process could not be started.</source>
+        <translation>Der Arbeitsprozess konnte nicht gestartet werden.</translation>
+    </message>
+    <message>
+        <source>The worker process ended unexpectedly.</source>
+        <translation>Der Arbeitsprozess wurde unerwartet beendet.</translation>
+    </message>
+    <message>
+        <source>The worker process ended unexpectedly; the report view shows its last output.</source>
+        <translation>Der Arbeitsprozess wurde unerwartet beendet; seine letzten Meldungen stehen im Ausgabefenster.</translation>
     </message>
     <message>
         <source>The {} parts most like {}, among {} of {}</source>
@@ -1131,8 +2095,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die {} angezeigten Zeilen wurden in {} geschrieben.</translation>
     </message>
     <message>
-        <source>There is no Python {} beside FreeCAD to measure with: install it.</source>
-        <translation>Neben FreeCAD gibt es kein Python {}, mit dem gemessen werden kann: Installieren Sie es.</translation>
+        <source>There are no classified parts.</source>
+        <translation>Es gibt keine klassifizierten Bauteile.</translation>
+    </message>
+    <message>
+        <source>There are two categories {}.</source>
+        <translation>Es gibt zwei Kategorien {}.</translation>
+    </message>
+    <message>
+        <source>There are two criteria {}.</source>
+        <translation>Es gibt zwei Kriterien {}.</translation>
+    </message>
+    <message>
+        <source>There has to be a least or a greatest wall.</source>
+        <translation>Es muss eine kleinste oder eine größte Wandstärke geben.</translation>
     </message>
     <message>
         <source>There is no document to insert into: open or create one first.</source>
@@ -1143,32 +2119,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Es gibt kein Dokument: Öffnen oder erstellen Sie zuerst eines.</translation>
     </message>
     <message>
-        <source>There is no file {} any more.</source>
-        <translation>Die Datei {} gibt es nicht mehr.</translation>
-    </message>
-    <message>
-        <source>There is no folder {} any more.</source>
-        <translation>Den Ordner {} gibt es nicht mehr.</translation>
-    </message>
-    <message>
         <source>There is no folder {}: choose another one.</source>
         <translation>Den Ordner {} gibt es nicht: Wählen Sie einen anderen.</translation>
     </message>
     <message>
-        <source>There is no folder {}: make it first, or choose another one for the info files.</source>
+        <source>There is no folder {}: create it first, or choose another one for the info files.</source>
         <translation>Den Ordner {} gibt es nicht: Legen Sie ihn zuerst an oder wählen Sie einen anderen für die Infodateien.</translation>
     </message>
     <message>
-        <source>There is no room for temporary files ({}): nothing was classified.</source>
-        <translation>Es ist kein Platz für temporäre Dateien ({}): Nichts wurde klassifiziert.</translation>
+        <source>There is no info file to keep this in: press 'Save and write info file' above, or classify the document.</source>
+        <translation>Es gibt keine Infodatei, die das aufnehmen könnte: Drücken Sie oben „Speichern und Infodatei schreiben“, oder klassifizieren Sie das Dokument.</translation>
     </message>
     <message>
-        <source>There is no room for temporary files ({}): nothing was measured.</source>
-        <translation>Es ist kein Platz für temporäre Dateien ({}): Nichts wurde gemessen.</translation>
-    </message>
-    <message>
-        <source>There is no room for the thickness map ({}): nothing was changed.</source>
-        <translation>Für die Wandstärkenkarte ist kein Platz ({}): Es wurde nichts geändert.</translation>
+        <source>Thick, {}</source>
+        <translation>Dicke, {}</translation>
     </message>
     <message>
         <source>Thickness</source>
@@ -1177,10 +2141,6 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Thickness colours</source>
         <translation>Farbskala</translation>
-    </message>
-    <message>
-        <source>Thickness under which a wall is coloured as thin</source>
-        <translation>Wandstärke, unter der eine Wand als dünn eingefärbt wird</translation>
     </message>
     <message>
         <source>Thin</source>
@@ -1199,8 +2159,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Dünnwandiges Bauteil</translation>
     </message>
     <message>
-        <source>ThinPart is there twice: {} is used, {} is not. Remove one of them.</source>
-        <translation>ThinPart ist zweimal da: {} wird benutzt, {} nicht. Entfernen Sie eines davon.</translation>
+        <source>ThinPart is installed twice: {} is used, {} is not. Remove one of them.</source>
+        <translation>ThinPart ist zweimal installiert: {} wird benutzt, {} nicht. Entfernen Sie eines davon.</translation>
     </message>
     <message>
         <source>ThinPart: {}</source>
@@ -1227,8 +2187,12 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Dünnste, {}</translation>
     </message>
     <message>
-        <source>This did not work, for a reason that was not foreseen ({}): try again, and if it happens again, report it with FreeCAD's log.</source>
-        <translation>Das ging aus einem nicht vorgesehenen Grund nicht ({}): Versuchen Sie es noch einmal, und melden Sie es mit FreeCADs Protokoll, wenn es wieder geschieht.</translation>
+        <source>This link is stored with the part. Open it outside FreeCAD?</source>
+        <translation>Dieser Link ist beim Teil hinterlegt. Außerhalb von FreeCAD öffnen?</translation>
+    </message>
+    <message>
+        <source>Three colours: red is thinner than the limit, yellow up to a tenth above it, blue passes. Violet is thicker than the process allows; the edge of a wall is violet too, where the ray runs along the wall</source>
+        <translation>Drei Farben: Rot ist dünner als die Grenze, Gelb bis zu einem Zehntel darüber, Blau besteht. Violett ist dicker, als das Verfahren erlaubt; auch die Kante einer Wand ist violett, wo der Strahl an der Wand entlang läuft</translation>
     </message>
     <message>
         <source>Threshold</source>
@@ -1251,20 +2215,32 @@ Sein Volumen ist unbekannt.</translation>
         <translation>&amp;Zeitlimit pro Datei</translation>
     </message>
     <message>
+        <source>Time limit for one file of a folder, or for one document that is classified automatically</source>
+        <translation>Zeitgrenze für eine Datei eines Ordners oder ein automatisch klassifiziertes Dokument</translation>
+    </message>
+    <message>
         <source>Time per file</source>
         <translation>Zeit pro Datei</translation>
     </message>
     <message>
-        <source>Time that one file of a folder, or a document that is classified automatically, may take</source>
-        <translation>Zeit, die eine Datei eines Ordners oder ein automatisch klassifiziertes Dokument brauchen darf</translation>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>To be measured again, because an earlier version did not measure what decides: {}.</source>
+        <translation>Neu zu messen, weil eine frühere Version nicht gemessen hat, was entscheidet: {}.</translation>
     </message>
     <message>
         <source>To classify a part, open a document and close the task that is open.</source>
         <translation>Um ein Bauteil zu klassifizieren, öffnen Sie ein Dokument und schließen Sie die offene Aufgabe.</translation>
     </message>
     <message>
-        <source>Under which thickness a wall is coloured as thin; the verdict does not depend on it</source>
-        <translation>Unter welcher Wandstärke eine Wand als dünn eingefärbt wird; das Ergebnis hängt nicht davon ab</translation>
+        <source>Two answers to the same part differ in {}.</source>
+        <translation>Zwei Antworten zum selben Bauteil unterscheiden sich in {}.</translation>
     </message>
     <message>
         <source>Unknown</source>
@@ -1275,8 +2251,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Ungemessen</translation>
     </message>
     <message>
+        <source>Unsure below a probability of</source>
+        <translation>Unsicher unter einer Wahrscheinlichkeit von</translation>
+    </message>
+    <message>
+        <source>Unsure: '{}' ({}) or '{}' ({})</source>
+        <translation>Unsicher: „{}“ ({}) oder „{}“ ({})</translation>
+    </message>
+    <message>
         <source>V/VBB</source>
         <translation>V/VBB</translation>
+    </message>
+    <message>
+        <source>VTK PolyData with thickness (*.vtp)</source>
+        <translation>VTK PolyData mit Dicke (*.vtp)</translation>
     </message>
     <message>
         <source>Value</source>
@@ -1291,6 +2279,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Wand</translation>
     </message>
     <message>
+        <source>Wall regions</source>
+        <translation>Wandbereiche</translation>
+    </message>
+    <message>
         <source>Wall thickness</source>
         <translation>Wandstärke</translation>
     </message>
@@ -1303,23 +2295,51 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Wandstärke: min. {}, Median {}, max. {} (± {})</translation>
     </message>
     <message>
+        <source>Walls are in the order of their thickness. Key: {}</source>
+        <translation>Die Wände sind nach ihrer Dicke geordnet. Taste: {}</translation>
+    </message>
+    <message>
         <source>Walls that are shown as thin</source>
         <translation>Wände, die als dünn angezeigt werden</translation>
+    </message>
+    <message>
+        <source>Walls thinner than this are coloured as thin</source>
+        <translation>Dünnere Wände als diese werden als dünn eingefärbt</translation>
+    </message>
+    <message>
+        <source>Walls thinner than this are coloured as thin; the verdict does not depend on it</source>
+        <translation>Dünnere Wände als diese werden als dünn eingefärbt; das Ergebnis hängt nicht davon ab</translation>
+    </message>
+    <message>
+        <source>Walls thinner than this share of the part's diagonal are coloured as thin</source>
+        <translation>Wände, die dünner als dieser Anteil der Diagonale des Bauteils sind, werden als dünn eingefärbt</translation>
     </message>
     <message>
         <source>Warnings</source>
         <translation>Warnungen</translation>
     </message>
     <message>
-        <source>What is under no wall that could be measured, in the heat map</source>
-        <translation>Was in der Farbkarte ohne messbare Wand ist</translation>
+        <source>What faces you is cut off. Choose the current view again after turning the part</source>
+        <translation>Was Ihnen zugewandt ist, wird abgeschnitten. Wählen Sie nach dem Drehen des Bauteils die aktuelle Ansicht erneut</translation>
     </message>
     <message>
-        <source>What was measured, notes, mesh settings and links stay as they are. Write them now?</source>
-        <translation>Messwerte, Notizen, Netzeinstellungen und Verknüpfungen bleiben unverändert. Jetzt schreiben?</translation>
+        <source>What it says about a part</source>
+        <translation>Was es über ein Bauteil sagt</translation>
     </message>
     <message>
-        <source>When a wall is under</source>
+        <source>What to do with such a part</source>
+        <translation>Was mit einem solchen Bauteil zu tun ist</translation>
+    </message>
+    <message>
+        <source>What would change in</source>
+        <translation>Was sich ändern würde in</translation>
+    </message>
+    <message>
+        <source>What you change is saved as your own limits in {}.</source>
+        <translation>Was Sie ändern, wird als Ihre eigenen Grenzen in {} gespeichert.</translation>
+    </message>
+    <message>
+        <source>When a wall is thinner than</source>
         <translation>Wenn eine Wand dünner ist als</translation>
     </message>
     <message>
@@ -1327,8 +2347,12 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Wenn sich die Kategorie eines Bauteils ändert</translation>
     </message>
     <message>
-        <source>When the thinnest wall of a part falls under this thickness, or is under it in a part that was not classified before</source>
+        <source>When the thinnest wall of a part falls below this thickness, or is below it in a part that was not classified before</source>
         <translation>Wenn die dünnste Wand eines Bauteils unter diese Stärke fällt oder bei einem bisher nicht klassifizierten Bauteil darunter liegt</translation>
+    </message>
+    <message>
+        <source>Where the thresholds are from</source>
+        <translation>Woher die Schwellenwerte stammen</translation>
     </message>
     <message>
         <source>Which part do you mean?</source>
@@ -1337,6 +2361,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Why</source>
         <translation>Warum</translation>
+    </message>
+    <message>
+        <source>Why it is left out, such as: a crush rib, thin on purpose</source>
+        <translation>Warum sie wegbleibt, etwa: Quetschrippe, absichtlich dünn</translation>
     </message>
     <message>
         <source>Why: {}</source>
@@ -1351,12 +2379,40 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Schreiben…</translation>
     </message>
     <message>
+        <source>Writing a report</source>
+        <translation>Bericht wird geschrieben</translation>
+    </message>
+    <message>
         <source>Writing the info file…</source>
         <translation>Infodatei wird geschrieben…</translation>
     </message>
     <message>
+        <source>Writing {}…</source>
+        <translation>{} wird geschrieben…</translation>
+    </message>
+    <message>
+        <source>Written: {}</source>
+        <translation>Geschrieben: {}</translation>
+    </message>
+    <message>
+        <source>Your label is kept once the document is saved and its info file is written.</source>
+        <translation>Ihre Einordnung wird aufbewahrt, sobald das Dokument gespeichert und seine Infodatei geschrieben ist.</translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation>Ihr Name</translation>
+    </message>
+    <message>
+        <source>Your name, under which your labels of parts are kept. Empty: your name on this computer</source>
+        <translation>Ihr Name, unter dem Ihre Einordnungen von Bauteilen aufbewahrt werden. Leer: Ihr Name auf diesem Rechner</translation>
+    </message>
+    <message>
         <source>a file, or a JSON object</source>
         <translation>eine Datei oder ein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>a folder with classified parts</source>
+        <translation>ein Ordner mit klassifizierten Bauteilen</translation>
     </message>
     <message>
         <source>a share of the part's diagonal</source>
@@ -1371,6 +2427,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>noch etwa {}</translation>
     </message>
     <message>
+        <source>all {} libraries</source>
+        <translation>alle {} Bibliotheken</translation>
+    </message>
+    <message>
         <source>all, or such as: bracket*; *_v2*</source>
         <translation>alle, oder z. B.: halter*; *_v2*</translation>
     </message>
@@ -1379,20 +2439,64 @@ Sein Volumen ist unbekannt.</translation>
         <translation>eine Adresse oder ein Ordner</translation>
     </message>
     <message>
+        <source>and a smaller wall, {} of the surface</source>
+        <translation>und eine kleinere Wand, {} der Oberfläche</translation>
+    </message>
+    <message>
         <source>and {} more parts</source>
         <translation>und {} weitere Bauteile</translation>
     </message>
     <message>
-        <source>area over walls thinner than this share of the diagonal</source>
-        <translation>Oberfläche über Wänden, dünner als dieser Anteil der Diagonale</translation>
+        <source>and {} smaller walls, {} of the surface</source>
+        <translation>und {} kleinere Wände, {} der Oberfläche</translation>
+    </message>
+    <message>
+        <source>any material</source>
+        <translation>jedes Material</translation>
+    </message>
+    <message>
+        <source>area with walls thinner than this share of the diagonal</source>
+        <translation>Oberfläche mit Wänden, dünner als dieser Anteil der Diagonale</translation>
+    </message>
+    <message>
+        <source>as before</source>
+        <translation>wie zuvor</translation>
+    </message>
+    <message>
+        <source>as on this computer</source>
+        <translation>wie auf diesem Rechner</translation>
+    </message>
+    <message>
+        <source>as proposed</source>
+        <translation>wie vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>automatic: {}</source>
+        <translation>automatisch: {}</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>Stab</translation>
     </message>
     <message>
         <source>beside each document</source>
         <translation>neben jedem Dokument</translation>
     </message>
     <message>
-        <source>cancelled: what was done is kept, Start does the rest</source>
-        <translation>abgebrochen: Erledigtes bleibt erhalten, „Starten“ macht den Rest</translation>
+        <source>block</source>
+        <translation>Block</translation>
+    </message>
+    <message>
+        <source>cancelled: finished results are saved, Start continues with the rest</source>
+        <translation>abgebrochen: fertige Ergebnisse sind gespeichert, „Starten“ macht mit dem Rest weiter</translation>
+    </message>
+    <message>
+        <source>element size {}</source>
+        <translation>Elementgröße {}</translation>
+    </message>
+    <message>
+        <source>excluded: {}</source>
+        <translation>ausgeschlossen: {}</translation>
     </message>
     <message>
         <source>failed</source>
@@ -1401,6 +2505,22 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>failed: {}</source>
         <translation>fehlgeschlagen: {}</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>durchgefallen</translation>
+    </message>
+    <message>
+        <source>fine</source>
+        <translation>fein</translation>
+    </message>
+    <message>
+        <source>from {} mm on</source>
+        <translation>ab {} mm</translation>
+    </message>
+    <message>
+        <source>gamma: three times the inscribed by the circumscribed radius; 1 for regular tetrahedra, under 0.3 poor</source>
+        <translation>gamma: dreimal der Radius der Inkugel durch den der Umkugel; 1 bei regelmäßigen Tetraedern, unter 0,3 schlecht</translation>
     </message>
     <message>
         <source>in</source>
@@ -1423,6 +2543,18 @@ Sein Volumen ist unbekannt.</translation>
         <translation>es ist das aktive Dokument selbst</translation>
     </message>
     <message>
+        <source>learned</source>
+        <translation>gelernt</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>ausgelassen</translation>
+    </message>
+    <message>
+        <source>linear (first order)</source>
+        <translation>linear (erste Ordnung)</translation>
+    </message>
+    <message>
         <source>measuring…</source>
         <translation>wird gemessen…</translation>
     </message>
@@ -1431,8 +2563,28 @@ Sein Volumen ist unbekannt.</translation>
         <translation>nein</translation>
     </message>
     <message>
+        <source>no library yet</source>
+        <translation>noch keine Bibliothek</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>keine Grenze</translation>
+    </message>
+    <message>
+        <source>no mesh ({})</source>
+        <translation>kein Netz ({})</translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>keine</translation>
+    </message>
+    <message>
+        <source>none stated</source>
+        <translation>keine angegeben</translation>
+    </message>
+    <message>
+        <source>none, or such as: FDM, die_casting:zinc</source>
+        <translation>keine, oder etwa: FDM, die_casting:zinc</translation>
     </message>
     <message>
         <source>normal</source>
@@ -1467,6 +2619,26 @@ Sein Volumen ist unbekannt.</translation>
         <translation>eine pro Prozessor</translation>
     </message>
     <message>
+        <source>one size</source>
+        <translation>eine Größe</translation>
+    </message>
+    <message>
+        <source>only as the verdict needs</source>
+        <translation>nur so weit das Urteil es braucht</translation>
+    </message>
+    <message>
+        <source>over {}: too thick</source>
+        <translation>über {}: zu dick</translation>
+    </message>
+    <message>
+        <source>own limit</source>
+        <translation>eigene Grenze</translation>
+    </message>
+    <message>
+        <source>passes</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
         <source>paused</source>
         <translation>angehalten</translation>
     </message>
@@ -1475,8 +2647,28 @@ Sein Volumen ist unbekannt.</translation>
         <translation>wird angehalten</translation>
     </message>
     <message>
-        <source>pip could not install {}; the report view has its words.</source>
+        <source>pip could not install {}; the report view shows its output.</source>
         <translation>pip konnte {} nicht installieren; seine Meldungen stehen im Ausgabefenster.</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>plate</source>
+        <translation>Platte</translation>
+    </message>
+    <message>
+        <source>quadratic (second order)</source>
+        <translation>quadratisch (zweite Ordnung)</translation>
+    </message>
+    <message>
+        <source>quality of the elements (gamma)</source>
+        <translation>Qualität der Elemente (gamma)</translation>
+    </message>
+    <message>
+        <source>red is thin</source>
+        <translation>Rot ist dünn</translation>
     </message>
     <message>
         <source>s</source>
@@ -1499,12 +2691,32 @@ Sein Volumen ist unbekannt.</translation>
         <translation>stufenlos</translation>
     </message>
     <message>
+        <source>standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
         <source>stopping</source>
         <translation>wird abgebrochen</translation>
     </message>
     <message>
         <source>such as: old/*; *draft*</source>
         <translation>z. B.: alt/*; *entwurf*</translation>
+    </message>
+    <message>
+        <source>taper</source>
+        <translation>Keil</translation>
+    </message>
+    <message>
+        <source>the current view</source>
+        <translation>die aktuelle Ansicht</translation>
+    </message>
+    <message>
+        <source>the learned profile</source>
+        <translation>dem gelernten Profil</translation>
+    </message>
+    <message>
+        <source>the view cannot be drawn at this size</source>
+        <translation>die Ansicht kann in dieser Größe nicht gezeichnet werden</translation>
     </message>
     <message>
         <source>there is no importer for such files</source>
@@ -1535,8 +2747,36 @@ Sein Volumen ist unbekannt.</translation>
         <translation>auf mindestens der halben Fläche dünn</translation>
     </message>
     <message>
+        <source>those that people keep in its info files</source>
+        <translation>die in ihren Infodateien aufbewahrten</translation>
+    </message>
+    <message>
+        <source>to be measured again</source>
+        <translation>neu zu messen</translation>
+    </message>
+    <message>
+        <source>tooth</source>
+        <translation>Zahn</translation>
+    </message>
+    <message>
+        <source>tube</source>
+        <translation>Rohr</translation>
+    </message>
+    <message>
+        <source>under {}: fails</source>
+        <translation>unter {}: fällt durch</translation>
+    </message>
+    <message>
         <source>unknown</source>
         <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>up to {} above it</source>
+        <translation>bis zu {} darüber</translation>
+    </message>
+    <message>
+        <source>up to {} mm</source>
+        <translation>bis {} mm</translation>
     </message>
     <message>
         <source>wedge {:g}–{:g}°</source>
@@ -1547,12 +2787,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>ja</translation>
     </message>
     <message>
-        <source>{} (borderline)</source>
-        <translation>{} (Grenzfall)</translation>
+        <source>{} (own)</source>
+        <translation>{} (eigene)</translation>
     </message>
     <message>
         <source>{} (rule {})</source>
         <translation>„{}“ (Regel {})</translation>
+    </message>
+    <message>
+        <source>{} (unsure)</source>
+        <translation>{} (unsicher)</translation>
     </message>
     <message>
         <source>{} ({} parts)</source>
@@ -1563,6 +2807,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{} ({}-mal)</translation>
     </message>
     <message>
+        <source>{} Refresh the libraries to go on.</source>
+        <translation>{} Aktualisieren Sie die Bibliotheken, um fortzufahren.</translation>
+    </message>
+    <message>
         <source>{} There are {} more failures.</source>
         <translation>{} Es gibt {} weitere Fehler.</translation>
     </message>
@@ -1571,12 +2819,32 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{} und mehr: {} der Oberfläche</translation>
     </message>
     <message>
+        <source>{} cannot be reached.</source>
+        <translation>{} ist nicht erreichbar.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written ({}): choose another place.</source>
+        <translation>{} kann nicht geschrieben werden ({}): wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>{} contains {}, which was removed from the list.</source>
+        <translation>{} enthält {}; dieser Ordner wurde aus der Liste genommen.</translation>
+    </message>
+    <message>
         <source>{} different parts, {} instances</source>
         <translation>{} verschiedene Bauteile, {} Instanzen</translation>
     </message>
     <message>
+        <source>{} elements, {} poor, worst {}</source>
+        <translation>{} Elemente, {} schlecht, schlechtestes {}</translation>
+    </message>
+    <message>
         <source>{} failed</source>
         <translation>{} fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>{} fails</source>
+        <translation>{} fällt durch</translation>
     </message>
     <message>
         <source>{} h {} min</source>
@@ -1587,11 +2855,11 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{} hat keine Infodatei.</translation>
     </message>
     <message>
-        <source>{} holds {} too, which was taken off the list.</source>
-        <translation>{} enthält auch {}; dieser Ordner wurde aus der Liste genommen.</translation>
+        <source>{} info files cannot be read.</source>
+        <translation>{} Infodateien sind nicht lesbar.</translation>
     </message>
     <message>
-        <source>{} info files were left as they are: {}</source>
+        <source>{} info files were not changed: {}</source>
         <translation>{} Infodateien blieben unverändert: {}</translation>
     </message>
     <message>
@@ -1611,12 +2879,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{} ist schon in der Liste.</translation>
     </message>
     <message>
+        <source>{} jobs: {}</source>
+        <translation>{} Aufträge: {}</translation>
+    </message>
+    <message>
+        <source>{} just above</source>
+        <translation>{} knapp darüber</translation>
+    </message>
+    <message>
+        <source>{} labelled parts: {}; by {}.</source>
+        <translation>{} eingeordnete Bauteile: {}; von {}.</translation>
+    </message>
+    <message>
         <source>{} min</source>
         <translation>{} min</translation>
     </message>
     <message>
-        <source>{} of the area lies over walls thinner than {}</source>
-        <translation>{} der Oberfläche liegen über Wänden dünner als {}</translation>
+        <source>{} of the area has walls thinner than {}</source>
+        <translation>{} der Oberfläche haben Wände dünner als {}</translation>
     </message>
     <message>
         <source>{} of {} files</source>
@@ -1627,16 +2907,40 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{} von {} Bauteilen</translation>
     </message>
     <message>
+        <source>{} of {} parts change their category.</source>
+        <translation>{} von {} Bauteilen wechseln ihre Kategorie.</translation>
+    </message>
+    <message>
         <source>{} of {} parts change their category; {} info files would be updated.</source>
         <translation>{} von {} Bauteilen wechseln ihre Kategorie; {} Infodateien würden aktualisiert.</translation>
     </message>
     <message>
-        <source>{} probes were removed: the surface is no longer where they were.</source>
+        <source>{} of {} parts fail</source>
+        <translation>{} von {} Teilen fallen durch</translation>
+    </message>
+    <message>
+        <source>{} of {}: elements of {}</source>
+        <translation>{} von {}: Elemente von {}</translation>
+    </message>
+    <message>
+        <source>{} of {}: {} % ({} to {})</source>
+        <translation>{} von {}: {} % ({} bis {})</translation>
+    </message>
+    <message>
+        <source>{} passes</source>
+        <translation>{} besteht</translation>
+    </message>
+    <message>
+        <source>{} probes were removed: the surface is no longer at their positions.</source>
         <translation>{} Messpunkte wurden entfernt: Die Oberfläche ist nicht mehr dort, wo sie waren.</translation>
     </message>
     <message>
         <source>{} s</source>
         <translation>{} s</translation>
+    </message>
+    <message>
+        <source>{} to {} mm</source>
+        <translation>{} bis {} mm</translation>
     </message>
     <message>
         <source>{} to {} thick ({} to {} of the diagonal): {} of the area</source>
@@ -1655,6 +2959,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{} bis {}: {} der Oberfläche, auf {} Flächen</translation>
     </message>
     <message>
+        <source>{} too thick</source>
+        <translation>{} zu dick</translation>
+    </message>
+    <message>
         <source>{} unchanged</source>
         <translation>{} unverändert</translation>
     </message>
@@ -1671,11 +2979,23 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{} wurde im Verzeichnis der Python-Pakete nicht gefunden: Verbinden Sie diesen Computer mit dem Internet oder richten Sie den Proxy von pip ein, und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
+        <source>{} was not opened: it is not a CAD file that ThinPart reads.</source>
+        <translation>{} wurde nicht geöffnet: Es ist keine CAD-Datei, die ThinPart liest.</translation>
+    </message>
+    <message>
         <source>{}, and share of the diagonal</source>
         <translation>{} und Anteil der Diagonale</translation>
     </message>
     <message>
-        <source>{}: '{}' ({}) has a wall of {}, under the limit of {}.</source>
+        <source>{}, {}: {}</source>
+        <translation>{}, {}: {}</translation>
+    </message>
+    <message>
+        <source>{}. {}, where one of these holds</source>
+        <translation>{}. {}, wenn eines davon erfüllt ist</translation>
+    </message>
+    <message>
+        <source>{}: '{}' ({}) has a wall of {}, below the limit of {}.</source>
         <translation>{}: „{}“ ({}) hat eine Wand von {}, unter der Grenze von {}.</translation>
     </message>
     <message>
@@ -1683,7 +3003,7 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{}: „{}“ war „{}“ und ist jetzt „{}“; die dünnste Wand hat {}.</translation>
     </message>
     <message>
-        <source>{}: '{}' was '{}' and is '{}' now; its thinnest wall of {} is under the limit of {}.</source>
+        <source>{}: '{}' was '{}' and is '{}' now; its thinnest wall of {} is below the limit of {}.</source>
         <translation>{}: „{}“ war „{}“ und ist jetzt „{}“; die dünnste Wand von {} liegt unter der Grenze von {}.</translation>
     </message>
     <message>
@@ -1718,52 +3038,120 @@ Sein Volumen ist unbekannt.</translation>
         <source>⚠ The part has changed since it was measured.</source>
         <translation>⚠ Das Bauteil hat sich seit der Messung geändert.</translation>
     </message>
+    <message>
+        <source>✓ {}: within the limits</source>
+        <translation>✓ {}: innerhalb der Grenzen</translation>
+    </message>
+    <message>
+        <source>✗ {}: at least {} are needed here</source>
+        <translation>✗ {}: hier sind mindestens {} nötig</translation>
+    </message>
+    <message>
+        <source>✗ {}: at most {} are allowed here</source>
+        <translation>✗ {}: hier sind höchstens {} zulässig</translation>
+    </message>
 </context>
 <context>
     <name>ThinPartCore</name>
     <message>
-        <source>'{}' has an empty shape: recompute the document or delete it.</source>
-        <translation>„{}“ hat eine leere Form: Berechnen Sie das Dokument neu oder löschen Sie das Objekt.</translation>
+        <source>'{object}' has an empty shape: recompute the document or delete it.</source>
+        <translation>„{object}“ hat eine leere Form: Berechnen Sie das Dokument neu oder löschen Sie das Objekt.</translation>
     </message>
     <message>
-        <source>'{}' has no shape, because its last recompute failed ({}): repair it and recompute the document.</source>
-        <translation>„{}“ hat keine Form, weil die letzte Neuberechnung fehlgeschlagen ist ({}): Reparieren Sie das Objekt und berechnen Sie das Dokument neu.</translation>
+        <source>'{object}' has no shape, because its last recompute failed ({reason}): repair it and recompute the document.</source>
+        <translation>„{object}“ hat keine Form, weil die letzte Neuberechnung fehlgeschlagen ist ({reason}): Reparieren Sie das Objekt und berechnen Sie das Dokument neu.</translation>
     </message>
     <message>
-        <source>'{}' has no shape, because the last recompute of '{}' failed ({}): repair it and recompute the document.</source>
-        <translation>„{}“ hat keine Form, weil die letzte Neuberechnung von „{}“ fehlgeschlagen ist ({}): Reparieren Sie das Objekt und berechnen Sie das Dokument neu.</translation>
+        <source>'{object}' has no shape, because the last recompute of '{feature}' failed ({reason}): repair it and recompute the document.</source>
+        <translation>„{object}“ hat keine Form, weil die letzte Neuberechnung von „{feature}“ fehlgeschlagen ist ({reason}): Reparieren Sie das Objekt und berechnen Sie das Dokument neu.</translation>
     </message>
     <message>
-        <source>'{}' is a closed shell but no solid: convert it to a solid first.</source>
-        <translation>„{}“ ist eine geschlossene Schale, aber kein Volumenkörper: Wandeln Sie sie zuerst in einen Volumenkörper um.</translation>
+        <source>'{object}' is a closed shell but not a solid: convert it to a solid first.</source>
+        <translation>„{object}“ ist eine geschlossene Schale, aber kein Volumenkörper: Wandeln Sie sie zuerst in einen Volumenkörper um.</translation>
     </message>
     <message>
-        <source>'{}' is a mesh without triangles: import it again or delete it.</source>
-        <translation>„{}“ ist ein Netz ohne Dreiecke: Importieren Sie es erneut oder löschen Sie es.</translation>
+        <source>'{object}' is a mesh without triangles: import it again or delete it.</source>
+        <translation>„{object}“ ist ein Netz ohne Dreiecke: Importieren Sie es erneut oder löschen Sie es.</translation>
     </message>
     <message>
-        <source>'{}' is made of surfaces that bound no solid: close or thicken it first.</source>
-        <translation>„{}“ besteht aus Flächen, die keinen Volumenkörper begrenzen: Schließen Sie sie zuerst oder geben Sie ihnen eine Wandstärke.</translation>
+        <source>'{object}' is made of surfaces that bound no solid: close or thicken it first.</source>
+        <translation>„{object}“ besteht aus Flächen, die keinen Volumenkörper begrenzen: Schließen Sie sie zuerst oder geben Sie ihnen eine Wandstärke.</translation>
+    </message>
+    <message>
+        <source>'{part}' consists of {count} solids, which FEM meshes as one: take it apart first (Part workbench: Compound &gt; Explode compound), then select one solid.</source>
+        <translation>„{part}“ besteht aus {count} Festkörpern, die FEM als einen vernetzt: Zerlegen Sie es zuerst (Arbeitsbereich Part: Verbund &gt; Verbund auflösen) und wählen Sie dann einen Festkörper.</translation>
+    </message>
+    <message>
+        <source>A budget is at least 1 element, not {value}.</source>
+        <translation>Ein Budget ist mindestens 1 Element, nicht {value}.</translation>
     </message>
     <message>
         <source>A bulky part with thin places: refine the mesh there or remove them.</source>
         <translation>Ein massiges Bauteil mit dünnen Stellen: Verfeinern Sie dort das Netz oder entfernen Sie sie.</translation>
     </message>
     <message>
+        <source>ABS</source>
+        <translation>ABS</translation>
+    </message>
+    <message>
+        <source>Acetal (POM)</source>
+        <translation>Polyacetal (POM)</translation>
+    </message>
+    <message>
+        <source>Acrylic (PMMA)</source>
+        <translation>Acrylglas (PMMA)</translation>
+    </message>
+    <message>
         <source>All its triangles have zero area.</source>
         <translation>Alle Dreiecke haben den Flächeninhalt null.</translation>
     </message>
     <message>
-        <source>All points lie in one place.</source>
-        <translation>Alle Punkte liegen an einer Stelle.</translation>
+        <source>All points coincide.</source>
+        <translation>Alle Punkte fallen zusammen.</translation>
+    </message>
+    <message>
+        <source>Aluminium</source>
+        <translation>Aluminium</translation>
+    </message>
+    <message>
+        <source>Aluminium, large casting</source>
+        <translation>Aluminium, großes Gussteil</translation>
+    </message>
+    <message>
+        <source>Aluminium, small casting</source>
+        <translation>Aluminium, kleines Gussteil</translation>
     </message>
     <message>
         <source>Area of its surface</source>
         <translation>Flächeninhalt der Oberfläche</translation>
     </message>
     <message>
+        <source>Brass, large casting</source>
+        <translation>Messing, großes Gussteil</translation>
+    </message>
+    <message>
+        <source>Brass, small casting</source>
+        <translation>Messing, kleines Gussteil</translation>
+    </message>
+    <message>
+        <source>Calibrated on real parts</source>
+        <translation>An echten Teilen kalibriert</translation>
+    </message>
+    <message>
         <source>Diagonal of the bounding box</source>
         <translation>Diagonale des Hüllquaders</translation>
+    </message>
+    <message>
+        <source>Die casting</source>
+        <translation>Druckguss</translation>
+    </message>
+    <message>
+        <source>Ductile iron</source>
+        <translation>Gusseisen mit Kugelgraphit</translation>
+    </message>
+    <message>
+        <source>FDM printing</source>
+        <translation>FDM-Druck</translation>
     </message>
     <message>
         <source>Faces that meet in a thin wedge</source>
@@ -1778,52 +3166,92 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Flach und etwa so lang wie breit</translation>
     </message>
     <message>
-        <source>FreeCAD cannot be imported by {} ({}): install it (Debian: 'apt-get install freecad') or set FREECAD_LIB to the folder with its FreeCAD.so or FreeCAD.pyd.</source>
-        <translation>FreeCAD kann von {} nicht importiert werden ({}): Installieren Sie es (Debian: „apt-get install freecad“) oder setzen Sie FREECAD_LIB auf den Ordner mit seiner FreeCAD.so oder FreeCAD.pyd.</translation>
+        <source>Free-standing</source>
+        <translation>Freistehend</translation>
     </message>
     <message>
-        <source>FreeCAD cannot open {} ({}).</source>
-        <translation>FreeCAD kann {} nicht öffnen ({}).</translation>
+        <source>FreeCAD cannot be imported by {program} ({problem}): install it (Debian: 'apt-get install freecad') or set FREECAD_LIB to the folder with its FreeCAD.so or FreeCAD.pyd.</source>
+        <translation>FreeCAD kann von {program} nicht importiert werden ({problem}): Installieren Sie es (Debian: „apt-get install freecad“) oder setzen Sie FREECAD_LIB auf den Ordner mit seiner FreeCAD.so oder FreeCAD.pyd.</translation>
     </message>
     <message>
-        <source>FreeCAD cannot read {} ({}).</source>
-        <translation>FreeCAD kann {} nicht lesen ({}).</translation>
+        <source>FreeCAD cannot open {file} ({problem}).</source>
+        <translation>FreeCAD kann {file} nicht öffnen ({problem}).</translation>
+    </message>
+    <message>
+        <source>FreeCAD cannot read {file} ({problem}).</source>
+        <translation>FreeCAD kann {file} nicht lesen ({problem}).</translation>
     </message>
     <message>
         <source>FreeCAD could not tessellate any of its faces.</source>
         <translation>FreeCAD konnte keine der Flächen tessellieren.</translation>
     </message>
     <message>
-        <source>FreeCAD could not tessellate it ({}).</source>
-        <translation>FreeCAD konnte das Bauteil nicht tessellieren ({}).</translation>
+        <source>FreeCAD could not tessellate it ({problem}).</source>
+        <translation>FreeCAD konnte das Bauteil nicht tessellieren ({problem}).</translation>
     </message>
     <message>
-        <source>FreeCAD could not tessellate {} and {} more.</source>
-        <translation>FreeCAD konnte {} und {} weitere nicht tessellieren.</translation>
+        <source>FreeCAD could not tessellate {faces} and {count} more.</source>
+        <translation>FreeCAD konnte {faces} und {count} weitere nicht tessellieren.</translation>
     </message>
     <message>
-        <source>FreeCAD could not tessellate {}.</source>
-        <translation>FreeCAD konnte {} nicht tessellieren.</translation>
+        <source>FreeCAD could not tessellate {faces}.</source>
+        <translation>FreeCAD konnte {faces} nicht tessellieren.</translation>
     </message>
     <message>
         <source>FreeCAD did not say which triangle belongs to which face.</source>
         <translation>FreeCAD gab nicht an, welches Dreieck zu welcher Fläche gehört.</translation>
     </message>
     <message>
-        <source>FreeCAD follows no links from a document whose path is no UTF-8 text or has a backslash: rename {} or the folder that it lies in.</source>
-        <translation>FreeCAD folgt keinen Verknüpfungen aus einem Dokument, dessen Pfad kein UTF-8-Text ist oder einen umgekehrten Schrägstrich enthält: Benennen Sie {} oder seinen Ordner um.</translation>
+        <source>FreeCAD does not follow links from a document whose path is not UTF-8 text or has a backslash: rename {file} or its folder.</source>
+        <translation>FreeCAD folgt keinen Verknüpfungen aus einem Dokument, dessen Pfad kein UTF-8-Text ist oder einen umgekehrten Schrägstrich enthält: Benennen Sie {file} oder seinen Ordner um.</translation>
+    </message>
+    <message>
+        <source>FreeCAD needs a home folder, but {folder} is not accessible: set FREECAD_USER_HOME to a folder that is.</source>
+        <translation>FreeCAD braucht einen Benutzerordner, aber {folder} ist nicht zugänglich: Setzen Sie FREECAD_USER_HOME auf einen zugänglichen Ordner.</translation>
     </message>
     <message>
         <source>Giannini et al. 2012</source>
         <translation>Giannini u. a. 2012</translation>
     </message>
     <message>
-        <source>Info files cannot be written into {} ({}): give another folder to --info-dir.</source>
-        <translation>In {} können keine Infodateien geschrieben werden ({}): Wählen Sie einen anderen Ordner dafür (--info-dir).</translation>
+        <source>Gmsh crashed</source>
+        <translation>Gmsh ist abgestürzt</translation>
     </message>
     <message>
-        <source>It came as {} loose faces, which were sewn together.</source>
-        <translation>Es lag als {} lose Flächen vor, die zusammengenäht wurden.</translation>
+        <source>Gmsh filled no volume</source>
+        <translation>Gmsh hat kein Volumen gefüllt</translation>
+    </message>
+    <message>
+        <source>Gmsh needed too much memory</source>
+        <translation>Gmsh brauchte zu viel Speicher</translation>
+    </message>
+    <message>
+        <source>Gmsh took too long</source>
+        <translation>Gmsh brauchte zu lange</translation>
+    </message>
+    <message>
+        <source>Gmsh wrote no mesh</source>
+        <translation>Gmsh hat kein Netz geschrieben</translation>
+    </message>
+    <message>
+        <source>Grey iron</source>
+        <translation>Grauguss</translation>
+    </message>
+    <message>
+        <source>Held on two sides</source>
+        <translation>An zwei Seiten gehalten</translation>
+    </message>
+    <message>
+        <source>Info files cannot be written into {folder} ({problem}): give another folder to --info-dir.</source>
+        <translation>In {folder} können keine Infodateien geschrieben werden ({problem}): Wählen Sie einen anderen Ordner dafür (--info-dir).</translation>
+    </message>
+    <message>
+        <source>Injection moulding</source>
+        <translation>Spritzguss</translation>
+    </message>
+    <message>
+        <source>It came as {faces} loose faces, which were sewn together.</source>
+        <translation>Es lag als {faces} lose Flächen vor, die zusammengenäht wurden.</translation>
     </message>
     <message>
         <source>It holds no triangles.</source>
@@ -1838,8 +3266,32 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die Oberfläche umschließt kein Volumen.</translation>
     </message>
     <message>
+        <source>Layers are from 0.1 to {most:g}, not {value:g}.</source>
+        <translation>Lagen sind von 0,1 bis {most:g} möglich, nicht {value:g}.</translation>
+    </message>
+    <message>
+        <source>Learned on {date} from labels of {count} parts by {people}, starting at the profile {start}</source>
+        <translation>Gelernt am {date} aus Einordnungen von {count} Bauteilen durch {people}, ausgehend vom Profil {start}</translation>
+    </message>
+    <message>
+        <source>Learning needs the Python package scikit-learn ({problem}): install it (Debian: 'apt-get install python3-sklearn', elsewhere: 'python -m pip install scikit-learn').</source>
+        <translation>Das Lernen braucht das Python-Paket scikit-learn ({problem}): Installieren Sie es (Debian: „apt-get install python3-sklearn“, sonst: „python -m pip install scikit-learn“).</translation>
+    </message>
+    <message>
         <source>Least distance, in diagonals, between walls at a to b degrees</source>
         <translation>Kleinster Abstand, in Diagonalen, zwischen Wänden im Winkel von a bis b Grad</translation>
+    </message>
+    <message>
+        <source>Least distance, in diagonals, between walls at {low:g} to {high:g} degrees</source>
+        <translation>Kleinster Abstand, in Diagonalen, zwischen Wänden im Winkel von {low:g} bis {high:g} Grad</translation>
+    </message>
+    <message>
+        <source>Liquid crystal polymer</source>
+        <translation>Flüssigkristallpolymer</translation>
+    </message>
+    <message>
+        <source>Long-fibre reinforced plastics</source>
+        <translation>Langfaserverstärkte Kunststoffe</translation>
     </message>
     <message>
         <source>Longest side of the bounding box</source>
@@ -1850,6 +3302,30 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Längste zu mittlerer Seite des Hüllquaders</translation>
     </message>
     <message>
+        <source>Machining</source>
+        <translation>Zerspanung</translation>
+    </message>
+    <message>
+        <source>Magnesium, large casting</source>
+        <translation>Magnesium, großes Gussteil</translation>
+    </message>
+    <message>
+        <source>Magnesium, small casting</source>
+        <translation>Magnesium, kleines Gussteil</translation>
+    </message>
+    <message>
+        <source>Median thickness of the thinnest wall region</source>
+        <translation>Mediandicke des dünnsten Wandbereichs</translation>
+    </message>
+    <message>
+        <source>Meshing needs Gmsh: install it (Debian: 'apt-get install gmsh', elsewhere: https://gmsh.info), and see that 'gmsh --version' runs.</source>
+        <translation>Zum Vernetzen wird Gmsh gebraucht: installieren Sie es (Debian: 'apt-get install gmsh', sonst: https://gmsh.info), und prüfen Sie, ob 'gmsh --version' läuft.</translation>
+    </message>
+    <message>
+        <source>Metal</source>
+        <translation>Metall</translation>
+    </message>
+    <message>
         <source>Middle side of the bounding box</source>
         <translation>Mittlere Seite des Hüllquaders</translation>
     </message>
@@ -1858,39 +3334,127 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Mittlere zu kürzester Seite des Hüllquaders</translation>
     </message>
     <message>
-        <source>No report can be written into {} ({}): give another folder.</source>
-        <translation>In {} kann kein Bericht geschrieben werden ({}): Geben Sie einen anderen Ordner an.</translation>
+        <source>No part is labelled {categories}: label at least {needed} parts of every category.</source>
+        <translation>Kein Bauteil ist als {categories} eingeordnet: Ordnen Sie mindestens {needed} Bauteile in jede Kategorie ein.</translation>
     </message>
     <message>
-        <source>Nothing was measured that could be written.</source>
-        <translation>Es wurde nichts gemessen, was geschrieben werden könnte.</translation>
+        <source>No report can be written into {folder} ({problem}): give another folder.</source>
+        <translation>In {folder} kann kein Bericht geschrieben werden ({problem}): Geben Sie einen anderen Ordner an.</translation>
+    </message>
+    <message>
+        <source>No wall is wide and thin enough for a shell.</source>
+        <translation>Keine Wand ist breit und dünn genug für eine Schale.</translation>
+    </message>
+    <message>
+        <source>No walls are thinner than {limit} mm, {part} of the middle side of {middle} mm: mesh it with solids.</source>
+        <translation>Keine Wand ist dünner als {limit} mm, {part} der mittleren Seite von {middle} mm: mit Volumenelementen vernetzen.</translation>
+    </message>
+    <message>
+        <source>Number of wall regions that are bars, shafts, wires or rings</source>
+        <translation>Anzahl der Wandbereiche, die Stäbe, Wellen, Drähte oder Ringe sind</translation>
+    </message>
+    <message>
+        <source>Number of wall regions that are blocks</source>
+        <translation>Anzahl der Wandbereiche, die Blöcke sind</translation>
+    </message>
+    <message>
+        <source>Number of wall regions that are plates, flat, bent or shells</source>
+        <translation>Anzahl der Wandbereiche, die Platten sind, eben, gebogen oder Schalen</translation>
+    </message>
+    <message>
+        <source>Number of wall regions that are tapers</source>
+        <translation>Anzahl der Wandbereiche, die Keile sind</translation>
+    </message>
+    <message>
+        <source>Number of wall regions that are teeth, of gears or threads</source>
+        <translation>Anzahl der Wandbereiche, die Zähne sind, von Zahnrädern oder Gewinden</translation>
+    </message>
+    <message>
+        <source>Number of wall regions that are tubes</source>
+        <translation>Anzahl der Wandbereiche, die Rohre sind</translation>
+    </message>
+    <message>
+        <source>Number of wall regions, connected walls of like thickness</source>
+        <translation>Anzahl der Wandbereiche, zusammenhängender Wände ähnlicher Dicke</translation>
+    </message>
+    <message>
+        <source>Nylon (PA)</source>
+        <translation>Polyamid (PA)</translation>
+    </message>
+    <message>
+        <source>Only {share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm: mesh it with solids.</source>
+        <translation>Nur {share} der Oberfläche liegen über Wänden, die dünner als {limit} mm sind, {part} der mittleren Seite von {middle} mm: mit Volumenelementen vernetzen.</translation>
     </message>
     <message>
         <source>Part with thin features</source>
         <translation>Bauteil mit dünnen Bereichen</translation>
     </message>
     <message>
+        <source>Plastic</source>
+        <translation>Kunststoff</translation>
+    </message>
+    <message>
         <source>Plate</source>
         <translation>Platte</translation>
     </message>
     <message>
-        <source>Reports need the Python package Jinja2 ({}): install it (Debian: 'apt-get install python3-jinja2', elsewhere: 'python -m pip install Jinja2').</source>
-        <translation>Berichte brauchen das Python-Paket Jinja2 ({}): Installieren Sie es (Debian: „apt-get install python3-jinja2“, sonst: „python -m pip install Jinja2“).</translation>
+        <source>Polycarbonate (PC)</source>
+        <translation>Polycarbonat (PC)</translation>
     </message>
     <message>
-        <source>Share of the area over non-parallel walls</source>
-        <translation>Anteil der Oberfläche über nicht parallelen Wänden</translation>
+        <source>Polyester (PBT, PET)</source>
+        <translation>Polyester (PBT, PET)</translation>
     </message>
     <message>
-        <source>Share of the area over parallel walls</source>
-        <translation>Anteil der Oberfläche über parallelen Wänden</translation>
+        <source>Polyethylene (PE)</source>
+        <translation>Polyethylen (PE)</translation>
     </message>
     <message>
-        <source>Share of the area over walls of a thickness from a to b diagonals</source>
-        <translation>Anteil der Oberfläche über Wänden mit einer Stärke von a bis b Diagonalen</translation>
+        <source>Polyphenylene sulphide (PPS)</source>
+        <translation>Polyphenylensulfid (PPS)</translation>
     </message>
     <message>
-        <source>Share of the area whose ray met nothing at all</source>
+        <source>Polypropylene (PP)</source>
+        <translation>Polypropylen (PP)</translation>
+    </message>
+    <message>
+        <source>Polystyrene (PS)</source>
+        <translation>Polystyrol (PS)</translation>
+    </message>
+    <message>
+        <source>Polyurethane (PU)</source>
+        <translation>Polyurethan (PU)</translation>
+    </message>
+    <message>
+        <source>Reports need the Python package Jinja2 ({problem}): install it (Debian: 'apt-get install python3-jinja2', elsewhere: 'python -m pip install Jinja2').</source>
+        <translation>Berichte brauchen das Python-Paket Jinja2 ({problem}): Installieren Sie es (Debian: „apt-get install python3-jinja2“, sonst: „python -m pip install Jinja2“).</translation>
+    </message>
+    <message>
+        <source>SLA printing</source>
+        <translation>SLA-Druck</translation>
+    </message>
+    <message>
+        <source>SLS printing</source>
+        <translation>SLS-Druck</translation>
+    </message>
+    <message>
+        <source>Sand casting</source>
+        <translation>Sandguss</translation>
+    </message>
+    <message>
+        <source>Share of the area over parallel walls from a to b of the middle side</source>
+        <translation>Anteil der Fläche über parallelen Wänden von a bis b der mittleren Seite</translation>
+    </message>
+    <message>
+        <source>Share of the area over plates and tubes: walls that are wider than thick</source>
+        <translation>Anteil der Fläche über Platten und Rohren: Wänden, die breiter als dick sind</translation>
+    </message>
+    <message>
+        <source>Share of the area over walls, parallel or under 60 degrees, from a to b of the middle side</source>
+        <translation>Anteil der Fläche über Wänden, parallel oder unter 60 Grad, von a bis b der mittleren Seite</translation>
+    </message>
+    <message>
+        <source>Share of the area whose rays met nothing at all</source>
         <translation>Anteil der Oberfläche, deren Strahl auf nichts traf</translation>
     </message>
     <message>
@@ -1898,8 +3462,48 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Anteil der Oberfläche ohne Wand gegenüber</translation>
     </message>
     <message>
+        <source>Share of the area with non-parallel walls</source>
+        <translation>Anteil der Oberfläche mit nicht parallelen Wänden</translation>
+    </message>
+    <message>
+        <source>Share of the area with parallel walls</source>
+        <translation>Anteil der Oberfläche mit parallelen Wänden</translation>
+    </message>
+    <message>
+        <source>Share of the area with walls that are a to b diagonals thick</source>
+        <translation>Anteil der Oberfläche mit Wänden von a bis b Diagonalen Stärke</translation>
+    </message>
+    <message>
         <source>Share of the bounding box that the part fills</source>
         <translation>Anteil des Hüllquaders, den das Bauteil ausfüllt</translation>
+    </message>
+    <message>
+        <source>Share of the surface over parallel walls thinner than {high:g} of the diagonal</source>
+        <translation>Anteil der Oberfläche über parallelen Wänden, dünner als {high:g} der Diagonale</translation>
+    </message>
+    <message>
+        <source>Share of the surface over parallel walls thinner than {high:g} of the middle side</source>
+        <translation>Anteil der Oberfläche über parallelen Wänden, dünner als {high:g} der mittleren Seite</translation>
+    </message>
+    <message>
+        <source>Share of the surface over parallel walls {low:g} to {high:g} of the diagonal thick</source>
+        <translation>Anteil der Oberfläche über parallelen Wänden, {low:g} bis {high:g} der Diagonale dick</translation>
+    </message>
+    <message>
+        <source>Share of the surface over parallel walls {low:g} to {high:g} of the middle side thick</source>
+        <translation>Anteil der Oberfläche über parallelen Wänden, {low:g} bis {high:g} der mittleren Seite dick</translation>
+    </message>
+    <message>
+        <source>Share of the surface over walls, parallel or tapered, thinner than {high:g} of the middle side</source>
+        <translation>Anteil der Oberfläche über Wänden, parallel oder verjüngt, dünner als {high:g} der mittleren Seite</translation>
+    </message>
+    <message>
+        <source>Share of the surface over walls, parallel or tapered, {low:g} to {high:g} of the middle side thick</source>
+        <translation>Anteil der Oberfläche über Wänden, parallel oder verjüngt, {low:g} bis {high:g} der mittleren Seite dick</translation>
+    </message>
+    <message>
+        <source>Sheet metal</source>
+        <translation>Blech</translation>
     </message>
     <message>
         <source>Shortest side of the bounding box</source>
@@ -1914,252 +3518,432 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Einige Dreiecke verweisen auf Punkte, die es nicht gibt.</translation>
     </message>
     <message>
-        <source>Stopped before the end, as asked.</source>
-        <translation>Wie gewünscht vorzeitig abgebrochen.</translation>
+        <source>Stopped on request before the end.</source>
+        <translation>Auf Wunsch vorzeitig abgebrochen.</translation>
     </message>
     <message>
-        <source>The Python module {} is missing: install it to have documents classified automatically (Debian: python3-{}).</source>
-        <translation>Das Python-Modul {} fehlt: Installieren Sie es, damit Dokumente automatisch klassifiziert werden (Debian: python3-{}).</translation>
+        <source>Surfaces touch or cross at ({place}): what lies between them is not counted as a wall.</source>
+        <translation>Flächen berühren oder durchdringen sich bei ({place}): Was dazwischen liegt, zählt nicht als Wand.</translation>
     </message>
     <message>
-        <source>The condition {} is not understood: write a quantity, one of {} and a number, as in 'D2/D3 &gt; 6'.</source>
-        <translation>Die Bedingung {} ist nicht verständlich: Schreiben Sie eine Größe, eines der Zeichen {} und eine Zahl, wie in „D2/D3 &gt; 6“.</translation>
+        <source>Temporary files cannot be written ({problem}): free some disk space, or name another folder in TMPDIR.</source>
+        <translation>Temporäre Dateien können nicht geschrieben werden ({problem}): Geben Sie Speicherplatz frei oder nennen Sie in TMPDIR einen anderen Ordner.</translation>
     </message>
     <message>
-        <source>The document '{}' is empty: make or import a solid first.</source>
-        <translation>Das Dokument „{}“ ist leer: Erstellen oder importieren Sie zuerst einen Volumenkörper.</translation>
+        <source>Temporary files cannot be written ({problem}): free some disk space. Nothing was meshed.</source>
+        <translation>Temporäre Dateien können nicht geschrieben werden ({problem}): Schaffen Sie Platz auf dem Datenträger. Nichts wurde vernetzt.</translation>
     </message>
     <message>
-        <source>The document names Python modules that are not FreeCAD's ({}): they were not loaded, and objects that need them may lack their shape.</source>
-        <translation>Das Dokument nennt Python-Module, die nicht zu FreeCAD gehören ({}): Sie wurden nicht geladen, und Objekten, die sie brauchen, kann ihre Form fehlen.</translation>
+        <source>The Python module {module} is missing: install it to have documents classified automatically (Debian: python3-{module}).</source>
+        <translation>Das Python-Modul {module} fehlt: Installieren Sie es, damit Dokumente automatisch klassifiziert werden (Debian: python3-{module}).</translation>
     </message>
     <message>
-        <source>The document's folder has not answered for {} s: connect it, or choose a folder for info files in the preferences.</source>
-        <translation>Der Ordner des Dokuments antwortet seit {} s nicht: Verbinden Sie ihn oder wählen Sie in den Einstellungen einen Ordner für Infodateien.</translation>
+        <source>The condition {condition!r} is not understood: write a quantity, one of {comparisons} and a number, as in 'D2/D3 &gt; 6'.</source>
+        <translation>Die Bedingung {condition!r} ist nicht verständlich: Schreiben Sie eine Größe, eines der Zeichen {comparisons} und eine Zahl, wie in „D2/D3 &gt; 6“.</translation>
+    </message>
+    <message>
+        <source>The document '{document}' is empty: make or import a solid first.</source>
+        <translation>Das Dokument „{document}“ ist leer: Erstellen oder importieren Sie zuerst einen Volumenkörper.</translation>
+    </message>
+    <message>
+        <source>The document has no such part any more: classify it again.</source>
+        <translation>Das Dokument hat dieses Bauteil nicht mehr: Klassifizieren Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>The document names Python modules that are not FreeCAD's ({names}): they were not loaded, and objects that need them may lack their shape.</source>
+        <translation>Das Dokument nennt Python-Module, die nicht zu FreeCAD gehören ({names}): Sie wurden nicht geladen, und Objekten, die sie brauchen, kann ihre Form fehlen.</translation>
+    </message>
+    <message>
+        <source>The document's folder has not answered for {seconds:g} s: connect it, or choose a folder for info files in the preferences.</source>
+        <translation>Der Ordner des Dokuments antwortet seit {seconds:g} s nicht: Verbinden Sie ihn oder wählen Sie in den Einstellungen einen Ordner für Infodateien.</translation>
+    </message>
+    <message>
+        <source>The element size of a shell is more than 0 mm, not {value:g}.</source>
+        <translation>Die Elementgröße einer Schale ist größer als 0 mm, nicht {value:g}.</translation>
     </message>
     <message>
         <source>The file</source>
         <translation>Die Datei</translation>
     </message>
     <message>
-        <source>The file {}</source>
-        <translation>Die Datei {}</translation>
+        <source>The file of labels {file} cannot be read ({problem}).</source>
+        <translation>Die Datei der Einordnungen {file} kann nicht gelesen werden ({problem}).</translation>
     </message>
     <message>
-        <source>The file {} cannot be read ({}).</source>
-        <translation>Die Datei {} kann nicht gelesen werden ({}).</translation>
+        <source>The file {file}</source>
+        <translation>Die Datei {file}</translation>
     </message>
     <message>
-        <source>The folder for info files {} cannot be reached ({}): connect it, or choose another one in the preferences.</source>
-        <translation>Der Ordner {} für Infodateien ist nicht erreichbar ({}): Verbinden Sie ihn oder wählen Sie in den Einstellungen einen anderen.</translation>
+        <source>The file {file} cannot be read ({problem}).</source>
+        <translation>Die Datei {file} kann nicht gelesen werden ({problem}).</translation>
     </message>
     <message>
-        <source>The folder for info files {} has not answered for {} s: connect it, or choose another one in the preferences.</source>
-        <translation>Der Ordner {} für Infodateien antwortet seit {} s nicht: Verbinden Sie ihn oder wählen Sie in den Einstellungen einen anderen.</translation>
+        <source>The file {file} no longer exists.</source>
+        <translation>Die Datei {file} gibt es nicht mehr.</translation>
     </message>
     <message>
-        <source>The folder {} cannot be listed ({}): what is known of it is from earlier.</source>
-        <translation>Der Ordner {} kann nicht aufgelistet werden ({}): Was von ihm bekannt ist, stammt von früher.</translation>
+        <source>The folder for info files {folder} cannot be reached ({problem}): connect it, or choose another one in the preferences.</source>
+        <translation>Der Ordner {folder} für Infodateien ist nicht erreichbar ({problem}): Verbinden Sie ihn oder wählen Sie in den Einstellungen einen anderen.</translation>
     </message>
     <message>
-        <source>The folder {} cannot be listed ({}): what lies in it is left as it is.</source>
-        <translation>Der Ordner {} kann nicht aufgelistet werden ({}): Was darin liegt, bleibt unverändert.</translation>
+        <source>The folder for info files {folder} has not answered for {seconds:g} s: connect it, or choose another one in the preferences.</source>
+        <translation>Der Ordner {folder} für Infodateien antwortet seit {seconds:g} s nicht: Verbinden Sie ihn oder wählen Sie in den Einstellungen einen anderen.</translation>
     </message>
     <message>
-        <source>The folder {} cannot be reached ({}).</source>
-        <translation>Der Ordner {} ist nicht erreichbar ({}).</translation>
+        <source>The folder {folder} cannot be listed ({problem}): its parts are shown as they were last read.</source>
+        <translation>Der Ordner {folder} kann nicht aufgelistet werden ({problem}): Seine Bauteile werden gezeigt, wie sie zuletzt gelesen wurden.</translation>
     </message>
     <message>
-        <source>The folder {} could not be searched to its end ({}): classify it again when it can be reached.</source>
-        <translation>Der Ordner {} konnte nicht vollständig durchsucht werden ({}): Klassifizieren Sie ihn erneut, wenn er erreichbar ist.</translation>
+        <source>The folder {folder} cannot be listed ({problem}): make it readable, or move it away.</source>
+        <translation>Der Inhalt des Ordners {folder} kann nicht gelesen werden ({problem}): Machen Sie ihn lesbar oder verschieben Sie ihn an einen anderen Ort.</translation>
     </message>
     <message>
-        <source>The folder {} may not be searched: check its permissions.</source>
-        <translation>Der Ordner {} darf nicht durchsucht werden: Prüfen Sie seine Zugriffsrechte.</translation>
+        <source>The folder {folder} cannot be listed ({problem}): the files in it were not changed.</source>
+        <translation>Der Ordner {folder} kann nicht aufgelistet werden ({problem}): Die Dateien darin wurden nicht geändert.</translation>
     </message>
     <message>
-        <source>The home folder {} may not be used, which FreeCAD needs: set FREECAD_USER_HOME to a folder that may.</source>
-        <translation>Der Benutzerordner {}, den FreeCAD braucht, darf nicht benutzt werden: Setzen Sie FREECAD_USER_HOME auf einen Ordner, für den das gilt.</translation>
+        <source>The folder {folder} cannot be reached ({problem}).</source>
+        <translation>Der Ordner {folder} ist nicht erreichbar ({problem}).</translation>
     </message>
     <message>
-        <source>The info file {} belongs to {} and was left as it is: choose another folder for the info file of {}.</source>
-        <translation>Die Infodatei {} gehört zu {} und blieb unverändert: Wählen Sie einen anderen Ordner für die Infodatei von {}.</translation>
+        <source>The folder {folder} could not be searched to its end ({problem}): classify it again when it can be reached.</source>
+        <translation>Der Ordner {folder} konnte nicht vollständig durchsucht werden ({problem}): Klassifizieren Sie ihn erneut, wenn er erreichbar ist.</translation>
     </message>
     <message>
-        <source>The info file {} cannot be read ({}).</source>
-        <translation>Die Infodatei {} kann nicht gelesen werden ({}).</translation>
+        <source>The folder {folder} no longer exists: restore it, or remove it from the list.</source>
+        <translation>Den Ordner {folder} gibt es nicht mehr: Stellen Sie ihn wieder her oder entfernen Sie ihn aus der Liste.</translation>
     </message>
     <message>
-        <source>The info file {} could not be written ({}): make room or choose another place for it.</source>
-        <translation>Die Infodatei {} konnte nicht geschrieben werden ({}): Schaffen Sie Platz oder wählen Sie einen anderen Ort dafür.</translation>
+        <source>The greatest element size is more than 0 mm, not {value:g}.</source>
+        <translation>Die größte Elementgröße ist mehr als 0 mm, nicht {value:g}.</translation>
     </message>
     <message>
-        <source>The info file {} is damaged ({}: {}): classify its document again.</source>
-        <translation>Die Infodatei {} ist beschädigt ({}: {}): Klassifizieren Sie ihr Dokument erneut.</translation>
+        <source>The growth from element to element is from {least:g} to {most:g}, not {value:g}.</source>
+        <translation>Das Wachstum von Element zu Element ist von {least:g} bis {most:g} möglich, nicht {value:g}.</translation>
     </message>
     <message>
-        <source>The info file {} lacks {}.</source>
-        <translation>In der Infodatei {} fehlt {}.</translation>
+        <source>The info file {info_file} belongs to {other} and was not changed: choose another folder for the info file of {own}.</source>
+        <translation>Die Infodatei {info_file} gehört zu {other} und blieb unverändert: Wählen Sie einen anderen Ordner für die Infodatei von {own}.</translation>
     </message>
     <message>
-        <source>The library {} cannot be read ({}).</source>
-        <translation>Die Bibliothek {} kann nicht gelesen werden ({}).</translation>
+        <source>The info file {info_file} cannot be read ({problem}).</source>
+        <translation>Die Infodatei {info_file} kann nicht gelesen werden ({problem}).</translation>
     </message>
     <message>
-        <source>The link '{}' leads to '{}' in {}, which cannot be found: put the file back or set the linked object again.</source>
-        <translation>Die Verknüpfung „{}“ führt zu „{}“ in {}, das nicht gefunden wird: Legen Sie die Datei zurück oder setzen Sie das verknüpfte Objekt neu.</translation>
+        <source>The info file {info_file} could not be judged ({problem}).</source>
+        <translation>Die Infodatei {info_file} konnte nicht beurteilt werden ({problem}).</translation>
     </message>
     <message>
-        <source>The link '{}' leads to nothing: set its linked object again or delete it.</source>
-        <translation>Die Verknüpfung „{}“ führt ins Leere: Setzen Sie ihr verknüpftes Objekt neu oder löschen Sie sie.</translation>
+        <source>The info file {info_file} could not be written ({problem}): make room or choose another place for it.</source>
+        <translation>Die Infodatei {info_file} konnte nicht geschrieben werden ({problem}): Schaffen Sie Platz oder wählen Sie einen anderen Ort dafür.</translation>
     </message>
     <message>
-        <source>The list {} cannot be read ({}): give a file to --only that names the parts.</source>
-        <translation>Die Liste {} kann nicht gelesen werden ({}): Geben Sie mit --only eine Datei an, die die Bauteile nennt.</translation>
+        <source>The info file {info_file} crashed the process that read it.</source>
+        <translation>Die Infodatei {info_file} hat den lesenden Prozess zum Absturz gebracht.</translation>
     </message>
     <message>
-        <source>The list {} names {}, which does not lie below {}: name a PATH that holds it, or leave out --info-dir.</source>
-        <translation>Die Liste {} nennt {}, das nicht unterhalb von {} liegt: Nennen Sie einen PATH, der es enthält, oder lassen Sie --info-dir weg.</translation>
+        <source>The info file {info_file} is damaged ({problem}): move it away and classify its document again.</source>
+        <translation>Die Infodatei {info_file} ist beschädigt ({problem}): Verschieben Sie sie und klassifizieren Sie ihr Dokument erneut.</translation>
     </message>
     <message>
-        <source>The list {} names {}, which is no absolute path: write whole paths, each ended by a NUL byte.</source>
-        <translation>Die Liste {} nennt {}, was kein absoluter Pfad ist: Schreiben Sie ganze Pfade, jeden mit einem NUL-Byte beendet.</translation>
+        <source>The info file {info_file} needs more memory than the limit allows.</source>
+        <translation>Die Infodatei {info_file} braucht mehr Speicher, als erlaubt ist.</translation>
+    </message>
+    <message>
+        <source>The info file {info_file} took longer than {seconds:g} s, the limit for one file.</source>
+        <translation>Die Infodatei {info_file} brauchte länger als {seconds:g} s, die Grenze für eine Datei.</translation>
+    </message>
+    <message>
+        <source>The info file {info_file} was not written: {problem}.</source>
+        <translation>Die Infodatei {info_file} wurde nicht geschrieben: {problem}.</translation>
+    </message>
+    <message>
+        <source>The labels could not be written to {file} ({problem}): choose another place for them.</source>
+        <translation>Die Einordnungen konnten nicht nach {file} geschrieben werden ({problem}): Wählen Sie einen anderen Ort dafür.</translation>
+    </message>
+    <message>
+        <source>The library {folder} cannot be read ({problem}).</source>
+        <translation>Die Bibliothek {folder} kann nicht gelesen werden ({problem}).</translation>
+    </message>
+    <message>
+        <source>The limits of walls {file} are not well formed: {problem}.</source>
+        <translation>Die Grenzen der Wandstärke {file} sind nicht wohlgeformt: {problem}.</translation>
+    </message>
+    <message>
+        <source>The limits of walls {file} cannot be read ({problem}).</source>
+        <translation>Die Grenzen der Wandstärke {file} sind nicht lesbar ({problem}).</translation>
+    </message>
+    <message>
+        <source>The link '{object}' leads to '{target}' in {file}, which cannot be found: put the file back or set the linked object again.</source>
+        <translation>Die Verknüpfung „{object}“ führt zu „{target}“ in {file}, das nicht gefunden wird: Legen Sie die Datei zurück oder setzen Sie das verknüpfte Objekt neu.</translation>
+    </message>
+    <message>
+        <source>The link '{object}' leads to nothing: set its linked object again or delete it.</source>
+        <translation>Die Verknüpfung „{object}“ führt ins Leere: Setzen Sie ihr verknüpftes Objekt neu oder löschen Sie sie.</translation>
+    </message>
+    <message>
+        <source>The list {list} cannot be read ({problem}): give a file to --only that names the parts.</source>
+        <translation>Die Liste {list} kann nicht gelesen werden ({problem}): Geben Sie mit --only eine Datei an, die die Bauteile nennt.</translation>
+    </message>
+    <message>
+        <source>The list {list} names {file!r}, which is not an absolute path: write absolute paths, each ended by a NUL byte.</source>
+        <translation>Die Liste {list} nennt {file!r}, was kein absoluter Pfad ist: Schreiben Sie absolute Pfade, jeden mit einem NUL-Byte beendet.</translation>
+    </message>
+    <message>
+        <source>The list {list} names {file}, which does not lie below {top}: name a PATH that holds it, or leave out --info-dir.</source>
+        <translation>Die Liste {list} nennt {file}, das nicht unterhalb von {top} liegt: Nennen Sie einen PATH, der es enthält, oder lassen Sie --info-dir weg.</translation>
+    </message>
+    <message>
+        <source>The mesh cannot be read ({problem}): free some disk space and try again.</source>
+        <translation>Das Netz kann nicht gelesen werden ({problem}): Schaffen Sie Platz auf dem Datenträger und versuchen Sie es erneut.</translation>
     </message>
     <message>
         <source>The mesh settings</source>
         <translation>Die Netzeinstellungen</translation>
     </message>
     <message>
-        <source>The name is too long for an info file, which is called the same and {}: it may have {} bytes and has {}; rename it, or use --no-info.</source>
-        <translation>Der Name ist zu lang für eine Infodatei, die genauso und zusätzlich {} heißt: Er darf {} Byte haben und hat {}; benennen Sie die Datei um oder verwenden Sie --no-info.</translation>
+        <source>The mesh {file} cannot be read ({problem}).</source>
+        <translation>Das Netz {file} kann nicht gelesen werden ({problem}).</translation>
     </message>
     <message>
-        <source>The overview of the report could not be written into {} ({}): make room for it, and start again.</source>
-        <translation>Die Übersicht des Berichts konnte nicht in {} geschrieben werden ({}): Schaffen Sie Platz dafür und starten Sie erneut.</translation>
+        <source>The mid-faces of the walls could not be cut to each other ({problem}).</source>
+        <translation>Die Mittelflächen der Wände ließen sich nicht aneinander schneiden ({problem}).</translation>
     </message>
     <message>
-        <source>The page {} could not be written ({}): make room, or give another folder for the report.</source>
-        <translation>Die Seite {} konnte nicht geschrieben werden ({}): Schaffen Sie Platz oder geben Sie einen anderen Ordner für den Bericht an.</translation>
+        <source>The mid-surface of {part} could not be meshed ({problem}): name another element size.</source>
+        <translation>Die Mittelfläche von {part} ließ sich nicht vernetzen ({problem}): Geben Sie eine andere Elementgröße an.</translation>
+    </message>
+    <message>
+        <source>The mid-surface of {part} falls into {count} pieces that do not meet: mesh it as a solid.</source>
+        <translation>Die Mittelfläche von {part} zerfällt in {count} Stücke, die sich nicht treffen: Vernetzen Sie das Teil als Volumen.</translation>
+    </message>
+    <message>
+        <source>The name is too long for an info file, which adds {ending} to it: it has {bytes} bytes, at most {most} are possible; rename it, or use --no-info.</source>
+        <translation>Der Name ist zu lang für eine Infodatei, die {ending} anhängt: Er hat {bytes} Byte, höchstens {most} sind möglich; benennen Sie die Datei um oder verwenden Sie --no-info.</translation>
+    </message>
+    <message>
+        <source>The order of elements is 1 or 2, not {value}.</source>
+        <translation>Die Ordnung der Elemente ist 1 oder 2, nicht {value}.</translation>
+    </message>
+    <message>
+        <source>The overview of the report could not be written into {folder} ({problem}): make room for it, and start again.</source>
+        <translation>Die Übersicht des Berichts konnte nicht in {folder} geschrieben werden ({problem}): Schaffen Sie Platz dafür und starten Sie erneut.</translation>
+    </message>
+    <message>
+        <source>The page {page} could not be written ({problem}): make room, or give another folder for the report.</source>
+        <translation>Die Seite {page} konnte nicht geschrieben werden ({problem}): Schaffen Sie Platz oder geben Sie einen anderen Ordner für den Bericht an.</translation>
     </message>
     <message>
         <source>The part as a whole is thin: consider a shell mesh or a mid-surface.</source>
         <translation>Das Bauteil ist insgesamt dünnwandig: Ein Schalennetz oder eine Mittelfläche kommt in Betracht.</translation>
     </message>
     <message>
-        <source>The part is {} mm across: check that the file's unit is millimetres.</source>
-        <translation>Das Bauteil misst {} mm in der Diagonale: Prüfen Sie, ob die Einheit der Datei Millimeter ist.</translation>
+        <source>The part is slender: its lengths are accurate to {error:.2g} mm only, a finer mesh would be too large.</source>
+        <translation>Das Bauteil ist schlank: Seine Längen sind nur auf {error:.2g} mm genau, ein feineres Netz würde zu groß.</translation>
+    </message>
+    <message>
+        <source>The part is too slender or too fine to be measured: it needs more than {triangles:,} triangles, with fewer its lengths are accurate to {mm:.2g} mm only.</source>
+        <translation>Das Bauteil ist zu schlank oder zu fein, um gemessen zu werden: Mehr als {triangles:,} Dreiecke sind nötig, mit weniger sind seine Längen nur auf {mm:.2g} mm bekannt.</translation>
+    </message>
+    <message>
+        <source>The part is {mm:.3g} mm across: check that the file's unit is millimetres.</source>
+        <translation>Das Bauteil misst {mm:.3g} mm in der Diagonale: Prüfen Sie, ob die Einheit der Datei Millimeter ist.</translation>
     </message>
     <message>
         <source>The parts lie on several drives: name those of one drive at a time.</source>
         <translation>Die Bauteile liegen auf mehreren Laufwerken: Nennen Sie jeweils nur die eines Laufwerks.</translation>
     </message>
     <message>
-        <source>The profile {} cannot be read ({}).</source>
-        <translation>Das Profil {} kann nicht gelesen werden ({}).</translation>
+        <source>The profile {file} could not be written ({problem}): choose another place for it.</source>
+        <translation>Das Profil {file} konnte nicht geschrieben werden ({problem}): Wählen Sie einen anderen Ort dafür.</translation>
     </message>
     <message>
-        <source>The search index {} cannot be kept ({}): it was built in memory, and the next search has to build it again.</source>
-        <translation>Der Suchindex {} kann nicht gespeichert werden ({}): Er wurde im Speicher aufgebaut, und die nächste Suche muss ihn neu aufbauen.</translation>
+        <source>The profile {profile} cannot be read ({problem}).</source>
+        <translation>Das Profil {profile} kann nicht gelesen werden ({problem}).</translation>
     </message>
     <message>
-        <source>The surface is open ({} free edges), so it has no certain volume.</source>
-        <translation>Die Oberfläche ist offen ({} freie Kanten), daher ist das Volumen nicht sicher.</translation>
+        <source>The profile {profile} has no category {categories}: labels from meshing are of these.</source>
+        <translation>Das Profil {profile} hat keine Kategorie {categories}: Einordnungen durch Vernetzen sind von diesen.</translation>
     </message>
     <message>
-        <source>The surface passes through itself, as under ({}): repair it, its thickness and volume are not certain.</source>
-        <translation>Die Oberfläche durchdringt sich selbst, so unter ({}): Reparieren Sie sie, Wandstärke und Volumen sind nicht sicher.</translation>
+        <source>The search index {file} cannot be saved ({problem}): it was built in memory, and the next search has to build it again.</source>
+        <translation>Der Suchindex {file} kann nicht gespeichert werden ({problem}): Er wurde im Speicher aufgebaut, und die nächste Suche muss ihn neu aufbauen.</translation>
     </message>
     <message>
-        <source>The surface was inside-out and has been turned round.</source>
+        <source>The shell has {share:.0f} % of the part's volume: the rest is not in the file.</source>
+        <translation>Die Schale hat {share:.0f} % des Volumens des Teils: Der Rest ist nicht in der Datei.</translation>
+    </message>
+    <message>
+        <source>The shell is in {count} pieces: what is left solid lies between them.</source>
+        <translation>Die Schale besteht aus {count} Stücken: Dazwischen liegt, was massiv bleibt.</translation>
+    </message>
+    <message>
+        <source>The shell was written to {file}: {elements} elements, {nodes} nodes.</source>
+        <translation>Die Schale wurde nach {file} geschrieben: {elements} Elemente, {nodes} Knoten.</translation>
+    </message>
+    <message>
+        <source>The sizes were written to {file}: open it in Gmsh.</source>
+        <translation>Die Größen stehen in {file}: öffnen Sie die Datei in Gmsh.</translation>
+    </message>
+    <message>
+        <source>The surface intersects itself, for example below ({place}): repair it, its thickness and volume are not certain.</source>
+        <translation>Die Oberfläche durchdringt sich selbst, zum Beispiel unter ({place}): Reparieren Sie sie, Wandstärke und Volumen sind nicht sicher.</translation>
+    </message>
+    <message>
+        <source>The surface is open ({edges} free edges), so it has no certain volume.</source>
+        <translation>Die Oberfläche ist offen ({edges} freie Kanten), daher ist das Volumen nicht sicher.</translation>
+    </message>
+    <message>
+        <source>The surface was inside out and has been reversed.</source>
         <translation>Die Oberfläche war nach innen gekehrt und wurde umgedreht.</translation>
     </message>
     <message>
-        <source>The table {} cannot be written ({}): give another file to --csv.</source>
-        <translation>Die Tabelle {} kann nicht geschrieben werden ({}): Geben Sie mit --csv eine andere Datei an.</translation>
+        <source>The table {table} cannot be written ({problem}): give another file to --csv.</source>
+        <translation>Die Tabelle {table} kann nicht geschrieben werden ({problem}): Geben Sie mit --csv eine andere Datei an.</translation>
     </message>
     <message>
-        <source>The thickness map {} cannot be read: measure the part again.</source>
-        <translation>Die Wandstärkenkarte {} kann nicht gelesen werden: Messen Sie das Bauteil erneut.</translation>
+        <source>The thickness map {file} cannot be read: measure the part again.</source>
+        <translation>Die Wandstärkenkarte {file} kann nicht gelesen werden: Messen Sie das Bauteil erneut.</translation>
     </message>
     <message>
-        <source>The thickness map {} is of a newer ThinPart: update ThinPart or measure the part again.</source>
-        <translation>Die Wandstärkenkarte {} stammt von einem neueren ThinPart: Aktualisieren Sie ThinPart oder messen Sie das Bauteil erneut.</translation>
+        <source>The thickness map {file} is of a newer ThinPart: update ThinPart or measure the part again.</source>
+        <translation>Die Wandstärkenkarte {file} stammt von einem neueren ThinPart: Aktualisieren Sie ThinPart oder messen Sie das Bauteil erneut.</translation>
     </message>
     <message>
-        <source>The thinnest wall, {} mm, is known no better than the mesh resolves ({} mm).</source>
-        <translation>Die dünnste Wand, {} mm, ist nicht genauer bekannt, als das Netz auflöst ({} mm).</translation>
+        <source>The thinnest wall is {wall:.3g} mm ± {error:.2g} mm: a finer mesh would be too large.</source>
+        <translation>Die dünnste Wand ist {wall:.3g} mm ± {error:.2g} mm dick: Ein feineres Netz würde zu groß.</translation>
+    </message>
+    <message>
+        <source>The thinnest wall, {wall:.3g} mm, is below what the mesh resolves ({error:.2g} mm).</source>
+        <translation>Die dünnste Wand, {wall:.3g} mm, liegt unter dem, was das Netz auflöst ({error:.2g} mm).</translation>
     </message>
     <message>
         <source>The triangles are not consistently oriented, so it has no certain volume.</source>
         <translation>Die Dreiecke sind nicht einheitlich orientiert, daher ist das Volumen nicht sicher.</translation>
     </message>
     <message>
+        <source>The walls of {part} do not meet: {inside:.3g} mm of the {free:.3g} mm of free edges of its mid-surface lie inside the material. Mesh it as a solid.</source>
+        <translation>Die Wände von {part} treffen sich nicht: {inside:.3g} mm der {free:.3g} mm freier Kanten der Mittelfläche liegen im Material. Vernetzen Sie das Teil als Volumen.</translation>
+    </message>
+    <message>
+        <source>The worker process failed ({problem}).</source>
+        <translation>Der Arbeitsprozess ist fehlgeschlagen ({problem}).</translation>
+    </message>
+    <message>
         <source>The worker processes end as soon as they start: try a larger --memory, or fewer --jobs.</source>
         <translation>Die Arbeitsprozesse enden, sobald sie starten: Versuchen Sie es mit mehr Speicher (--memory) oder weniger Dateien gleichzeitig (--jobs).</translation>
     </message>
     <message>
-        <source>The {} cannot be {}: it may be {} to {} {}.</source>
-        <translation>{}: {} ist nicht erlaubt, nur {} bis {} {}.</translation>
+        <source>The {what} cannot be {value:g}: use a value from {least:g} to {most:g} {unit}.</source>
+        <translation>{what}: {value:g} ist nicht erlaubt, nur {least:g} bis {most:g} {unit}.</translation>
     </message>
     <message>
-        <source>There are no parts in {}: name a CAD file or a folder that holds some.</source>
-        <translation>In {} gibt es keine Bauteile: Nennen Sie eine CAD-Datei oder einen Ordner, der welche enthält.</translation>
+        <source>There are no info files (*{ending}) in {paths}: classify the parts first.</source>
+        <translation>In {paths} gibt es keine Infodateien (*{ending}): Klassifizieren Sie zuerst die Bauteile.</translation>
     </message>
     <message>
-        <source>There is no box {}: use minimal or principal.</source>
-        <translation>Den Quader {} gibt es nicht: Verwenden Sie minimal oder principal.</translation>
+        <source>There are no labels in {folder}: label parts in the window, or by 'thinpart note --label', or name CSV files of labels.</source>
+        <translation>In {folder} gibt es keine Einordnungen: Ordnen Sie Bauteile im Fenster ein oder mit 'thinpart note --label', oder nennen Sie CSV-Dateien mit Einordnungen.</translation>
     </message>
     <message>
-        <source>There is no closed solid in '{}': select a solid, a body, or a face of one.</source>
-        <translation>In „{}“ gibt es keinen geschlossenen Volumenkörper: Wählen Sie einen Volumenkörper, einen Körper oder eine Fläche davon.</translation>
+        <source>There are no limits of walls for {process!r}: there are {known}.</source>
+        <translation>Für {process!r} gibt es keine Grenzen der Wandstärke: Es gibt {known}.</translation>
     </message>
     <message>
-        <source>There is no closed solid in the document '{}': make or import a solid first.</source>
-        <translation>Im Dokument „{}“ gibt es keinen geschlossenen Volumenkörper: Erstellen oder importieren Sie zuerst einen.</translation>
+        <source>There are no parts in {paths}: name a CAD file or a folder that holds some.</source>
+        <translation>In {paths} gibt es keine Bauteile: Nennen Sie eine CAD-Datei oder einen Ordner, der welche enthält.</translation>
     </message>
     <message>
-        <source>There is no file {} any more.</source>
-        <translation>Die Datei {} gibt es nicht mehr.</translation>
+        <source>There are too few labels: {counts}. At least {needed} parts of every category are needed: even if the verdicts on so few were all right, only {percent:.0f} % right could be claimed with confidence.</source>
+        <translation>Es gibt zu wenige Einordnungen: {counts}. Von jeder Kategorie werden mindestens {needed} Bauteile gebraucht: Selbst wenn alle Urteile über so wenige richtig wären, ließe sich nur von {percent:.0f} % mit Sicherheit sagen, dass sie richtig sind.</translation>
     </message>
     <message>
-        <source>There is no file {}.</source>
-        <translation>Die Datei {} gibt es nicht.</translation>
+        <source>There is no accuracy {accuracy!r}: use {known}.</source>
+        <translation>Die Genauigkeit {accuracy!r} gibt es nicht: Verwenden Sie {known}.</translation>
     </message>
     <message>
-        <source>There is no file {}: --mesh takes a JSON object or a file.</source>
-        <translation>Die Datei {} gibt es nicht: Netzeinstellungen sind ein JSON-Objekt oder eine Datei.</translation>
+        <source>There is no box {box!r}: use minimal or principal.</source>
+        <translation>Den Quader {box!r} gibt es nicht: Verwenden Sie minimal oder principal.</translation>
     </message>
     <message>
-        <source>There is no folder {} any more: bring it back, or remove it from the list.</source>
-        <translation>Den Ordner {} gibt es nicht mehr: Stellen Sie ihn wieder her oder entfernen Sie ihn aus der Liste.</translation>
+        <source>There is no closed solid in '{object}': select a solid, a body, or a face of one.</source>
+        <translation>In „{object}“ gibt es keinen geschlossenen Volumenkörper: Wählen Sie einen Volumenkörper, einen Körper oder eine Fläche davon.</translation>
     </message>
     <message>
-        <source>There is no home folder</source>
-        <translation>Es gibt keinen Benutzerordner</translation>
+        <source>There is no closed solid in the document '{document}': make or import a solid first.</source>
+        <translation>Im Dokument „{document}“ gibt es keinen geschlossenen Volumenkörper: Erstellen oder importieren Sie zuerst einen.</translation>
     </message>
     <message>
-        <source>There is no info file {}: classify {} first, or name the folder of its info file with --info-dir.</source>
-        <translation>Die Infodatei {} gibt es nicht: Klassifizieren Sie zuerst {} oder nennen Sie mit --info-dir den Ordner der Infodatei.</translation>
+        <source>There is no file of labels {file}.</source>
+        <translation>Die Datei der Einordnungen {file} gibt es nicht.</translation>
     </message>
     <message>
-        <source>There is no measure {}: use rays or pairs.</source>
-        <translation>Das Messverfahren {} gibt es nicht: Verwenden Sie rays oder pairs.</translation>
+        <source>There is no file {file} with limits of walls: copy {shipped} and edit it.</source>
+        <translation>Es gibt keine Datei {file} mit Grenzen der Wandstärke: Kopieren Sie {shipped} und bearbeiten Sie die Kopie.</translation>
     </message>
     <message>
-        <source>There is no place for temporary files ({}): make room, or name another folder in TMPDIR.</source>
-        <translation>Für temporäre Dateien ist kein Platz ({}): Schaffen Sie Platz oder nennen Sie in TMPDIR einen anderen Ordner.</translation>
+        <source>There is no file {file}.</source>
+        <translation>Die Datei {file} gibt es nicht.</translation>
     </message>
     <message>
-        <source>There is no profile {}: give a file or one of {}.</source>
-        <translation>Das Profil {} gibt es nicht: Geben Sie eine Datei oder eines von {} an.</translation>
+        <source>There is no file {file}: --mesh takes a JSON object or a file.</source>
+        <translation>Die Datei {file} gibt es nicht: Netzeinstellungen sind ein JSON-Objekt oder eine Datei.</translation>
     </message>
     <message>
-        <source>There is no quantity {} in the condition {}: there are {}.</source>
-        <translation>Die Größe {} in der Bedingung {} gibt es nicht: Es gibt {}.</translation>
+        <source>There is no folder {folder}: name the one with the info files.</source>
+        <translation>Den Ordner {folder} gibt es nicht: Nennen Sie den mit den Infodateien.</translation>
+    </message>
+    <message>
+        <source>There is no info file {info_file}: classify {file} first, or name the folder of its info file with --info-dir.</source>
+        <translation>Die Infodatei {info_file} gibt es nicht: Klassifizieren Sie zuerst {file} oder nennen Sie mit --info-dir den Ordner der Infodatei.</translation>
+    </message>
+    <message>
+        <source>There is no measure {measure!r}: use rays or pairs.</source>
+        <translation>Das Messverfahren {measure!r} gibt es nicht: Verwenden Sie rays oder pairs.</translation>
+    </message>
+    <message>
+        <source>There is no part that could be written to {file}.</source>
+        <translation>Es gibt kein Teil, das nach {file} geschrieben werden könnte.</translation>
+    </message>
+    <message>
+        <source>There is no permission to read {file}: check its permissions.</source>
+        <translation>{file} darf nicht gelesen werden: Prüfen Sie die Zugriffsrechte.</translation>
+    </message>
+    <message>
+        <source>There is no permission to search the folder {folder}: check its permissions.</source>
+        <translation>Der Ordner {folder} darf nicht durchsucht werden: Prüfen Sie seine Zugriffsrechte.</translation>
+    </message>
+    <message>
+        <source>There is no profile {profile!r}: give a file or one of {known}.</source>
+        <translation>Das Profil {profile!r} gibt es nicht: Geben Sie eine Datei oder eines von {known} an.</translation>
+    </message>
+    <message>
+        <source>There is no quantity {quantity!r} in the condition {condition!r}: there are {known}.</source>
+        <translation>Die Größe {quantity!r} in der Bedingung {condition!r} gibt es nicht: Es gibt {known}.</translation>
+    </message>
+    <message>
+        <source>There is no quantity {quantity!r}: there are {known}.</source>
+        <translation>Die Größe {quantity!r} gibt es nicht: Es gibt {known}.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Der Speicher reicht dafür nicht aus.</translation>
     </message>
     <message>
         <source>Thin part</source>
         <translation>Dünnwandiges Bauteil</translation>
+    </message>
+    <message>
+        <source>Thin plates nearly everywhere</source>
+        <translation>Fast überall dünne Platten</translation>
+    </message>
+    <message>
+        <source>Thin tapered walls over a good part of its surface</source>
+        <translation>Dünne, zulaufende Wände über einem guten Teil der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Thin walls in places</source>
+        <translation>Stellenweise dünne Wände</translation>
     </message>
     <message>
         <source>Thin walls over most of its surface</source>
@@ -2170,12 +3954,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Dünnere Wand neben dickem Körper</translation>
     </message>
     <message>
-        <source>This may be an older shape of '{}', because its last recompute failed ({}): repair it and recompute the document.</source>
-        <translation>Dies ist möglicherweise eine ältere Form von „{}“, weil die letzte Neuberechnung fehlgeschlagen ist ({}): Reparieren Sie das Objekt und berechnen Sie das Dokument neu.</translation>
+        <source>This FreeCAD has no FEM workbench: install it (Debian: 'apt-get install freecad', elsewhere the installer of freecad.org, which has it), then start FreeCAD again.</source>
+        <translation>Dieses FreeCAD hat keinen Arbeitsbereich FEM: Installieren Sie ihn (Debian: 'apt-get install freecad', sonst mit dem Installer von freecad.org, der ihn enthält) und starten Sie FreeCAD neu.</translation>
     </message>
     <message>
-        <source>This may be an older shape of '{}', because the last recompute of '{}', which it is made with, failed ({}): repair it and recompute the document.</source>
-        <translation>Dies ist möglicherweise eine ältere Form von „{}“, weil die letzte Neuberechnung von „{}“, woraus es entsteht, fehlgeschlagen ist ({}): Reparieren Sie das Objekt und berechnen Sie das Dokument neu.</translation>
+        <source>This may be an older shape of '{object}', because its last recompute failed ({reason}): repair it and recompute the document.</source>
+        <translation>Dies ist möglicherweise eine ältere Form von „{object}“, weil die letzte Neuberechnung fehlgeschlagen ist ({reason}): Reparieren Sie das Objekt und berechnen Sie das Dokument neu.</translation>
+    </message>
+    <message>
+        <source>This may be an older shape of '{object}', because the last recompute of '{feature}', which it is made with, failed ({reason}): repair it and recompute the document.</source>
+        <translation>Dies ist möglicherweise eine ältere Form von „{object}“, weil die letzte Neuberechnung von „{feature}“, woraus es entsteht, fehlgeschlagen ist ({reason}): Reparieren Sie das Objekt und berechnen Sie das Dokument neu.</translation>
     </message>
     <message>
         <source>Very thin wall on a filled part</source>
@@ -2186,16 +3974,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Volumen des Bauteils</translation>
     </message>
     <message>
-        <source>Wall thickness</source>
-        <translation>Wandstärke</translation>
+        <source>Your own limits {file} cannot be written ({problem}): make room, or name another file in THINPART_LIMITS.</source>
+        <translation>Ihre eigenen Grenzen {file} können nicht geschrieben werden ({problem}): Schaffen Sie Platz oder nennen Sie in THINPART_LIMITS eine andere Datei.</translation>
     </message>
     <message>
-        <source>a criterion without conditions would always hold</source>
-        <translation>ein Kriterium ohne Bedingungen wäre immer erfüllt</translation>
+        <source>Zinc, large casting</source>
+        <translation>Zink, großes Gussteil</translation>
     </message>
     <message>
-        <source>a threshold must be finite</source>
-        <translation>ein Schwellenwert muss endlich sein</translation>
+        <source>Zinc, small casting</source>
+        <translation>Zink, kleines Gussteil</translation>
+    </message>
+    <message>
+        <source>a block of its elements is empty</source>
+        <translation>ein Block seiner Elemente ist leer</translation>
     </message>
     <message>
         <source>an entry has no header</source>
@@ -2206,8 +3998,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>ein Eintrag hat zwei Namen</translation>
     </message>
     <message>
-        <source>an entry is called '{}'</source>
-        <translation>ein Eintrag heißt „{}“</translation>
+        <source>an entry is called '{entry}'</source>
+        <translation>ein Eintrag heißt „{entry}“</translation>
     </message>
     <message>
         <source>an entry is cut off</source>
@@ -2218,8 +4010,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>eine Infodatei ist beschädigt, fremd oder von einer neueren Version</translation>
     </message>
     <message>
-        <source>an unforeseen failure</source>
-        <translation>ein unvorhergesehener Fehler</translation>
+        <source>an unexpected error</source>
+        <translation>ein unerwarteter Fehler</translation>
     </message>
     <message>
         <source>angular deflection</source>
@@ -2234,10 +4026,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Quader gleich lang</translation>
     </message>
     <message>
-        <source>comparison {} is neither &lt; nor &gt;</source>
-        <translation>der Vergleich {} ist weder &lt; noch &gt;</translation>
-    </message>
-    <message>
         <source>coordinates are not numbers</source>
         <translation>Koordinaten sind keine Zahlen</translation>
     </message>
@@ -2246,15 +4034,15 @@ Sein Volumen ist unbekannt.</translation>
         <translation>andere Wandverteilung</translation>
     </message>
     <message>
-        <source>far fewer slanted walls</source>
+        <source>far fewer tapered walls</source>
         <translation>viel weniger schräge Wände</translation>
     </message>
     <message>
-        <source>far more slanted walls</source>
+        <source>far more tapered walls</source>
         <translation>viel mehr schräge Wände</translation>
     </message>
     <message>
-        <source>fewer slanted walls</source>
+        <source>fewer tapered walls</source>
         <translation>weniger schräge Wände</translation>
     </message>
     <message>
@@ -2266,28 +4054,80 @@ Sein Volumen ist unbekannt.</translation>
         <translation>flacherer Quader</translation>
     </message>
     <message>
+        <source>format is not {format!r}</source>
+        <translation>format ist nicht {format!r}</translation>
+    </message>
+    <message>
+        <source>it has no triangles</source>
+        <translation>sie hat keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>it has {count} cells, and the header has {columns}: put quotes around what holds a comma</source>
+        <translation>die Zeile hat {count} Zellen und die Kopfzeile {columns}: Setzen Sie Text mit Komma in Anführungszeichen</translation>
+    </message>
+    <message>
         <source>it is a file</source>
         <translation>es ist eine Datei</translation>
     </message>
     <message>
-        <source>it is no regular file</source>
+        <source>it is nested too deeply</source>
+        <translation>sie ist zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>it is not a CSV table ({problem})</source>
+        <translation>das ist keine CSV-Tabelle ({problem})</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
         <translation>es ist keine gewöhnliche Datei</translation>
     </message>
     <message>
-        <source>it stores a file as '{}'</source>
-        <translation>es legt eine Datei als „{}“ ab</translation>
+        <source>it is not in the binary MSH format 2.2</source>
+        <translation>es ist nicht im binären MSH-Format 2.2</translation>
     </message>
     <message>
-        <source>it stores a resource as '{}'</source>
-        <translation>es legt eine Ressource als „{}“ ab</translation>
+        <source>it is not text in UTF-8: save the table as CSV</source>
+        <translation>das ist kein Text in UTF-8: Speichern Sie die Tabelle als CSV</translation>
     </message>
     <message>
-        <source>its {} declares entities of its own</source>
-        <translation>seine {} deklariert eigene Entitäten</translation>
+        <source>it names no file</source>
+        <translation>die Zeile nennt keine Datei</translation>
     </message>
     <message>
-        <source>its {} would be larger than {} GB</source>
-        <translation>seine {} wäre größer als {} GB</translation>
+        <source>it stores a file as '{path}'</source>
+        <translation>es legt eine Datei als „{path}“ ab</translation>
+    </message>
+    <message>
+        <source>it stores a resource as '{path}'</source>
+        <translation>es legt eine Ressource als „{path}“ ab</translation>
+    </message>
+    <message>
+        <source>its parts are not those of {file}</source>
+        <translation>seine Bauteile sind nicht die von {file}</translation>
+    </message>
+    <message>
+        <source>its probabilities are not of its categories, in their order</source>
+        <translation>die Wahrscheinlichkeiten gehören nicht zu den Kategorien in deren Reihenfolge</translation>
+    </message>
+    <message>
+        <source>its second answer is the first one</source>
+        <translation>die zweite Antwort ist gleich der ersten</translation>
+    </message>
+    <message>
+        <source>its walls make no shell</source>
+        <translation>seine Wände ergeben keine Schale</translation>
+    </message>
+    <message>
+        <source>its {entry} declares its own entities</source>
+        <translation>seine {entry} deklariert eigene Entitäten</translation>
+    </message>
+    <message>
+        <source>its {entry} is not in UTF-8</source>
+        <translation>{entry} ist nicht in UTF-8</translation>
+    </message>
+    <message>
+        <source>its {entry} would be larger than {gigabytes} GB</source>
+        <translation>seine {entry} wäre größer als {gigabytes} GB</translation>
     </message>
     <message>
         <source>less filled</source>
@@ -2310,7 +4150,7 @@ Sein Volumen ist unbekannt.</translation>
         <translation>stärker gefüllt</translation>
     </message>
     <message>
-        <source>more slanted walls</source>
+        <source>more tapered walls</source>
         <translation>mehr schräge Wände</translation>
     </message>
     <message>
@@ -2338,16 +4178,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>viel kürzerer Quader</translation>
     </message>
     <message>
+        <source>no permission to read the file</source>
+        <translation>keine Berechtigung, die Datei zu lesen</translation>
+    </message>
+    <message>
         <source>no reason given</source>
         <translation>kein Grund angegeben</translation>
     </message>
     <message>
-        <source>not measured</source>
-        <translation>nicht gemessen</translation>
-    </message>
-    <message>
         <source>of the diagonal</source>
         <translation>der Diagonale</translation>
+    </message>
+    <message>
+        <source>processes[{number}]{place} has a min_mm of {least:g}, not below its max_mm of {most:g}</source>
+        <translation>processes[{number}]{place} hat ein min_mm von {least:g}, das nicht unter seinem max_mm von {most:g} liegt</translation>
+    </message>
+    <message>
+        <source>processes[{number}]{place} has neither min_mm nor max_mm</source>
+        <translation>processes[{number}]{place} hat weder min_mm noch max_mm</translation>
     </message>
     <message>
         <source>same fill</source>
@@ -2358,10 +4206,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>gleiche Wandverteilung</translation>
     </message>
     <message>
-        <source>share of the diagonal</source>
-        <translation>Anteil der Diagonale</translation>
-    </message>
-    <message>
         <source>shorter box</source>
         <translation>kürzerer Quader</translation>
     </message>
@@ -2370,36 +4214,36 @@ Sein Volumen ist unbekannt.</translation>
         <translation>ähnliche Wandverteilung</translation>
     </message>
     <message>
-        <source>stopped as asked</source>
-        <translation>wie gewünscht abgebrochen</translation>
+        <source>stopped on request</source>
+        <translation>auf Wunsch abgebrochen</translation>
     </message>
     <message>
         <source>the cluster cannot be used</source>
         <translation>der Cluster ist nicht verwendbar</translation>
     </message>
     <message>
-        <source>the command was called wrongly</source>
-        <translation>der Befehl wurde falsch aufgerufen</translation>
+        <source>the column {columns} is missing; there have to be {required}, and there may be {optional}</source>
+        <translation>die Spalte {columns} fehlt; nötig sind {required}, möglich sind {optional}</translation>
+    </message>
+    <message>
+        <source>the column {columns} is there twice</source>
+        <translation>die Spalte {columns} kommt zweimal vor</translation>
     </message>
     <message>
         <source>the file is damaged or not what its name says</source>
         <translation>die Datei ist beschädigt oder nicht das, was ihr Name sagt</translation>
     </message>
     <message>
-        <source>the file may not be read</source>
-        <translation>die Datei darf nicht gelesen werden</translation>
+        <source>the file is unsafe to open</source>
+        <translation>die Datei ist nicht sicher zu öffnen</translation>
     </message>
     <message>
-        <source>the file or document holds nothing</source>
+        <source>the file or document is empty</source>
         <translation>die Datei oder das Dokument ist leer</translation>
     </message>
     <message>
-        <source>the file would write where it must not</source>
-        <translation>die Datei würde schreiben, wo sie nicht darf</translation>
-    </message>
-    <message>
-        <source>the format cannot be read here</source>
-        <translation>das Format kann hier nicht gelesen werden</translation>
+        <source>the format is not supported here</source>
+        <translation>das Format wird hier nicht unterstützt</translation>
     </message>
     <message>
         <source>the info file could not be written</source>
@@ -2410,20 +4254,12 @@ Sein Volumen ist unbekannt.</translation>
         <translation>die Speichergrenze wurde erreicht</translation>
     </message>
     <message>
+        <source>the mesh was not written ({problem})</source>
+        <translation>das Netz wurde nicht geschrieben ({problem})</translation>
+    </message>
+    <message>
         <source>the part encloses no volume</source>
         <translation>das Bauteil umschließt kein Volumen</translation>
-    </message>
-    <message>
-        <source>the part has gone from the index since it was found</source>
-        <translation>das Bauteil ist nicht mehr im Index</translation>
-    </message>
-    <message>
-        <source>the pool broke down</source>
-        <translation>die Arbeitsprozesse sind ausgefallen</translation>
-    </message>
-    <message>
-        <source>the pool takes no tasks any more</source>
-        <translation>die Arbeitsprozesse nehmen keine Aufgaben mehr an</translation>
     </message>
     <message>
         <source>the profile</source>
@@ -2434,255 +4270,519 @@ Sein Volumen ist unbekannt.</translation>
         <translation>das Profil ist nicht verwendbar</translation>
     </message>
     <message>
-        <source>the reading process died</source>
-        <translation>der lesende Prozess ist abgestürzt</translation>
-    </message>
-    <message>
         <source>the time limit was reached</source>
         <translation>das Zeitlimit wurde erreicht</translation>
+    </message>
+    <message>
+        <source>the worker process crashed</source>
+        <translation>der Arbeitsprozess ist abgestürzt</translation>
     </message>
     <message>
         <source>there is no closed solid in it</source>
         <translation>es ist kein geschlossener Volumenkörper darin</translation>
     </message>
     <message>
+        <source>there is no info file of {file!r} in {library}: classify it first, write its path as it is below that folder, or take the row out</source>
+        <translation>in {library} gibt es keine Infodatei von {file!r}: Klassifizieren Sie die Datei zuerst, schreiben Sie ihren Pfad so, wie er unter diesem Ordner lautet, oder entfernen Sie die Zeile</translation>
+    </message>
+    <message>
         <source>there is no such file</source>
         <translation>diese Datei gibt es nicht</translation>
     </message>
     <message>
-        <source>two entries are called '{}'</source>
-        <translation>zwei Einträge heißen „{}“</translation>
+        <source>two entries are called '{entry}'</source>
+        <translation>zwei Einträge heißen „{entry}“</translation>
     </message>
     <message>
-        <source>unknown kind of failure: {}</source>
-        <translation>unbekannte Art von Fehler: {}</translation>
+        <source>version is {version}, and this reads version 1</source>
+        <translation>version ist {version}, und gelesen wird Version 1</translation>
     </message>
     <message>
-        <source>{} It was left as it is: move it away to have it written anew.</source>
-        <translation>{} Sie blieb unverändert: Verschieben Sie sie, damit sie neu geschrieben wird.</translation>
+        <source>wrong usage of the command</source>
+        <translation>der Befehl wurde falsch aufgerufen</translation>
     </message>
     <message>
-        <source>{} bytes after its last entry belong to none</source>
-        <translation>{} Bytes nach dem letzten Eintrag gehören zu keinem</translation>
+        <source>{about} needs more memory than the limit allows.</source>
+        <translation>{about} braucht mehr Speicher, als erlaubt ist.</translation>
     </message>
     <message>
-        <source>{} bytes that belong to no entry lie before '{}'</source>
-        <translation>{} Bytes, die zu keinem Eintrag gehören, liegen vor „{}“</translation>
+        <source>{about}: {sentence}</source>
+        <translation>{about}: {sentence}</translation>
     </message>
     <message>
-        <source>{} cannot be read ({}).</source>
-        <translation>{} kann nicht gelesen werden ({}).</translation>
+        <source>{answer!r} in the column sure is neither yes nor no</source>
+        <translation>{answer!r} in der Spalte sure ist weder yes noch no</translation>
     </message>
     <message>
-        <source>{} changed while it was read: classify it again.</source>
-        <translation>{} hat sich während des Lesens geändert: Klassifizieren Sie die Datei erneut.</translation>
+        <source>{bytes} bytes after its last entry belong to no entry</source>
+        <translation>{bytes} Bytes nach dem letzten Eintrag gehören zu keinem Eintrag</translation>
     </message>
     <message>
-        <source>{} could not be measured, so criterion {} cannot be told.</source>
-        <translation>{} konnte nicht gemessen werden, daher lässt sich Kriterium {} nicht entscheiden.</translation>
+        <source>{bytes} bytes that belong to no entry lie before '{entry}'</source>
+        <translation>{bytes} Bytes, die zu keinem Eintrag gehören, liegen vor „{entry}“</translation>
     </message>
     <message>
-        <source>{} defines 'normal' or 'unknown', which stand for themselves.</source>
-        <translation>{} definiert „normal“ oder „unknown“, die für sich selbst stehen.</translation>
+        <source>{category!r} is no category: there are {known}</source>
+        <translation>{category!r} ist keine Kategorie: Es gibt {known}</translation>
     </message>
     <message>
-        <source>{} does not lie below {}: name a folder after --info-tree that holds all PATHs.</source>
-        <translation>{} liegt nicht unterhalb von {}: Nennen Sie mit --info-tree einen Ordner, der alle PATHs enthält.</translation>
+        <source>{category!r} is no category: there are {known}.</source>
+        <translation>{category!r} ist keine Kategorie: Es gibt {known}.</translation>
     </message>
     <message>
-        <source>{} duplicate triangles were left out.</source>
-        <translation>{} doppelte Dreiecke wurden weggelassen.</translation>
+        <source>{condition} never holds, because it is never above {limit:g}</source>
+        <translation>{condition} gilt nie, denn der Wert liegt nie über {limit:g}</translation>
     </message>
     <message>
-        <source>{} ended the process that read it: the file is likely damaged.</source>
-        <translation>{} hat den lesenden Prozess zum Absturz gebracht: Die Datei ist wahrscheinlich beschädigt.</translation>
+        <source>{condition} never holds, because it is never below {limit:g}</source>
+        <translation>{condition} gilt nie, denn der Wert liegt nie unter {limit:g}</translation>
     </message>
     <message>
-        <source>{} failed ({}).</source>
-        <translation>{} ist fehlgeschlagen ({}).</translation>
+        <source>{constant} is not a JSON number</source>
+        <translation>{constant} ist keine Zahl in JSON</translation>
     </message>
     <message>
-        <source>{} failed ({}: {}).</source>
-        <translation>{} ist fehlgeschlagen ({}: {}).</translation>
+        <source>{count} documents of the library are called {file!r}: write the path</source>
+        <translation>{count} Dokumente der Bibliothek heißen {file!r}: Schreiben Sie den Pfad</translation>
     </message>
     <message>
-        <source>{} has coordinates that are not finite numbers: export it again.</source>
-        <translation>{} hat Koordinaten, die keine endlichen Zahlen sind: Exportieren Sie die Datei erneut.</translation>
+        <source>{count} duplicate triangles were left out.</source>
+        <translation>{count} doppelte Dreiecke wurden weggelassen.</translation>
     </message>
     <message>
-        <source>{} has faces with more than four corners, which FreeCAD leaves out: triangulate it first.</source>
-        <translation>{} hat Flächen mit mehr als vier Ecken, die FreeCAD weglässt: Zerlegen Sie sie zuerst in Dreiecke.</translation>
+        <source>{count} triangles of zero area were left out.</source>
+        <translation>{count} Dreiecke mit Flächeninhalt null wurden weggelassen.</translation>
     </message>
     <message>
-        <source>{} has no ending that ThinPart reads ({}).</source>
-        <translation>{} hat keine Dateiendung, die ThinPart liest ({}).</translation>
+        <source>{file} cannot be read ({problem}).</source>
+        <translation>{file} kann nicht gelesen werden ({problem}).</translation>
     </message>
     <message>
-        <source>{} has no part {}: it has {}.</source>
-        <translation>{} hat kein Bauteil {}: Vorhanden sind {}.</translation>
+        <source>{file} cannot be written ({problem}): name another place.</source>
+        <translation>{file} kann nicht geschrieben werden ({problem}): nennen Sie einen anderen Ort.</translation>
     </message>
     <message>
-        <source>{} has version {}; this ThinPart reads version {}: use a newer one.</source>
-        <translation>{} hat Version {}; dieses ThinPart liest Version {}: Verwenden Sie ein neueres.</translation>
+        <source>{file} changed while it was read: classify it again.</source>
+        <translation>{file} hat sich während des Lesens geändert: Klassifizieren Sie die Datei erneut.</translation>
     </message>
     <message>
-        <source>{} has version {}; this reads version 1.</source>
-        <translation>{} hat Version {}; gelesen wird Version 1.</translation>
+        <source>{file} could not be read in time.</source>
+        <translation>{file} konnte nicht rechtzeitig gelesen werden.</translation>
     </message>
     <message>
-        <source>{} holds 1 face beside its solids, which was left out: close or thicken it if it is a part.</source>
-        <translation>{} enthält neben den Volumenkörpern 1 Fläche, die weggelassen wurde: Schließen Sie sie oder geben Sie ihr eine Wandstärke, wenn sie ein Bauteil ist.</translation>
+        <source>{file} crashed the process that read it: the file is probably damaged.</source>
+        <translation>{file} hat den lesenden Prozess zum Absturz gebracht: Die Datei ist wahrscheinlich beschädigt.</translation>
     </message>
     <message>
-        <source>{} holds no closed solid, only surfaces, wires or points: close or thicken it first.</source>
-        <translation>{} enthält keinen geschlossenen Volumenkörper, nur Flächen, Kanten oder Punkte: Schließen Sie die Flächen zuerst oder geben Sie ihnen eine Wandstärke.</translation>
+        <source>{file} failed ({problem}).</source>
+        <translation>{file} ist fehlgeschlagen ({problem}).</translation>
     </message>
     <message>
-        <source>{} holds {} faces beside its solids, which were left out: close or thicken them if they are a part.</source>
-        <translation>{} enthält neben den Volumenkörpern {} Flächen, die weggelassen wurden: Schließen Sie sie oder geben Sie ihnen eine Wandstärke, wenn sie ein Bauteil sind.</translation>
+        <source>{file} failed: its result cannot be stored ({problem}).</source>
+        <translation>{file} ist fehlgeschlagen: Das Ergebnis kann nicht gespeichert werden ({problem}).</translation>
     </message>
     <message>
-        <source>{} holds {} parts: say which one is meant with --part, by name or label: {}.</source>
-        <translation>{} enthält {} Bauteile: Geben Sie mit --part an, welches gemeint ist, mit Name oder Bezeichnung: {}.</translation>
+        <source>{file} failed: its result cannot be used ({problem}).</source>
+        <translation>{file} ist fehlgeschlagen: das Ergebnis ist nicht verwendbar ({problem}).</translation>
     </message>
     <message>
-        <source>{} in the condition {} is not a number.</source>
-        <translation>{} in der Bedingung {} ist keine Zahl.</translation>
+        <source>{file} has changed since it was classified, or is gone: classify it again.</source>
+        <translation>{file} hat sich seit der Klassifizierung geändert oder ist nicht mehr da: Klassifizieren Sie es erneut.</translation>
     </message>
     <message>
-        <source>{} is a link that leads back to itself: remove it or link it to a part.</source>
-        <translation>{} ist eine Verknüpfung, die auf sich selbst führt: Entfernen Sie sie oder verknüpfen Sie sie mit einem Bauteil.</translation>
+        <source>{file} has coordinates that are not finite numbers: export it again.</source>
+        <translation>{file} hat Koordinaten, die keine endlichen Zahlen sind: Exportieren Sie die Datei erneut.</translation>
     </message>
     <message>
-        <source>{} is a link that leads nowhere: remove it or link it to a part.</source>
-        <translation>{} ist eine Verknüpfung, die ins Leere führt: Entfernen Sie sie oder verknüpfen Sie sie mit einem Bauteil.</translation>
+        <source>{file} has faces with more than four corners, which FreeCAD leaves out: triangulate it first.</source>
+        <translation>{file} hat Flächen mit mehr als vier Ecken, die FreeCAD weglässt: Zerlegen Sie sie zuerst in Dreiecke.</translation>
     </message>
     <message>
-        <source>{} is a part, not a table, and was left as it is: name a .csv file after --csv.</source>
-        <translation>{} ist ein Bauteil und keine Tabelle und blieb unverändert: Nennen Sie nach --csv eine .csv-Datei.</translation>
+        <source>{file} has no ending that ThinPart reads ({endings}).</source>
+        <translation>{file} hat keine Dateiendung, die ThinPart liest ({endings}).</translation>
     </message>
     <message>
-        <source>{} is an empty document.</source>
-        <translation>{} ist ein leeres Dokument.</translation>
+        <source>{file} has no part {part!r}: it has {parts}</source>
+        <translation>{file} hat kein Bauteil {part!r}: Vorhanden sind {parts}</translation>
     </message>
     <message>
-        <source>{} is damaged or holds no shape.</source>
-        <translation>{} ist beschädigt oder enthält keine Form.</translation>
+        <source>{file} has no part {part!r}: it has {parts}.</source>
+        <translation>{file} hat kein Bauteil {part!r}: Vorhanden sind {parts}.</translation>
     </message>
     <message>
-        <source>{} is damaged or no FreeCAD document ({}).</source>
-        <translation>{} ist beschädigt oder kein FreeCAD-Dokument ({}).</translation>
+        <source>{file} holds no closed solid, only surfaces, wires or points: close or thicken it first.</source>
+        <translation>{file} enthält keinen geschlossenen Volumenkörper, nur Flächen, Kanten oder Punkte: Schließen Sie die Flächen zuerst oder geben Sie ihnen eine Wandstärke.</translation>
     </message>
     <message>
-        <source>{} is damaged or not what its ending says ({}).</source>
-        <translation>{} ist beschädigt oder nicht das, was die Dateiendung sagt ({}).</translation>
+        <source>{file} holds no labels: write a row per part below the header.</source>
+        <translation>{file} enthält keine Einordnungen: Schreiben Sie unter die Kopfzeile eine Zeile je Bauteil.</translation>
     </message>
     <message>
-        <source>{} is damaged, or its faces are no triangles: triangulate it first.</source>
-        <translation>{} ist beschädigt, oder die Flächen sind keine Dreiecke: Zerlegen Sie sie zuerst in Dreiecke.</translation>
+        <source>{file} holds {count} parts: choose one with --part, by name or label: {parts}.</source>
+        <translation>{file} enthält {count} Bauteile: Wählen Sie eines mit --part, mit Name oder Bezeichnung: {parts}.</translation>
     </message>
     <message>
-        <source>{} is empty (0 bytes).</source>
-        <translation>{} ist leer (0 Byte).</translation>
+        <source>{file} holds {count} parts: name one in the column part: {parts}</source>
+        <translation>{file} enthält {count} Bauteile: Nennen Sie eines in der Spalte part: {parts}</translation>
     </message>
     <message>
-        <source>{} is no JSON object ({}).</source>
-        <translation>{}: kein JSON-Objekt ({}).</translation>
+        <source>{file} is a link that leads back to itself: remove it or link it to a part.</source>
+        <translation>{file} ist eine Verknüpfung, die auf sich selbst führt: Entfernen Sie sie oder verknüpfen Sie sie mit einem Bauteil.</translation>
     </message>
     <message>
-        <source>{} is no JSON object.</source>
-        <translation>{}: kein JSON-Objekt.</translation>
+        <source>{file} is a link that leads nowhere: remove it or link it to a part.</source>
+        <translation>{file} ist eine Verknüpfung, die ins Leere führt: Entfernen Sie sie oder verknüpfen Sie sie mit einem Bauteil.</translation>
     </message>
     <message>
-        <source>{} is no number of JSON</source>
-        <translation>{} ist keine Zahl in JSON</translation>
+        <source>{file} is a program: it was not opened.</source>
+        <translation>{file} ist ein Programm und wurde nicht geöffnet.</translation>
     </message>
     <message>
-        <source>{} is not a ThinPart info file.</source>
-        <translation>{} ist keine Infodatei von ThinPart.</translation>
+        <source>{file} is an empty document.</source>
+        <translation>{file} ist ein leeres Dokument.</translation>
     </message>
     <message>
-        <source>{} is not a ThinPart profile.</source>
-        <translation>{} ist kein Profil von ThinPart.</translation>
+        <source>{file} is damaged or holds no shape.</source>
+        <translation>{file} ist beschädigt oder enthält keine Form.</translation>
     </message>
     <message>
-        <source>{} is not well formed: {}.</source>
-        <translation>{} ist nicht wohlgeformt: {}.</translation>
+        <source>{file} is damaged or not a FreeCAD document ({problem}).</source>
+        <translation>{file} ist beschädigt oder kein FreeCAD-Dokument ({problem}).</translation>
     </message>
     <message>
-        <source>{} is there already and holds something else than a report: it was left as it is; give a new or an empty folder.</source>
-        <translation>{} ist schon vorhanden und enthält etwas anderes als einen Bericht: Der Ordner blieb unverändert; geben Sie einen neuen oder leeren an.</translation>
+        <source>{file} is damaged or not what its ending says ({problem}).</source>
+        <translation>{file} ist beschädigt oder nicht das, was die Dateiendung sagt ({problem}).</translation>
     </message>
     <message>
-        <source>{} is there already and is no table of ThinPart: it was left as it is; give another file to --csv.</source>
-        <translation>{} ist schon vorhanden und keine Tabelle von ThinPart: Die Datei blieb unverändert; geben Sie mit --csv eine andere an.</translation>
+        <source>{file} is damaged, or its faces are not triangles: triangulate it first.</source>
+        <translation>{file} ist beschädigt, oder die Flächen sind keine Dreiecke: Zerlegen Sie sie zuerst in Dreiecke.</translation>
     </message>
     <message>
-        <source>{} is too large</source>
-        <translation>{} ist zu groß</translation>
+        <source>{file} is empty (0 bytes).</source>
+        <translation>{file} ist leer (0 Byte).</translation>
     </message>
     <message>
-        <source>{} is too large for an info file.</source>
-        <translation>{} ist zu groß für eine Infodatei.</translation>
+        <source>{file} is for one part, and there are {count}: name one after --part, as {example}.</source>
+        <translation>{file} ist für ein Teil, und es gibt {count}: nennen Sie eines nach --part, etwa {example}.</translation>
     </message>
     <message>
-        <source>{} is truncated or no STL file: it announces {} triangles and holds {}.</source>
-        <translation>{} ist abgeschnitten oder keine STL-Datei: Angekündigt sind {} Dreiecke, enthalten sind {}.</translation>
+        <source>{file} is no file of labels that was written here, and is not overwritten: choose another name.</source>
+        <translation>{file} ist keine hier geschriebene Datei mit Einordnungen und wird nicht überschrieben: Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
-        <source>{} is truncated: its end is missing.</source>
-        <translation>{} ist abgeschnitten: Das Ende fehlt.</translation>
+        <source>{file} is no name for a script of Gmsh: give it the ending .geo.</source>
+        <translation>{file} ist kein Name für ein Skript von Gmsh: geben Sie ihm die Endung .geo.</translation>
     </message>
     <message>
-        <source>{} lacks or does not know {}.</source>
-        <translation>{}: Es fehlt oder ist unbekannt: {}.</translation>
+        <source>{file} is no name for a shell: give it one of the endings {endings}.</source>
+        <translation>{file} ist kein Name für eine Schale: Geben Sie ihm eine der Endungen {endings}.</translation>
     </message>
     <message>
-        <source>{} may not be read: check its permissions.</source>
-        <translation>{} darf nicht gelesen werden: Prüfen Sie die Zugriffsrechte.</translation>
+        <source>{file} is no profile and is not overwritten: write the new profile elsewhere.</source>
+        <translation>{file} ist kein Profil und wird nicht überschrieben: Schreiben Sie das neue Profil an einen anderen Ort.</translation>
     </message>
     <message>
-        <source>{} needs more memory than it may have.</source>
-        <translation>{} braucht mehr Speicher, als erlaubt ist.</translation>
+        <source>{file} is not a FreeCAD document.</source>
+        <translation>{file} ist kein FreeCAD-Dokument.</translation>
     </message>
     <message>
-        <source>{} needs more memory than {} MB.</source>
-        <translation>{} braucht mehr als {} MB Speicher.</translation>
+        <source>{file} is too large for a file of labels.</source>
+        <translation>{file} ist zu groß für eine Datei von Einordnungen.</translation>
     </message>
     <message>
-        <source>{} needs more than {} MB of memory: raise the limit in the preferences.</source>
-        <translation>{} braucht mehr als {} MB Speicher: Erhöhen Sie die Grenze in den Einstellungen.</translation>
+        <source>{file} is truncated or not an STL file: its header says {announced} triangles, it holds {held}.</source>
+        <translation>{file} ist abgeschnitten oder keine STL-Datei: Der Kopf nennt {announced} Dreiecke, enthalten sind {held}.</translation>
     </message>
     <message>
-        <source>{} took longer than {} s, the limit for one file.</source>
-        <translation>{} dauerte länger als {} s, das Zeitlimit für eine Datei.</translation>
+        <source>{file} is truncated: its end is missing.</source>
+        <translation>{file} ist abgeschnitten: Das Ende fehlt.</translation>
     </message>
     <message>
-        <source>{} triangles of zero area were left out.</source>
-        <translation>{} Dreiecke mit Flächeninhalt null wurden weggelassen.</translation>
+        <source>{file} is what is learned from: write the new profile elsewhere.</source>
+        <translation>Aus {file} wird gelernt: Schreiben Sie das neue Profil an einen anderen Ort.</translation>
     </message>
     <message>
-        <source>{} uses a criterion's id twice.</source>
-        <translation>{} verwendet die Kennung eines Kriteriums zweimal.</translation>
+        <source>{file} needs more memory than {megabytes} MB.</source>
+        <translation>{file} braucht mehr als {megabytes} MB Speicher.</translation>
     </message>
     <message>
-        <source>{} was not opened: {}, so it would write outside its own folder or hide what it holds. Get it from somebody whom you trust.</source>
-        <translation>{} wurde nicht geöffnet: {}, so würde es außerhalb seines eigenen Ordners schreiben oder verbergen, was es enthält. Beziehen Sie es von jemandem, dem Sie vertrauen.</translation>
+        <source>{file} took longer than {seconds:g} s, the limit for one file.</source>
+        <translation>{file} dauerte länger als {seconds:g} s, das Zeitlimit für eine Datei.</translation>
     </message>
     <message>
-        <source>{} was written again meanwhile: classify it again.</source>
-        <translation>{} wurde inzwischen neu geschrieben: Klassifizieren Sie die Datei erneut.</translation>
+        <source>{file} was not opened: {problem}, so it would write outside its own folder or hide some of its content. Get it from a source that you trust.</source>
+        <translation>{file} wurde nicht geöffnet: {problem}, so würde es außerhalb seines eigenen Ordners schreiben oder einen Teil seines Inhalts verbergen. Beziehen Sie es aus einer Quelle, der Sie vertrauen.</translation>
+    </message>
+    <message>
+        <source>{file} was not written. {reason}</source>
+        <translation>{file} wurde nicht geschrieben. {reason}</translation>
+    </message>
+    <message>
+        <source>{file} was saved again meanwhile: classify it again.</source>
+        <translation>{file} wurde inzwischen neu gespeichert: Klassifizieren Sie die Datei erneut.</translation>
+    </message>
+    <message>
+        <source>{file} would have the name of a profile that comes with ThinPart: choose another.</source>
+        <translation>{file} hätte den Namen eines Profils, das zu ThinPart gehört: Wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>{file}, line {line}</source>
+        <translation>{file}, Zeile {line}</translation>
+    </message>
+    <message>
+        <source>{file}, part {part}</source>
+        <translation>{file}, Bauteil {part}</translation>
+    </message>
+    <message>
+        <source>{first} and {second} exclude each other</source>
+        <translation>{first} und {second} schließen sich aus</translation>
+    </message>
+    <message>
+        <source>{first} {next}</source>
+        <translation>{first} {next}</translation>
+    </message>
+    <message>
+        <source>{folder} already exists and is not the folder of a report: it was not changed; give a new or an empty folder.</source>
+        <translation>{folder} gibt es schon und ist kein Berichtsordner: Der Ordner blieb unverändert; geben Sie einen neuen oder leeren an.</translation>
+    </message>
+    <message>
+        <source>{folder} does not lie below {top}: name a folder after --info-tree that holds all PATHs.</source>
+        <translation>{folder} liegt nicht unterhalb von {top}: Nennen Sie mit --info-tree einen Ordner, der alle PATHs enthält.</translation>
+    </message>
+    <message>
+        <source>{info_file} has version {version}; this ThinPart reads version {known}: use a newer one.</source>
+        <translation>{info_file} hat Version {version}; dieses ThinPart liest Version {known}: Verwenden Sie ein neueres.</translation>
+    </message>
+    <message>
+        <source>{info_file} is not a ThinPart info file.</source>
+        <translation>{info_file} ist keine Infodatei von ThinPart.</translation>
+    </message>
+    <message>
+        <source>{info_file} is too large for an info file.</source>
+        <translation>{info_file} ist zu groß für eine Infodatei.</translation>
+    </message>
+    <message>
+        <source>{inside:.3g} mm of the {free:.3g} mm of free edges lie inside the material: there, walls do not meet, or go over into what is left solid. Close these gaps before solving.</source>
+        <translation>{inside:.3g} mm der {free:.3g} mm freier Kanten liegen im Material: Dort treffen sich Wände nicht oder gehen in das über, was massiv bleibt. Schließen Sie diese Lücken vor dem Rechnen.</translation>
+    </message>
+    <message>
+        <source>{link} was not opened: a link may lead to http:// or https://, or to a file of the library.</source>
+        <translation>{link} wurde nicht geöffnet: Ein Link darf zu http:// oder https:// führen oder zu einer Datei der Bibliothek.</translation>
+    </message>
+    <message>
+        <source>{low} to {high}</source>
+        <translation>{low} bis {high}</translation>
+    </message>
+    <message>
+        <source>{mm} mm</source>
+        <translation>{mm} mm</translation>
+    </message>
+    <message>
+        <source>{mm} mm, give or take {error} mm,</source>
+        <translation>{mm} mm, auf {error} mm genau,</translation>
+    </message>
+    <message>
+        <source>{number!r} in the condition {condition!r} is not a number.</source>
+        <translation>{number!r} in der Bedingung {condition!r} ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>{part} belongs to another document, {file}: open that one, and prepare its mesh there.</source>
+        <translation>{part} gehört zu einem anderen Dokument, {file}: Öffnen Sie dieses und bereiten Sie das Netz dort vor.</translation>
+    </message>
+    <message>
+        <source>{part} has no shell: walls of even thickness account for {share:.0f} % of its volume. Mesh it as a solid.</source>
+        <translation>{part} hat keine Schale: Wände gleichmäßiger Dicke machen {share:.0f} % seines Volumens aus. Vernetzen Sie es als Volumenkörper.</translation>
+    </message>
+    <message>
+        <source>{part} is made of triangles, which are no solid to mesh.</source>
+        <translation>{part} besteht aus Dreiecken, die kein Volumenkörper zum Vernetzen sind.</translation>
+    </message>
+    <message>
+        <source>{part} is made of triangles: a shell needs the faces of a solid, as STEP files have them.</source>
+        <translation>{part} besteht aus Dreiecken: Eine Schale braucht die Flächen eines Volumenkörpers, wie STEP-Dateien sie haben.</translation>
+    </message>
+    <message>
+        <source>{part} is not closed, or was measured by pairs: a shell needs a closed solid that was measured by rays.</source>
+        <translation>{part} ist nicht geschlossen oder wurde paarweise gemessen: Eine Schale braucht einen geschlossenen Körper, der mit Strahlen gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>{part} needs more than {megabytes} MB of memory: raise the limit in the preferences.</source>
+        <translation>{part} braucht mehr als {megabytes} MB Speicher: Erhöhen Sie die Grenze in den Einstellungen.</translation>
+    </message>
+    <message>
+        <source>{person!r} cannot be kept as a person's name: choose a shorter one, in one line.</source>
+        <translation>{person!r} kann nicht als Name einer Person aufbewahrt werden: Wählen Sie einen kürzeren, in einer Zeile.</translation>
+    </message>
+    <message>
+        <source>{person} calls it {category!r}, which is no category of the start: there are {known}</source>
+        <translation>{person} nennt es {category!r}, was keine Kategorie des Ausgangsprofils ist: Es gibt {known}</translation>
+    </message>
+    <message>
+        <source>{person} calls this part {category} here and {other} before ({earlier})</source>
+        <translation>{person} nennt dieses Bauteil hier {category} und vorher {other} ({earlier})</translation>
+    </message>
+    <message>
+        <source>{person} has labelled this part already ({earlier})</source>
+        <translation>{person} hat dieses Bauteil schon eingeordnet ({earlier})</translation>
+    </message>
+    <message>
+        <source>{person} is sure of {category} in one place and not in the other ({earlier})</source>
+        <translation>{person} ist sich bei {category} an der einen Stelle sicher und an der anderen nicht ({earlier})</translation>
+    </message>
+    <message>
+        <source>{place} is empty, and a criterion without conditions would always hold</source>
+        <translation>{place} ist leer, und ein Kriterium ohne Bedingungen wäre immer erfüllt</translation>
+    </message>
+    <message>
+        <source>{place} names {quantity!r}, which is no quantity: there are {known}, a below b</source>
+        <translation>{place} nennt {quantity!r}; diese Größe gibt es nicht: Es gibt {known}, a kleiner als b</translation>
+    </message>
+    <message>
+        <source>{place}: {reason}.</source>
+        <translation>{place}: {reason}.</translation>
+    </message>
+    <message>
+        <source>{process} ({material})</source>
+        <translation>{process} ({material})</translation>
+    </message>
+    <message>
+        <source>{process}: cannot be told: no wall could be measured.</source>
+        <translation>{process}: nicht zu entscheiden: Es konnte keine Wand gemessen werden.</translation>
+    </message>
+    <message>
+        <source>{process}: cannot be told: the surface is open, and there may be walls thinner than the {thinnest} mm that were found.</source>
+        <translation>{process}: nicht zu entscheiden: Die Oberfläche ist offen, und es kann dünnere Wände geben als die gefundenen {thinnest} mm.</translation>
+    </message>
+    <message>
+        <source>{process}: cannot be told: the thinnest wall is {thinnest} mm, give or take {error} mm, the limit is {least} mm.</source>
+        <translation>{process}: nicht zu entscheiden: Die dünnste Wand misst {thinnest} mm, auf {error} mm genau, die Grenze ist {least} mm.</translation>
+    </message>
+    <message>
+        <source>{process}: cannot be told: {share} of the surface lies over more than {most} mm, but a ray may run along a wall there: look at the thickness map.</source>
+        <translation>{process}: nicht zu entscheiden: {share} der Oberfläche liegen über mehr als {most} mm, aber ein Strahl kann dort längs einer Wand laufen: Sehen Sie die Wandstärkenkarte an.</translation>
+    </message>
+    <message>
+        <source>{process}: fails: {findings}.</source>
+        <translation>{process}: durchgefallen: {findings}.</translation>
+    </message>
+    <message>
+        <source>{process}: passes within tolerance: the thinnest wall is {thinnest} mm, give or take {error} mm, the limit is {least} mm.</source>
+        <translation>{process}: bestanden im Rahmen der Genauigkeit: Die dünnste Wand misst {thinnest} mm, auf {error} mm genau, die Grenze ist {least} mm.</translation>
+    </message>
+    <message>
+        <source>{process}: passes: no wall is over {most} mm.</source>
+        <translation>{process}: bestanden: Keine Wand ist dicker als {most} mm.</translation>
+    </message>
+    <message>
+        <source>{process}: passes: the thinnest wall is {thinnest} mm, the limit {least} mm.</source>
+        <translation>{process}: bestanden: Die dünnste Wand misst {thinnest} mm, die Grenze ist {least} mm.</translation>
+    </message>
+    <message>
+        <source>{process}: passes: the thinnest wall is {thinnest} mm, the limit {least} mm; towards their edges, tapered walls are thinner on {share} of the surface.</source>
+        <translation>{process}: bestanden: Die dünnste Wand misst {thinnest} mm, die Grenze ist {least} mm; zu den Kanten hin sind verjüngte Wände auf {share} der Oberfläche dünner.</translation>
+    </message>
+    <message>
+        <source>{process}: passes: walls from {thinnest} mm on, the limits are {least} and {most} mm.</source>
+        <translation>{process}: bestanden: Wände ab {thinnest} mm, die Grenzen sind {least} und {most} mm.</translation>
+    </message>
+    <message>
+        <source>{profile} cannot be used: {problem} ({place}).</source>
+        <translation>{profile} ist nicht verwendbar: {problem} ({place}).</translation>
+    </message>
+    <message>
+        <source>{profile} defines 'normal' or 'unknown', which are reserved: rename the category.</source>
+        <translation>{profile} definiert „normal“ oder „unknown“, die reserviert sind: Benennen Sie die Kategorie um.</translation>
+    </message>
+    <message>
+        <source>{profile} has version {version}; ThinPart reads version 1.</source>
+        <translation>{profile} hat Version {version}; ThinPart liest Version 1.</translation>
+    </message>
+    <message>
+        <source>{profile} is not a ThinPart profile.</source>
+        <translation>{profile} ist kein Profil von ThinPart.</translation>
+    </message>
+    <message>
+        <source>{profile} is not well formed: {problem}.</source>
+        <translation>{profile} ist nicht wohlgeformt: {problem}.</translation>
+    </message>
+    <message>
+        <source>{profile} uses a criterion's id twice: {id!r}.</source>
+        <translation>{profile} verwendet die Kennung eines Kriteriums zweimal: {id!r}.</translation>
+    </message>
+    <message>
+        <source>{quantities} could not be measured, so criterion {criteria} cannot be decided.</source>
+        <translation>{quantities} konnte nicht gemessen werden, daher lässt sich Kriterium {criteria} nicht entscheiden.</translation>
+    </message>
+    <message>
+        <source>{sentence} It was not changed.</source>
+        <translation>{sentence} Sie blieb unverändert.</translation>
+    </message>
+    <message>
+        <source>{sentence} It was not changed: move it away to have a new one written.</source>
+        <translation>{sentence} Sie blieb unverändert: Verschieben Sie sie, damit sie neu geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>{share} of the surface lies over walls of more than {most} mm</source>
+        <translation>{share} der Oberfläche liegen über Wänden von mehr als {most} mm</translation>
+    </message>
+    <message>
+        <source>{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm, and {plates} over walls that are plates: consider shells.</source>
+        <translation>{share} der Oberfläche liegen über Wänden, die dünner als {limit} mm sind, {part} der mittleren Seite von {middle} mm, und {plates} über Platten: Schalenelemente erwägen.</translation>
+    </message>
+    <message>
+        <source>{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm: refine the mesh there.</source>
+        <translation>{share} der Oberfläche liegen über Wänden, die dünner als {limit} mm sind, {part} der mittleren Seite von {middle} mm: das Netz dort verfeinern.</translation>
+    </message>
+    <message>
+        <source>{table} already exists and is not a table of ThinPart: it was not changed; give another file to --csv.</source>
+        <translation>{table} ist schon vorhanden und keine Tabelle von ThinPart: Die Datei blieb unverändert; geben Sie mit --csv eine andere an.</translation>
+    </message>
+    <message>
+        <source>{table} is a part, not a table, and was not changed: name a .csv file after --csv.</source>
+        <translation>{table} ist ein Bauteil und keine Tabelle und blieb unverändert: Nennen Sie nach --csv eine .csv-Datei.</translation>
+    </message>
+    <message>
+        <source>{thin} of the surface is under {least} mm, thinnest {place}</source>
+        <translation>{thin} der Oberfläche sind unter {least} mm, am dünnsten {place}</translation>
+    </message>
+    <message>
+        <source>{thin} of the surface is under {least} mm, thinnest {place}, and {thick} over {most} mm</source>
+        <translation>{thin} der Oberfläche sind unter {least} mm, am dünnsten {place}, und {thick} über {most} mm</translation>
+    </message>
+    <message>
+        <source>{wall} on {face}</source>
+        <translation>{wall} auf {face}</translation>
+    </message>
+    <message>
+        <source>{what} cannot be stored ({problem}).</source>
+        <translation>{what} kann nicht gespeichert werden ({problem}).</translation>
+    </message>
+    <message>
+        <source>{what} is not a JSON object ({problem}).</source>
+        <translation>{what}: kein JSON-Objekt ({problem}).</translation>
+    </message>
+    <message>
+        <source>{what} is not a JSON object.</source>
+        <translation>{what}: kein JSON-Objekt.</translation>
+    </message>
+    <message>
+        <source>{whose} holds 1 face beside its solids, which was left out: close or thicken it if it is a part.</source>
+        <translation>{whose} enthält neben den Volumenkörpern 1 Fläche, die weggelassen wurde: Schließen Sie sie oder geben Sie ihr eine Wandstärke, wenn sie ein Bauteil ist.</translation>
+    </message>
+    <message>
+        <source>{whose} holds {faces} faces beside its solids, which were left out: close or thicken them if they are a part.</source>
+        <translation>{whose} enthält neben den Volumenkörpern {faces} Flächen, die weggelassen wurden: Schließen Sie sie oder geben Sie ihnen eine Wandstärke, wenn sie ein Bauteil sind.</translation>
     </message>
 </context>
 <context>
     <name>ThinPart_Classify</name>
     <message>
-        <source>Classify part</source>
-        <translation>Bauteil klassifizieren</translation>
+        <source>Checks whether the selected part is thin, has thin features or is normal, and colours its thin faces</source>
+        <translation>Prüft, ob das ausgewählte Bauteil dünnwandig ist, dünne Bereiche hat oder normal ist, und färbt seine dünnen Flächen ein</translation>
     </message>
     <message>
-        <source>Tells whether the selected part is thin, has thin features or is normal, and colours its thin faces</source>
-        <translation>Stellt fest, ob das ausgewählte Bauteil dünnwandig ist, dünne Bereiche hat oder normal ist, und färbt seine dünnen Flächen ein</translation>
+        <source>Classify part</source>
+        <translation>Bauteil klassifizieren</translation>
     </message>
 </context>
 <context>
@@ -2703,8 +4803,19 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Dünnwandfarben entfernen</translation>
     </message>
     <message>
-        <source>Gives the faces of this document the colours back that they had before they were coloured as thin</source>
-        <translation>Gibt den Flächen dieses Dokuments die Farben zurück, die sie vor dem Einfärben hatten</translation>
+        <source>Restores the colours that the faces of this document had before they were coloured as thin</source>
+        <translation>Stellt die Farben wieder her, die die Flächen dieses Dokuments vor dem Einfärben hatten</translation>
+    </message>
+</context>
+<context>
+    <name>ThinPart_EditProfile</name>
+    <message>
+        <source>Edit profile…</source>
+        <translation>Profil bearbeiten …</translation>
+    </message>
+    <message>
+        <source>Edits the thresholds by which parts are judged, and the limits of the wall, and counts meanwhile what would change in your libraries</source>
+        <translation>Bearbeitet die Schwellenwerte, nach denen Bauteile beurteilt werden, und die Grenzen der Wandstärke, und zählt dabei, was sich in Ihren Bibliotheken ändern würde</translation>
     </message>
 </context>
 <context>
@@ -2716,6 +4827,28 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Shows or hides the panel that finds classified parts by their category, walls, size and notes, and parts like another one</source>
         <translation>Zeigt oder verbirgt das Fenster, das klassifizierte Bauteile nach Kategorie, Wänden, Größe und Notizen sowie ähnliche Bauteile findet</translation>
+    </message>
+</context>
+<context>
+    <name>ThinPart_LearnThresholds</name>
+    <message>
+        <source>Chooses thresholds that agree with what people say of the parts of a library, and says how good they are on folders left out</source>
+        <translation>Wählt Schwellenwerte, die mit dem übereinstimmen, was Menschen über die Bauteile einer Bibliothek sagen, und sagt, wie gut sie an ausgelassenen Ordnern sind</translation>
+    </message>
+    <message>
+        <source>Learn thresholds…</source>
+        <translation>Schwellenwerte lernen…</translation>
+    </message>
+</context>
+<context>
+    <name>ThinPart_MeshSizes</name>
+    <message>
+        <source>Prepare mesh</source>
+        <translation>Netz vorbereiten</translation>
+    </message>
+    <message>
+        <source>Proposes element sizes that give the thin walls of the selected part enough layers, and makes a FEM mesh with them</source>
+        <translation>Schlägt Elementgrößen vor, mit denen die dünnen Wände des gewählten Teils genug Schichten haben, und erzeugt damit ein FEM-Netz</translation>
     </message>
 </context>
 <context>
@@ -2743,8 +4876,8 @@ Sein Volumen ist unbekannt.</translation>
 <context>
     <name>ThinPart_ShowThickness</name>
     <message>
-        <source>Colours the selected parts, or all of them, by the thickness of their walls, and tells how much of the surface lies over which wall</source>
-        <translation>Färbt die ausgewählten oder alle Bauteile nach der Wandstärke ein und zeigt, wie viel der Oberfläche über welcher Wand liegt</translation>
+        <source>Colours the selected parts, or all of them, by the thickness of their walls, and shows how the area is distributed over thickness</source>
+        <translation>Färbt die ausgewählten oder alle Bauteile nach der Wandstärke ein und zeigt, wie sich die Oberfläche auf die Wandstärken verteilt</translation>
     </message>
     <message>
         <source>Show thickness</source>

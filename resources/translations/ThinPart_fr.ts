@@ -4,20 +4,52 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>Colour where no wall was measured</source>
+        <translation>Couleur là où aucune paroi n’a été mesurée</translation>
+    </message>
+    <message>
         <source>Colours from thin to thick</source>
         <translation>Couleurs du mince à l’épais</translation>
+    </message>
+    <message>
+        <source>Diagonal of the largest part's bounding box, mm</source>
+        <translation>Diagonale de la boîte englobante de la plus grande pièce, mm</translation>
+    </message>
+    <message>
+        <source>Greatest wall that the process allows, mm; 0: any</source>
+        <translation>Paroi la plus épaisse que le procédé admet, mm ; 0 : toutes</translation>
+    </message>
+    <message>
+        <source>How it was measured: across the wall, or as the largest ball inside</source>
+        <translation>Mode de mesure : à travers la paroi, ou plus grande boule à l’intérieur</translation>
+    </message>
+    <message>
+        <source>Measured point on the face, in the coordinates of its object</source>
+        <translation>Point mesuré sur la face, dans les coordonnées de son objet</translation>
     </message>
     <message>
         <source>Number of steps; 0: smooth</source>
         <translation>Nombre de paliers ; 0 : continu</translation>
     </message>
     <message>
-        <source>Of the facets, in percent</source>
-        <translation>Des facettes, en pourcentage</translation>
+        <source>Opposite point, in the coordinates of the document</source>
+        <translation>Point opposé, dans les coordonnées du document</translation>
     </message>
     <message>
-        <source>Of the largest part's box, mm</source>
-        <translation>De la boîte englobante de la plus grande pièce, mm</translation>
+        <source>Placements of the sources when they were measured</source>
+        <translation>Position des sources lors de la mesure</translation>
+    </message>
+    <message>
+        <source>Points opposite the probed points</source>
+        <translation>Points opposés aux points sondés</translation>
+    </message>
+    <message>
+        <source>Points where the thickness was probed</source>
+        <translation>Points où l’épaisseur a été sondée</translation>
+    </message>
+    <message>
+        <source>Process whose walls are at least Threshold and at most CheckMost</source>
+        <translation>Procédé dont les parois font au moins Threshold et au plus CheckMost</translation>
     </message>
     <message>
         <source>The face where the wall is measured</source>
@@ -28,28 +60,8 @@
         <translation>L’épaisseur mesurée</translation>
     </message>
     <message>
-        <source>The opposite sides of those</source>
-        <translation>Les côtés opposés de ceux-ci</translation>
-    </message>
-    <message>
-        <source>The place on the face, in the coordinates of its object</source>
-        <translation>L'endroit sur la face, dans les coordonnées de son objet</translation>
-    </message>
-    <message>
-        <source>The place on the opposite side, in the coordinates of the document</source>
-        <translation>L'endroit sur le côté opposé, dans les coordonnées du document</translation>
-    </message>
-    <message>
         <source>The sources' shapes when measured</source>
         <translation>Les formes des sources lors de la mesure</translation>
-    </message>
-    <message>
-        <source>The thickness of the material under that place</source>
-        <translation>L'épaisseur de la matière sous cet endroit</translation>
-    </message>
-    <message>
-        <source>The thickness there, mm</source>
-        <translation>L’épaisseur à cet endroit, mm</translation>
     </message>
     <message>
         <source>Thickest wall of the map, mm</source>
@@ -68,32 +80,36 @@
         <translation>Paroi la plus mince de la carte, mm</translation>
     </message>
     <message>
+        <source>Transparency of the facets, in percent</source>
+        <translation>Transparence des facettes, en pourcentage</translation>
+    </message>
+    <message>
         <source>Unit of Low and High</source>
         <translation>Unité de Low et High</translation>
     </message>
     <message>
-        <source>Walls under it are thin, mm</source>
-        <translation>Les parois plus minces sont minces, mm</translation>
+        <source>Wall thickness at the measured point</source>
+        <translation>Épaisseur de la paroi au point mesuré</translation>
+    </message>
+    <message>
+        <source>Wall thickness at the probed points, mm</source>
+        <translation>Épaisseur de la paroi aux points sondés, mm</translation>
+    </message>
+    <message>
+        <source>Walls thinner than this are thin, mm</source>
+        <translation>Les parois sous cette épaisseur sont minces, mm</translation>
     </message>
     <message>
         <source>What was measured</source>
         <translation>Ce qui a été mesuré</translation>
     </message>
     <message>
-        <source>Where nothing was measured</source>
-        <translation>Là où rien n’a été mesuré</translation>
-    </message>
-    <message>
-        <source>Where the sources stood when measured</source>
-        <translation>Position des sources lors de la mesure</translation>
-    </message>
-    <message>
-        <source>Where thickness was asked for</source>
-        <translation>Où l’épaisseur a été demandée</translation>
-    </message>
-    <message>
         <source>Whether colours run from the thinnest to the thickest wall</source>
         <translation>Si les couleurs vont de la paroi la plus mince à la plus épaisse</translation>
+    </message>
+    <message>
+        <source>Whether equal ratios of thickness are equally far apart on the scale</source>
+        <translation>Si des rapports d'épaisseur égaux sont également espacés sur l'échelle</translation>
     </message>
     <message>
         <source>Whether only thin walls are coloured</source>
@@ -102,6 +118,10 @@
     <message>
         <source>Whether the colours run the other way</source>
         <translation>Si les couleurs sont inversées</translation>
+    </message>
+    <message>
+        <source>Whether the map is lit; off: flat colours, exactly those of the colour bar</source>
+        <translation>Si la carte est éclairée ; sinon : couleurs plates, exactement celles de la barre de couleurs</translation>
     </message>
     <message>
         <source>Whether the sources have changed since</source>
@@ -139,12 +159,20 @@ Son volume est inconnu.</translation>
         <translation>&amp;Annuler</translation>
     </message>
     <message>
+        <source>&amp;Colours show</source>
+        <translation>Les &amp;couleurs montrent</translation>
+    </message>
+    <message>
+        <source>&amp;Exclude…</source>
+        <translation>&amp;Exclure…</translation>
+    </message>
+    <message>
         <source>&amp;Export CSV…</source>
         <translation>E&amp;xporter en CSV…</translation>
     </message>
     <message>
-        <source>&amp;Fly to thinnest place</source>
-        <translation>Aller à l’&amp;endroit le plus mince</translation>
+        <source>&amp;Fly to thinnest wall</source>
+        <translation>Aller à la paroi la plus minc&amp;e</translation>
     </message>
     <message>
         <source>&amp;Folder</source>
@@ -159,12 +187,32 @@ Son volume est inconnu.</translation>
         <translation>&amp;Installer {}</translation>
     </message>
     <message>
+        <source>&amp;Isolate</source>
+        <translation>&amp;Isoler</translation>
+    </message>
+    <message>
+        <source>&amp;Keep measuring</source>
+        <translation>&amp;Continuer à mesurer</translation>
+    </message>
+    <message>
+        <source>&amp;Learn</source>
+        <translation>&amp;Apprendre</translation>
+    </message>
+    <message>
+        <source>&amp;Library</source>
+        <translation>&amp;Bibliothèque</translation>
+    </message>
+    <message>
+        <source>&amp;Logarithmic</source>
+        <translation>&amp;Logarithmique</translation>
+    </message>
+    <message>
         <source>&amp;Measure again</source>
         <translation>Mesurer à &amp;nouveau</translation>
     </message>
     <message>
-        <source>&amp;Measure again what has not changed</source>
-        <translation>Mesu&amp;rer à nouveau ce qui n’a pas changé</translation>
+        <source>&amp;Measure unchanged documents again</source>
+        <translation>Mesu&amp;rer à nouveau les documents inchangés</translation>
     </message>
     <message>
         <source>&amp;Names</source>
@@ -187,6 +235,10 @@ Son volume est inconnu.</translation>
         <translation>&amp;Ouvrir le rapport</translation>
     </message>
     <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Ouvrir…</translation>
+    </message>
+    <message>
         <source>&amp;Pause</source>
         <translation>&amp;Pause</translation>
     </message>
@@ -195,20 +247,48 @@ Son volume est inconnu.</translation>
         <translation>&amp;Sonde</translation>
     </message>
     <message>
+        <source>&amp;Profile:</source>
+        <translation>&amp;Profil :</translation>
+    </message>
+    <message>
         <source>&amp;Remove</source>
         <translation>&amp;Retirer</translation>
+    </message>
+    <message>
+        <source>&amp;Remove mesh size</source>
+        <translation>&amp;Supprimer la taille de maille</translation>
+    </message>
+    <message>
+        <source>&amp;Reset to saved</source>
+        <translation>&amp;Rétablir</translation>
     </message>
     <message>
         <source>&amp;Retry failed</source>
         <translation>Réessa&amp;yer les échecs</translation>
     </message>
     <message>
-        <source>&amp;Save the document</source>
-        <translation>&amp;Enregistrer le document</translation>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>&amp;Save as…</source>
+        <translation>&amp;Enregistrer sous…</translation>
+    </message>
+    <message>
+        <source>&amp;Shaded</source>
+        <translation>&amp;Ombré</translation>
     </message>
     <message>
         <source>&amp;Start</source>
         <translation>Démarr&amp;er</translation>
+    </message>
+    <message>
+        <source>&amp;Stop it</source>
+        <translation>&amp;Arrêter</translation>
+    </message>
+    <message>
+        <source>&amp;Tables</source>
+        <translation>&amp;Tableaux</translation>
     </message>
     <message>
         <source>&amp;Thin below</source>
@@ -217,6 +297,14 @@ Son volume est inconnu.</translation>
     <message>
         <source>&amp;Thresholds</source>
         <translation>&amp;Seuils</translation>
+    </message>
+    <message>
+        <source>&amp;Use as my profile</source>
+        <translation>&amp;Utiliser comme mon profil</translation>
+    </message>
+    <message>
+        <source>&amp;Use it</source>
+        <translation>&amp;Utiliser</translation>
     </message>
     <message>
         <source>&amp;Whole range</source>
@@ -235,28 +323,104 @@ Son volume est inconnu.</translation>
         <translation>dans le d&amp;ossier</translation>
     </message>
     <message>
-        <source>'{}' has no parts any more that could be measured.</source>
-        <translation>« {} » n’a plus de pièces qui puissent être mesurées.</translation>
+        <source>'Find parts' searches this folder from now on.</source>
+        <translation>« Trouver des pièces » cherche désormais dans ce dossier.</translation>
     </message>
     <message>
-        <source>'{}' was not classified yet: classify the part first.</source>
+        <source>'normal' and 'unknown' mean that no criterion holds, or that it cannot be told: choose another name.</source>
+        <translation>« normal » et « unknown » signifient qu’aucun critère n’est rempli ou que c’est indécidable : choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>'{}' has not been classified yet: classify the part first.</source>
         <translation>« {} » n’a pas encore été classifiée : classifiez d’abord la pièce.</translation>
     </message>
     <message>
-        <source>1 probe was removed: the surface is no longer where it was.</source>
+        <source>'{}' is still being measured.</source>
+        <translation>« {} » est encore en cours de mesure.</translation>
+    </message>
+    <message>
+        <source>'{}' no longer has a part that can be measured.</source>
+        <translation>« {} » n’a plus de pièce mesurable.</translation>
+    </message>
+    <message>
+        <source>, layers in {} of the thin walls</source>
+        <translation>, couches dans {} des parois minces</translation>
+    </message>
+    <message>
+        <source>1 probe was removed: the surface is no longer at its position.</source>
         <translation>1 sonde a été retirée : la surface ne se trouve plus à cet endroit.</translation>
     </message>
     <message>
-        <source>A folder for the info files, in which the folders of the documents are repeated; it may lie on another computer. Empty: beside each document</source>
-        <translation>Un dossier pour les fichiers d’information, où les dossiers des documents sont reproduits ; il peut se trouver sur un autre ordinateur. Vide : à côté de chaque document</translation>
+        <source>A click on the part pins the wall there</source>
+        <translation>Un clic sur la pièce y fixe une sonde</translation>
     </message>
     <message>
         <source>A link to {} was put into {}.</source>
         <translation>Un lien vers {} a été placé dans {}.</translation>
     </message>
     <message>
+        <source>A part gets the first category of which a criterion holds. If none holds, it is normal.</source>
+        <translation>Une pièce reçoit la première catégorie dont un critère est rempli. Si aucun ne l’est, elle est normale.</translation>
+    </message>
+    <message>
+        <source>A profile that comes with ThinPart stays as it is: save under another name</source>
+        <translation>Un profil fourni avec ThinPart reste inchangé : enregistrez sous un autre nom</translation>
+    </message>
+    <message>
+        <source>A smaller share of the surface counts as none, because single rays may stray</source>
+        <translation>Une part plus petite de la surface compte pour nulle, car des rayons isolés peuvent s’égarer</translation>
+    </message>
+    <message>
+        <source>A verdict is called borderline if a quantity lies nearer to its threshold, relative to that</source>
+        <translation>Un verdict est dit limite si une grandeur est plus proche de son seuil, relativement à celui-ci</translation>
+    </message>
+    <message>
+        <source>A verdict that is less probable is called unsure</source>
+        <translation>Un verdict moins probable est dit incertain</translation>
+    </message>
+    <message>
+        <source>About {} elements, of {} to {}.</source>
+        <translation>Environ {} éléments, de {} à {}.</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Précision</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Perpendiculaire à</translation>
+    </message>
+    <message>
+        <source>Across the wall (ray)</source>
+        <translation>À travers la paroi (rayon)</translation>
+    </message>
+    <message>
+        <source>Add a category</source>
+        <translation>Ajouter une catégorie</translation>
+    </message>
+    <message>
+        <source>Add a condition (and)</source>
+        <translation>Ajouter une condition (et)</translation>
+    </message>
+    <message>
+        <source>Add a criterion (or)</source>
+        <translation>Ajouter un critère (ou)</translation>
+    </message>
+    <message>
         <source>Add a folder with classified parts under 'Libraries'.</source>
         <translation>Ajoutez un dossier de pièces classifiées sous « Bibliothèques ».</translation>
+    </message>
+    <message>
+        <source>Add a material</source>
+        <translation>Ajouter un matériau</translation>
+    </message>
+    <message>
+        <source>Add a process</source>
+        <translation>Ajouter un procédé</translation>
+    </message>
+    <message>
+        <source>Adds the folder to the libraries of 'Find parts'</source>
+        <translation>Ajoute le dossier aux bibliothèques de « Trouver des pièces »</translation>
     </message>
     <message>
         <source>Add…</source>
@@ -267,8 +431,20 @@ Son volume est inconnu.</translation>
         <translation>Après</translation>
     </message>
     <message>
+        <source>Agreement</source>
+        <translation>Accord</translation>
+    </message>
+    <message>
+        <source>All labels, either answer</source>
+        <translation>Toutes les étiquettes, une des réponses</translation>
+    </message>
+    <message>
         <source>All parts</source>
         <translation>Toutes les pièces</translation>
+    </message>
+    <message>
+        <source>An unexpected error occurred ({}): try again, and if it happens again, report it with FreeCAD's log.</source>
+        <translation>Une erreur inattendue s’est produite ({}) : réessayez et, si cela se reproduit, signalez-le avec le journal de FreeCAD.</translation>
     </message>
     <message>
         <source>Angle between neighbouring facets of a curved face</source>
@@ -279,8 +455,60 @@ Son volume est inconnu.</translation>
         <translation>Déflexion angulaire</translation>
     </message>
     <message>
+        <source>Another folder…</source>
+        <translation>Un autre dossier…</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Réponses</translation>
+    </message>
+    <message>
+        <source>Area of both of its sides</source>
+        <translation>Aire de ses deux côtés</translation>
+    </message>
+    <message>
+        <source>Area, {}²</source>
+        <translation>Aire, {}²</translation>
+    </message>
+    <message>
+        <source>As a picture of any size, or as triangles with their thickness for ParaView, MeshLab and others</source>
+        <translation>Comme image de toute taille, ou comme triangles avec leur épaisseur pour ParaView, MeshLab et d'autres</translation>
+    </message>
+    <message>
+        <source>As proposed: {}</source>
+        <translation>Comme proposé : {}</translation>
+    </message>
+    <message>
+        <source>Ask for this category earlier: a part gets the first one that applies</source>
+        <translation>Examiner cette catégorie plus tôt : une pièce reçoit la première qui convient</translation>
+    </message>
+    <message>
+        <source>Ask for this category later: a part gets the first one that applies</source>
+        <translation>Examiner cette catégorie plus tard : une pièce reçoit la première qui convient</translation>
+    </message>
+    <message>
+        <source>At least</source>
+        <translation>Au moins</translation>
+    </message>
+    <message>
+        <source>At least, {}</source>
+        <translation>Au moins, {}</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Au plus</translation>
+    </message>
+    <message>
+        <source>At most, {}</source>
+        <translation>Au plus, {}</translation>
+    </message>
+    <message>
         <source>Automatic</source>
         <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Back to the shipped limits</source>
+        <translation>Revenir aux limites fournies</translation>
     </message>
     <message>
         <source>Bands</source>
@@ -291,12 +519,28 @@ Son volume est inconnu.</translation>
         <translation>Avant</translation>
     </message>
     <message>
+        <source>Borderline within</source>
+        <translation>Cas limite à moins de</translation>
+    </message>
+    <message>
         <source>Bounding box {}</source>
         <translation>Boîte englobante {}</translation>
     </message>
     <message>
         <source>Box, {}</source>
         <translation>Boîte, {}</translation>
+    </message>
+    <message>
+        <source>By the thresholds of the paper: {}</source>
+        <translation>Selon les seuils de l'article : {}</translation>
+    </message>
+    <message>
+        <source>By the thresholds of the paper: {} (criteria {})</source>
+        <translation>Selon les seuils de l'article : {} (critères {})</translation>
+    </message>
+    <message>
+        <source>By which the process is chosen, as in --check</source>
+        <translation>Par lequel le procédé est choisi, comme dans --check</translation>
     </message>
     <message>
         <source>C&amp;hoose…</source>
@@ -313,6 +557,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Cancelled. Nothing was changed.</source>
         <translation>Annulé. Rien n’a été modifié.</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was written.</source>
+        <translation>Annulé. Rien n’a été écrit.</translation>
     </message>
     <message>
         <source>Cancelled: no info file was written, since other parts of the document are not measured.</source>
@@ -343,8 +591,24 @@ Son volume est inconnu.</translation>
         <translation>Modifié depuis une semaine</translation>
     </message>
     <message>
+        <source>Chec&amp;k</source>
+        <translation>&amp;Vérifier</translation>
+    </message>
+    <message>
+        <source>Chec&amp;k for</source>
+        <translation>Vérifier po&amp;ur</translation>
+    </message>
+    <message>
         <source>Check before meshing whether a part is thin, and where</source>
         <translation>Vérifier avant le maillage si une pièce est mince, et où</translation>
+    </message>
+    <message>
+        <source>Check for</source>
+        <translation>Vérifier pour</translation>
+    </message>
+    <message>
+        <source>Checks use the thickness across the wall: choose it under 'Colours show' to see where the limits are broken.</source>
+        <translation>Les contrôles utilisent l’épaisseur à travers la paroi : choisissez-la sous « Les couleurs montrent » pour voir où les limites ne sont pas respectées.</translation>
     </message>
     <message>
         <source>Choose a file with mesh settings</source>
@@ -363,12 +627,24 @@ Son volume est inconnu.</translation>
         <translation>Choisir un dossier de pièces classifiées</translation>
     </message>
     <message>
+        <source>Choose a folder with classified parts, or add one under 'Libraries' in the panel 'Find parts'.</source>
+        <translation>Choisissez un dossier de pièces classifiées, ou ajoutez-en un sous « Bibliothèques » dans le panneau « Trouver des pièces ».</translation>
+    </message>
+    <message>
         <source>Choose a part in the list to see its faces.</source>
         <translation>Choisissez une pièce dans la liste pour voir ses faces.</translation>
     </message>
     <message>
+        <source>Choose a part in the list to see its walls.</source>
+        <translation>Choisissez une pièce dans la liste pour voir ses parois.</translation>
+    </message>
+    <message>
         <source>Choose at least one format.</source>
         <translation>Choisissez au moins un format.</translation>
+    </message>
+    <message>
+        <source>Choose tables of labels</source>
+        <translation>Choisir des tableaux d’étiquettes</translation>
     </message>
     <message>
         <source>Choose the folder for the info files.</source>
@@ -377,6 +653,14 @@ Son volume est inconnu.</translation>
     <message>
         <source>Choose the folder that is to be classified.</source>
         <translation>Choisissez le dossier à classifier.</translation>
+    </message>
+    <message>
+        <source>Choose the folder with the labelled parts.</source>
+        <translation>Choisissez le dossier des pièces étiquetées.</translation>
+    </message>
+    <message>
+        <source>Chooses the thresholds that agree most often with what people say of parts: by 'Not right?' beside a verdict, or in tables. Folders that were left out show how good they are.</source>
+        <translation>Choisit les seuils qui concordent le plus souvent avec ce que l’on dit des pièces : par « Pas exact ? » à côté d’un verdict, ou dans des tableaux. Des dossiers mis de côté montrent leur qualité.</translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -403,6 +687,10 @@ Son volume est inconnu.</translation>
         <translation>Classifier la pièce</translation>
     </message>
     <message>
+        <source>Classifying again by another profile</source>
+        <translation>Nouveau classement selon un autre profil</translation>
+    </message>
+    <message>
         <source>Classifying the folder has ended: {}</source>
         <translation>La classification du dossier est terminée : {}</translation>
     </message>
@@ -419,8 +707,16 @@ Son volume est inconnu.</translation>
         <translation>Cliquez sur des barres ou balayez-les pour voir où sont ces parois.</translation>
     </message>
     <message>
-        <source>Click to take this away.</source>
+        <source>Click to close this message.</source>
         <translation>Cliquez pour retirer ce message.</translation>
+    </message>
+    <message>
+        <source>Click to show its window.</source>
+        <translation>Cliquez pour afficher sa fenêtre.</translation>
+    </message>
+    <message>
+        <source>Click: fly to its thinnest place. N, P: to the next and the previous one.</source>
+        <translation>Clic : voler vers son endroit le plus mince. N, P : vers le suivant et le précédent.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -437,6 +733,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Colours</source>
         <translation>Couleurs</translation>
+    </message>
+    <message>
+        <source>Colours and shares are of the largest balls inside, which shrink to nothing towards sharp edges; the line above is of the thickness across the wall.</source>
+        <translation>Les couleurs et les parts sont celles des plus grandes boules à l'intérieur, qui disparaissent vers les arêtes vives ; la ligne ci-dessus concerne l'épaisseur à travers la paroi.</translation>
     </message>
     <message>
         <source>Colours from the thinnest to the thickest wall</source>
@@ -463,12 +763,24 @@ Son volume est inconnu.</translation>
         <translation>Confiance : nette (à {} de la limite)</translation>
     </message>
     <message>
-        <source>Continue in the background? 'Classify folder' shows it again. What is done so far is kept either way.</source>
-        <translation>Continuer en arrière-plan ? « Classifier un dossier » l’affiche à nouveau. Ce qui est fait est conservé dans tous les cas.</translation>
+        <source>Connected walls of like thickness</source>
+        <translation>Parois continues d’épaisseur semblable</translation>
+    </message>
+    <message>
+        <source>Continue in the background? 'Classify folder' shows the progress again. Finished results are saved either way.</source>
+        <translation>Continuer en arrière-plan ? « Classifier un dossier » affiche à nouveau la progression. Les résultats obtenus restent enregistrés dans tous les cas.</translation>
+    </message>
+    <message>
+        <source>Copied: {}</source>
+        <translation>Copié : {}</translation>
     </message>
     <message>
         <source>Copy path</source>
         <translation>Copier le chemin</translation>
+    </message>
+    <message>
+        <source>Counting…</source>
+        <translation>Décompte en cours…</translation>
     </message>
     <message>
         <source>Criteria</source>
@@ -479,8 +791,20 @@ Son volume est inconnu.</translation>
         <translation>Critères remplis (aucun choisi : tous)</translation>
     </message>
     <message>
+        <source>Criterion</source>
+        <translation>Critère</translation>
+    </message>
+    <message>
         <source>Criterion {}: {}. All its conditions hold: {}.</source>
         <translation>Critère {} : {}. Toutes ses conditions sont remplies : {}.</translation>
+    </message>
+    <message>
+        <source>Cut open</source>
+        <translation>Couper</translation>
+    </message>
+    <message>
+        <source>Cuts the map and the part; the edge of the cut has the colours of the walls</source>
+        <translation>Coupe la carte et la pièce ; le bord de la coupe a les couleurs des parois</translation>
     </message>
     <message>
         <source>Display</source>
@@ -491,8 +815,20 @@ Son volume est inconnu.</translation>
         <translation>Répartition</translation>
     </message>
     <message>
+        <source>Double-click a size or a number of layers to change it, for all selected walls. Without the check mark, a wall asks for no small elements.</source>
+        <translation>Double-cliquez sur une taille ou un nombre de couches pour les modifier, pour toutes les parois sélectionnées. Sans coche, une paroi ne demande pas de petits éléments.</translation>
+    </message>
+    <message>
+        <source>Double-click: fly to its thinnest place. N, P: to the next and the previous one.</source>
+        <translation>Double-clic : aller à son endroit le plus mince. N, P : au suivant et au précédent.</translation>
+    </message>
+    <message>
         <source>E&amp;xcept</source>
         <translation>Sau&amp;f</translation>
+    </message>
+    <message>
+        <source>E&amp;xport map…</source>
+        <translation>E&amp;xporter la carte…</translation>
     </message>
     <message>
         <source>Each document is classified in the background when it is saved; the status bar shows the verdict</source>
@@ -503,8 +839,48 @@ Son volume est inconnu.</translation>
         <translation>Modifier les notes</translation>
     </message>
     <message>
+        <source>Edit profile</source>
+        <translation>Modifier le profil</translation>
+    </message>
+    <message>
+        <source>Edit profile: {}</source>
+        <translation>Modifier le profil : {}</translation>
+    </message>
+    <message>
+        <source>Edit your own limits…</source>
+        <translation>Modifier vos propres limites…</translation>
+    </message>
+    <message>
+        <source>Element size, {}</source>
+        <translation>Taille d'élément, {}</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>Éléments</translation>
+    </message>
+    <message>
+        <source>Equal ratios of thickness are equally far apart on the scale</source>
+        <translation>Des rapports d'épaisseur égaux sont également espacés sur l'échelle</translation>
+    </message>
+    <message>
+        <source>Equal ratios of thickness are equally far apart, so that thin walls get more of the colours</source>
+        <translation>Des rapports d'épaisseur égaux sont également espacés, si bien que les parois minces reçoivent plus de couleurs</translation>
+    </message>
+    <message>
+        <source>Error of probabilities</source>
+        <translation>Erreur des probabilités</translation>
+    </message>
+    <message>
+        <source>Exclude a wall</source>
+        <translation>Exclure une paroi</translation>
+    </message>
+    <message>
         <source>Export the rows that are shown</source>
         <translation>Exporter les lignes affichées</translation>
+    </message>
+    <message>
+        <source>Export thickness map</source>
+        <translation>Exporter la carte d'épaisseur</translation>
     </message>
     <message>
         <source>Face</source>
@@ -547,10 +923,6 @@ Son volume est inconnu.</translation>
         <translation>Fichiers simultanés</translation>
     </message>
     <message>
-        <source>Files of a folder that are measured at once</source>
-        <translation>Fichiers d’un dossier mesurés en même temps</translation>
-    </message>
-    <message>
         <source>Filter: words of the file or the part</source>
         <translation>Filtre : mots du fichier ou de la pièce</translation>
     </message>
@@ -565,6 +937,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Folder</source>
         <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>Folder for the info files, which mirrors the folders of the documents; it may be on another computer. Empty: beside each document</source>
+        <translation>Un dossier pour les fichiers d’information, où les dossiers des documents sont reproduits ; il peut se trouver sur un autre ordinateur. Vide : à côté de chaque document</translation>
     </message>
     <message>
         <source>Folder of the report</source>
@@ -587,6 +963,10 @@ Son volume est inconnu.</translation>
         <translation>FreeCAD ne peut pas ouvrir {} ({}).</translation>
     </message>
     <message>
+        <source>FreeCAD may crash in the same way when it opens the file: save your documents first. Open it anyway?</source>
+        <translation>FreeCAD peut planter de la même façon en ouvrant le fichier : enregistrez d’abord vos documents. L’ouvrir quand même ?</translation>
+    </message>
+    <message>
         <source>FreeCAD shows one task at a time: close the one that is open, then try again.</source>
         <translation>FreeCAD n'affiche qu'une tâche à la fois : fermez celle qui est ouverte, puis réessayez.</translation>
     </message>
@@ -595,20 +975,56 @@ Son volume est inconnu.</translation>
         <translation>Le Python de FreeCAD n’a pas pip, {} n’a donc pas été installé : installez-le dans {} avec « pip install --target » d’un autre Python.</translation>
     </message>
     <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
         <source>From file…</source>
         <translation>Depuis un fichier…</translation>
+    </message>
+    <message>
+        <source>From now on parts are judged by {}. 'Reclassify' in the panel 'Find parts' judges stored parts by it.</source>
+        <translation>Désormais, les pièces sont jugées selon {}. « Reclassifier » dans « Trouver des pièces » juge ainsi les pièces enregistrées.</translation>
+    </message>
+    <message>
+        <source>From the thinnest confirmed wall to the thickness below which 98 % of the surface lies, without rims, whose rays run along the wall</source>
+        <translation>De la paroi confirmée la plus mince à l'épaisseur sous laquelle se trouvent 98 % de la surface, sans les bords, dont les rayons longent la paroi</translation>
     </message>
     <message>
         <source>From the thinnest to the thickest wall</source>
         <translation>De la paroi la plus mince à la plus épaisse</translation>
     </message>
     <message>
+        <source>From {} profiles, each learned without some folders or groups, and tried on those. In brackets: intervals of 95 %.</source>
+        <translation>De {} profils, chacun appris sans certains dossiers ou groupes et essayé sur ceux-ci. Entre parenthèses : intervalles à 95 %.</translation>
+    </message>
+    <message>
+        <source>From {} profiles, each learned without some parts, and tried on those. All parts are in one folder, so parts may be similar: the figures are too good. In brackets: intervals of 95 %.</source>
+        <translation>De {} profils, chacun appris sans certaines pièces et essayé sur celles-ci. Toutes les pièces sont dans un seul dossier et peuvent se ressembler : les chiffres sont trop bons. Entre parenthèses : intervalles à 95 %.</translation>
+    </message>
+    <message>
+        <source>Gmsh made no mesh ({}): try fewer layers, a smaller largest size, or switch a wall off. Nothing was changed.</source>
+        <translation>Gmsh n'a produit aucun maillage ({}) : essayez moins de couches, une plus petite taille maximale, ou désactivez une paroi. Rien n'a été modifié.</translation>
+    </message>
+    <message>
+        <source>Gmsh meshes {}</source>
+        <translation>Gmsh maille {}</translation>
+    </message>
+    <message>
         <source>Go on</source>
         <translation>Continuer</translation>
     </message>
     <message>
-        <source>Half of the face lies over thinner walls</source>
-        <translation>La moitié de la face a des parois plus minces</translation>
+        <source>Growth</source>
+        <translation>Croissance</translation>
+    </message>
+    <message>
+        <source>Half of the face's area has thinner walls</source>
+        <translation>La moitié de l’aire de la face a des parois plus minces</translation>
+    </message>
+    <message>
+        <source>Heat map colour where no wall could be measured</source>
+        <translation>Couleur de la carte des épaisseurs là où aucune paroi n’a pu être mesurée</translation>
     </message>
     <message>
         <source>Heat map of the thickness</source>
@@ -623,12 +1039,32 @@ Son volume est inconnu.</translation>
         <translation>Rempli</translation>
     </message>
     <message>
+        <source>How far it is from each point of the surface straight through the material to the other side. Verdicts are always judged by it.</source>
+        <translation>La distance, de chaque point de la surface, tout droit à travers la matière jusqu’à l’autre côté. Les verdicts se fondent toujours sur elle.</translation>
+    </message>
+    <message>
         <source>How far the mesh may lie from the surface, as a share of the part's diagonal; where walls are thin it is made finer anyway</source>
         <translation>Écart permis entre le maillage et la surface, comme part de la diagonale de la pièce ; là où les parois sont minces, il est affiné de toute façon</translation>
     </message>
     <message>
+        <source>How finely parts are measured at first; where the error of a quantity could turn the verdict, a part is measured again, more finely</source>
+        <translation>Finesse de la première mesure ; là où l’erreur d’une grandeur pourrait changer le verdict, la pièce est mesurée de nouveau, plus finement</translation>
+    </message>
+    <message>
         <source>How often the part stands in the document</source>
         <translation>Combien de fois la pièce figure dans le document</translation>
+    </message>
+    <message>
+        <source>How sure a verdict is</source>
+        <translation>Certitude du verdict</translation>
+    </message>
+    <message>
+        <source>I would say:</source>
+        <translation>Je dirais :</translation>
+    </message>
+    <message>
+        <source>I&amp;nclude again</source>
+        <translation>I&amp;nclure à nouveau</translation>
     </message>
     <message>
         <source>Info file, beside the document: {}</source>
@@ -667,8 +1103,92 @@ Son volume est inconnu.</translation>
         <translation>En combien de paliers les couleurs sont divisées</translation>
     </message>
     <message>
-        <source>It is folders that could not be searched: see to them and start again.</source>
-        <translation>Ce sont des dossiers qui n’ont pas pu être parcourus : remédiez-y et démarrez à nouveau.</translation>
+        <source>Kept in the info file, also when the part is measured again; the verdict does not change</source>
+        <translation>Gardé dans le fichier d'information, même si la pièce est mesurée à nouveau ; le verdict ne change pas</translation>
+    </message>
+    <message>
+        <source>L&amp;abels</source>
+        <translation>É&amp;tiquettes</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Étiquette</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Étiquettes</translation>
+    </message>
+    <message>
+        <source>Labels (rows) and verdicts of {} (columns)</source>
+        <translation>Étiquettes (lignes) et verdicts de {} (colonnes)</translation>
+    </message>
+    <message>
+        <source>Labels: {}</source>
+        <translation>Étiquettes : {}</translation>
+    </message>
+    <message>
+        <source>Largest ball</source>
+        <translation>Plus grande boule</translation>
+    </message>
+    <message>
+        <source>Largest ball here: {}</source>
+        <translation>Plus grande boule ici : {}</translation>
+    </message>
+    <message>
+        <source>Largest ball in {}, and share of the diagonal</source>
+        <translation>Plus grande boule en {}, et part de la diagonale</translation>
+    </message>
+    <message>
+        <source>Largest ball inside (sphere)</source>
+        <translation>Plus grande boule à l’intérieur (sphère)</translation>
+    </message>
+    <message>
+        <source>Largest ball, {}</source>
+        <translation>Plus grande boule, {}</translation>
+    </message>
+    <message>
+        <source>Largest size</source>
+        <translation>Taille maximale</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Couches</translation>
+    </message>
+    <message>
+        <source>Layers in thin walls</source>
+        <translation>Couches dans les parois minces</translation>
+    </message>
+    <message>
+        <source>Learn thresholds</source>
+        <translation>Apprendre des seuils</translation>
+    </message>
+    <message>
+        <source>Learned</source>
+        <translation>Appris</translation>
+    </message>
+    <message>
+        <source>Learning needs the Python package {}, which this FreeCAD does not have: install it from the internet into {}?</source>
+        <translation>L’apprentissage demande le paquet Python {}, que ce FreeCAD n’a pas : l’installer depuis Internet dans {} ?</translation>
+    </message>
+    <message>
+        <source>Learning profile {} of {}</source>
+        <translation>Apprentissage du profil {} sur {}</translation>
+    </message>
+    <message>
+        <source>Learning thresholds</source>
+        <translation>Apprentissage des seuils</translation>
+    </message>
+    <message>
+        <source>Least and median thickness of the wall</source>
+        <translation>Épaisseur minimale et médiane de la paroi</translation>
+    </message>
+    <message>
+        <source>Least share of the surface that counts</source>
+        <translation>Plus petite part de la surface qui compte</translation>
+    </message>
+    <message>
+        <source>Length of the wall</source>
+        <translation>Longueur de la paroi</translation>
     </message>
     <message>
         <source>Libraries</source>
@@ -683,12 +1203,24 @@ Son volume est inconnu.</translation>
         <translation>Limites</translation>
     </message>
     <message>
+        <source>Limits of the wall</source>
+        <translation>Limites de la paroi</translation>
+    </message>
+    <message>
         <source>Linear deflection</source>
         <translation>Déflexion linéaire</translation>
     </message>
     <message>
         <source>Link</source>
         <translation>Lien</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarithmique</translation>
+    </message>
+    <message>
+        <source>Long, {}</source>
+        <translation>Long., {}</translation>
     </message>
     <message>
         <source>Longest side, {}</source>
@@ -723,8 +1255,16 @@ Son volume est inconnu.</translation>
         <translation>Mesuré : {} parallèle, {} en dépouille, {} sans paroi opposée</translation>
     </message>
     <message>
+        <source>Measurements, notes, mesh settings and links stay unchanged. Write the info files now?</source>
+        <translation>Les mesures, notes, paramètres de maillage et liens restent inchangés. Écrire les fichiers d’information maintenant ?</translation>
+    </message>
+    <message>
         <source>Measuring and drawing…</source>
         <translation>Mesure et dessin…</translation>
+    </message>
+    <message>
+        <source>Measuring needs Python {} beside FreeCAD, which was not found: install it.</source>
+        <translation>La mesure demande Python {} à côté de FreeCAD, qui n’a pas été trouvé : installez-le.</translation>
     </message>
     <message>
         <source>Measuring needs more than {} MB of memory: raise the limit in the preferences.</source>
@@ -739,28 +1279,64 @@ Son volume est inconnu.</translation>
         <translation>Médiane, {}</translation>
     </message>
     <message>
+        <source>Memory limit for measuring one document</source>
+        <translation>Limite de mémoire pour la mesure d’un document</translation>
+    </message>
+    <message>
         <source>Memory per file</source>
         <translation>Mémoire par fichier</translation>
     </message>
     <message>
-        <source>Memory that measuring one document may take</source>
-        <translation>Mémoire que peut prendre la mesure d’un document</translation>
+        <source>Mesh and compare</source>
+        <translation>Mailler et comparer</translation>
     </message>
     <message>
         <source>Mesh settings</source>
         <translation>Paramètres de maillage</translation>
     </message>
     <message>
+        <source>Mesh size of a wall</source>
+        <translation>Taille de maille d'une paroi</translation>
+    </message>
+    <message>
         <source>Meshes</source>
         <translation>Maillages</translation>
+    </message>
+    <message>
+        <source>Most elements</source>
+        <translation>Nombre maximal d'éléments</translation>
     </message>
     <message>
         <source>Move over the part; a click pins the wall there.</source>
         <translation>Déplacez le pointeur sur la pièce ; un clic y fixe une sonde.</translation>
     </message>
     <message>
+        <source>My label: {}</source>
+        <translation>Je dis : {}</translation>
+    </message>
+    <message>
+        <source>New material</source>
+        <translation>Nouveau matériau</translation>
+    </message>
+    <message>
+        <source>New process</source>
+        <translation>Nouveau procédé</translation>
+    </message>
+    <message>
+        <source>Next wall</source>
+        <translation>Paroi suivante</translation>
+    </message>
+    <message>
         <source>No criterion holds: its walls are thick all over.</source>
         <translation>Aucun critère n’est rempli : ses parois sont épaisses partout.</translation>
+    </message>
+    <message>
+        <source>No file manager was found: open the folder {} yourself.</source>
+        <translation>Aucun gestionnaire de fichiers n’a été trouvé : ouvrez vous-même le dossier {}.</translation>
+    </message>
+    <message>
+        <source>No file manager was found: open the info file {} yourself.</source>
+        <translation>Aucun gestionnaire de fichiers n’a été trouvé : ouvrez vous-même le fichier d’information {}.</translation>
     </message>
     <message>
         <source>No info file was written, because the document is not saved.</source>
@@ -775,20 +1351,24 @@ Son volume est inconnu.</translation>
         <translation>Pas de fichier d’information : {}</translation>
     </message>
     <message>
-        <source>No program opens {} here.</source>
-        <translation>Aucun programme n’ouvre {} ici.</translation>
+        <source>No part was measured, so no info file was written.</source>
+        <translation>Aucune pièce n’a été mesurée, donc aucun fichier d’information n’a été écrit.</translation>
     </message>
     <message>
-        <source>No program shows folders here; it is {}.</source>
-        <translation>Aucun programme n’affiche les dossiers ici ; c’est {}.</translation>
+        <source>No program was found that opens {}.</source>
+        <translation>Aucun programme n’a été trouvé pour ouvrir {}.</translation>
     </message>
     <message>
-        <source>No program shows folders here; the info file is {}.</source>
-        <translation>Aucun programme n’affiche les dossiers ici ; le fichier d’information est {}.</translation>
+        <source>No thin walls: one size is enough. About {} elements of {}.</source>
+        <translation>Aucune paroi mince : une seule taille suffit. Environ {} éléments de {}.</translation>
     </message>
     <message>
         <source>No wall could be measured.</source>
         <translation>Aucune paroi n’a pu être mesurée.</translation>
+    </message>
+    <message>
+        <source>No wall regions are recorded: measure the part again.</source>
+        <translation>Aucune région de paroi n’est enregistrée : mesurez de nouveau la pièce.</translation>
     </message>
     <message>
         <source>No wall was measured here.</source>
@@ -797,6 +1377,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Normal part</source>
         <translation>Pièce normale</translation>
+    </message>
+    <message>
+        <source>Not counted: {}</source>
+        <translation>Pas de décompte : {}</translation>
     </message>
     <message>
         <source>Not measured</source>
@@ -811,28 +1395,52 @@ Son volume est inconnu.</translation>
         <translation>Non mesuré : {} de la surface</translation>
     </message>
     <message>
+        <source>Not right?</source>
+        <translation>Pas exact ?</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Remarque</translation>
+    </message>
+    <message>
         <source>Notes</source>
         <translation>Notes</translation>
     </message>
     <message>
-        <source>Nothing can be written into {}: choose another folder for the info files.</source>
-        <translation>Rien ne peut être écrit dans {} : choisissez un autre dossier pour les fichiers d’information.</translation>
-    </message>
-    <message>
-        <source>Nothing was written to {}: give the table a name that ends with .csv.</source>
-        <translation>Rien n’a été écrit dans {} : donnez au tableau un nom qui se termine par .csv.</translation>
+        <source>Number of files of a folder that are measured at the same time</source>
+        <translation>Fichiers d’un dossier mesurés en même temps</translation>
     </message>
     <message>
         <source>On every save</source>
         <translation>À chaque enregistrement</translation>
     </message>
     <message>
-        <source>Only borderline</source>
-        <translation>Seulement les cas limites</translation>
+        <source>On parts that were left out, the learned profile agrees with the labels no better than {} does: keep {}, or label more parts.</source>
+        <translation>Sur les pièces mises de côté, le profil appris ne concorde pas mieux avec les étiquettes que {} : gardez {} ou étiquetez plus de pièces.</translation>
+    </message>
+    <message>
+        <source>On {} of the area the largest ball is smaller than {}</source>
+        <translation>Sur {} de la surface, la plus grande boule est inférieure à {}</translation>
+    </message>
+    <message>
+        <source>One size: {}</source>
+        <translation>Taille unique : {}</translation>
     </message>
     <message>
         <source>Only failures</source>
         <translation>Seulement les échecs</translation>
+    </message>
+    <message>
+        <source>Only labelled</source>
+        <translation>Seulement étiquetées</translation>
+    </message>
+    <message>
+        <source>Only labelled otherwise</source>
+        <translation>Seulement étiquetées autrement</translation>
+    </message>
+    <message>
+        <source>Only unsure</source>
+        <translation>Seulement incertaines</translation>
     </message>
     <message>
         <source>Only with notes</source>
@@ -843,8 +1451,32 @@ Son volume est inconnu.</translation>
         <translation>Ouvrir</translation>
     </message>
     <message>
+        <source>Open part</source>
+        <translation>Ouvrir la pièce</translation>
+    </message>
+    <message>
+        <source>Opens a profile that somebody has given you</source>
+        <translation>Ouvre un profil que quelqu’un vous a donné</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Autre côté</translation>
+    </message>
+    <message>
         <source>Out of date: recompute</source>
         <translation>Périmé : recalculer</translation>
+    </message>
+    <message>
+        <source>Own limit</source>
+        <translation>Limite propre</translation>
+    </message>
+    <message>
+        <source>Own limits</source>
+        <translation>Limites propres</translation>
+    </message>
+    <message>
+        <source>PLY with thickness and colours (*.ply)</source>
+        <translation>PLY avec épaisseur et couleurs (*.ply)</translation>
     </message>
     <message>
         <source>Part</source>
@@ -853,6 +1485,14 @@ Son volume est inconnu.</translation>
     <message>
         <source>Part with thin features</source>
         <translation>Pièce à zones minces</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Pièces</translation>
+    </message>
+    <message>
+        <source>Parts are judged by '{}' from now on. Parts that were classified before keep their verdicts until you reclassify them.</source>
+        <translation>Les pièces sont désormais jugées selon « {} ». Celles classifiées auparavant gardent leur verdict jusqu’à ce que vous les reclassifiiez.</translation>
     </message>
     <message>
         <source>Parts like the active one</source>
@@ -867,12 +1507,36 @@ Son volume est inconnu.</translation>
         <translation>Motifs de noms de fichiers, séparés par des points-virgules ; un motif avec une barre oblique est comparé au chemin dans le dossier</translation>
     </message>
     <message>
+        <source>People</source>
+        <translation>Personnes</translation>
+    </message>
+    <message>
+        <source>Picture of the view (*.png)</source>
+        <translation>Image de la vue (*.png)</translation>
+    </message>
+    <message>
         <source>Pin thickness</source>
         <translation>Fixer une sonde</translation>
     </message>
     <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Prepare mesh</source>
+        <translation>Préparer le maillage</translation>
+    </message>
+    <message>
         <source>Preview</source>
         <translation>Aperçu</translation>
+    </message>
+    <message>
+        <source>Previous wall</source>
+        <translation>Paroi précédente</translation>
+    </message>
+    <message>
+        <source>Probability: {}, next '{}' with {}</source>
+        <translation>Probabilité : {}, puis « {} » avec {}</translation>
     </message>
     <message>
         <source>Probe</source>
@@ -883,6 +1547,22 @@ Son volume est inconnu.</translation>
         <translation>Sondes</translation>
     </message>
     <message>
+        <source>Process and material</source>
+        <translation>Procédé et matériau</translation>
+    </message>
+    <message>
+        <source>Processes whose least and greatest wall the parts are checked against: a column each</source>
+        <translation>Procédés dont les parois minimale et maximale servent à vérifier les pièces : une colonne chacun</translation>
+    </message>
+    <message>
+        <source>Processes, with commas between them, whose least and greatest wall every part is checked against</source>
+        <translation>Procédés, séparés par des virgules, dont les parois minimale et maximale servent à vérifier chaque pièce</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
         <source>Quantity</source>
         <translation>Grandeur</translation>
     </message>
@@ -891,12 +1571,40 @@ Son volume est inconnu.</translation>
         <translation>Plage</translation>
     </message>
     <message>
+        <source>Range of &amp;most walls</source>
+        <translation>Plage de la &amp;plupart des parois</translation>
+    </message>
+    <message>
+        <source>Read the info files again, which may have changed</source>
+        <translation>Relire les fichiers d’information, qui ont pu changer</translation>
+    </message>
+    <message>
+        <source>Reading info files: {} of {}</source>
+        <translation>Lecture des fichiers d’information : {} sur {}</translation>
+    </message>
+    <message>
+        <source>Reading the labels…</source>
+        <translation>Lecture des étiquettes…</translation>
+    </message>
+    <message>
         <source>Reclassify</source>
         <translation>Reclassifier</translation>
     </message>
     <message>
+        <source>Reclassify libraries…</source>
+        <translation>Reclassifier les bibliothèques…</translation>
+    </message>
+    <message>
+        <source>Red: elements of {}, light blue: of {}</source>
+        <translation>Rouge : éléments de {}, bleu clair : de {}</translation>
+    </message>
+    <message>
         <source>Refresh</source>
         <translation>Actualiser</translation>
+    </message>
+    <message>
+        <source>Refreshing the libraries</source>
+        <translation>Actualisation des bibliothèques</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -907,8 +1615,24 @@ Son volume est inconnu.</translation>
         <translation>Retirer toutes les sondes</translation>
     </message>
     <message>
+        <source>Remove my label</source>
+        <translation>Retirer mon étiquette</translation>
+    </message>
+    <message>
         <source>Remove thickness</source>
         <translation>Retirer une sonde</translation>
+    </message>
+    <message>
+        <source>Remove this category</source>
+        <translation>Retirer cette catégorie</translation>
+    </message>
+    <message>
+        <source>Remove this condition</source>
+        <translation>Retirer cette condition</translation>
+    </message>
+    <message>
+        <source>Remove this criterion</source>
+        <translation>Retirer ce critère</translation>
     </message>
     <message>
         <source>Report</source>
@@ -923,6 +1647,10 @@ Son volume est inconnu.</translation>
         <translation>Les rapports ont besoin du paquet Python {}, que ce FreeCAD n’a pas : l’installer depuis Internet dans {} ?</translation>
     </message>
     <message>
+        <source>Reset to saved</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
         <source>Restore defaults</source>
         <translation>Rétablir les valeurs par défaut</translation>
     </message>
@@ -935,36 +1663,108 @@ Son volume est inconnu.</translation>
         <translation>Inversées</translation>
     </message>
     <message>
+        <source>S&amp;hare</source>
+        <translation>&amp;Partager</translation>
+    </message>
+    <message>
         <source>Save</source>
         <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Enregistrer &amp;sous…</translation>
     </message>
     <message>
         <source>Save and write info file</source>
         <translation>Enregistrer et écrire le fichier d’information</translation>
     </message>
     <message>
+        <source>Save the learned profile</source>
+        <translation>Enregistrer le profil appris</translation>
+    </message>
+    <message>
+        <source>Save the limits</source>
+        <translation>Enregistrer les limites</translation>
+    </message>
+    <message>
+        <source>Save the profile as</source>
+        <translation>Enregistrer le profil sous</translation>
+    </message>
+    <message>
+        <source>Save them?</source>
+        <translation>Les enregistrer ?</translation>
+    </message>
+    <message>
+        <source>Saved in {}, without the probabilities, which belong to other thresholds.</source>
+        <translation>Enregistré dans {}, sans les probabilités, qui appartiennent à d’autres seuils.</translation>
+    </message>
+    <message>
+        <source>Saved in {}.</source>
+        <translation>Enregistré dans {}.</translation>
+    </message>
+    <message>
+        <source>Saved in {}. Wherever you choose processes, these limits hold from now on.</source>
+        <translation>Enregistré dans {}. Partout où vous choisissez des procédés, ces limites valent désormais.</translation>
+    </message>
+    <message>
         <source>Saved.</source>
         <translation>Enregistré.</translation>
+    </message>
+    <message>
+        <source>Saves the profile and judges parts by it from now on</source>
+        <translation>Enregistre le profil et juge désormais les pièces selon lui</translation>
+    </message>
+    <message>
+        <source>Say what the part is in your eyes. The label is kept in the info file, as of {}; thresholds can be learned from labels.</source>
+        <translation>Dites ce qu’est la pièce à vos yeux. L’étiquette est gardée dans le fichier d’information, comme celle de {} ; on peut apprendre des seuils à partir des étiquettes.</translation>
+    </message>
+    <message>
+        <source>Search in it…</source>
+        <translation>Y chercher…</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Coupe</translation>
     </message>
     <message>
         <source>Select a part in the list.</source>
         <translation>Sélectionnez une pièce dans la liste.</translation>
     </message>
     <message>
-        <source>Share</source>
-        <translation>Part</translation>
+        <source>Set &amp;mesh size…</source>
+        <translation>Fixer la taille de &amp;maille…</translation>
     </message>
     <message>
-        <source>Share of the face over walls under the threshold</source>
-        <translation>Part de la face à parois sous le seuil</translation>
+        <source>Shaded</source>
+        <translation>Ombré</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Part</translation>
     </message>
     <message>
         <source>Share of the face where no wall could be measured</source>
         <translation>Part de la face où aucune paroi n’a pu être mesurée</translation>
     </message>
     <message>
-        <source>Share of the part's diagonal under which a wall is coloured as thin</source>
-        <translation>Part de la diagonale de la pièce sous laquelle une paroi est colorée comme mince</translation>
+        <source>Share of the face whose walls are thinner than the threshold</source>
+        <translation>Part de la face dont les parois sont plus minces que le seuil</translation>
+    </message>
+    <message>
+        <source>Short name</source>
+        <translation>Nom court</translation>
+    </message>
+    <message>
+        <source>Show &amp;all</source>
+        <translation>Tout &amp;afficher</translation>
+    </message>
+    <message>
+        <source>Show &amp;all walls</source>
+        <translation>&amp;Afficher toutes les parois</translation>
+    </message>
+    <message>
+        <source>Show in Find parts</source>
+        <translation>Montrer dans « Trouver des pièces »</translation>
     </message>
     <message>
         <source>Show in file manager</source>
@@ -975,6 +1775,14 @@ Son volume est inconnu.</translation>
         <translation>Afficher le dossier du fichier d’information</translation>
     </message>
     <message>
+        <source>Show poor elements ({})</source>
+        <translation>Montrer les mauvais éléments ({})</translation>
+    </message>
+    <message>
+        <source>Show sizes on the part</source>
+        <translation>Montrer les tailles sur la pièce</translation>
+    </message>
+    <message>
         <source>Show thickness</source>
         <translation>Afficher l’épaisseur</translation>
     </message>
@@ -983,16 +1791,60 @@ Son volume est inconnu.</translation>
         <translation>Affiché comme mince : sous {}, selon les préférences. Le verdict n’en dépend pas.</translation>
     </message>
     <message>
-        <source>Shows the defaults of this page; they are kept with OK or Apply</source>
+        <source>Shows the defaults of this page; OK or Apply saves them</source>
         <translation>Affiche les valeurs par défaut de cette page ; OK ou Appliquer les enregistre</translation>
     </message>
     <message>
-        <source>Shows the wall under the cursor; a click pins it</source>
-        <translation>Affiche l’épaisseur sous le pointeur ; un clic y fixe une sonde</translation>
+        <source>Shows the half that is cut off now</source>
+        <translation>Montre la moitié qui est coupée pour le moment</translation>
+    </message>
+    <message>
+        <source>Shows the thresholds of this profile, to change and save them as your own</source>
+        <translation>Montre les seuils de ce profil, pour les modifier et les enregistrer comme les vôtres</translation>
     </message>
     <message>
         <source>Similar size</source>
         <translation>Taille similaire</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Size, {}</source>
+        <translation>Taille, {}</translation>
+    </message>
+    <message>
+        <source>Something stands before this wall from every side: the mark shows where it is. Hide what covers it, or cut the view open with the clipping plane of the View menu.</source>
+        <translation>Quelque chose se trouve devant cette paroi de tous les côtés : le repère montre où elle est. Masquez ce qui la couvre, ou ouvrez la vue avec le plan de coupe du menu Affichage.</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <source>Source: address</source>
+        <translation>Source : adresse</translation>
+    </message>
+    <message>
+        <source>Source: author</source>
+        <translation>Source : auteur</translation>
+    </message>
+    <message>
+        <source>Source: title</source>
+        <translation>Source : titre</translation>
+    </message>
+    <message>
+        <source>Source: year</source>
+        <translation>Source : année</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Départ</translation>
+    </message>
+    <message>
+        <source>Start &amp;with</source>
+        <translation>Partir &amp;de</translation>
     </message>
     <message>
         <source>Starting to measure {}</source>
@@ -1003,20 +1855,24 @@ Son volume est inconnu.</translation>
         <translation>Arrêter</translation>
     </message>
     <message>
+        <source>Stop it, and go on here?</source>
+        <translation>L’arrêter et continuer ici ?</translation>
+    </message>
+    <message>
         <source>Stopped after {} of {} info files.</source>
         <translation>Arrêté après {} fichiers d’information sur {}.</translation>
     </message>
     <message>
-        <source>Stopped before the end, as asked.</source>
-        <translation>Arrêté avant la fin, comme demandé.</translation>
+        <source>Stopped on request before the end.</source>
+        <translation>Arrêté à la demande avant la fin.</translation>
     </message>
     <message>
         <source>Stopped: {} of {} info files are up to date.</source>
         <translation>Arrêté : {} fichiers d’information sur {} sont à jour.</translation>
     </message>
     <message>
-        <source>Stopping…</source>
-        <translation>Arrêt en cours…</translation>
+        <source>Sure labels</source>
+        <translation>Étiquettes sûres</translation>
     </message>
     <message>
         <source>Surface mesh that is measured</source>
@@ -1027,12 +1883,52 @@ Son volume est inconnu.</translation>
         <translation>Tableaux (*.csv)</translation>
     </message>
     <message>
+        <source>Temporary files cannot be written ({}): free some disk space. Nothing was classified.</source>
+        <translation>Impossible d’écrire des fichiers temporaires ({}) : libérez de l’espace disque. Rien n’a été classé.</translation>
+    </message>
+    <message>
+        <source>Temporary files cannot be written ({}): free some disk space. Nothing was measured.</source>
+        <translation>Impossible d’écrire des fichiers temporaires ({}) : libérez de l’espace disque. Rien n’a été mesuré.</translation>
+    </message>
+    <message>
         <source>The active document as it was saved. Click to classify it in the panel.</source>
         <translation>Le document actif tel qu’il est enregistré. Cliquez pour le classifier dans le panneau.</translation>
     </message>
     <message>
-        <source>The content of {} was copied into {}, which has no file to link from yet.</source>
-        <translation>Le contenu de {} a été copié dans {}, qui n’a pas encore de fichier d’où créer un lien.</translation>
+        <source>The camera looks at it from where nothing stands before it. N, P: the next thicker wall, and the previous one</source>
+        <translation>La caméra la regarde d’où rien ne se trouve devant elle. N, P : la paroi suivante, plus épaisse, et la précédente</translation>
+    </message>
+    <message>
+        <source>The category needs a short name.</source>
+        <translation>La catégorie a besoin d’un nom court.</translation>
+    </message>
+    <message>
+        <source>The category's short name, by which results and searches refer to it</source>
+        <translation>Le nom court de la catégorie, par lequel résultats et recherches la désignent</translation>
+    </message>
+    <message>
+        <source>The classification process could not be started.</source>
+        <translation>Le processus de classification n’a pas pu être démarré.</translation>
+    </message>
+    <message>
+        <source>The classification process ended unexpectedly; finished results are saved. Start again for the rest; the report view shows its last output.</source>
+        <translation>Le processus de classification s’est terminé de façon inattendue ; les résultats obtenus sont enregistrés. Démarrez à nouveau pour le reste ; ses derniers messages sont dans la vue rapport.</translation>
+    </message>
+    <message>
+        <source>The content of {} was copied into {}: a link needs a saved document.</source>
+        <translation>Le contenu de {} a été copié dans {} : un lien demande un document enregistré.</translation>
+    </message>
+    <message>
+        <source>The criterion needs a short name.</source>
+        <translation>Le critère a besoin d’un nom court.</translation>
+    </message>
+    <message>
+        <source>The criterion's short name, by which results and searches refer to it</source>
+        <translation>Le nom court du critère, par lequel résultats et recherches le désignent</translation>
+    </message>
+    <message>
+        <source>The diameter of the largest ball that fits into the material and touches the surface at each point. It is no larger than the wall across and does not see past the next face: at sharp edges it goes down to nothing. It takes longer.</source>
+        <translation>Le diamètre de la plus grande boule qui tient dans la matière et touche la surface en chaque point. Il n’est jamais supérieur à la paroi mesurée à travers et ne va pas au-delà de la face suivante : aux arêtes vives, il tend vers zéro. La mesure est plus longue.</translation>
     </message>
     <message>
         <source>The document has changed since it was measured: no info file was written. Classify it again.</source>
@@ -1043,16 +1939,20 @@ Son volume est inconnu.</translation>
         <translation>Le document a changé pendant la mesure : mesurez-le à nouveau.</translation>
     </message>
     <message>
-        <source>The document has changes that are not saved. Save the document first.</source>
-        <translation>Le document a des modifications non enregistrées. Enregistrez-le d’abord.</translation>
-    </message>
-    <message>
-        <source>The document has never been saved. Save the document first.</source>
-        <translation>Le document n’a jamais été enregistré. Enregistrez-le d’abord.</translation>
+        <source>The document has changed while it was meshed: start again. Nothing was changed.</source>
+        <translation>Le document a changé pendant le maillage : recommencez. Rien n'a été modifié.</translation>
     </message>
     <message>
         <source>The document is closed: open it again for a report about it.</source>
         <translation>Le document est fermé : rouvrez-le pour en faire un rapport.</translation>
+    </message>
+    <message>
+        <source>The failures are folders that could not be searched: make them readable and start again.</source>
+        <translation>Les échecs sont des dossiers qui n’ont pas pu être parcourus : rendez-les lisibles et démarrez à nouveau.</translation>
+    </message>
+    <message>
+        <source>The file {} no longer exists.</source>
+        <translation>Le fichier {} n’existe plus.</translation>
     </message>
     <message>
         <source>The first colour stands for the thickest wall</source>
@@ -1063,11 +1963,11 @@ Son volume est inconnu.</translation>
         <translation>La classification du dossier est en cours.</translation>
     </message>
     <message>
-        <source>The folder with your parts; the folders in it count as well</source>
+        <source>The folder with your parts; its subfolders are included</source>
         <translation>Le dossier de vos pièces, sous-dossiers compris</translation>
     </message>
     <message>
-        <source>The folder {} for Python packages cannot be made ({}): {} was not installed.</source>
+        <source>The folder {} for Python packages cannot be created ({}): {} was not installed.</source>
         <translation>Le dossier {} pour les paquets Python ne peut pas être créé ({}) : {} n’a pas été installé.</translation>
     </message>
     <message>
@@ -1075,52 +1975,116 @@ Son volume est inconnu.</translation>
         <translation>Le dossier {} ne répond pas depuis {} s : connectez-le ou choisissez-en un autre pour les fichiers d’information.</translation>
     </message>
     <message>
+        <source>The folder {} is not writable: choose another folder for the info files.</source>
+        <translation>Le dossier {} n’est pas accessible en écriture : choisissez un autre dossier pour les fichiers d’information.</translation>
+    </message>
+    <message>
+        <source>The folder {} no longer exists.</source>
+        <translation>Le dossier {} n’existe plus.</translation>
+    </message>
+    <message>
         <source>The info file {} is damaged ({}): classify its document again.</source>
         <translation>Le fichier d’information {} est endommagé ({}) : classifiez à nouveau son document.</translation>
     </message>
     <message>
-        <source>The process that classifies could not be started.</source>
-        <translation>Le processus de classification n’a pas pu être démarré.</translation>
-    </message>
-    <message>
-        <source>The process that classifies ended unexpectedly; what was done is kept. Start again for the rest; the report view has its last words.</source>
-        <translation>Le processus de classification s’est terminé de façon inattendue ; ce qui est fait est conservé. Démarrez à nouveau pour le reste ; ses derniers messages sont dans la vue rapport.</translation>
-    </message>
-    <message>
-        <source>The process that does this could not be started.</source>
-        <translation>Le processus correspondant n’a pas pu être démarré.</translation>
-    </message>
-    <message>
-        <source>The process that does this ended unexpectedly.</source>
-        <translation>Le processus correspondant s’est terminé de façon inattendue.</translation>
-    </message>
-    <message>
-        <source>The process that does this ended unexpectedly; the report view has its last words. Refresh the libraries to go on.</source>
-        <translation>Le processus correspondant s’est terminé de façon inattendue ; ses derniers messages sont dans la vue rapport. Actualisez les bibliothèques pour continuer.</translation>
-    </message>
-    <message>
-        <source>The process that installs could not be started.</source>
+        <source>The installation process could not be started.</source>
         <translation>Le processus d’installation n’a pas pu être lancé.</translation>
     </message>
     <message>
-        <source>The process that measures could not be started.</source>
+        <source>The learned profile agrees with {} labels; {} does with {}.</source>
+        <translation>Le profil appris concorde avec {} étiquettes ; {} avec {}.</translation>
+    </message>
+    <message>
+        <source>The learned profile was written to {}.</source>
+        <translation>Le profil appris a été écrit dans {}.</translation>
+    </message>
+    <message>
+        <source>The least wall has to be thinner than the greatest.</source>
+        <translation>La plus petite épaisseur doit être inférieure à la plus grande.</translation>
+    </message>
+    <message>
+        <source>The least wall; another one is a limit of your own</source>
+        <translation>La paroi minimale ; une autre est une limite personnelle</translation>
+    </message>
+    <message>
+        <source>The limit costs layers: {} instead of {}, which would take about {} elements.</source>
+        <translation>La limite coûte des couches : {} au lieu de {}, qui demanderaient environ {} éléments.</translation>
+    </message>
+    <message>
+        <source>The limits of the wall have unsaved changes.</source>
+        <translation>Les limites de la paroi ont des modifications non enregistrées.</translation>
+    </message>
+    <message>
+        <source>The map is lit, so that its shape is seen: colours get darker away from the light. Off: flat colours, exactly those of the colour bar</source>
+        <translation>La carte est éclairée pour que sa forme se voie : les couleurs sont plus sombres à l'écart de la lumière. Sinon : couleurs plates, exactement celles de la barre de couleurs</translation>
+    </message>
+    <message>
+        <source>The measuring process could not be started.</source>
         <translation>Le processus de mesure n’a pas pu être démarré.</translation>
     </message>
     <message>
-        <source>The process that measures ended unexpectedly; the document is unharmed. Check the part with 'Check geometry' of the Part workbench.</source>
+        <source>The measuring process ended unexpectedly; the document is unharmed. Check the part with 'Check geometry' of the Part workbench.</source>
         <translation>Le processus de mesure s’est terminé de façon inattendue ; le document est intact. Vérifiez la pièce avec « Vérifier la géométrie » de l’atelier Part.</translation>
+    </message>
+    <message>
+        <source>The probabilities of this profile belong to its thresholds before your change: they say how often engineers agreed with verdicts by those. The changed profile is saved without them, and its verdicts are borderline near a threshold instead. 'thinpart learn' makes new ones from labels.</source>
+        <translation>Les probabilités de ce profil appartiennent à ses seuils d’avant votre modification : elles disent à quelle fréquence des ingénieurs approuvaient les verdicts selon ceux-ci. Le profil modifié est enregistré sans elles, et ses verdicts sont à la place des cas limites près d’un seuil. « thinpart learn » en tire de nouvelles à partir d’étiquettes.</translation>
+    </message>
+    <message>
+        <source>The profile has unsaved changes.</source>
+        <translation>Le profil a des modifications non enregistrées.</translation>
     </message>
     <message>
         <source>The report is in {}.</source>
         <translation>Le rapport est dans {}.</translation>
     </message>
     <message>
-        <source>The same may happen to FreeCAD when it opens the file: save your documents first. Open it nevertheless?</source>
-        <translation>La même chose peut arriver à FreeCAD en ouvrant le fichier : enregistrez d’abord vos documents. L’ouvrir quand même ?</translation>
+        <source>The second bound has to be greater than the first.</source>
+        <translation>La seconde borne doit être supérieure à la première.</translation>
+    </message>
+    <message>
+        <source>The short name consists of 1 to 40 letters, digits, - and _.</source>
+        <translation>Le nom court se compose de 1 à 40 lettres, chiffres, - et _.</translation>
+    </message>
+    <message>
+        <source>The short name {} is there twice.</source>
+        <translation>Le nom court {} existe deux fois.</translation>
+    </message>
+    <message>
+        <source>The smallest size everywhere would take {}.</source>
+        <translation>La plus petite taille partout en demanderait {}.</translation>
+    </message>
+    <message>
+        <source>The table was not written to {}: choose a file name that ends with .csv.</source>
+        <translation>Le tableau n’a pas été écrit dans {} : choisissez un nom de fichier qui se termine par .csv.</translation>
     </message>
     <message>
         <source>The table {} could not be written ({}): choose another place for it.</source>
         <translation>Le tableau {} n’a pas pu être écrit ({}) : choisissez un autre emplacement.</translation>
+    </message>
+    <message>
+        <source>The thickness map cannot be written ({}): free some disk space. Nothing was changed.</source>
+        <translation>Impossible d’écrire la carte d’épaisseurs ({}) : libérez de l’espace disque. Rien n’a été modifié.</translation>
+    </message>
+    <message>
+        <source>The thickness map is hidden, to show the thin faces. Space shows it again.</source>
+        <translation>La carte d’épaisseur est masquée pour montrer les faces minces. La barre d’espace la réaffiche.</translation>
+    </message>
+    <message>
+        <source>The threshold</source>
+        <translation>Le seuil</translation>
+    </message>
+    <message>
+        <source>The worker process could not be started.</source>
+        <translation>Le processus de travail n’a pas pu être démarré.</translation>
+    </message>
+    <message>
+        <source>The worker process ended unexpectedly.</source>
+        <translation>Le processus de travail s’est terminé de façon inattendue.</translation>
+    </message>
+    <message>
+        <source>The worker process ended unexpectedly; the report view shows its last output.</source>
+        <translation>Le processus de travail s’est terminé de façon inattendue ; ses derniers messages sont dans la vue rapport.</translation>
     </message>
     <message>
         <source>The {} parts most like {}, among {} of {}</source>
@@ -1131,8 +2095,20 @@ Son volume est inconnu.</translation>
         <translation>Les {} lignes affichées ont été écrites dans {}.</translation>
     </message>
     <message>
-        <source>There is no Python {} beside FreeCAD to measure with: install it.</source>
-        <translation>Il n’y a pas de Python {} à côté de FreeCAD pour mesurer : installez-le.</translation>
+        <source>There are no classified parts.</source>
+        <translation>Il n’y a pas de pièces classifiées.</translation>
+    </message>
+    <message>
+        <source>There are two categories {}.</source>
+        <translation>Il y a deux catégories {}.</translation>
+    </message>
+    <message>
+        <source>There are two criteria {}.</source>
+        <translation>Il y a deux critères {}.</translation>
+    </message>
+    <message>
+        <source>There has to be a least or a greatest wall.</source>
+        <translation>Il faut une plus petite ou une plus grande épaisseur.</translation>
     </message>
     <message>
         <source>There is no document to insert into: open or create one first.</source>
@@ -1143,32 +2119,20 @@ Son volume est inconnu.</translation>
         <translation>Il n’y a pas de document : ouvrez-en ou créez-en un d’abord.</translation>
     </message>
     <message>
-        <source>There is no file {} any more.</source>
-        <translation>Le fichier {} n’existe plus.</translation>
-    </message>
-    <message>
-        <source>There is no folder {} any more.</source>
-        <translation>Le dossier {} n’existe plus.</translation>
-    </message>
-    <message>
         <source>There is no folder {}: choose another one.</source>
         <translation>Le dossier {} n’existe pas : choisissez-en un autre.</translation>
     </message>
     <message>
-        <source>There is no folder {}: make it first, or choose another one for the info files.</source>
+        <source>There is no folder {}: create it first, or choose another one for the info files.</source>
         <translation>Le dossier {} n’existe pas : créez-le d’abord ou choisissez-en un autre pour les fichiers d’information.</translation>
     </message>
     <message>
-        <source>There is no room for temporary files ({}): nothing was classified.</source>
-        <translation>Il n’y a pas de place pour les fichiers temporaires ({}) : rien n’a été classifié.</translation>
+        <source>There is no info file to keep this in: press 'Save and write info file' above, or classify the document.</source>
+        <translation>Il n'y a pas de fichier d'information où le garder : appuyez plus haut sur « Enregistrer et écrire le fichier d'information », ou classez le document.</translation>
     </message>
     <message>
-        <source>There is no room for temporary files ({}): nothing was measured.</source>
-        <translation>Il n’y a pas de place pour les fichiers temporaires ({}) : rien n’a été mesuré.</translation>
-    </message>
-    <message>
-        <source>There is no room for the thickness map ({}): nothing was changed.</source>
-        <translation>Il n’y a pas de place pour la carte des épaisseurs ({}) : rien n’a été modifié.</translation>
+        <source>Thick, {}</source>
+        <translation>Épaisseur, {}</translation>
     </message>
     <message>
         <source>Thickness</source>
@@ -1177,10 +2141,6 @@ Son volume est inconnu.</translation>
     <message>
         <source>Thickness colours</source>
         <translation>Échelle de couleurs</translation>
-    </message>
-    <message>
-        <source>Thickness under which a wall is coloured as thin</source>
-        <translation>Épaisseur sous laquelle une paroi est colorée comme mince</translation>
     </message>
     <message>
         <source>Thin</source>
@@ -1199,8 +2159,8 @@ Son volume est inconnu.</translation>
         <translation>Pièce mince</translation>
     </message>
     <message>
-        <source>ThinPart is there twice: {} is used, {} is not. Remove one of them.</source>
-        <translation>ThinPart est présent deux fois : {} est utilisé, {} ne l’est pas. Supprimez l’un des deux.</translation>
+        <source>ThinPart is installed twice: {} is used, {} is not. Remove one of them.</source>
+        <translation>ThinPart est installé deux fois : {} est utilisé, {} ne l’est pas. Supprimez l’un des deux.</translation>
     </message>
     <message>
         <source>ThinPart: {}</source>
@@ -1227,8 +2187,12 @@ Son volume est inconnu.</translation>
         <translation>Minimum, {}</translation>
     </message>
     <message>
-        <source>This did not work, for a reason that was not foreseen ({}): try again, and if it happens again, report it with FreeCAD's log.</source>
-        <translation>Cela n'a pas fonctionné, pour une raison imprévue ({}) : réessayez et, si cela se reproduit, signalez-le avec le journal de FreeCAD.</translation>
+        <source>This link is stored with the part. Open it outside FreeCAD?</source>
+        <translation>Ce lien est enregistré avec la pièce. L’ouvrir en dehors de FreeCAD ?</translation>
+    </message>
+    <message>
+        <source>Three colours: red is thinner than the limit, yellow up to a tenth above it, blue passes. Violet is thicker than the process allows; the edge of a wall is violet too, where the ray runs along the wall</source>
+        <translation>Trois couleurs : le rouge est plus mince que la limite, le jaune jusqu'à un dixième au-dessus, le bleu est conforme. Le violet est plus épais que le procédé ne le permet ; le bord d'une paroi est violet aussi, là où le rayon longe la paroi</translation>
     </message>
     <message>
         <source>Threshold</source>
@@ -1251,20 +2215,32 @@ Son volume est inconnu.</translation>
         <translation>&amp;Limite de temps par fichier</translation>
     </message>
     <message>
+        <source>Time limit for one file of a folder, or for one document that is classified automatically</source>
+        <translation>Limite de temps pour un fichier d’un dossier ou un document classifié automatiquement</translation>
+    </message>
+    <message>
         <source>Time per file</source>
         <translation>Temps par fichier</translation>
     </message>
     <message>
-        <source>Time that one file of a folder, or a document that is classified automatically, may take</source>
-        <translation>Temps que peut prendre un fichier d’un dossier ou un document classifié automatiquement</translation>
+        <source>Title</source>
+        <translation>Titre</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>To be measured again, because an earlier version did not measure what decides: {}.</source>
+        <translation>À mesurer de nouveau, car une version antérieure n’a pas mesuré ce qui décide : {}.</translation>
     </message>
     <message>
         <source>To classify a part, open a document and close the task that is open.</source>
         <translation>Pour classifier une pièce, ouvrez un document et fermez la tâche ouverte.</translation>
     </message>
     <message>
-        <source>Under which thickness a wall is coloured as thin; the verdict does not depend on it</source>
-        <translation>Épaisseur sous laquelle une paroi est colorée comme mince ; le verdict n’en dépend pas</translation>
+        <source>Two answers to the same part differ in {}.</source>
+        <translation>Deux réponses sur la même pièce diffèrent dans {}.</translation>
     </message>
     <message>
         <source>Unknown</source>
@@ -1275,8 +2251,20 @@ Son volume est inconnu.</translation>
         <translation>Non mesuré</translation>
     </message>
     <message>
+        <source>Unsure below a probability of</source>
+        <translation>Incertain sous une probabilité de</translation>
+    </message>
+    <message>
+        <source>Unsure: '{}' ({}) or '{}' ({})</source>
+        <translation>Incertain : « {} » ({}) ou « {} » ({})</translation>
+    </message>
+    <message>
         <source>V/VBB</source>
         <translation>V/VBB</translation>
+    </message>
+    <message>
+        <source>VTK PolyData with thickness (*.vtp)</source>
+        <translation>VTK PolyData avec épaisseur (*.vtp)</translation>
     </message>
     <message>
         <source>Value</source>
@@ -1291,6 +2279,10 @@ Son volume est inconnu.</translation>
         <translation>Paroi</translation>
     </message>
     <message>
+        <source>Wall regions</source>
+        <translation>Régions de paroi</translation>
+    </message>
+    <message>
         <source>Wall thickness</source>
         <translation>Épaisseur</translation>
     </message>
@@ -1303,32 +2295,64 @@ Son volume est inconnu.</translation>
         <translation>Épaisseur de paroi : min. {}, médiane {}, max. {} (± {})</translation>
     </message>
     <message>
+        <source>Walls are in the order of their thickness. Key: {}</source>
+        <translation>Les parois sont dans l'ordre de leur épaisseur. Touche : {}</translation>
+    </message>
+    <message>
         <source>Walls that are shown as thin</source>
         <translation>Parois affichées comme minces</translation>
+    </message>
+    <message>
+        <source>Walls thinner than this are coloured as thin</source>
+        <translation>Les parois plus minces que cette épaisseur sont colorées comme minces</translation>
+    </message>
+    <message>
+        <source>Walls thinner than this are coloured as thin; the verdict does not depend on it</source>
+        <translation>Les parois plus minces que cette épaisseur sont colorées comme minces ; le verdict n’en dépend pas</translation>
+    </message>
+    <message>
+        <source>Walls thinner than this share of the part's diagonal are coloured as thin</source>
+        <translation>Les parois plus minces que cette part de la diagonale de la pièce sont colorées comme minces</translation>
     </message>
     <message>
         <source>Warnings</source>
         <translation>Avertissements</translation>
     </message>
     <message>
-        <source>What is under no wall that could be measured, in the heat map</source>
-        <translation>Ce qui n’a pas de paroi mesurable dans la carte des épaisseurs</translation>
+        <source>What faces you is cut off. Choose the current view again after turning the part</source>
+        <translation>Ce qui vous fait face est coupé. Choisissez de nouveau la vue actuelle après avoir tourné la pièce</translation>
     </message>
     <message>
-        <source>What was measured, notes, mesh settings and links stay as they are. Write them now?</source>
-        <translation>Les mesures, notes, paramètres de maillage et liens restent inchangés. Écrire maintenant ?</translation>
+        <source>What it says about a part</source>
+        <translation>Ce qu’il dit d’une pièce</translation>
     </message>
     <message>
-        <source>When a wall is under</source>
-        <translation>Si une paroi est sous</translation>
+        <source>What to do with such a part</source>
+        <translation>Que faire d’une telle pièce</translation>
+    </message>
+    <message>
+        <source>What would change in</source>
+        <translation>Ce qui changerait dans</translation>
+    </message>
+    <message>
+        <source>What you change is saved as your own limits in {}.</source>
+        <translation>Ce que vous modifiez est enregistré comme vos propres limites dans {}.</translation>
+    </message>
+    <message>
+        <source>When a wall is thinner than</source>
+        <translation>Si une paroi est plus mince que</translation>
     </message>
     <message>
         <source>When the category of a part changes</source>
         <translation>Si la catégorie d’une pièce change</translation>
     </message>
     <message>
-        <source>When the thinnest wall of a part falls under this thickness, or is under it in a part that was not classified before</source>
+        <source>When the thinnest wall of a part falls below this thickness, or is below it in a part that was not classified before</source>
         <translation>Si la paroi la plus mince d’une pièce passe sous cette épaisseur, ou l’est déjà dans une pièce jamais classifiée</translation>
+    </message>
+    <message>
+        <source>Where the thresholds are from</source>
+        <translation>D’où viennent les seuils</translation>
     </message>
     <message>
         <source>Which part do you mean?</source>
@@ -1337,6 +2361,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Why</source>
         <translation>Pourquoi</translation>
+    </message>
+    <message>
+        <source>Why it is left out, such as: a crush rib, thin on purpose</source>
+        <translation>Pourquoi elle est écartée, par exemple : nervure d'écrasement, mince à dessein</translation>
     </message>
     <message>
         <source>Why: {}</source>
@@ -1351,12 +2379,40 @@ Son volume est inconnu.</translation>
         <translation>Écrire…</translation>
     </message>
     <message>
+        <source>Writing a report</source>
+        <translation>Rédaction d’un rapport</translation>
+    </message>
+    <message>
         <source>Writing the info file…</source>
         <translation>Écriture du fichier d’information…</translation>
     </message>
     <message>
+        <source>Writing {}…</source>
+        <translation>Écriture de {}…</translation>
+    </message>
+    <message>
+        <source>Written: {}</source>
+        <translation>Écrit : {}</translation>
+    </message>
+    <message>
+        <source>Your label is kept once the document is saved and its info file is written.</source>
+        <translation>Votre étiquette sera gardée dès que le document sera enregistré et son fichier d’information écrit.</translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation>Votre nom</translation>
+    </message>
+    <message>
+        <source>Your name, under which your labels of parts are kept. Empty: your name on this computer</source>
+        <translation>Votre nom, sous lequel vos étiquettes de pièces sont gardées. Vide : votre nom sur cet ordinateur</translation>
+    </message>
+    <message>
         <source>a file, or a JSON object</source>
         <translation>un fichier ou un objet JSON</translation>
+    </message>
+    <message>
+        <source>a folder with classified parts</source>
+        <translation>un dossier de pièces classifiées</translation>
     </message>
     <message>
         <source>a share of the part's diagonal</source>
@@ -1371,6 +2427,10 @@ Son volume est inconnu.</translation>
         <translation>encore {} environ</translation>
     </message>
     <message>
+        <source>all {} libraries</source>
+        <translation>les {} bibliothèques</translation>
+    </message>
+    <message>
         <source>all, or such as: bracket*; *_v2*</source>
         <translation>tous, ou par exemple : support*; *_v2*</translation>
     </message>
@@ -1379,20 +2439,64 @@ Son volume est inconnu.</translation>
         <translation>une adresse ou un dossier</translation>
     </message>
     <message>
+        <source>and a smaller wall, {} of the surface</source>
+        <translation>et une paroi plus petite, {} de la surface</translation>
+    </message>
+    <message>
         <source>and {} more parts</source>
         <translation>et {} autres pièces</translation>
     </message>
     <message>
-        <source>area over walls thinner than this share of the diagonal</source>
+        <source>and {} smaller walls, {} of the surface</source>
+        <translation>et {} parois plus petites, {} de la surface</translation>
+    </message>
+    <message>
+        <source>any material</source>
+        <translation>tout matériau</translation>
+    </message>
+    <message>
+        <source>area with walls thinner than this share of the diagonal</source>
         <translation>surface à parois plus minces que cette part de la diagonale</translation>
+    </message>
+    <message>
+        <source>as before</source>
+        <translation>comme avant</translation>
+    </message>
+    <message>
+        <source>as on this computer</source>
+        <translation>comme sur cet ordinateur</translation>
+    </message>
+    <message>
+        <source>as proposed</source>
+        <translation>comme proposé</translation>
+    </message>
+    <message>
+        <source>automatic: {}</source>
+        <translation>automatique : {}</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>barre</translation>
     </message>
     <message>
         <source>beside each document</source>
         <translation>à côté de chaque document</translation>
     </message>
     <message>
-        <source>cancelled: what was done is kept, Start does the rest</source>
-        <translation>annulé : ce qui est fait est conservé, « Démarrer » fait le reste</translation>
+        <source>block</source>
+        <translation>bloc</translation>
+    </message>
+    <message>
+        <source>cancelled: finished results are saved, Start continues with the rest</source>
+        <translation>annulé : les résultats obtenus sont enregistrés, « Démarrer » continue avec le reste</translation>
+    </message>
+    <message>
+        <source>element size {}</source>
+        <translation>taille d'élément {}</translation>
+    </message>
+    <message>
+        <source>excluded: {}</source>
+        <translation>exclue : {}</translation>
     </message>
     <message>
         <source>failed</source>
@@ -1401,6 +2505,22 @@ Son volume est inconnu.</translation>
     <message>
         <source>failed: {}</source>
         <translation>échec : {}</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>échoue</translation>
+    </message>
+    <message>
+        <source>fine</source>
+        <translation>fine</translation>
+    </message>
+    <message>
+        <source>from {} mm on</source>
+        <translation>à partir de {} mm</translation>
+    </message>
+    <message>
+        <source>gamma: three times the inscribed by the circumscribed radius; 1 for regular tetrahedra, under 0.3 poor</source>
+        <translation>gamma : trois fois le rayon inscrit sur le rayon circonscrit ; 1 pour des tétraèdres réguliers, mauvais sous 0,3</translation>
     </message>
     <message>
         <source>in</source>
@@ -1423,6 +2543,18 @@ Son volume est inconnu.</translation>
         <translation>c’est le document actif lui-même</translation>
     </message>
     <message>
+        <source>learned</source>
+        <translation>appris</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>omise</translation>
+    </message>
+    <message>
+        <source>linear (first order)</source>
+        <translation>linéaires (premier ordre)</translation>
+    </message>
+    <message>
         <source>measuring…</source>
         <translation>mesure…</translation>
     </message>
@@ -1431,8 +2563,28 @@ Son volume est inconnu.</translation>
         <translation>non</translation>
     </message>
     <message>
+        <source>no library yet</source>
+        <translation>pas encore de bibliothèque</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>sans limite</translation>
+    </message>
+    <message>
+        <source>no mesh ({})</source>
+        <translation>pas de maillage ({})</translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>aucune</translation>
+    </message>
+    <message>
+        <source>none stated</source>
+        <translation>aucune indiquée</translation>
+    </message>
+    <message>
+        <source>none, or such as: FDM, die_casting:zinc</source>
+        <translation>aucun, ou par exemple : FDM, die_casting:zinc</translation>
     </message>
     <message>
         <source>normal</source>
@@ -1467,6 +2619,26 @@ Son volume est inconnu.</translation>
         <translation>un par processeur</translation>
     </message>
     <message>
+        <source>one size</source>
+        <translation>taille unique</translation>
+    </message>
+    <message>
+        <source>only as the verdict needs</source>
+        <translation>seulement ce que le verdict exige</translation>
+    </message>
+    <message>
+        <source>over {}: too thick</source>
+        <translation>plus de {} : trop épais</translation>
+    </message>
+    <message>
+        <source>own limit</source>
+        <translation>limite propre</translation>
+    </message>
+    <message>
+        <source>passes</source>
+        <translation>conforme</translation>
+    </message>
+    <message>
         <source>paused</source>
         <translation>en pause</translation>
     </message>
@@ -1475,8 +2647,28 @@ Son volume est inconnu.</translation>
         <translation>mise en pause</translation>
     </message>
     <message>
-        <source>pip could not install {}; the report view has its words.</source>
+        <source>pip could not install {}; the report view shows its output.</source>
         <translation>pip n’a pas pu installer {} ; ses messages sont dans la vue rapport.</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>pixels</translation>
+    </message>
+    <message>
+        <source>plate</source>
+        <translation>plaque</translation>
+    </message>
+    <message>
+        <source>quadratic (second order)</source>
+        <translation>quadratiques (second ordre)</translation>
+    </message>
+    <message>
+        <source>quality of the elements (gamma)</source>
+        <translation>qualité des éléments (gamma)</translation>
+    </message>
+    <message>
+        <source>red is thin</source>
+        <translation>rouge = mince</translation>
     </message>
     <message>
         <source>s</source>
@@ -1499,12 +2691,32 @@ Son volume est inconnu.</translation>
         <translation>continu</translation>
     </message>
     <message>
+        <source>standard</source>
+        <translation>standard</translation>
+    </message>
+    <message>
         <source>stopping</source>
         <translation>arrêt en cours</translation>
     </message>
     <message>
         <source>such as: old/*; *draft*</source>
         <translation>par exemple : ancien/*; *brouillon*</translation>
+    </message>
+    <message>
+        <source>taper</source>
+        <translation>coin</translation>
+    </message>
+    <message>
+        <source>the current view</source>
+        <translation>la vue actuelle</translation>
+    </message>
+    <message>
+        <source>the learned profile</source>
+        <translation>du profil appris</translation>
+    </message>
+    <message>
+        <source>the view cannot be drawn at this size</source>
+        <translation>la vue ne peut pas être dessinée à cette taille</translation>
     </message>
     <message>
         <source>there is no importer for such files</source>
@@ -1535,8 +2747,36 @@ Son volume est inconnu.</translation>
         <translation>mince sur la moitié de la face ou plus</translation>
     </message>
     <message>
+        <source>those that people keep in its info files</source>
+        <translation>celles gardées dans ses fichiers d’information</translation>
+    </message>
+    <message>
+        <source>to be measured again</source>
+        <translation>à mesurer de nouveau</translation>
+    </message>
+    <message>
+        <source>tooth</source>
+        <translation>dent</translation>
+    </message>
+    <message>
+        <source>tube</source>
+        <translation>tube</translation>
+    </message>
+    <message>
+        <source>under {}: fails</source>
+        <translation>moins de {} : non conforme</translation>
+    </message>
+    <message>
         <source>unknown</source>
         <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>up to {} above it</source>
+        <translation>jusqu'à {} au-dessus</translation>
+    </message>
+    <message>
+        <source>up to {} mm</source>
+        <translation>jusqu’à {} mm</translation>
     </message>
     <message>
         <source>wedge {:g}–{:g}°</source>
@@ -1547,12 +2787,16 @@ Son volume est inconnu.</translation>
         <translation>oui</translation>
     </message>
     <message>
-        <source>{} (borderline)</source>
-        <translation>{} (cas limite)</translation>
+        <source>{} (own)</source>
+        <translation>{} (propre)</translation>
     </message>
     <message>
         <source>{} (rule {})</source>
         <translation>« {} » (règle {})</translation>
+    </message>
+    <message>
+        <source>{} (unsure)</source>
+        <translation>{} (incertain)</translation>
     </message>
     <message>
         <source>{} ({} parts)</source>
@@ -1563,6 +2807,10 @@ Son volume est inconnu.</translation>
         <translation>{} ({} fois)</translation>
     </message>
     <message>
+        <source>{} Refresh the libraries to go on.</source>
+        <translation>{} Actualisez les bibliothèques pour continuer.</translation>
+    </message>
+    <message>
         <source>{} There are {} more failures.</source>
         <translation>{} Il y a {} autres échecs.</translation>
     </message>
@@ -1571,12 +2819,32 @@ Son volume est inconnu.</translation>
         <translation>{} et plus : {} de la surface</translation>
     </message>
     <message>
+        <source>{} cannot be reached.</source>
+        <translation>{} est inaccessible.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written ({}): choose another place.</source>
+        <translation>{} ne peut pas être écrit ({}) : choisissez un autre emplacement.</translation>
+    </message>
+    <message>
+        <source>{} contains {}, which was removed from the list.</source>
+        <translation>{} contient {}, qui a été retiré de la liste.</translation>
+    </message>
+    <message>
         <source>{} different parts, {} instances</source>
         <translation>{} pièces différentes, {} occurrences</translation>
     </message>
     <message>
+        <source>{} elements, {} poor, worst {}</source>
+        <translation>{} éléments, {} mauvais, le pire {}</translation>
+    </message>
+    <message>
         <source>{} failed</source>
         <translation>{} en échec</translation>
+    </message>
+    <message>
+        <source>{} fails</source>
+        <translation>{} non conforme</translation>
     </message>
     <message>
         <source>{} h {} min</source>
@@ -1587,11 +2855,11 @@ Son volume est inconnu.</translation>
         <translation>{} n’a pas de fichier d’information.</translation>
     </message>
     <message>
-        <source>{} holds {} too, which was taken off the list.</source>
-        <translation>{} contient aussi {}, qui a été retiré de la liste.</translation>
+        <source>{} info files cannot be read.</source>
+        <translation>{} fichiers d’information sont illisibles.</translation>
     </message>
     <message>
-        <source>{} info files were left as they are: {}</source>
+        <source>{} info files were not changed: {}</source>
         <translation>{} fichiers d’information sont restés inchangés : {}</translation>
     </message>
     <message>
@@ -1611,11 +2879,23 @@ Son volume est inconnu.</translation>
         <translation>{} est déjà dans la liste.</translation>
     </message>
     <message>
+        <source>{} jobs: {}</source>
+        <translation>{} tâches : {}</translation>
+    </message>
+    <message>
+        <source>{} just above</source>
+        <translation>{} juste au-dessus</translation>
+    </message>
+    <message>
+        <source>{} labelled parts: {}; by {}.</source>
+        <translation>{} pièces étiquetées : {} ; par {}.</translation>
+    </message>
+    <message>
         <source>{} min</source>
         <translation>{} min</translation>
     </message>
     <message>
-        <source>{} of the area lies over walls thinner than {}</source>
+        <source>{} of the area has walls thinner than {}</source>
         <translation>{} de la surface a des parois plus minces que {}</translation>
     </message>
     <message>
@@ -1627,16 +2907,40 @@ Son volume est inconnu.</translation>
         <translation>{} pièces sur {}</translation>
     </message>
     <message>
+        <source>{} of {} parts change their category.</source>
+        <translation>{} pièces sur {} changent de catégorie.</translation>
+    </message>
+    <message>
         <source>{} of {} parts change their category; {} info files would be updated.</source>
         <translation>{} pièces sur {} changent de catégorie ; {} fichiers d’information seraient mis à jour.</translation>
     </message>
     <message>
-        <source>{} probes were removed: the surface is no longer where they were.</source>
+        <source>{} of {} parts fail</source>
+        <translation>{} pièces sur {} échouent</translation>
+    </message>
+    <message>
+        <source>{} of {}: elements of {}</source>
+        <translation>{} de {} : éléments de {}</translation>
+    </message>
+    <message>
+        <source>{} of {}: {} % ({} to {})</source>
+        <translation>{} sur {} : {} % ({} à {})</translation>
+    </message>
+    <message>
+        <source>{} passes</source>
+        <translation>{} conforme</translation>
+    </message>
+    <message>
+        <source>{} probes were removed: the surface is no longer at their positions.</source>
         <translation>{} sondes ont été retirées : la surface ne se trouve plus à ces endroits.</translation>
     </message>
     <message>
         <source>{} s</source>
         <translation>{} s</translation>
+    </message>
+    <message>
+        <source>{} to {} mm</source>
+        <translation>{} à {} mm</translation>
     </message>
     <message>
         <source>{} to {} thick ({} to {} of the diagonal): {} of the area</source>
@@ -1655,6 +2959,10 @@ Son volume est inconnu.</translation>
         <translation>{} à {} : {} de la surface, sur {} faces</translation>
     </message>
     <message>
+        <source>{} too thick</source>
+        <translation>{} trop épais</translation>
+    </message>
+    <message>
         <source>{} unchanged</source>
         <translation>{} inchangés</translation>
     </message>
@@ -1671,11 +2979,23 @@ Son volume est inconnu.</translation>
         <translation>{} est introuvable dans l’index des paquets Python : connectez cet ordinateur à Internet ou configurez le proxy de pip, puis réessayez.</translation>
     </message>
     <message>
+        <source>{} was not opened: it is not a CAD file that ThinPart reads.</source>
+        <translation>{} n’a pas été ouvert : ce n’est pas un fichier CAO que ThinPart lit.</translation>
+    </message>
+    <message>
         <source>{}, and share of the diagonal</source>
         <translation>{} et part de la diagonale</translation>
     </message>
     <message>
-        <source>{}: '{}' ({}) has a wall of {}, under the limit of {}.</source>
+        <source>{}, {}: {}</source>
+        <translation>{}, {} : {}</translation>
+    </message>
+    <message>
+        <source>{}. {}, where one of these holds</source>
+        <translation>{}. {}, si l’un de ceux-ci est rempli</translation>
+    </message>
+    <message>
+        <source>{}: '{}' ({}) has a wall of {}, below the limit of {}.</source>
         <translation>{} : « {} » ({}) a une paroi de {}, sous la limite de {}.</translation>
     </message>
     <message>
@@ -1683,7 +3003,7 @@ Son volume est inconnu.</translation>
         <translation>{} : « {} » était « {} » et est maintenant « {} » ; sa paroi la plus mince a {}.</translation>
     </message>
     <message>
-        <source>{}: '{}' was '{}' and is '{}' now; its thinnest wall of {} is under the limit of {}.</source>
+        <source>{}: '{}' was '{}' and is '{}' now; its thinnest wall of {} is below the limit of {}.</source>
         <translation>{} : « {} » était « {} » et est maintenant « {} » ; sa paroi la plus mince de {} est sous la limite de {}.</translation>
     </message>
     <message>
@@ -1718,52 +3038,120 @@ Son volume est inconnu.</translation>
         <source>⚠ The part has changed since it was measured.</source>
         <translation>⚠ La pièce a changé depuis la mesure.</translation>
     </message>
+    <message>
+        <source>✓ {}: within the limits</source>
+        <translation>✓ {} : dans les limites</translation>
+    </message>
+    <message>
+        <source>✗ {}: at least {} are needed here</source>
+        <translation>✗ {} : il faut au moins {} ici</translation>
+    </message>
+    <message>
+        <source>✗ {}: at most {} are allowed here</source>
+        <translation>✗ {} : au plus {} sont admis ici</translation>
+    </message>
 </context>
 <context>
     <name>ThinPartCore</name>
     <message>
-        <source>'{}' has an empty shape: recompute the document or delete it.</source>
-        <translation>« {} » a une forme vide : recalculez le document ou supprimez l’objet.</translation>
+        <source>'{object}' has an empty shape: recompute the document or delete it.</source>
+        <translation>« {object} » a une forme vide : recalculez le document ou supprimez l’objet.</translation>
     </message>
     <message>
-        <source>'{}' has no shape, because its last recompute failed ({}): repair it and recompute the document.</source>
-        <translation>« {} » n’a pas de forme, car son dernier recalcul a échoué ({}) : réparez l’objet et recalculez le document.</translation>
+        <source>'{object}' has no shape, because its last recompute failed ({reason}): repair it and recompute the document.</source>
+        <translation>« {object} » n’a pas de forme, car son dernier recalcul a échoué ({reason}) : réparez l’objet et recalculez le document.</translation>
     </message>
     <message>
-        <source>'{}' has no shape, because the last recompute of '{}' failed ({}): repair it and recompute the document.</source>
-        <translation>« {} » n’a pas de forme, car le dernier recalcul de « {} » a échoué ({}) : réparez l’objet et recalculez le document.</translation>
+        <source>'{object}' has no shape, because the last recompute of '{feature}' failed ({reason}): repair it and recompute the document.</source>
+        <translation>« {object} » n’a pas de forme, car le dernier recalcul de « {feature} » a échoué ({reason}) : réparez l’objet et recalculez le document.</translation>
     </message>
     <message>
-        <source>'{}' is a closed shell but no solid: convert it to a solid first.</source>
-        <translation>« {} » est une coque fermée mais pas un solide : convertissez-la d’abord en solide.</translation>
+        <source>'{object}' is a closed shell but not a solid: convert it to a solid first.</source>
+        <translation>« {object} » est une coque fermée mais pas un solide : convertissez-la d’abord en solide.</translation>
     </message>
     <message>
-        <source>'{}' is a mesh without triangles: import it again or delete it.</source>
-        <translation>« {} » est un maillage sans triangles : importez-le à nouveau ou supprimez-le.</translation>
+        <source>'{object}' is a mesh without triangles: import it again or delete it.</source>
+        <translation>« {object} » est un maillage sans triangles : importez-le à nouveau ou supprimez-le.</translation>
     </message>
     <message>
-        <source>'{}' is made of surfaces that bound no solid: close or thicken it first.</source>
-        <translation>« {} » est fait de surfaces qui ne délimitent aucun solide : fermez-les ou épaississez-les d’abord.</translation>
+        <source>'{object}' is made of surfaces that bound no solid: close or thicken it first.</source>
+        <translation>« {object} » est fait de surfaces qui ne délimitent aucun solide : fermez-les ou épaississez-les d’abord.</translation>
+    </message>
+    <message>
+        <source>'{part}' consists of {count} solids, which FEM meshes as one: take it apart first (Part workbench: Compound &gt; Explode compound), then select one solid.</source>
+        <translation>« {part} » est constitué de {count} solides, que FEM maille ensemble : séparez-les d'abord (atelier Part : Composé &gt; Éclater le composé), puis sélectionnez un solide.</translation>
+    </message>
+    <message>
+        <source>A budget is at least 1 element, not {value}.</source>
+        <translation>Un budget est d'au moins 1 élément, pas de {value}.</translation>
     </message>
     <message>
         <source>A bulky part with thin places: refine the mesh there or remove them.</source>
         <translation>Une pièce massive avec des endroits minces : affinez-y le maillage ou supprimez-les.</translation>
     </message>
     <message>
+        <source>ABS</source>
+        <translation>ABS</translation>
+    </message>
+    <message>
+        <source>Acetal (POM)</source>
+        <translation>Polyacétal (POM)</translation>
+    </message>
+    <message>
+        <source>Acrylic (PMMA)</source>
+        <translation>Acrylique (PMMA)</translation>
+    </message>
+    <message>
         <source>All its triangles have zero area.</source>
         <translation>Tous ses triangles ont une aire nulle.</translation>
     </message>
     <message>
-        <source>All points lie in one place.</source>
-        <translation>Tous les points sont au même endroit.</translation>
+        <source>All points coincide.</source>
+        <translation>Tous les points coïncident.</translation>
+    </message>
+    <message>
+        <source>Aluminium</source>
+        <translation>Aluminium</translation>
+    </message>
+    <message>
+        <source>Aluminium, large casting</source>
+        <translation>Aluminium, grande pièce</translation>
+    </message>
+    <message>
+        <source>Aluminium, small casting</source>
+        <translation>Aluminium, petite pièce</translation>
     </message>
     <message>
         <source>Area of its surface</source>
         <translation>Aire de sa surface</translation>
     </message>
     <message>
+        <source>Brass, large casting</source>
+        <translation>Laiton, grande pièce</translation>
+    </message>
+    <message>
+        <source>Brass, small casting</source>
+        <translation>Laiton, petite pièce</translation>
+    </message>
+    <message>
+        <source>Calibrated on real parts</source>
+        <translation>Calibré sur des pièces réelles</translation>
+    </message>
+    <message>
         <source>Diagonal of the bounding box</source>
         <translation>Diagonale de la boîte englobante</translation>
+    </message>
+    <message>
+        <source>Die casting</source>
+        <translation>Moulage sous pression</translation>
+    </message>
+    <message>
+        <source>Ductile iron</source>
+        <translation>Fonte ductile</translation>
+    </message>
+    <message>
+        <source>FDM printing</source>
+        <translation>Impression FDM</translation>
     </message>
     <message>
         <source>Faces that meet in a thin wedge</source>
@@ -1778,52 +3166,92 @@ Son volume est inconnu.</translation>
         <translation>Plate et à peu près aussi longue que large</translation>
     </message>
     <message>
-        <source>FreeCAD cannot be imported by {} ({}): install it (Debian: 'apt-get install freecad') or set FREECAD_LIB to the folder with its FreeCAD.so or FreeCAD.pyd.</source>
-        <translation>FreeCAD ne peut pas être importé par {} ({}) : installez-le (Debian : « apt-get install freecad ») ou donnez à FREECAD_LIB le dossier de son FreeCAD.so ou FreeCAD.pyd.</translation>
+        <source>Free-standing</source>
+        <translation>Libre</translation>
     </message>
     <message>
-        <source>FreeCAD cannot open {} ({}).</source>
-        <translation>FreeCAD ne peut pas ouvrir {} ({}).</translation>
+        <source>FreeCAD cannot be imported by {program} ({problem}): install it (Debian: 'apt-get install freecad') or set FREECAD_LIB to the folder with its FreeCAD.so or FreeCAD.pyd.</source>
+        <translation>FreeCAD ne peut pas être importé par {program} ({problem}) : installez-le (Debian : « apt-get install freecad ») ou donnez à FREECAD_LIB le dossier de son FreeCAD.so ou FreeCAD.pyd.</translation>
     </message>
     <message>
-        <source>FreeCAD cannot read {} ({}).</source>
-        <translation>FreeCAD ne peut pas lire {} ({}).</translation>
+        <source>FreeCAD cannot open {file} ({problem}).</source>
+        <translation>FreeCAD ne peut pas ouvrir {file} ({problem}).</translation>
+    </message>
+    <message>
+        <source>FreeCAD cannot read {file} ({problem}).</source>
+        <translation>FreeCAD ne peut pas lire {file} ({problem}).</translation>
     </message>
     <message>
         <source>FreeCAD could not tessellate any of its faces.</source>
         <translation>FreeCAD n’a pu tesseller aucune de ses faces.</translation>
     </message>
     <message>
-        <source>FreeCAD could not tessellate it ({}).</source>
-        <translation>FreeCAD n’a pas pu tesseller la pièce ({}).</translation>
+        <source>FreeCAD could not tessellate it ({problem}).</source>
+        <translation>FreeCAD n’a pas pu tesseller la pièce ({problem}).</translation>
     </message>
     <message>
-        <source>FreeCAD could not tessellate {} and {} more.</source>
-        <translation>FreeCAD n’a pas pu tesseller {} et {} autres.</translation>
+        <source>FreeCAD could not tessellate {faces} and {count} more.</source>
+        <translation>FreeCAD n’a pas pu tesseller {faces} et {count} autres.</translation>
     </message>
     <message>
-        <source>FreeCAD could not tessellate {}.</source>
-        <translation>FreeCAD n’a pas pu tesseller {}.</translation>
+        <source>FreeCAD could not tessellate {faces}.</source>
+        <translation>FreeCAD n’a pas pu tesseller {faces}.</translation>
     </message>
     <message>
         <source>FreeCAD did not say which triangle belongs to which face.</source>
         <translation>FreeCAD n’a pas indiqué à quelle face appartient chaque triangle.</translation>
     </message>
     <message>
-        <source>FreeCAD follows no links from a document whose path is no UTF-8 text or has a backslash: rename {} or the folder that it lies in.</source>
-        <translation>FreeCAD ne suit aucun lien depuis un document dont le chemin n'est pas du texte UTF-8 ou contient une barre oblique inverse : renommez {} ou son dossier.</translation>
+        <source>FreeCAD does not follow links from a document whose path is not UTF-8 text or has a backslash: rename {file} or its folder.</source>
+        <translation>FreeCAD ne suit aucun lien depuis un document dont le chemin n'est pas du texte UTF-8 ou contient une barre oblique inverse : renommez {file} ou son dossier.</translation>
+    </message>
+    <message>
+        <source>FreeCAD needs a home folder, but {folder} is not accessible: set FREECAD_USER_HOME to a folder that is.</source>
+        <translation>FreeCAD a besoin d’un dossier personnel, mais {folder} n’est pas accessible : donnez à FREECAD_USER_HOME un dossier accessible.</translation>
     </message>
     <message>
         <source>Giannini et al. 2012</source>
         <translation>Giannini et coll. 2012</translation>
     </message>
     <message>
-        <source>Info files cannot be written into {} ({}): give another folder to --info-dir.</source>
-        <translation>Les fichiers d’information ne peuvent pas être écrits dans {} ({}) : choisissez un autre dossier (--info-dir).</translation>
+        <source>Gmsh crashed</source>
+        <translation>Gmsh a planté</translation>
     </message>
     <message>
-        <source>It came as {} loose faces, which were sewn together.</source>
-        <translation>La pièce était faite de {} faces libres, qui ont été cousues.</translation>
+        <source>Gmsh filled no volume</source>
+        <translation>Gmsh n’a rempli aucun volume</translation>
+    </message>
+    <message>
+        <source>Gmsh needed too much memory</source>
+        <translation>Gmsh a demandé trop de mémoire</translation>
+    </message>
+    <message>
+        <source>Gmsh took too long</source>
+        <translation>Gmsh a pris trop de temps</translation>
+    </message>
+    <message>
+        <source>Gmsh wrote no mesh</source>
+        <translation>Gmsh n’a pas écrit de maillage</translation>
+    </message>
+    <message>
+        <source>Grey iron</source>
+        <translation>Fonte grise</translation>
+    </message>
+    <message>
+        <source>Held on two sides</source>
+        <translation>Tenue de deux côtés</translation>
+    </message>
+    <message>
+        <source>Info files cannot be written into {folder} ({problem}): give another folder to --info-dir.</source>
+        <translation>Les fichiers d’information ne peuvent pas être écrits dans {folder} ({problem}) : choisissez un autre dossier (--info-dir).</translation>
+    </message>
+    <message>
+        <source>Injection moulding</source>
+        <translation>Moulage par injection</translation>
+    </message>
+    <message>
+        <source>It came as {faces} loose faces, which were sewn together.</source>
+        <translation>La pièce était faite de {faces} faces libres, qui ont été cousues.</translation>
     </message>
     <message>
         <source>It holds no triangles.</source>
@@ -1838,8 +3266,32 @@ Son volume est inconnu.</translation>
         <translation>Sa surface n’enferme aucun volume.</translation>
     </message>
     <message>
+        <source>Layers are from 0.1 to {most:g}, not {value:g}.</source>
+        <translation>Les couches vont de 0,1 à {most:g}, pas {value:g}.</translation>
+    </message>
+    <message>
+        <source>Learned on {date} from labels of {count} parts by {people}, starting at the profile {start}</source>
+        <translation>Appris le {date} à partir des étiquettes de {count} pièces par {people}, en partant du profil {start}</translation>
+    </message>
+    <message>
+        <source>Learning needs the Python package scikit-learn ({problem}): install it (Debian: 'apt-get install python3-sklearn', elsewhere: 'python -m pip install scikit-learn').</source>
+        <translation>L’apprentissage a besoin du paquet Python scikit-learn ({problem}) : installez-le (Debian : « apt-get install python3-sklearn », ailleurs : « python -m pip install scikit-learn »).</translation>
+    </message>
+    <message>
         <source>Least distance, in diagonals, between walls at a to b degrees</source>
         <translation>Plus petite distance, en diagonales, entre parois formant un angle de a à b degrés</translation>
+    </message>
+    <message>
+        <source>Least distance, in diagonals, between walls at {low:g} to {high:g} degrees</source>
+        <translation>Plus petite distance, en diagonales, entre parois à un angle de {low:g} à {high:g} degrés</translation>
+    </message>
+    <message>
+        <source>Liquid crystal polymer</source>
+        <translation>Polymère à cristaux liquides</translation>
+    </message>
+    <message>
+        <source>Long-fibre reinforced plastics</source>
+        <translation>Plastiques renforcés de fibres longues</translation>
     </message>
     <message>
         <source>Longest side of the bounding box</source>
@@ -1850,6 +3302,30 @@ Son volume est inconnu.</translation>
         <translation>Rapport du plus long côté au côté moyen de la boîte englobante</translation>
     </message>
     <message>
+        <source>Machining</source>
+        <translation>Usinage</translation>
+    </message>
+    <message>
+        <source>Magnesium, large casting</source>
+        <translation>Magnésium, grande pièce</translation>
+    </message>
+    <message>
+        <source>Magnesium, small casting</source>
+        <translation>Magnésium, petite pièce</translation>
+    </message>
+    <message>
+        <source>Median thickness of the thinnest wall region</source>
+        <translation>Épaisseur médiane de la région de paroi la plus mince</translation>
+    </message>
+    <message>
+        <source>Meshing needs Gmsh: install it (Debian: 'apt-get install gmsh', elsewhere: https://gmsh.info), and see that 'gmsh --version' runs.</source>
+        <translation>Le maillage demande Gmsh : installez-le (Debian : 'apt-get install gmsh', ailleurs : https://gmsh.info), et vérifiez que 'gmsh --version' fonctionne.</translation>
+    </message>
+    <message>
+        <source>Metal</source>
+        <translation>Métal</translation>
+    </message>
+    <message>
         <source>Middle side of the bounding box</source>
         <translation>Côté moyen de la boîte englobante</translation>
     </message>
@@ -1858,39 +3334,127 @@ Son volume est inconnu.</translation>
         <translation>Rapport du côté moyen au plus petit côté de la boîte englobante</translation>
     </message>
     <message>
-        <source>No report can be written into {} ({}): give another folder.</source>
-        <translation>Aucun rapport ne peut être écrit dans {} ({}) : indiquez un autre dossier.</translation>
+        <source>No part is labelled {categories}: label at least {needed} parts of every category.</source>
+        <translation>Aucune pièce n’est étiquetée {categories} : étiquetez au moins {needed} pièces de chaque catégorie.</translation>
     </message>
     <message>
-        <source>Nothing was measured that could be written.</source>
-        <translation>Rien n’a été mesuré qui puisse être écrit.</translation>
+        <source>No report can be written into {folder} ({problem}): give another folder.</source>
+        <translation>Aucun rapport ne peut être écrit dans {folder} ({problem}) : indiquez un autre dossier.</translation>
+    </message>
+    <message>
+        <source>No wall is wide and thin enough for a shell.</source>
+        <translation>Aucune paroi n’est assez large et mince pour une coque.</translation>
+    </message>
+    <message>
+        <source>No walls are thinner than {limit} mm, {part} of the middle side of {middle} mm: mesh it with solids.</source>
+        <translation>Aucune paroi n'est plus mince que {limit} mm, {part} du côté médian de {middle} mm : mailler en éléments volumiques.</translation>
+    </message>
+    <message>
+        <source>Number of wall regions that are bars, shafts, wires or rings</source>
+        <translation>Nombre de régions de paroi qui sont des barres, arbres, fils ou anneaux</translation>
+    </message>
+    <message>
+        <source>Number of wall regions that are blocks</source>
+        <translation>Nombre de régions de paroi qui sont des blocs</translation>
+    </message>
+    <message>
+        <source>Number of wall regions that are plates, flat, bent or shells</source>
+        <translation>Nombre de régions de paroi qui sont des plaques, planes, pliées ou coques</translation>
+    </message>
+    <message>
+        <source>Number of wall regions that are tapers</source>
+        <translation>Nombre de régions de paroi qui sont des coins</translation>
+    </message>
+    <message>
+        <source>Number of wall regions that are teeth, of gears or threads</source>
+        <translation>Nombre de régions de paroi qui sont des dents, d’engrenages ou de filetages</translation>
+    </message>
+    <message>
+        <source>Number of wall regions that are tubes</source>
+        <translation>Nombre de régions de paroi qui sont des tubes</translation>
+    </message>
+    <message>
+        <source>Number of wall regions, connected walls of like thickness</source>
+        <translation>Nombre de régions de paroi, parois continues d’épaisseur semblable</translation>
+    </message>
+    <message>
+        <source>Nylon (PA)</source>
+        <translation>Nylon (PA)</translation>
+    </message>
+    <message>
+        <source>Only {share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm: mesh it with solids.</source>
+        <translation>Seulement {share} de la surface recouvre des parois plus minces que {limit} mm, {part} du côté médian de {middle} mm : mailler en éléments volumiques.</translation>
     </message>
     <message>
         <source>Part with thin features</source>
         <translation>Pièce à zones minces</translation>
     </message>
     <message>
+        <source>Plastic</source>
+        <translation>Plastique</translation>
+    </message>
+    <message>
         <source>Plate</source>
         <translation>Plaque</translation>
     </message>
     <message>
-        <source>Reports need the Python package Jinja2 ({}): install it (Debian: 'apt-get install python3-jinja2', elsewhere: 'python -m pip install Jinja2').</source>
-        <translation>Les rapports ont besoin du paquet Python Jinja2 ({}) : installez-le (Debian : « apt-get install python3-jinja2 », ailleurs : « python -m pip install Jinja2 »).</translation>
+        <source>Polycarbonate (PC)</source>
+        <translation>Polycarbonate (PC)</translation>
     </message>
     <message>
-        <source>Share of the area over non-parallel walls</source>
-        <translation>Part de la surface à parois non parallèles</translation>
+        <source>Polyester (PBT, PET)</source>
+        <translation>Polyester (PBT, PET)</translation>
     </message>
     <message>
-        <source>Share of the area over parallel walls</source>
-        <translation>Part de la surface à parois parallèles</translation>
+        <source>Polyethylene (PE)</source>
+        <translation>Polyéthylène (PE)</translation>
     </message>
     <message>
-        <source>Share of the area over walls of a thickness from a to b diagonals</source>
-        <translation>Part de la surface à parois d’une épaisseur de a à b diagonales</translation>
+        <source>Polyphenylene sulphide (PPS)</source>
+        <translation>Polysulfure de phénylène (PPS)</translation>
     </message>
     <message>
-        <source>Share of the area whose ray met nothing at all</source>
+        <source>Polypropylene (PP)</source>
+        <translation>Polypropylène (PP)</translation>
+    </message>
+    <message>
+        <source>Polystyrene (PS)</source>
+        <translation>Polystyrène (PS)</translation>
+    </message>
+    <message>
+        <source>Polyurethane (PU)</source>
+        <translation>Polyuréthane (PU)</translation>
+    </message>
+    <message>
+        <source>Reports need the Python package Jinja2 ({problem}): install it (Debian: 'apt-get install python3-jinja2', elsewhere: 'python -m pip install Jinja2').</source>
+        <translation>Les rapports ont besoin du paquet Python Jinja2 ({problem}) : installez-le (Debian : « apt-get install python3-jinja2 », ailleurs : « python -m pip install Jinja2 »).</translation>
+    </message>
+    <message>
+        <source>SLA printing</source>
+        <translation>Impression SLA</translation>
+    </message>
+    <message>
+        <source>SLS printing</source>
+        <translation>Impression SLS</translation>
+    </message>
+    <message>
+        <source>Sand casting</source>
+        <translation>Moulage en sable</translation>
+    </message>
+    <message>
+        <source>Share of the area over parallel walls from a to b of the middle side</source>
+        <translation>Part de la surface sur des parois parallèles de a à b du côté médian</translation>
+    </message>
+    <message>
+        <source>Share of the area over plates and tubes: walls that are wider than thick</source>
+        <translation>Part de la surface sur des plaques et des tubes : des parois plus larges qu’épaisses</translation>
+    </message>
+    <message>
+        <source>Share of the area over walls, parallel or under 60 degrees, from a to b of the middle side</source>
+        <translation>Part de la surface sur des parois, parallèles ou à moins de 60 degrés, de a à b du côté médian</translation>
+    </message>
+    <message>
+        <source>Share of the area whose rays met nothing at all</source>
         <translation>Part de la surface dont le rayon n’a rien rencontré</translation>
     </message>
     <message>
@@ -1898,8 +3462,48 @@ Son volume est inconnu.</translation>
         <translation>Part de la surface sans paroi opposée</translation>
     </message>
     <message>
+        <source>Share of the area with non-parallel walls</source>
+        <translation>Part de la surface à parois non parallèles</translation>
+    </message>
+    <message>
+        <source>Share of the area with parallel walls</source>
+        <translation>Part de la surface à parois parallèles</translation>
+    </message>
+    <message>
+        <source>Share of the area with walls that are a to b diagonals thick</source>
+        <translation>Part de la surface à parois d’une épaisseur de a à b diagonales</translation>
+    </message>
+    <message>
         <source>Share of the bounding box that the part fills</source>
         <translation>Part de la boîte englobante que la pièce remplit</translation>
+    </message>
+    <message>
+        <source>Share of the surface over parallel walls thinner than {high:g} of the diagonal</source>
+        <translation>Part de la surface sur des parois parallèles plus minces que {high:g} de la diagonale</translation>
+    </message>
+    <message>
+        <source>Share of the surface over parallel walls thinner than {high:g} of the middle side</source>
+        <translation>Part de la surface sur des parois parallèles plus minces que {high:g} du côté médian</translation>
+    </message>
+    <message>
+        <source>Share of the surface over parallel walls {low:g} to {high:g} of the diagonal thick</source>
+        <translation>Part de la surface sur des parois parallèles épaisses de {low:g} à {high:g} de la diagonale</translation>
+    </message>
+    <message>
+        <source>Share of the surface over parallel walls {low:g} to {high:g} of the middle side thick</source>
+        <translation>Part de la surface sur des parois parallèles épaisses de {low:g} à {high:g} du côté médian</translation>
+    </message>
+    <message>
+        <source>Share of the surface over walls, parallel or tapered, thinner than {high:g} of the middle side</source>
+        <translation>Part de la surface sur des parois, parallèles ou en dépouille, plus minces que {high:g} du côté médian</translation>
+    </message>
+    <message>
+        <source>Share of the surface over walls, parallel or tapered, {low:g} to {high:g} of the middle side thick</source>
+        <translation>Part de la surface sur des parois, parallèles ou en dépouille, épaisses de {low:g} à {high:g} du côté médian</translation>
+    </message>
+    <message>
+        <source>Sheet metal</source>
+        <translation>Tôle</translation>
     </message>
     <message>
         <source>Shortest side of the bounding box</source>
@@ -1914,252 +3518,432 @@ Son volume est inconnu.</translation>
         <translation>Certains triangles renvoient à des points inexistants.</translation>
     </message>
     <message>
-        <source>Stopped before the end, as asked.</source>
-        <translation>Arrêté avant la fin, comme demandé.</translation>
+        <source>Stopped on request before the end.</source>
+        <translation>Arrêté à la demande avant la fin.</translation>
     </message>
     <message>
-        <source>The Python module {} is missing: install it to have documents classified automatically (Debian: python3-{}).</source>
-        <translation>Le module Python {} manque : installez-le pour que les documents soient classifiés automatiquement (Debian : python3-{}).</translation>
+        <source>Surfaces touch or cross at ({place}): what lies between them is not counted as a wall.</source>
+        <translation>Des surfaces se touchent ou se croisent en ({place}) : ce qui se trouve entre elles ne compte pas comme paroi.</translation>
     </message>
     <message>
-        <source>The condition {} is not understood: write a quantity, one of {} and a number, as in 'D2/D3 &gt; 6'.</source>
-        <translation>La condition {} n’est pas comprise : écrivez une grandeur, un des signes {} et un nombre, comme « D2/D3 &gt; 6 ».</translation>
+        <source>Temporary files cannot be written ({problem}): free some disk space, or name another folder in TMPDIR.</source>
+        <translation>Impossible d’écrire des fichiers temporaires ({problem}) : libérez de l’espace disque ou nommez un autre dossier dans TMPDIR.</translation>
     </message>
     <message>
-        <source>The document '{}' is empty: make or import a solid first.</source>
-        <translation>Le document « {} » est vide : créez ou importez d’abord un solide.</translation>
+        <source>Temporary files cannot be written ({problem}): free some disk space. Nothing was meshed.</source>
+        <translation>Impossible d'écrire les fichiers temporaires ({problem}) : libérez de l'espace disque. Rien n'a été maillé.</translation>
     </message>
     <message>
-        <source>The document names Python modules that are not FreeCAD's ({}): they were not loaded, and objects that need them may lack their shape.</source>
-        <translation>Le document nomme des modules Python qui ne sont pas de FreeCAD ({}) : ils n'ont pas été chargés, et la forme des objets qui en ont besoin peut manquer.</translation>
+        <source>The Python module {module} is missing: install it to have documents classified automatically (Debian: python3-{module}).</source>
+        <translation>Le module Python {module} manque : installez-le pour que les documents soient classifiés automatiquement (Debian : python3-{module}).</translation>
     </message>
     <message>
-        <source>The document's folder has not answered for {} s: connect it, or choose a folder for info files in the preferences.</source>
-        <translation>Le dossier du document ne répond pas depuis {} s : connectez-le ou choisissez un dossier pour les fichiers d’information dans les préférences.</translation>
+        <source>The condition {condition!r} is not understood: write a quantity, one of {comparisons} and a number, as in 'D2/D3 &gt; 6'.</source>
+        <translation>La condition {condition!r} n’est pas comprise : écrivez une grandeur, un des signes {comparisons} et un nombre, comme « D2/D3 &gt; 6 ».</translation>
+    </message>
+    <message>
+        <source>The document '{document}' is empty: make or import a solid first.</source>
+        <translation>Le document « {document} » est vide : créez ou importez d’abord un solide.</translation>
+    </message>
+    <message>
+        <source>The document has no such part any more: classify it again.</source>
+        <translation>Le document n’a plus cette pièce : classifiez-le à nouveau.</translation>
+    </message>
+    <message>
+        <source>The document names Python modules that are not FreeCAD's ({names}): they were not loaded, and objects that need them may lack their shape.</source>
+        <translation>Le document nomme des modules Python qui ne sont pas de FreeCAD ({names}) : ils n'ont pas été chargés, et la forme des objets qui en ont besoin peut manquer.</translation>
+    </message>
+    <message>
+        <source>The document's folder has not answered for {seconds:g} s: connect it, or choose a folder for info files in the preferences.</source>
+        <translation>Le dossier du document ne répond pas depuis {seconds:g} s : connectez-le ou choisissez un dossier pour les fichiers d’information dans les préférences.</translation>
+    </message>
+    <message>
+        <source>The element size of a shell is more than 0 mm, not {value:g}.</source>
+        <translation>La taille d’élément d’une coque est supérieure à 0 mm, et non {value:g}.</translation>
     </message>
     <message>
         <source>The file</source>
         <translation>Le fichier</translation>
     </message>
     <message>
-        <source>The file {}</source>
-        <translation>Le fichier {}</translation>
+        <source>The file of labels {file} cannot be read ({problem}).</source>
+        <translation>Le fichier d’étiquettes {file} ne peut pas être lu ({problem}).</translation>
     </message>
     <message>
-        <source>The file {} cannot be read ({}).</source>
-        <translation>Le fichier {} ne peut pas être lu ({}).</translation>
+        <source>The file {file}</source>
+        <translation>Le fichier {file}</translation>
     </message>
     <message>
-        <source>The folder for info files {} cannot be reached ({}): connect it, or choose another one in the preferences.</source>
-        <translation>Le dossier {} des fichiers d’information est inaccessible ({}) : connectez-le ou choisissez-en un autre dans les préférences.</translation>
+        <source>The file {file} cannot be read ({problem}).</source>
+        <translation>Le fichier {file} ne peut pas être lu ({problem}).</translation>
     </message>
     <message>
-        <source>The folder for info files {} has not answered for {} s: connect it, or choose another one in the preferences.</source>
-        <translation>Le dossier {} des fichiers d’information ne répond pas depuis {} s : connectez-le ou choisissez-en un autre dans les préférences.</translation>
+        <source>The file {file} no longer exists.</source>
+        <translation>Le fichier {file} n’existe plus.</translation>
     </message>
     <message>
-        <source>The folder {} cannot be listed ({}): what is known of it is from earlier.</source>
-        <translation>Le contenu du dossier {} ne peut pas être lu ({}) : ce qu’on en sait date d’avant.</translation>
+        <source>The folder for info files {folder} cannot be reached ({problem}): connect it, or choose another one in the preferences.</source>
+        <translation>Le dossier {folder} des fichiers d’information est inaccessible ({problem}) : connectez-le ou choisissez-en un autre dans les préférences.</translation>
     </message>
     <message>
-        <source>The folder {} cannot be listed ({}): what lies in it is left as it is.</source>
-        <translation>Le contenu du dossier {} ne peut pas être lu ({}) : il reste inchangé.</translation>
+        <source>The folder for info files {folder} has not answered for {seconds:g} s: connect it, or choose another one in the preferences.</source>
+        <translation>Le dossier {folder} des fichiers d’information ne répond pas depuis {seconds:g} s : connectez-le ou choisissez-en un autre dans les préférences.</translation>
     </message>
     <message>
-        <source>The folder {} cannot be reached ({}).</source>
-        <translation>Le dossier {} est inaccessible ({}).</translation>
+        <source>The folder {folder} cannot be listed ({problem}): its parts are shown as they were last read.</source>
+        <translation>Le contenu du dossier {folder} ne peut pas être lu ({problem}) : ses pièces sont montrées telles qu’à la dernière lecture.</translation>
     </message>
     <message>
-        <source>The folder {} could not be searched to its end ({}): classify it again when it can be reached.</source>
-        <translation>Le dossier {} n’a pas pu être parcouru jusqu’au bout ({}) : classifiez-le à nouveau quand il sera accessible.</translation>
+        <source>The folder {folder} cannot be listed ({problem}): make it readable, or move it away.</source>
+        <translation>Le dossier {folder} ne peut pas être parcouru ({problem}) : rendez-le lisible ou déplacez-le.</translation>
     </message>
     <message>
-        <source>The folder {} may not be searched: check its permissions.</source>
-        <translation>Le dossier {} ne peut pas être parcouru : vérifiez ses droits d’accès.</translation>
+        <source>The folder {folder} cannot be listed ({problem}): the files in it were not changed.</source>
+        <translation>Le contenu du dossier {folder} ne peut pas être lu ({problem}) : ses fichiers n’ont pas été modifiés.</translation>
     </message>
     <message>
-        <source>The home folder {} may not be used, which FreeCAD needs: set FREECAD_USER_HOME to a folder that may.</source>
-        <translation>Le dossier personnel {}, dont FreeCAD a besoin, n’est pas utilisable : donnez à FREECAD_USER_HOME un dossier qui l’est.</translation>
+        <source>The folder {folder} cannot be reached ({problem}).</source>
+        <translation>Le dossier {folder} est inaccessible ({problem}).</translation>
     </message>
     <message>
-        <source>The info file {} belongs to {} and was left as it is: choose another folder for the info file of {}.</source>
-        <translation>Le fichier d’information {} appartient à {} et est resté inchangé : choisissez un autre dossier pour le fichier d’information de {}.</translation>
+        <source>The folder {folder} could not be searched to its end ({problem}): classify it again when it can be reached.</source>
+        <translation>Le dossier {folder} n’a pas pu être parcouru jusqu’au bout ({problem}) : classifiez-le à nouveau quand il sera accessible.</translation>
     </message>
     <message>
-        <source>The info file {} cannot be read ({}).</source>
-        <translation>Le fichier d’information {} ne peut pas être lu ({}).</translation>
+        <source>The folder {folder} no longer exists: restore it, or remove it from the list.</source>
+        <translation>Le dossier {folder} n’existe plus : rétablissez-le ou retirez-le de la liste.</translation>
     </message>
     <message>
-        <source>The info file {} could not be written ({}): make room or choose another place for it.</source>
-        <translation>Le fichier d’information {} n’a pas pu être écrit ({}) : faites de la place ou choisissez un autre emplacement.</translation>
+        <source>The greatest element size is more than 0 mm, not {value:g}.</source>
+        <translation>La plus grande taille d'élément est supérieure à 0 mm, pas {value:g}.</translation>
     </message>
     <message>
-        <source>The info file {} is damaged ({}: {}): classify its document again.</source>
-        <translation>Le fichier d’information {} est endommagé ({} : {}) : classifiez à nouveau son document.</translation>
+        <source>The growth from element to element is from {least:g} to {most:g}, not {value:g}.</source>
+        <translation>La croissance d'un élément à l'autre va de {least:g} à {most:g}, pas {value:g}.</translation>
     </message>
     <message>
-        <source>The info file {} lacks {}.</source>
-        <translation>Il manque au fichier d’information {} : {}.</translation>
+        <source>The info file {info_file} belongs to {other} and was not changed: choose another folder for the info file of {own}.</source>
+        <translation>Le fichier d’information {info_file} appartient à {other} et est resté inchangé : choisissez un autre dossier pour le fichier d’information de {own}.</translation>
     </message>
     <message>
-        <source>The library {} cannot be read ({}).</source>
-        <translation>La bibliothèque {} ne peut pas être lue ({}).</translation>
+        <source>The info file {info_file} cannot be read ({problem}).</source>
+        <translation>Le fichier d’information {info_file} ne peut pas être lu ({problem}).</translation>
     </message>
     <message>
-        <source>The link '{}' leads to '{}' in {}, which cannot be found: put the file back or set the linked object again.</source>
-        <translation>Le lien « {} » mène à « {} » dans {}, introuvable : remettez le fichier en place ou définissez à nouveau l’objet lié.</translation>
+        <source>The info file {info_file} could not be judged ({problem}).</source>
+        <translation>Le fichier d’information {info_file} n’a pas pu être évalué ({problem}).</translation>
     </message>
     <message>
-        <source>The link '{}' leads to nothing: set its linked object again or delete it.</source>
-        <translation>Le lien « {} » ne mène à rien : définissez à nouveau son objet lié ou supprimez-le.</translation>
+        <source>The info file {info_file} could not be written ({problem}): make room or choose another place for it.</source>
+        <translation>Le fichier d’information {info_file} n’a pas pu être écrit ({problem}) : faites de la place ou choisissez un autre emplacement.</translation>
     </message>
     <message>
-        <source>The list {} cannot be read ({}): give a file to --only that names the parts.</source>
-        <translation>La liste {} ne peut pas être lue ({}) : donnez à --only un fichier qui nomme les pièces.</translation>
+        <source>The info file {info_file} crashed the process that read it.</source>
+        <translation>Le fichier d’information {info_file} a fait planter le processus de lecture.</translation>
     </message>
     <message>
-        <source>The list {} names {}, which does not lie below {}: name a PATH that holds it, or leave out --info-dir.</source>
-        <translation>La liste {} nomme {}, qui n’est pas sous {} : nommez un PATH qui le contient, ou omettez --info-dir.</translation>
+        <source>The info file {info_file} is damaged ({problem}): move it away and classify its document again.</source>
+        <translation>Le fichier d’information {info_file} est endommagé ({problem}) : déplacez-le et classez de nouveau son document.</translation>
     </message>
     <message>
-        <source>The list {} names {}, which is no absolute path: write whole paths, each ended by a NUL byte.</source>
-        <translation>La liste {} nomme {}, qui n’est pas un chemin absolu : écrivez des chemins complets, chacun terminé par un octet NUL.</translation>
+        <source>The info file {info_file} needs more memory than the limit allows.</source>
+        <translation>Le fichier d’information {info_file} demande plus de mémoire que permis.</translation>
+    </message>
+    <message>
+        <source>The info file {info_file} took longer than {seconds:g} s, the limit for one file.</source>
+        <translation>Le fichier d’information {info_file} a pris plus de {seconds:g} s, la limite pour un fichier.</translation>
+    </message>
+    <message>
+        <source>The info file {info_file} was not written: {problem}.</source>
+        <translation>Le fichier d’information {info_file} n’a pas été écrit : {problem}.</translation>
+    </message>
+    <message>
+        <source>The labels could not be written to {file} ({problem}): choose another place for them.</source>
+        <translation>Les étiquettes n’ont pas pu être écrites dans {file} ({problem}) : choisissez un autre emplacement.</translation>
+    </message>
+    <message>
+        <source>The library {folder} cannot be read ({problem}).</source>
+        <translation>La bibliothèque {folder} ne peut pas être lue ({problem}).</translation>
+    </message>
+    <message>
+        <source>The limits of walls {file} are not well formed: {problem}.</source>
+        <translation>Les limites de paroi {file} sont mal formées : {problem}.</translation>
+    </message>
+    <message>
+        <source>The limits of walls {file} cannot be read ({problem}).</source>
+        <translation>Les limites de paroi {file} sont illisibles ({problem}).</translation>
+    </message>
+    <message>
+        <source>The link '{object}' leads to '{target}' in {file}, which cannot be found: put the file back or set the linked object again.</source>
+        <translation>Le lien « {object} » mène à « {target} » dans {file}, introuvable : remettez le fichier en place ou définissez à nouveau l’objet lié.</translation>
+    </message>
+    <message>
+        <source>The link '{object}' leads to nothing: set its linked object again or delete it.</source>
+        <translation>Le lien « {object} » ne mène à rien : définissez à nouveau son objet lié ou supprimez-le.</translation>
+    </message>
+    <message>
+        <source>The list {list} cannot be read ({problem}): give a file to --only that names the parts.</source>
+        <translation>La liste {list} ne peut pas être lue ({problem}) : donnez à --only un fichier qui nomme les pièces.</translation>
+    </message>
+    <message>
+        <source>The list {list} names {file!r}, which is not an absolute path: write absolute paths, each ended by a NUL byte.</source>
+        <translation>La liste {list} nomme {file!r}, qui n’est pas un chemin absolu : écrivez des chemins absolus, chacun terminé par un octet NUL.</translation>
+    </message>
+    <message>
+        <source>The list {list} names {file}, which does not lie below {top}: name a PATH that holds it, or leave out --info-dir.</source>
+        <translation>La liste {list} nomme {file}, qui n’est pas sous {top} : nommez un PATH qui le contient, ou omettez --info-dir.</translation>
+    </message>
+    <message>
+        <source>The mesh cannot be read ({problem}): free some disk space and try again.</source>
+        <translation>Impossible de lire le maillage ({problem}) : libérez de l'espace disque et réessayez.</translation>
     </message>
     <message>
         <source>The mesh settings</source>
         <translation>Les paramètres de maillage</translation>
     </message>
     <message>
-        <source>The name is too long for an info file, which is called the same and {}: it may have {} bytes and has {}; rename it, or use --no-info.</source>
-        <translation>Le nom est trop long pour un fichier d’information, qui porte le même suivi de {} : il peut avoir {} octets et en a {} ; renommez le fichier ou utilisez --no-info.</translation>
+        <source>The mesh {file} cannot be read ({problem}).</source>
+        <translation>Le maillage {file} ne peut pas être lu ({problem}).</translation>
     </message>
     <message>
-        <source>The overview of the report could not be written into {} ({}): make room for it, and start again.</source>
-        <translation>La vue d’ensemble du rapport n’a pas pu être écrite dans {} ({}) : faites de la place et démarrez à nouveau.</translation>
+        <source>The mid-faces of the walls could not be cut to each other ({problem}).</source>
+        <translation>Les faces moyennes des parois n’ont pas pu être découpées entre elles ({problem}).</translation>
     </message>
     <message>
-        <source>The page {} could not be written ({}): make room, or give another folder for the report.</source>
-        <translation>La page {} n’a pas pu être écrite ({}) : faites de la place ou indiquez un autre dossier pour le rapport.</translation>
+        <source>The mid-surface of {part} could not be meshed ({problem}): name another element size.</source>
+        <translation>La surface moyenne de {part} n’a pas pu être maillée ({problem}) : indiquez une autre taille d’élément.</translation>
+    </message>
+    <message>
+        <source>The mid-surface of {part} falls into {count} pieces that do not meet: mesh it as a solid.</source>
+        <translation>La surface moyenne de {part} se compose de {count} morceaux qui ne se rejoignent pas : maillez la pièce comme solide.</translation>
+    </message>
+    <message>
+        <source>The name is too long for an info file, which adds {ending} to it: it has {bytes} bytes, at most {most} are possible; rename it, or use --no-info.</source>
+        <translation>Le nom est trop long pour un fichier d’information, qui y ajoute {ending} : il a {bytes} octets, {most} au plus sont possibles ; renommez le fichier ou utilisez --no-info.</translation>
+    </message>
+    <message>
+        <source>The order of elements is 1 or 2, not {value}.</source>
+        <translation>L'ordre des éléments est 1 ou 2, pas {value}.</translation>
+    </message>
+    <message>
+        <source>The overview of the report could not be written into {folder} ({problem}): make room for it, and start again.</source>
+        <translation>La vue d’ensemble du rapport n’a pas pu être écrite dans {folder} ({problem}) : faites de la place et démarrez à nouveau.</translation>
+    </message>
+    <message>
+        <source>The page {page} could not be written ({problem}): make room, or give another folder for the report.</source>
+        <translation>La page {page} n’a pas pu être écrite ({problem}) : faites de la place ou indiquez un autre dossier pour le rapport.</translation>
     </message>
     <message>
         <source>The part as a whole is thin: consider a shell mesh or a mid-surface.</source>
         <translation>La pièce entière est mince : envisagez un maillage de coque ou une surface moyenne.</translation>
     </message>
     <message>
-        <source>The part is {} mm across: check that the file's unit is millimetres.</source>
-        <translation>La pièce mesure {} mm en diagonale : vérifiez que l’unité du fichier est le millimètre.</translation>
+        <source>The part is slender: its lengths are accurate to {error:.2g} mm only, a finer mesh would be too large.</source>
+        <translation>La pièce est élancée : ses longueurs ne sont connues qu'à {error:.2g} mm près, un maillage plus fin serait trop grand.</translation>
+    </message>
+    <message>
+        <source>The part is too slender or too fine to be measured: it needs more than {triangles:,} triangles, with fewer its lengths are accurate to {mm:.2g} mm only.</source>
+        <translation>La pièce est trop élancée ou trop fine pour être mesurée : il faut plus de {triangles:,} triangles, avec moins ses longueurs ne sont connues qu'à {mm:.2g} mm près.</translation>
+    </message>
+    <message>
+        <source>The part is {mm:.3g} mm across: check that the file's unit is millimetres.</source>
+        <translation>La pièce mesure {mm:.3g} mm en diagonale : vérifiez que l’unité du fichier est le millimètre.</translation>
     </message>
     <message>
         <source>The parts lie on several drives: name those of one drive at a time.</source>
         <translation>Les pièces se trouvent sur plusieurs lecteurs : indiquez celles d’un seul lecteur à la fois.</translation>
     </message>
     <message>
-        <source>The profile {} cannot be read ({}).</source>
-        <translation>Le profil {} ne peut pas être lu ({}).</translation>
+        <source>The profile {file} could not be written ({problem}): choose another place for it.</source>
+        <translation>Le profil {file} n’a pas pu être écrit ({problem}) : choisissez un autre emplacement.</translation>
     </message>
     <message>
-        <source>The search index {} cannot be kept ({}): it was built in memory, and the next search has to build it again.</source>
-        <translation>L’index de recherche {} ne peut pas être conservé ({}) : il a été construit en mémoire, et la prochaine recherche devra le reconstruire.</translation>
+        <source>The profile {profile} cannot be read ({problem}).</source>
+        <translation>Le profil {profile} ne peut pas être lu ({problem}).</translation>
     </message>
     <message>
-        <source>The surface is open ({} free edges), so it has no certain volume.</source>
-        <translation>La surface est ouverte ({} arêtes libres), son volume n’est donc pas certain.</translation>
+        <source>The profile {profile} has no category {categories}: labels from meshing are of these.</source>
+        <translation>Le profil {profile} n’a pas de catégorie {categories} : les étiquettes par maillage en sont.</translation>
     </message>
     <message>
-        <source>The surface passes through itself, as under ({}): repair it, its thickness and volume are not certain.</source>
-        <translation>La surface se traverse elle-même, comme sous ({}) : réparez-la, son épaisseur et son volume ne sont pas certains.</translation>
+        <source>The search index {file} cannot be saved ({problem}): it was built in memory, and the next search has to build it again.</source>
+        <translation>L’index de recherche {file} ne peut pas être conservé ({problem}) : il a été construit en mémoire, et la prochaine recherche devra le reconstruire.</translation>
     </message>
     <message>
-        <source>The surface was inside-out and has been turned round.</source>
+        <source>The shell has {share:.0f} % of the part's volume: the rest is not in the file.</source>
+        <translation>La coque a {share:.0f} % du volume de la pièce : le reste n’est pas dans le fichier.</translation>
+    </message>
+    <message>
+        <source>The shell is in {count} pieces: what is left solid lies between them.</source>
+        <translation>La coque est en {count} morceaux : ce qui reste solide se trouve entre eux.</translation>
+    </message>
+    <message>
+        <source>The shell was written to {file}: {elements} elements, {nodes} nodes.</source>
+        <translation>La coque a été écrite dans {file} : {elements} éléments, {nodes} nœuds.</translation>
+    </message>
+    <message>
+        <source>The sizes were written to {file}: open it in Gmsh.</source>
+        <translation>Les tailles sont écrites dans {file} : ouvrez ce fichier dans Gmsh.</translation>
+    </message>
+    <message>
+        <source>The surface intersects itself, for example below ({place}): repair it, its thickness and volume are not certain.</source>
+        <translation>La surface se recoupe, par exemple sous ({place}) : réparez-la, son épaisseur et son volume ne sont pas certains.</translation>
+    </message>
+    <message>
+        <source>The surface is open ({edges} free edges), so it has no certain volume.</source>
+        <translation>La surface est ouverte ({edges} arêtes libres), son volume n’est donc pas certain.</translation>
+    </message>
+    <message>
+        <source>The surface was inside out and has been reversed.</source>
         <translation>La surface était à l’envers et a été retournée.</translation>
     </message>
     <message>
-        <source>The table {} cannot be written ({}): give another file to --csv.</source>
-        <translation>Le tableau {} ne peut pas être écrit ({}) : donnez un autre fichier à --csv.</translation>
+        <source>The table {table} cannot be written ({problem}): give another file to --csv.</source>
+        <translation>Le tableau {table} ne peut pas être écrit ({problem}) : donnez un autre fichier à --csv.</translation>
     </message>
     <message>
-        <source>The thickness map {} cannot be read: measure the part again.</source>
-        <translation>La carte des épaisseurs {} ne peut pas être lue : mesurez la pièce à nouveau.</translation>
+        <source>The thickness map {file} cannot be read: measure the part again.</source>
+        <translation>La carte des épaisseurs {file} ne peut pas être lue : mesurez la pièce à nouveau.</translation>
     </message>
     <message>
-        <source>The thickness map {} is of a newer ThinPart: update ThinPart or measure the part again.</source>
-        <translation>La carte des épaisseurs {} vient d’un ThinPart plus récent : mettez ThinPart à jour ou mesurez la pièce à nouveau.</translation>
+        <source>The thickness map {file} is of a newer ThinPart: update ThinPart or measure the part again.</source>
+        <translation>La carte des épaisseurs {file} vient d’un ThinPart plus récent : mettez ThinPart à jour ou mesurez la pièce à nouveau.</translation>
     </message>
     <message>
-        <source>The thinnest wall, {} mm, is known no better than the mesh resolves ({} mm).</source>
-        <translation>La paroi la plus mince, {} mm, n’est pas connue mieux que la résolution du maillage ({} mm).</translation>
+        <source>The thinnest wall is {wall:.3g} mm ± {error:.2g} mm: a finer mesh would be too large.</source>
+        <translation>La paroi la plus mince mesure {wall:.3g} mm ± {error:.2g} mm : un maillage plus fin serait trop grand.</translation>
+    </message>
+    <message>
+        <source>The thinnest wall, {wall:.3g} mm, is below what the mesh resolves ({error:.2g} mm).</source>
+        <translation>La paroi la plus mince, {wall:.3g} mm, est en dessous de ce que le maillage résout ({error:.2g} mm).</translation>
     </message>
     <message>
         <source>The triangles are not consistently oriented, so it has no certain volume.</source>
         <translation>Les triangles ne sont pas orientés de façon cohérente, le volume n’est donc pas certain.</translation>
     </message>
     <message>
+        <source>The walls of {part} do not meet: {inside:.3g} mm of the {free:.3g} mm of free edges of its mid-surface lie inside the material. Mesh it as a solid.</source>
+        <translation>Les parois de {part} ne se rejoignent pas : {inside:.3g} mm des {free:.3g} mm d’arêtes libres de sa surface moyenne sont dans la matière. Maillez la pièce comme solide.</translation>
+    </message>
+    <message>
+        <source>The worker process failed ({problem}).</source>
+        <translation>Le processus de travail a échoué ({problem}).</translation>
+    </message>
+    <message>
         <source>The worker processes end as soon as they start: try a larger --memory, or fewer --jobs.</source>
         <translation>Les processus de travail se terminent dès leur démarrage : essayez avec plus de mémoire (--memory) ou moins de fichiers simultanés (--jobs).</translation>
     </message>
     <message>
-        <source>The {} cannot be {}: it may be {} to {} {}.</source>
-        <translation>{} : {} n’est pas permis, seulement de {} à {} {}.</translation>
+        <source>The {what} cannot be {value:g}: use a value from {least:g} to {most:g} {unit}.</source>
+        <translation>{what} : {value:g} n’est pas permis, seulement de {least:g} à {most:g} {unit}.</translation>
     </message>
     <message>
-        <source>There are no parts in {}: name a CAD file or a folder that holds some.</source>
-        <translation>Il n’y a pas de pièces dans {} : nommez un fichier CAO ou un dossier qui en contient.</translation>
+        <source>There are no info files (*{ending}) in {paths}: classify the parts first.</source>
+        <translation>Il n’y a pas de fichiers d’information (*{ending}) dans {paths} : classifiez d’abord les pièces.</translation>
     </message>
     <message>
-        <source>There is no box {}: use minimal or principal.</source>
-        <translation>La boîte {} n’existe pas : utilisez minimal ou principal.</translation>
+        <source>There are no labels in {folder}: label parts in the window, or by 'thinpart note --label', or name CSV files of labels.</source>
+        <translation>Il n’y a pas d’étiquettes dans {folder} : étiquetez des pièces dans la fenêtre ou par 'thinpart note --label', ou nommez des fichiers CSV d’étiquettes.</translation>
     </message>
     <message>
-        <source>There is no closed solid in '{}': select a solid, a body, or a face of one.</source>
-        <translation>Il n’y a pas de solide fermé dans « {} » : sélectionnez un solide, un corps ou une de ses faces.</translation>
+        <source>There are no limits of walls for {process!r}: there are {known}.</source>
+        <translation>Il n’y a pas de limites de paroi pour {process!r} : il y a {known}.</translation>
     </message>
     <message>
-        <source>There is no closed solid in the document '{}': make or import a solid first.</source>
-        <translation>Il n’y a pas de solide fermé dans le document « {} » : créez ou importez d’abord un solide.</translation>
+        <source>There are no parts in {paths}: name a CAD file or a folder that holds some.</source>
+        <translation>Il n’y a pas de pièces dans {paths} : nommez un fichier CAO ou un dossier qui en contient.</translation>
     </message>
     <message>
-        <source>There is no file {} any more.</source>
-        <translation>Le fichier {} n’existe plus.</translation>
+        <source>There are too few labels: {counts}. At least {needed} parts of every category are needed: even if the verdicts on so few were all right, only {percent:.0f} % right could be claimed with confidence.</source>
+        <translation>Il y a trop peu d’étiquettes : {counts}. Il faut au moins {needed} pièces de chaque catégorie : même si tous les verdicts sur si peu de pièces étaient justes, on ne pourrait affirmer avec confiance que {percent:.0f} % de justes.</translation>
     </message>
     <message>
-        <source>There is no file {}.</source>
-        <translation>Le fichier {} n’existe pas.</translation>
+        <source>There is no accuracy {accuracy!r}: use {known}.</source>
+        <translation>La précision {accuracy!r} n’existe pas : utilisez {known}.</translation>
     </message>
     <message>
-        <source>There is no file {}: --mesh takes a JSON object or a file.</source>
-        <translation>Le fichier {} n’existe pas : les paramètres de maillage sont un objet JSON ou un fichier.</translation>
+        <source>There is no box {box!r}: use minimal or principal.</source>
+        <translation>La boîte {box!r} n’existe pas : utilisez minimal ou principal.</translation>
     </message>
     <message>
-        <source>There is no folder {} any more: bring it back, or remove it from the list.</source>
-        <translation>Le dossier {} n’existe plus : rétablissez-le ou retirez-le de la liste.</translation>
+        <source>There is no closed solid in '{object}': select a solid, a body, or a face of one.</source>
+        <translation>Il n’y a pas de solide fermé dans « {object} » : sélectionnez un solide, un corps ou une de ses faces.</translation>
     </message>
     <message>
-        <source>There is no home folder</source>
-        <translation>Il n’y a pas de dossier personnel</translation>
+        <source>There is no closed solid in the document '{document}': make or import a solid first.</source>
+        <translation>Il n’y a pas de solide fermé dans le document « {document} » : créez ou importez d’abord un solide.</translation>
     </message>
     <message>
-        <source>There is no info file {}: classify {} first, or name the folder of its info file with --info-dir.</source>
-        <translation>Le fichier d’information {} n’existe pas : classifiez d’abord {}, ou nommez le dossier du fichier avec --info-dir.</translation>
+        <source>There is no file of labels {file}.</source>
+        <translation>Le fichier d’étiquettes {file} n’existe pas.</translation>
     </message>
     <message>
-        <source>There is no measure {}: use rays or pairs.</source>
-        <translation>La méthode de mesure {} n’existe pas : utilisez rays ou pairs.</translation>
+        <source>There is no file {file} with limits of walls: copy {shipped} and edit it.</source>
+        <translation>Il n’y a pas de fichier {file} avec des limites de paroi : copiez {shipped} et modifiez la copie.</translation>
     </message>
     <message>
-        <source>There is no place for temporary files ({}): make room, or name another folder in TMPDIR.</source>
-        <translation>Il n’y a pas de place pour les fichiers temporaires ({}) : faites de la place ou nommez un autre dossier dans TMPDIR.</translation>
+        <source>There is no file {file}.</source>
+        <translation>Le fichier {file} n’existe pas.</translation>
     </message>
     <message>
-        <source>There is no profile {}: give a file or one of {}.</source>
-        <translation>Le profil {} n’existe pas : donnez un fichier ou un de {}.</translation>
+        <source>There is no file {file}: --mesh takes a JSON object or a file.</source>
+        <translation>Le fichier {file} n’existe pas : les paramètres de maillage sont un objet JSON ou un fichier.</translation>
     </message>
     <message>
-        <source>There is no quantity {} in the condition {}: there are {}.</source>
-        <translation>La grandeur {} de la condition {} n’existe pas : il y a {}.</translation>
+        <source>There is no folder {folder}: name the one with the info files.</source>
+        <translation>Le dossier {folder} n’existe pas : nommez celui des fichiers d’information.</translation>
+    </message>
+    <message>
+        <source>There is no info file {info_file}: classify {file} first, or name the folder of its info file with --info-dir.</source>
+        <translation>Le fichier d’information {info_file} n’existe pas : classifiez d’abord {file}, ou nommez le dossier du fichier avec --info-dir.</translation>
+    </message>
+    <message>
+        <source>There is no measure {measure!r}: use rays or pairs.</source>
+        <translation>La méthode de mesure {measure!r} n’existe pas : utilisez rays ou pairs.</translation>
+    </message>
+    <message>
+        <source>There is no part that could be written to {file}.</source>
+        <translation>Il n’y a aucune pièce à écrire dans {file}.</translation>
+    </message>
+    <message>
+        <source>There is no permission to read {file}: check its permissions.</source>
+        <translation>{file} ne peut pas être lu, faute d’autorisation : vérifiez ses droits d’accès.</translation>
+    </message>
+    <message>
+        <source>There is no permission to search the folder {folder}: check its permissions.</source>
+        <translation>Le dossier {folder} ne peut pas être parcouru : vérifiez ses droits d’accès.</translation>
+    </message>
+    <message>
+        <source>There is no profile {profile!r}: give a file or one of {known}.</source>
+        <translation>Le profil {profile!r} n’existe pas : donnez un fichier ou un de {known}.</translation>
+    </message>
+    <message>
+        <source>There is no quantity {quantity!r} in the condition {condition!r}: there are {known}.</source>
+        <translation>La grandeur {quantity!r} de la condition {condition!r} n’existe pas : il y a {known}.</translation>
+    </message>
+    <message>
+        <source>There is no quantity {quantity!r}: there are {known}.</source>
+        <translation>La grandeur {quantity!r} n’existe pas : il y a {known}.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>La mémoire ne suffit pas pour cela.</translation>
     </message>
     <message>
         <source>Thin part</source>
         <translation>Pièce mince</translation>
+    </message>
+    <message>
+        <source>Thin plates nearly everywhere</source>
+        <translation>Des plaques minces presque partout</translation>
+    </message>
+    <message>
+        <source>Thin tapered walls over a good part of its surface</source>
+        <translation>Des parois minces et effilées sur une bonne partie de la surface</translation>
+    </message>
+    <message>
+        <source>Thin walls in places</source>
+        <translation>Des parois minces par endroits</translation>
     </message>
     <message>
         <source>Thin walls over most of its surface</source>
@@ -2170,12 +3954,16 @@ Son volume est inconnu.</translation>
         <translation>Paroi plus mince à côté d’un corps épais</translation>
     </message>
     <message>
-        <source>This may be an older shape of '{}', because its last recompute failed ({}): repair it and recompute the document.</source>
-        <translation>Il s’agit peut-être d’une ancienne forme de « {} », car son dernier recalcul a échoué ({}) : réparez l’objet et recalculez le document.</translation>
+        <source>This FreeCAD has no FEM workbench: install it (Debian: 'apt-get install freecad', elsewhere the installer of freecad.org, which has it), then start FreeCAD again.</source>
+        <translation>Ce FreeCAD n'a pas d'atelier FEM : installez-le (Debian : 'apt-get install freecad', ailleurs l'installateur de freecad.org, qui le contient), puis redémarrez FreeCAD.</translation>
     </message>
     <message>
-        <source>This may be an older shape of '{}', because the last recompute of '{}', which it is made with, failed ({}): repair it and recompute the document.</source>
-        <translation>Il s’agit peut-être d’une ancienne forme de « {} », car le dernier recalcul de « {} », dont il dépend, a échoué ({}) : réparez l’objet et recalculez le document.</translation>
+        <source>This may be an older shape of '{object}', because its last recompute failed ({reason}): repair it and recompute the document.</source>
+        <translation>Il s’agit peut-être d’une ancienne forme de « {object} », car son dernier recalcul a échoué ({reason}) : réparez l’objet et recalculez le document.</translation>
+    </message>
+    <message>
+        <source>This may be an older shape of '{object}', because the last recompute of '{feature}', which it is made with, failed ({reason}): repair it and recompute the document.</source>
+        <translation>Il s’agit peut-être d’une ancienne forme de « {object} », car le dernier recalcul de « {feature} », dont il dépend, a échoué ({reason}) : réparez l’objet et recalculez le document.</translation>
     </message>
     <message>
         <source>Very thin wall on a filled part</source>
@@ -2186,16 +3974,20 @@ Son volume est inconnu.</translation>
         <translation>Volume de la pièce</translation>
     </message>
     <message>
-        <source>Wall thickness</source>
-        <translation>Épaisseur</translation>
+        <source>Your own limits {file} cannot be written ({problem}): make room, or name another file in THINPART_LIMITS.</source>
+        <translation>Vos propres limites {file} ne peuvent pas être écrites ({problem}) : faites de la place ou nommez un autre fichier dans THINPART_LIMITS.</translation>
     </message>
     <message>
-        <source>a criterion without conditions would always hold</source>
-        <translation>un critère sans conditions serait toujours rempli</translation>
+        <source>Zinc, large casting</source>
+        <translation>Zinc, grande pièce</translation>
     </message>
     <message>
-        <source>a threshold must be finite</source>
-        <translation>un seuil doit être fini</translation>
+        <source>Zinc, small casting</source>
+        <translation>Zinc, petite pièce</translation>
+    </message>
+    <message>
+        <source>a block of its elements is empty</source>
+        <translation>un bloc de ses éléments est vide</translation>
     </message>
     <message>
         <source>an entry has no header</source>
@@ -2206,8 +3998,8 @@ Son volume est inconnu.</translation>
         <translation>une entrée a deux noms</translation>
     </message>
     <message>
-        <source>an entry is called '{}'</source>
-        <translation>une entrée se nomme « {} »</translation>
+        <source>an entry is called '{entry}'</source>
+        <translation>une entrée se nomme « {entry} »</translation>
     </message>
     <message>
         <source>an entry is cut off</source>
@@ -2218,8 +4010,8 @@ Son volume est inconnu.</translation>
         <translation>un fichier d’information est endommagé, étranger ou d’une version plus récente</translation>
     </message>
     <message>
-        <source>an unforeseen failure</source>
-        <translation>une erreur imprévue</translation>
+        <source>an unexpected error</source>
+        <translation>une erreur inattendue</translation>
     </message>
     <message>
         <source>angular deflection</source>
@@ -2234,10 +4026,6 @@ Son volume est inconnu.</translation>
         <translation>boîte aussi longue</translation>
     </message>
     <message>
-        <source>comparison {} is neither &lt; nor &gt;</source>
-        <translation>la comparaison {} n’est ni &lt; ni &gt;</translation>
-    </message>
-    <message>
         <source>coordinates are not numbers</source>
         <translation>des coordonnées ne sont pas des nombres</translation>
     </message>
@@ -2246,15 +4034,15 @@ Son volume est inconnu.</translation>
         <translation>répartition des parois différente</translation>
     </message>
     <message>
-        <source>far fewer slanted walls</source>
+        <source>far fewer tapered walls</source>
         <translation>beaucoup moins de parois obliques</translation>
     </message>
     <message>
-        <source>far more slanted walls</source>
+        <source>far more tapered walls</source>
         <translation>beaucoup plus de parois obliques</translation>
     </message>
     <message>
-        <source>fewer slanted walls</source>
+        <source>fewer tapered walls</source>
         <translation>moins de parois obliques</translation>
     </message>
     <message>
@@ -2266,28 +4054,80 @@ Son volume est inconnu.</translation>
         <translation>boîte plus plate</translation>
     </message>
     <message>
+        <source>format is not {format!r}</source>
+        <translation>format n’est pas {format!r}</translation>
+    </message>
+    <message>
+        <source>it has no triangles</source>
+        <translation>elle n’a pas de triangles</translation>
+    </message>
+    <message>
+        <source>it has {count} cells, and the header has {columns}: put quotes around what holds a comma</source>
+        <translation>la ligne a {count} cellules et l’en-tête {columns} : mettez entre guillemets ce qui contient une virgule</translation>
+    </message>
+    <message>
         <source>it is a file</source>
         <translation>c’est un fichier</translation>
     </message>
     <message>
-        <source>it is no regular file</source>
+        <source>it is nested too deeply</source>
+        <translation>l’imbrication est trop profonde</translation>
+    </message>
+    <message>
+        <source>it is not a CSV table ({problem})</source>
+        <translation>ce n’est pas un tableau CSV ({problem})</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
         <translation>ce n'est pas un fichier ordinaire</translation>
     </message>
     <message>
-        <source>it stores a file as '{}'</source>
-        <translation>il range un fichier sous « {} »</translation>
+        <source>it is not in the binary MSH format 2.2</source>
+        <translation>il n’est pas au format MSH 2.2 binaire</translation>
     </message>
     <message>
-        <source>it stores a resource as '{}'</source>
-        <translation>il range une ressource sous « {} »</translation>
+        <source>it is not text in UTF-8: save the table as CSV</source>
+        <translation>ce n’est pas du texte en UTF-8 : enregistrez le tableau au format CSV</translation>
     </message>
     <message>
-        <source>its {} declares entities of its own</source>
-        <translation>son {} déclare ses propres entités</translation>
+        <source>it names no file</source>
+        <translation>la ligne ne nomme aucun fichier</translation>
     </message>
     <message>
-        <source>its {} would be larger than {} GB</source>
-        <translation>son {} dépasserait {} Go</translation>
+        <source>it stores a file as '{path}'</source>
+        <translation>il range un fichier sous « {path} »</translation>
+    </message>
+    <message>
+        <source>it stores a resource as '{path}'</source>
+        <translation>il range une ressource sous « {path} »</translation>
+    </message>
+    <message>
+        <source>its parts are not those of {file}</source>
+        <translation>ses pièces ne sont pas celles de {file}</translation>
+    </message>
+    <message>
+        <source>its probabilities are not of its categories, in their order</source>
+        <translation>les probabilités ne correspondent pas aux catégories dans leur ordre</translation>
+    </message>
+    <message>
+        <source>its second answer is the first one</source>
+        <translation>la seconde réponse est la même que la première</translation>
+    </message>
+    <message>
+        <source>its walls make no shell</source>
+        <translation>ses parois ne forment pas de coque</translation>
+    </message>
+    <message>
+        <source>its {entry} declares its own entities</source>
+        <translation>son {entry} déclare ses propres entités</translation>
+    </message>
+    <message>
+        <source>its {entry} is not in UTF-8</source>
+        <translation>son {entry} n'est pas en UTF-8</translation>
+    </message>
+    <message>
+        <source>its {entry} would be larger than {gigabytes} GB</source>
+        <translation>son {entry} dépasserait {gigabytes} Go</translation>
     </message>
     <message>
         <source>less filled</source>
@@ -2310,7 +4150,7 @@ Son volume est inconnu.</translation>
         <translation>plus remplie</translation>
     </message>
     <message>
-        <source>more slanted walls</source>
+        <source>more tapered walls</source>
         <translation>plus de parois obliques</translation>
     </message>
     <message>
@@ -2338,16 +4178,24 @@ Son volume est inconnu.</translation>
         <translation>boîte beaucoup plus courte</translation>
     </message>
     <message>
+        <source>no permission to read the file</source>
+        <translation>pas d’autorisation de lire le fichier</translation>
+    </message>
+    <message>
         <source>no reason given</source>
         <translation>aucune raison donnée</translation>
     </message>
     <message>
-        <source>not measured</source>
-        <translation>non mesuré</translation>
-    </message>
-    <message>
         <source>of the diagonal</source>
         <translation>de la diagonale</translation>
+    </message>
+    <message>
+        <source>processes[{number}]{place} has a min_mm of {least:g}, not below its max_mm of {most:g}</source>
+        <translation>processes[{number}]{place} a un min_mm de {least:g}, qui n’est pas sous son max_mm de {most:g}</translation>
+    </message>
+    <message>
+        <source>processes[{number}]{place} has neither min_mm nor max_mm</source>
+        <translation>processes[{number}]{place} n’a ni min_mm ni max_mm</translation>
     </message>
     <message>
         <source>same fill</source>
@@ -2358,10 +4206,6 @@ Son volume est inconnu.</translation>
         <translation>même répartition des parois</translation>
     </message>
     <message>
-        <source>share of the diagonal</source>
-        <translation>part de la diagonale</translation>
-    </message>
-    <message>
         <source>shorter box</source>
         <translation>boîte plus courte</translation>
     </message>
@@ -2370,36 +4214,36 @@ Son volume est inconnu.</translation>
         <translation>répartition des parois similaire</translation>
     </message>
     <message>
-        <source>stopped as asked</source>
-        <translation>arrêté comme demandé</translation>
+        <source>stopped on request</source>
+        <translation>arrêté à la demande</translation>
     </message>
     <message>
         <source>the cluster cannot be used</source>
         <translation>la grappe de calcul n’est pas utilisable</translation>
     </message>
     <message>
-        <source>the command was called wrongly</source>
-        <translation>la commande a été mal appelée</translation>
+        <source>the column {columns} is missing; there have to be {required}, and there may be {optional}</source>
+        <translation>la colonne {columns} manque ; il faut {required}, et il peut y avoir {optional}</translation>
+    </message>
+    <message>
+        <source>the column {columns} is there twice</source>
+        <translation>la colonne {columns} figure deux fois</translation>
     </message>
     <message>
         <source>the file is damaged or not what its name says</source>
         <translation>le fichier est endommagé ou n’est pas ce que dit son nom</translation>
     </message>
     <message>
-        <source>the file may not be read</source>
-        <translation>le fichier ne peut pas être lu</translation>
+        <source>the file is unsafe to open</source>
+        <translation>le fichier n’est pas sûr à ouvrir</translation>
     </message>
     <message>
-        <source>the file or document holds nothing</source>
+        <source>the file or document is empty</source>
         <translation>le fichier ou le document est vide</translation>
     </message>
     <message>
-        <source>the file would write where it must not</source>
-        <translation>le fichier écrirait là où il ne doit pas</translation>
-    </message>
-    <message>
-        <source>the format cannot be read here</source>
-        <translation>le format ne peut pas être lu ici</translation>
+        <source>the format is not supported here</source>
+        <translation>le format n’est pas pris en charge ici</translation>
     </message>
     <message>
         <source>the info file could not be written</source>
@@ -2410,20 +4254,12 @@ Son volume est inconnu.</translation>
         <translation>la limite de mémoire a été atteinte</translation>
     </message>
     <message>
+        <source>the mesh was not written ({problem})</source>
+        <translation>le maillage n'a pas été écrit ({problem})</translation>
+    </message>
+    <message>
         <source>the part encloses no volume</source>
         <translation>la pièce n’enferme aucun volume</translation>
-    </message>
-    <message>
-        <source>the part has gone from the index since it was found</source>
-        <translation>la pièce n’est plus dans l’index</translation>
-    </message>
-    <message>
-        <source>the pool broke down</source>
-        <translation>les processus de travail sont tombés en panne</translation>
-    </message>
-    <message>
-        <source>the pool takes no tasks any more</source>
-        <translation>les processus de travail n’acceptent plus de tâches</translation>
     </message>
     <message>
         <source>the profile</source>
@@ -2434,255 +4270,519 @@ Son volume est inconnu.</translation>
         <translation>le profil n’est pas utilisable</translation>
     </message>
     <message>
-        <source>the reading process died</source>
-        <translation>le processus de lecture s’est arrêté brutalement</translation>
-    </message>
-    <message>
         <source>the time limit was reached</source>
         <translation>la limite de temps a été atteinte</translation>
+    </message>
+    <message>
+        <source>the worker process crashed</source>
+        <translation>le processus de travail a planté</translation>
     </message>
     <message>
         <source>there is no closed solid in it</source>
         <translation>il n’y a pas de solide fermé dedans</translation>
     </message>
     <message>
+        <source>there is no info file of {file!r} in {library}: classify it first, write its path as it is below that folder, or take the row out</source>
+        <translation>il n’y a pas de fichier d’information de {file!r} dans {library} : classifiez d’abord le fichier, écrivez son chemin tel qu’il est sous ce dossier, ou supprimez la ligne</translation>
+    </message>
+    <message>
         <source>there is no such file</source>
         <translation>ce fichier n’existe pas</translation>
     </message>
     <message>
-        <source>two entries are called '{}'</source>
-        <translation>deux entrées se nomment « {} »</translation>
+        <source>two entries are called '{entry}'</source>
+        <translation>deux entrées se nomment « {entry} »</translation>
     </message>
     <message>
-        <source>unknown kind of failure: {}</source>
-        <translation>type d’échec inconnu : {}</translation>
+        <source>version is {version}, and this reads version 1</source>
+        <translation>version est {version}, et la version 1 est lue ici</translation>
     </message>
     <message>
-        <source>{} It was left as it is: move it away to have it written anew.</source>
-        <translation>{} Il est resté inchangé : déplacez-le pour qu’il soit réécrit.</translation>
+        <source>wrong usage of the command</source>
+        <translation>la commande a été mal appelée</translation>
     </message>
     <message>
-        <source>{} bytes after its last entry belong to none</source>
-        <translation>{} octets après la dernière entrée n'appartiennent à aucune</translation>
+        <source>{about} needs more memory than the limit allows.</source>
+        <translation>{about} a besoin de plus de mémoire que permis.</translation>
     </message>
     <message>
-        <source>{} bytes that belong to no entry lie before '{}'</source>
-        <translation>{} octets qui n'appartiennent à aucune entrée précèdent « {} »</translation>
+        <source>{about}: {sentence}</source>
+        <translation>{about} : {sentence}</translation>
     </message>
     <message>
-        <source>{} cannot be read ({}).</source>
-        <translation>{} ne peut pas être lu ({}).</translation>
+        <source>{answer!r} in the column sure is neither yes nor no</source>
+        <translation>{answer!r} dans la colonne sure n’est ni yes ni no</translation>
     </message>
     <message>
-        <source>{} changed while it was read: classify it again.</source>
-        <translation>{} a changé pendant la lecture : classifiez à nouveau ce fichier.</translation>
+        <source>{bytes} bytes after its last entry belong to no entry</source>
+        <translation>{bytes} octets après la dernière entrée n'appartiennent à aucune</translation>
     </message>
     <message>
-        <source>{} could not be measured, so criterion {} cannot be told.</source>
-        <translation>{} n’a pas pu être mesuré, le critère {} reste donc indécis.</translation>
+        <source>{bytes} bytes that belong to no entry lie before '{entry}'</source>
+        <translation>{bytes} octets qui n'appartiennent à aucune entrée précèdent « {entry} »</translation>
     </message>
     <message>
-        <source>{} defines 'normal' or 'unknown', which stand for themselves.</source>
-        <translation>{} définit « normal » ou « unknown », qui sont réservés.</translation>
+        <source>{category!r} is no category: there are {known}</source>
+        <translation>{category!r} n’est pas une catégorie : il y a {known}</translation>
     </message>
     <message>
-        <source>{} does not lie below {}: name a folder after --info-tree that holds all PATHs.</source>
-        <translation>{} n’est pas sous {} : nommez avec --info-tree un dossier qui contient tous les PATHs.</translation>
+        <source>{category!r} is no category: there are {known}.</source>
+        <translation>{category!r} n’est pas une catégorie : il y a {known}.</translation>
     </message>
     <message>
-        <source>{} duplicate triangles were left out.</source>
-        <translation>{} triangles en double ont été omis.</translation>
+        <source>{condition} never holds, because it is never above {limit:g}</source>
+        <translation>{condition} n’est jamais vrai, car la valeur n’est jamais supérieure à {limit:g}</translation>
     </message>
     <message>
-        <source>{} ended the process that read it: the file is likely damaged.</source>
-        <translation>{} a fait planter le processus de lecture : le fichier est probablement endommagé.</translation>
+        <source>{condition} never holds, because it is never below {limit:g}</source>
+        <translation>{condition} n’est jamais vrai, car la valeur n’est jamais inférieure à {limit:g}</translation>
     </message>
     <message>
-        <source>{} failed ({}).</source>
-        <translation>{} a échoué ({}).</translation>
+        <source>{constant} is not a JSON number</source>
+        <translation>{constant} n’est pas un nombre en JSON</translation>
     </message>
     <message>
-        <source>{} failed ({}: {}).</source>
-        <translation>{} a échoué ({} : {}).</translation>
+        <source>{count} documents of the library are called {file!r}: write the path</source>
+        <translation>{count} documents de la bibliothèque s’appellent {file!r} : écrivez le chemin</translation>
     </message>
     <message>
-        <source>{} has coordinates that are not finite numbers: export it again.</source>
-        <translation>{} a des coordonnées qui ne sont pas des nombres finis : exportez-le à nouveau.</translation>
+        <source>{count} duplicate triangles were left out.</source>
+        <translation>{count} triangles en double ont été omis.</translation>
     </message>
     <message>
-        <source>{} has faces with more than four corners, which FreeCAD leaves out: triangulate it first.</source>
-        <translation>{} a des faces à plus de quatre sommets, que FreeCAD omet : triangulez-le d’abord.</translation>
+        <source>{count} triangles of zero area were left out.</source>
+        <translation>{count} triangles d’aire nulle ont été omis.</translation>
     </message>
     <message>
-        <source>{} has no ending that ThinPart reads ({}).</source>
-        <translation>{} n’a pas d’extension que ThinPart sait lire ({}).</translation>
+        <source>{file} cannot be read ({problem}).</source>
+        <translation>{file} ne peut pas être lu ({problem}).</translation>
     </message>
     <message>
-        <source>{} has no part {}: it has {}.</source>
-        <translation>{} n’a pas de pièce {} : il a {}.</translation>
+        <source>{file} cannot be written ({problem}): name another place.</source>
+        <translation>{file} ne peut pas être écrit ({problem}) : indiquez un autre emplacement.</translation>
     </message>
     <message>
-        <source>{} has version {}; this ThinPart reads version {}: use a newer one.</source>
-        <translation>{} a la version {} ; ce ThinPart lit la version {} : utilisez-en un plus récent.</translation>
+        <source>{file} changed while it was read: classify it again.</source>
+        <translation>{file} a changé pendant la lecture : classifiez à nouveau ce fichier.</translation>
     </message>
     <message>
-        <source>{} has version {}; this reads version 1.</source>
-        <translation>{} a la version {} ; seule la version 1 est lue.</translation>
+        <source>{file} could not be read in time.</source>
+        <translation>{file} n’a pas pu être lu à temps.</translation>
     </message>
     <message>
-        <source>{} holds 1 face beside its solids, which was left out: close or thicken it if it is a part.</source>
-        <translation>{} contient, outre ses solides, 1 face qui a été omise : fermez-la ou épaississez-la si c’est une pièce.</translation>
+        <source>{file} crashed the process that read it: the file is probably damaged.</source>
+        <translation>{file} a fait planter le processus de lecture : le fichier est probablement endommagé.</translation>
     </message>
     <message>
-        <source>{} holds no closed solid, only surfaces, wires or points: close or thicken it first.</source>
-        <translation>{} ne contient pas de solide fermé, seulement des surfaces, des fils ou des points : fermez ou épaississez les surfaces d’abord.</translation>
+        <source>{file} failed ({problem}).</source>
+        <translation>{file} a échoué ({problem}).</translation>
     </message>
     <message>
-        <source>{} holds {} faces beside its solids, which were left out: close or thicken them if they are a part.</source>
-        <translation>{} contient, outre ses solides, {} faces qui ont été omises : fermez-les ou épaississez-les si elles forment une pièce.</translation>
+        <source>{file} failed: its result cannot be stored ({problem}).</source>
+        <translation>{file} a échoué : son résultat ne peut pas être enregistré ({problem}).</translation>
     </message>
     <message>
-        <source>{} holds {} parts: say which one is meant with --part, by name or label: {}.</source>
-        <translation>{} contient {} pièces : indiquez laquelle avec --part, par son nom ou son étiquette : {}.</translation>
+        <source>{file} failed: its result cannot be used ({problem}).</source>
+        <translation>{file} a échoué : son résultat est inutilisable ({problem}).</translation>
     </message>
     <message>
-        <source>{} in the condition {} is not a number.</source>
-        <translation>{} dans la condition {} n’est pas un nombre.</translation>
+        <source>{file} has changed since it was classified, or is gone: classify it again.</source>
+        <translation>{file} a changé depuis sa classification, ou n’existe plus : classifiez-le à nouveau.</translation>
     </message>
     <message>
-        <source>{} is a link that leads back to itself: remove it or link it to a part.</source>
-        <translation>{} est un lien qui mène à lui-même : retirez-le ou liez-le à une pièce.</translation>
+        <source>{file} has coordinates that are not finite numbers: export it again.</source>
+        <translation>{file} a des coordonnées qui ne sont pas des nombres finis : exportez-le à nouveau.</translation>
     </message>
     <message>
-        <source>{} is a link that leads nowhere: remove it or link it to a part.</source>
-        <translation>{} est un lien qui ne mène nulle part : retirez-le ou liez-le à une pièce.</translation>
+        <source>{file} has faces with more than four corners, which FreeCAD leaves out: triangulate it first.</source>
+        <translation>{file} a des faces à plus de quatre sommets, que FreeCAD omet : triangulez-le d’abord.</translation>
     </message>
     <message>
-        <source>{} is a part, not a table, and was left as it is: name a .csv file after --csv.</source>
-        <translation>{} est une pièce et non un tableau, et est resté inchangé : nommez un fichier .csv après --csv.</translation>
+        <source>{file} has no ending that ThinPart reads ({endings}).</source>
+        <translation>{file} n’a pas d’extension que ThinPart sait lire ({endings}).</translation>
     </message>
     <message>
-        <source>{} is an empty document.</source>
-        <translation>{} est un document vide.</translation>
+        <source>{file} has no part {part!r}: it has {parts}</source>
+        <translation>{file} n’a pas de pièce {part!r} : il a {parts}</translation>
     </message>
     <message>
-        <source>{} is damaged or holds no shape.</source>
-        <translation>{} est endommagé ou ne contient aucune forme.</translation>
+        <source>{file} has no part {part!r}: it has {parts}.</source>
+        <translation>{file} n’a pas de pièce {part!r} : il a {parts}.</translation>
     </message>
     <message>
-        <source>{} is damaged or no FreeCAD document ({}).</source>
-        <translation>{} est endommagé ou n’est pas un document FreeCAD ({}).</translation>
+        <source>{file} holds no closed solid, only surfaces, wires or points: close or thicken it first.</source>
+        <translation>{file} ne contient pas de solide fermé, seulement des surfaces, des fils ou des points : fermez ou épaississez les surfaces d’abord.</translation>
     </message>
     <message>
-        <source>{} is damaged or not what its ending says ({}).</source>
-        <translation>{} est endommagé ou n’est pas ce que dit son extension ({}).</translation>
+        <source>{file} holds no labels: write a row per part below the header.</source>
+        <translation>{file} ne contient aucune étiquette : écrivez une ligne par pièce sous l’en-tête.</translation>
     </message>
     <message>
-        <source>{} is damaged, or its faces are no triangles: triangulate it first.</source>
-        <translation>{} est endommagé, ou ses faces ne sont pas des triangles : triangulez-le d’abord.</translation>
+        <source>{file} holds {count} parts: choose one with --part, by name or label: {parts}.</source>
+        <translation>{file} contient {count} pièces : choisissez-en une avec --part, par son nom ou son étiquette : {parts}.</translation>
     </message>
     <message>
-        <source>{} is empty (0 bytes).</source>
-        <translation>{} est vide (0 octet).</translation>
+        <source>{file} holds {count} parts: name one in the column part: {parts}</source>
+        <translation>{file} contient {count} pièces : nommez-en une dans la colonne part : {parts}</translation>
     </message>
     <message>
-        <source>{} is no JSON object ({}).</source>
-        <translation>{} : pas un objet JSON ({}).</translation>
+        <source>{file} is a link that leads back to itself: remove it or link it to a part.</source>
+        <translation>{file} est un lien qui mène à lui-même : retirez-le ou liez-le à une pièce.</translation>
     </message>
     <message>
-        <source>{} is no JSON object.</source>
-        <translation>{} : pas un objet JSON.</translation>
+        <source>{file} is a link that leads nowhere: remove it or link it to a part.</source>
+        <translation>{file} est un lien qui ne mène nulle part : retirez-le ou liez-le à une pièce.</translation>
     </message>
     <message>
-        <source>{} is no number of JSON</source>
-        <translation>{} n’est pas un nombre en JSON</translation>
+        <source>{file} is a program: it was not opened.</source>
+        <translation>{file} est un programme et n’a pas été ouvert.</translation>
     </message>
     <message>
-        <source>{} is not a ThinPart info file.</source>
-        <translation>{} n’est pas un fichier d’information de ThinPart.</translation>
+        <source>{file} is an empty document.</source>
+        <translation>{file} est un document vide.</translation>
     </message>
     <message>
-        <source>{} is not a ThinPart profile.</source>
-        <translation>{} n’est pas un profil de ThinPart.</translation>
+        <source>{file} is damaged or holds no shape.</source>
+        <translation>{file} est endommagé ou ne contient aucune forme.</translation>
     </message>
     <message>
-        <source>{} is not well formed: {}.</source>
-        <translation>{} est mal formé : {}.</translation>
+        <source>{file} is damaged or not a FreeCAD document ({problem}).</source>
+        <translation>{file} est endommagé ou n’est pas un document FreeCAD ({problem}).</translation>
     </message>
     <message>
-        <source>{} is there already and holds something else than a report: it was left as it is; give a new or an empty folder.</source>
-        <translation>{} existe déjà et contient autre chose qu’un rapport : il est resté inchangé ; indiquez un dossier nouveau ou vide.</translation>
+        <source>{file} is damaged or not what its ending says ({problem}).</source>
+        <translation>{file} est endommagé ou n’est pas ce que dit son extension ({problem}).</translation>
     </message>
     <message>
-        <source>{} is there already and is no table of ThinPart: it was left as it is; give another file to --csv.</source>
-        <translation>{} existe déjà et n’est pas un tableau de ThinPart : il est resté inchangé ; donnez un autre fichier à --csv.</translation>
+        <source>{file} is damaged, or its faces are not triangles: triangulate it first.</source>
+        <translation>{file} est endommagé, ou ses faces ne sont pas des triangles : triangulez-le d’abord.</translation>
     </message>
     <message>
-        <source>{} is too large</source>
-        <translation>{} est trop grand</translation>
+        <source>{file} is empty (0 bytes).</source>
+        <translation>{file} est vide (0 octet).</translation>
     </message>
     <message>
-        <source>{} is too large for an info file.</source>
-        <translation>{} est trop grand pour un fichier d’information.</translation>
+        <source>{file} is for one part, and there are {count}: name one after --part, as {example}.</source>
+        <translation>{file} est pour une pièce, et il y en a {count} : nommez-en une après --part, par exemple {example}.</translation>
     </message>
     <message>
-        <source>{} is truncated or no STL file: it announces {} triangles and holds {}.</source>
-        <translation>{} est tronqué ou n’est pas un fichier STL : il annonce {} triangles et en contient {}.</translation>
+        <source>{file} is no file of labels that was written here, and is not overwritten: choose another name.</source>
+        <translation>{file} n’est pas un fichier d’étiquettes écrit ici et n’est pas remplacé : choisissez un autre nom.</translation>
     </message>
     <message>
-        <source>{} is truncated: its end is missing.</source>
-        <translation>{} est tronqué : la fin manque.</translation>
+        <source>{file} is no name for a script of Gmsh: give it the ending .geo.</source>
+        <translation>{file} n'est pas un nom de script Gmsh : donnez-lui l'extension .geo.</translation>
     </message>
     <message>
-        <source>{} lacks or does not know {}.</source>
-        <translation>{} : manquant ou inconnu : {}.</translation>
+        <source>{file} is no name for a shell: give it one of the endings {endings}.</source>
+        <translation>{file} n’est pas un nom de coque : donnez-lui l’une des extensions {endings}.</translation>
     </message>
     <message>
-        <source>{} may not be read: check its permissions.</source>
-        <translation>{} ne peut pas être lu : vérifiez ses droits d’accès.</translation>
+        <source>{file} is no profile and is not overwritten: write the new profile elsewhere.</source>
+        <translation>{file} n’est pas un profil et n’est pas remplacé : écrivez le nouveau profil ailleurs.</translation>
     </message>
     <message>
-        <source>{} needs more memory than it may have.</source>
-        <translation>{} demande plus de mémoire que permis.</translation>
+        <source>{file} is not a FreeCAD document.</source>
+        <translation>{file} n’est pas un document FreeCAD.</translation>
     </message>
     <message>
-        <source>{} needs more memory than {} MB.</source>
-        <translation>{} demande plus de {} Mo de mémoire.</translation>
+        <source>{file} is too large for a file of labels.</source>
+        <translation>{file} est trop grand pour un fichier d’étiquettes.</translation>
     </message>
     <message>
-        <source>{} needs more than {} MB of memory: raise the limit in the preferences.</source>
-        <translation>{} demande plus de {} Mo de mémoire : augmentez la limite dans les préférences.</translation>
+        <source>{file} is truncated or not an STL file: its header says {announced} triangles, it holds {held}.</source>
+        <translation>{file} est tronqué ou n’est pas un fichier STL : l’en-tête annonce {announced} triangles, il en contient {held}.</translation>
     </message>
     <message>
-        <source>{} took longer than {} s, the limit for one file.</source>
-        <translation>{} a pris plus de {} s, la limite pour un fichier.</translation>
+        <source>{file} is truncated: its end is missing.</source>
+        <translation>{file} est tronqué : la fin manque.</translation>
     </message>
     <message>
-        <source>{} triangles of zero area were left out.</source>
-        <translation>{} triangles d’aire nulle ont été omis.</translation>
+        <source>{file} is what is learned from: write the new profile elsewhere.</source>
+        <translation>{file} est ce dont on apprend : écrivez le nouveau profil ailleurs.</translation>
     </message>
     <message>
-        <source>{} uses a criterion's id twice.</source>
-        <translation>{} utilise deux fois le même identifiant de critère.</translation>
+        <source>{file} needs more memory than {megabytes} MB.</source>
+        <translation>{file} demande plus de {megabytes} Mo de mémoire.</translation>
     </message>
     <message>
-        <source>{} was not opened: {}, so it would write outside its own folder or hide what it holds. Get it from somebody whom you trust.</source>
-        <translation>{} n'a pas été ouvert : {}, il écrirait donc hors de son propre dossier ou cacherait ce qu'il contient. Procurez-vous-le auprès de quelqu'un de confiance.</translation>
+        <source>{file} took longer than {seconds:g} s, the limit for one file.</source>
+        <translation>{file} a pris plus de {seconds:g} s, la limite pour un fichier.</translation>
     </message>
     <message>
-        <source>{} was written again meanwhile: classify it again.</source>
-        <translation>{} a été réécrit entre-temps : classifiez-le à nouveau.</translation>
+        <source>{file} was not opened: {problem}, so it would write outside its own folder or hide some of its content. Get it from a source that you trust.</source>
+        <translation>{file} n'a pas été ouvert : {problem}, il écrirait donc hors de son propre dossier ou cacherait une partie de son contenu. Procurez-vous-le auprès d’une source de confiance.</translation>
+    </message>
+    <message>
+        <source>{file} was not written. {reason}</source>
+        <translation>{file} n’a pas été écrit. {reason}</translation>
+    </message>
+    <message>
+        <source>{file} was saved again meanwhile: classify it again.</source>
+        <translation>{file} a été réenregistré entre-temps : classifiez-le à nouveau.</translation>
+    </message>
+    <message>
+        <source>{file} would have the name of a profile that comes with ThinPart: choose another.</source>
+        <translation>{file} porterait le nom d’un profil fourni avec ThinPart : choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <source>{file}, line {line}</source>
+        <translation>{file}, ligne {line}</translation>
+    </message>
+    <message>
+        <source>{file}, part {part}</source>
+        <translation>{file}, pièce {part}</translation>
+    </message>
+    <message>
+        <source>{first} and {second} exclude each other</source>
+        <translation>{first} et {second} s’excluent</translation>
+    </message>
+    <message>
+        <source>{first} {next}</source>
+        <translation>{first} {next}</translation>
+    </message>
+    <message>
+        <source>{folder} already exists and is not the folder of a report: it was not changed; give a new or an empty folder.</source>
+        <translation>{folder} existe déjà et n’est pas le dossier d’un rapport : il est resté inchangé ; indiquez un dossier nouveau ou vide.</translation>
+    </message>
+    <message>
+        <source>{folder} does not lie below {top}: name a folder after --info-tree that holds all PATHs.</source>
+        <translation>{folder} n’est pas sous {top} : nommez avec --info-tree un dossier qui contient tous les PATHs.</translation>
+    </message>
+    <message>
+        <source>{info_file} has version {version}; this ThinPart reads version {known}: use a newer one.</source>
+        <translation>{info_file} a la version {version} ; ce ThinPart lit la version {known} : utilisez-en un plus récent.</translation>
+    </message>
+    <message>
+        <source>{info_file} is not a ThinPart info file.</source>
+        <translation>{info_file} n’est pas un fichier d’information de ThinPart.</translation>
+    </message>
+    <message>
+        <source>{info_file} is too large for an info file.</source>
+        <translation>{info_file} est trop grand pour un fichier d’information.</translation>
+    </message>
+    <message>
+        <source>{inside:.3g} mm of the {free:.3g} mm of free edges lie inside the material: there, walls do not meet, or go over into what is left solid. Close these gaps before solving.</source>
+        <translation>{inside:.3g} mm des {free:.3g} mm d’arêtes libres sont dans la matière : là, des parois ne se rejoignent pas ou passent à ce qui reste solide. Fermez ces lacunes avant le calcul.</translation>
+    </message>
+    <message>
+        <source>{link} was not opened: a link may lead to http:// or https://, or to a file of the library.</source>
+        <translation>{link} n’a pas été ouvert : un lien peut mener à http:// ou https://, ou à un fichier de la bibliothèque.</translation>
+    </message>
+    <message>
+        <source>{low} to {high}</source>
+        <translation>{low} à {high}</translation>
+    </message>
+    <message>
+        <source>{mm} mm</source>
+        <translation>{mm} mm</translation>
+    </message>
+    <message>
+        <source>{mm} mm, give or take {error} mm,</source>
+        <translation>{mm} mm, à {error} mm près,</translation>
+    </message>
+    <message>
+        <source>{number!r} in the condition {condition!r} is not a number.</source>
+        <translation>{number!r} dans la condition {condition!r} n’est pas un nombre.</translation>
+    </message>
+    <message>
+        <source>{part} belongs to another document, {file}: open that one, and prepare its mesh there.</source>
+        <translation>{part} appartient à un autre document, {file} : ouvrez celui-ci et préparez-y son maillage.</translation>
+    </message>
+    <message>
+        <source>{part} has no shell: walls of even thickness account for {share:.0f} % of its volume. Mesh it as a solid.</source>
+        <translation>{part} n'a pas de coque : les parois d'épaisseur constante représentent {share:.0f} % de son volume. Maillez-la en volume.</translation>
+    </message>
+    <message>
+        <source>{part} is made of triangles, which are no solid to mesh.</source>
+        <translation>{part} est fait de triangles, qui ne sont pas un solide à mailler.</translation>
+    </message>
+    <message>
+        <source>{part} is made of triangles: a shell needs the faces of a solid, as STEP files have them.</source>
+        <translation>{part} est fait de triangles : une coque a besoin des faces d’un solide, comme en ont les fichiers STEP.</translation>
+    </message>
+    <message>
+        <source>{part} is not closed, or was measured by pairs: a shell needs a closed solid that was measured by rays.</source>
+        <translation>{part} n’est pas fermé, ou a été mesuré par paires : une coque a besoin d’un solide fermé, mesuré par rayons.</translation>
+    </message>
+    <message>
+        <source>{part} needs more than {megabytes} MB of memory: raise the limit in the preferences.</source>
+        <translation>{part} demande plus de {megabytes} Mo de mémoire : augmentez la limite dans les préférences.</translation>
+    </message>
+    <message>
+        <source>{person!r} cannot be kept as a person's name: choose a shorter one, in one line.</source>
+        <translation>{person!r} ne peut pas être gardé comme nom de personne : choisissez-en un plus court, sur une ligne.</translation>
+    </message>
+    <message>
+        <source>{person} calls it {category!r}, which is no category of the start: there are {known}</source>
+        <translation>{person} l’appelle {category!r}, qui n’est pas une catégorie du profil de départ : il y a {known}</translation>
+    </message>
+    <message>
+        <source>{person} calls this part {category} here and {other} before ({earlier})</source>
+        <translation>{person} appelle cette pièce {category} ici et {other} avant ({earlier})</translation>
+    </message>
+    <message>
+        <source>{person} has labelled this part already ({earlier})</source>
+        <translation>{person} a déjà étiqueté cette pièce ({earlier})</translation>
+    </message>
+    <message>
+        <source>{person} is sure of {category} in one place and not in the other ({earlier})</source>
+        <translation>{person} est sûr de {category} à un endroit et pas à l’autre ({earlier})</translation>
+    </message>
+    <message>
+        <source>{place} is empty, and a criterion without conditions would always hold</source>
+        <translation>{place} est vide, et un critère sans conditions serait toujours rempli</translation>
+    </message>
+    <message>
+        <source>{place} names {quantity!r}, which is no quantity: there are {known}, a below b</source>
+        <translation>{place} nomme {quantity!r}, qui n’est pas une grandeur : il y a {known}, a inférieur à b</translation>
+    </message>
+    <message>
+        <source>{place}: {reason}.</source>
+        <translation>{place} : {reason}.</translation>
+    </message>
+    <message>
+        <source>{process} ({material})</source>
+        <translation>{process} ({material})</translation>
+    </message>
+    <message>
+        <source>{process}: cannot be told: no wall could be measured.</source>
+        <translation>{process} : indécidable : aucune paroi n’a pu être mesurée.</translation>
+    </message>
+    <message>
+        <source>{process}: cannot be told: the surface is open, and there may be walls thinner than the {thinnest} mm that were found.</source>
+        <translation>{process} : indécidable : la surface est ouverte, et il peut y avoir des parois plus minces que les {thinnest} mm trouvés.</translation>
+    </message>
+    <message>
+        <source>{process}: cannot be told: the thinnest wall is {thinnest} mm, give or take {error} mm, the limit is {least} mm.</source>
+        <translation>{process} : indécidable : la paroi la plus mince fait {thinnest} mm, à {error} mm près, la limite est {least} mm.</translation>
+    </message>
+    <message>
+        <source>{process}: cannot be told: {share} of the surface lies over more than {most} mm, but a ray may run along a wall there: look at the thickness map.</source>
+        <translation>{process} : indécidable : {share} de la surface est au-dessus de plus de {most} mm, mais un rayon peut y suivre une paroi : regardez la carte d’épaisseur.</translation>
+    </message>
+    <message>
+        <source>{process}: fails: {findings}.</source>
+        <translation>{process} : échoue : {findings}.</translation>
+    </message>
+    <message>
+        <source>{process}: passes within tolerance: the thinnest wall is {thinnest} mm, give or take {error} mm, the limit is {least} mm.</source>
+        <translation>{process} : conforme dans la tolérance : la paroi la plus mince fait {thinnest} mm, à {error} mm près, la limite est {least} mm.</translation>
+    </message>
+    <message>
+        <source>{process}: passes: no wall is over {most} mm.</source>
+        <translation>{process} : conforme : aucune paroi ne dépasse {most} mm.</translation>
+    </message>
+    <message>
+        <source>{process}: passes: the thinnest wall is {thinnest} mm, the limit {least} mm.</source>
+        <translation>{process} : conforme : la paroi la plus mince fait {thinnest} mm, la limite {least} mm.</translation>
+    </message>
+    <message>
+        <source>{process}: passes: the thinnest wall is {thinnest} mm, the limit {least} mm; towards their edges, tapered walls are thinner on {share} of the surface.</source>
+        <translation>{process} : conforme : la paroi la plus mince fait {thinnest} mm, la limite {least} mm ; vers leurs arêtes, des parois en dépouille sont plus minces sur {share} de la surface.</translation>
+    </message>
+    <message>
+        <source>{process}: passes: walls from {thinnest} mm on, the limits are {least} and {most} mm.</source>
+        <translation>{process} : conforme : parois à partir de {thinnest} mm, les limites sont {least} et {most} mm.</translation>
+    </message>
+    <message>
+        <source>{profile} cannot be used: {problem} ({place}).</source>
+        <translation>{profile} n’est pas utilisable : {problem} ({place}).</translation>
+    </message>
+    <message>
+        <source>{profile} defines 'normal' or 'unknown', which are reserved: rename the category.</source>
+        <translation>{profile} définit « normal » ou « unknown », qui sont réservés : renommez la catégorie.</translation>
+    </message>
+    <message>
+        <source>{profile} has version {version}; ThinPart reads version 1.</source>
+        <translation>{profile} a la version {version} ; ThinPart lit la version 1.</translation>
+    </message>
+    <message>
+        <source>{profile} is not a ThinPart profile.</source>
+        <translation>{profile} n’est pas un profil de ThinPart.</translation>
+    </message>
+    <message>
+        <source>{profile} is not well formed: {problem}.</source>
+        <translation>{profile} est mal formé : {problem}.</translation>
+    </message>
+    <message>
+        <source>{profile} uses a criterion's id twice: {id!r}.</source>
+        <translation>{profile} utilise deux fois l’identifiant d’un critère : {id!r}.</translation>
+    </message>
+    <message>
+        <source>{quantities} could not be measured, so criterion {criteria} cannot be decided.</source>
+        <translation>{quantities} n’a pas pu être mesuré, le critère {criteria} reste donc indécis.</translation>
+    </message>
+    <message>
+        <source>{sentence} It was not changed.</source>
+        <translation>{sentence} Il est resté inchangé.</translation>
+    </message>
+    <message>
+        <source>{sentence} It was not changed: move it away to have a new one written.</source>
+        <translation>{sentence} Il est resté inchangé : déplacez-le pour qu’il soit réécrit.</translation>
+    </message>
+    <message>
+        <source>{share} of the surface lies over walls of more than {most} mm</source>
+        <translation>{share} de la surface est au-dessus de parois de plus de {most} mm</translation>
+    </message>
+    <message>
+        <source>{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm, and {plates} over walls that are plates: consider shells.</source>
+        <translation>{share} de la surface recouvre des parois plus minces que {limit} mm, {part} du côté médian de {middle} mm, et {plates} des plaques : envisager des éléments de coque.</translation>
+    </message>
+    <message>
+        <source>{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm: refine the mesh there.</source>
+        <translation>{share} de la surface recouvre des parois plus minces que {limit} mm, {part} du côté médian de {middle} mm : y raffiner le maillage.</translation>
+    </message>
+    <message>
+        <source>{table} already exists and is not a table of ThinPart: it was not changed; give another file to --csv.</source>
+        <translation>{table} existe déjà et n’est pas un tableau de ThinPart : il est resté inchangé ; donnez un autre fichier à --csv.</translation>
+    </message>
+    <message>
+        <source>{table} is a part, not a table, and was not changed: name a .csv file after --csv.</source>
+        <translation>{table} est une pièce et non un tableau, et est resté inchangé : nommez un fichier .csv après --csv.</translation>
+    </message>
+    <message>
+        <source>{thin} of the surface is under {least} mm, thinnest {place}</source>
+        <translation>{thin} de la surface est sous {least} mm, au plus mince {place}</translation>
+    </message>
+    <message>
+        <source>{thin} of the surface is under {least} mm, thinnest {place}, and {thick} over {most} mm</source>
+        <translation>{thin} de la surface est sous {least} mm, au plus mince {place}, et {thick} au-dessus de {most} mm</translation>
+    </message>
+    <message>
+        <source>{wall} on {face}</source>
+        <translation>{wall} sur {face}</translation>
+    </message>
+    <message>
+        <source>{what} cannot be stored ({problem}).</source>
+        <translation>{what} ne peut pas être conservé ({problem}).</translation>
+    </message>
+    <message>
+        <source>{what} is not a JSON object ({problem}).</source>
+        <translation>{what} : pas un objet JSON ({problem}).</translation>
+    </message>
+    <message>
+        <source>{what} is not a JSON object.</source>
+        <translation>{what} : pas un objet JSON.</translation>
+    </message>
+    <message>
+        <source>{whose} holds 1 face beside its solids, which was left out: close or thicken it if it is a part.</source>
+        <translation>{whose} contient, outre ses solides, 1 face qui a été omise : fermez-la ou épaississez-la si c’est une pièce.</translation>
+    </message>
+    <message>
+        <source>{whose} holds {faces} faces beside its solids, which were left out: close or thicken them if they are a part.</source>
+        <translation>{whose} contient, outre ses solides, {faces} faces qui ont été omises : fermez-les ou épaississez-les si elles forment une pièce.</translation>
     </message>
 </context>
 <context>
     <name>ThinPart_Classify</name>
     <message>
-        <source>Classify part</source>
-        <translation>Classifier la pièce</translation>
+        <source>Checks whether the selected part is thin, has thin features or is normal, and colours its thin faces</source>
+        <translation>Vérifie si la pièce sélectionnée est mince, a des zones minces ou est normale, et colore ses faces minces</translation>
     </message>
     <message>
-        <source>Tells whether the selected part is thin, has thin features or is normal, and colours its thin faces</source>
-        <translation>Indique si la pièce sélectionnée est mince, a des zones minces ou est normale, et colore ses faces minces</translation>
+        <source>Classify part</source>
+        <translation>Classifier la pièce</translation>
     </message>
 </context>
 <context>
@@ -2703,8 +4803,19 @@ Son volume est inconnu.</translation>
         <translation>Effacer les couleurs de minceur</translation>
     </message>
     <message>
-        <source>Gives the faces of this document the colours back that they had before they were coloured as thin</source>
-        <translation>Rend aux faces de ce document les couleurs qu’elles avaient avant d’être colorées comme minces</translation>
+        <source>Restores the colours that the faces of this document had before they were coloured as thin</source>
+        <translation>Rétablit les couleurs que les faces de ce document avaient avant d’être colorées comme minces</translation>
+    </message>
+</context>
+<context>
+    <name>ThinPart_EditProfile</name>
+    <message>
+        <source>Edit profile…</source>
+        <translation>Modifier le profil…</translation>
+    </message>
+    <message>
+        <source>Edits the thresholds by which parts are judged, and the limits of the wall, and counts meanwhile what would change in your libraries</source>
+        <translation>Modifie les seuils selon lesquels les pièces sont jugées et les limites de la paroi, et compte en même temps ce qui changerait dans vos bibliothèques</translation>
     </message>
 </context>
 <context>
@@ -2716,6 +4827,28 @@ Son volume est inconnu.</translation>
     <message>
         <source>Shows or hides the panel that finds classified parts by their category, walls, size and notes, and parts like another one</source>
         <translation>Affiche ou masque le panneau qui trouve les pièces classifiées par catégorie, parois, taille et notes, et les pièces similaires à une autre</translation>
+    </message>
+</context>
+<context>
+    <name>ThinPart_LearnThresholds</name>
+    <message>
+        <source>Chooses thresholds that agree with what people say of the parts of a library, and says how good they are on folders left out</source>
+        <translation>Choisit des seuils qui concordent avec ce que l’on dit des pièces d’une bibliothèque, et indique leur qualité sur des dossiers mis de côté</translation>
+    </message>
+    <message>
+        <source>Learn thresholds…</source>
+        <translation>Apprendre des seuils…</translation>
+    </message>
+</context>
+<context>
+    <name>ThinPart_MeshSizes</name>
+    <message>
+        <source>Prepare mesh</source>
+        <translation>Préparer le maillage</translation>
+    </message>
+    <message>
+        <source>Proposes element sizes that give the thin walls of the selected part enough layers, and makes a FEM mesh with them</source>
+        <translation>Propose des tailles d'éléments qui donnent assez de couches aux parois minces de la pièce sélectionnée, et crée avec elles un maillage FEM</translation>
     </message>
 </context>
 <context>
@@ -2743,8 +4876,8 @@ Son volume est inconnu.</translation>
 <context>
     <name>ThinPart_ShowThickness</name>
     <message>
-        <source>Colours the selected parts, or all of them, by the thickness of their walls, and tells how much of the surface lies over which wall</source>
-        <translation>Colore les pièces sélectionnées, ou toutes, selon l’épaisseur de leurs parois, et indique quelle part de la surface a quelle paroi</translation>
+        <source>Colours the selected parts, or all of them, by the thickness of their walls, and shows how the area is distributed over thickness</source>
+        <translation>Colore les pièces sélectionnées, ou toutes, selon l’épaisseur de leurs parois, et montre comment la surface se répartit selon l’épaisseur</translation>
     </message>
     <message>
         <source>Show thickness</source>

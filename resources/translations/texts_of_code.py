@@ -12,13 +12,12 @@ BELOW = "ThinPartCore"
 """Context of what layers below the window say: sentences, reasons, titles, meanings."""
 
 _MARKS = ("translate", "QT_TRANSLATE_NOOP")
-_LAYERS_BELOW = ("core", "storage", "freecad_adapter", "workflow")
-_STARTED_BY_THE_WINDOW = ("cli/classify.py", "cli/report.py", "cli/run_options.py")
-"""Commands whose refusals are shown in the window; their help is not."""
+LAYERS_BELOW = ("core", "storage", "freecad_adapter", "workflow", "api", "cli", "window_processes")
+"""Layers whose messages the window may show: those of ``api`` and ``cli`` are told by the commands that it starts."""
 
-_NOT_SHOWN = ("freecad_adapter/settings.py", "workflow/cluster.py", "workflow/cluster_worker.py",
-              "workflow/analysis_server.py")
-"""No text of these comes to the window: it starts no cluster, and reads no meanings of preferences."""
+TABLES = (("core/descriptors/descriptor_table.py", "QUANTITIES"), ("core/errors.py", "KINDS"),
+          ("core/descriptors/similarity.py", "TERMS"))
+"""Tables with texts that are shown one by one: the module and the name of each."""
 
 _WORDS = re.compile(r"[A-Za-z]{2,} [a-z]{2,}|[a-z]{2,} .*\.$", re.DOTALL)
 _SQL = re.compile(r"\b(SELECT|INSERT|DELETE|UPDATE|CREATE|PRAGMA|BEGIN|ORDER|JOIN|TEXT|BLOB|NULL|OR|IN|LIKE)\b")
@@ -37,7 +36,7 @@ def all_texts():
     ValueError
         Where a text is put together before it is translated.
     """
-    texts = {(BELOW, text) for text in [*texts_from_below(), *profile_titles()]}
+    texts = {(BELOW, text) for text in [*texts_from_below(), *profile_titles(), *limit_titles()]}
     return sorted(texts.union(marked_texts(), form_texts()))
 
 
@@ -64,16 +63,33 @@ def form_texts():
 
 
 def texts_from_below():
-    """set of str: what other layers say, fields of f-strings as ``{}``."""
+    """set of str: what other layers say, templates of messages with their fields by name."""
     found = set()
-    for layer in _LAYERS_BELOW:
-        for path in sorted((PACKAGE / layer).glob("*.py")):
-            if path.relative_to(PACKAGE).as_posix() not in _NOT_SHOWN:
-                found |= prose(tree_of(path))
-    for name in _STARTED_BY_THE_WINDOW:
-        errors = calls(tree_of(PACKAGE / name), ("ThinPartError",))
-        found |= prose(ast.Module([ast.Expr(each) for each in errors], []))
-    return found
+    for layer in LAYERS_BELOW:
+        for path in sorted((PACKAGE / layer).rglob("*.py")):
+            found.update(templates(path))
+    return found.union(*(table_texts(place, name) for place, name in TABLES))
+
+
+def templates(path):
+    """Templates of the messages that a file makes.
+
+    Raises
+    ------
+    ValueError
+        Where one is no literal.
+    """
+    for call in calls(tree_of(path), ("message",)):
+        if not isinstance(call.args[0], ast.Constant):
+            raise ValueError(f"{path}, line {call.lineno}: the template of a message is a literal.")
+        yield call.args[0].value
+
+
+def table_texts(place, name):
+    """set of str: texts of one of `TABLES`."""
+    table = next(node.value for node in tree_of(PACKAGE / place).body if isinstance(node, ast.Assign)
+                 and isinstance(node.targets[0], ast.Name) and node.targets[0].id == name)
+    return prose(ast.Module([ast.Expr(table)], []))
 
 
 def profile_titles():
@@ -84,6 +100,14 @@ def profile_titles():
         for category in profile["categories"]:
             yield from (category["title"], category["meaning"])
             yield from (each["title"] for each in category["criteria"])
+
+
+def limit_titles():
+    """Titles of the processes that come with limits of the wall, and of their materials."""
+    table = json.loads((ROOT / "resources" / "wall_limits.json").read_text(encoding="utf-8"))
+    for process in table["processes"]:
+        yield process["title"]
+        yield from (material["title"] for material in process.get("materials", ()))
 
 
 def prose(tree):
@@ -124,8 +148,12 @@ class _Prose(ast.NodeVisitor):
             self.generic_visit(node)
 
     def visit_Call(self, node):
-        """Fields of a namedtuple are written as words; what is marked has a place of its own."""
-        if getattr(node.func, "id", "") not in ("namedtuple", *_MARKS):
+        """Fields of a namedtuple are written as words; what is marked has a place of its own, as templates have."""
+        name = getattr(node.func, "id", "")
+        if name == "message":
+            for each in node.keywords:
+                self.visit(each)
+        elif name not in ("namedtuple", *_MARKS):
             self.generic_visit(node)
 
     def visit_Compare(self, node):

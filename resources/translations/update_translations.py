@@ -8,11 +8,10 @@ listed: write it into the .ts file (Qt's Linguist does that too), take out type=
 once more. A new language is an empty file ThinPart_CODE.ts.
 """
 
-import json
 import sys
 from pathlib import Path
 
-from texts_of_code import all_texts, texts_from_below
+from texts_of_code import all_texts
 from ts_file import compile_ts, read_ts, write_ts
 
 HERE = Path(__file__).resolve().parent
@@ -20,8 +19,6 @@ HERE = Path(__file__).resolve().parent
 
 def main():
     """Update and compile all languages; the status is 1 where something is left to do."""
-    (HERE / "texts_from_below.json").write_text(
-        json.dumps(sorted(texts_from_below()), indent=0, ensure_ascii=False) + "\n", encoding="utf-8")
     texts, status = all_texts(), 0
     for path in sorted(HERE.glob("ThinPart_*.ts")):
         before = read_ts(path) if path.stat().st_size else {}

@@ -6,7 +6,7 @@ What was installed beside the bundle, as the Addon Manager does it, is there.
 import sys
 from importlib.machinery import PathFinder
 
-HIDDEN = ("pebble", "rich", "jinja2", "markupsafe")
+HIDDEN = ("rich", "jinja2", "markupsafe", "sklearn")
 INSTALLED = "AdditionalPythonPackages"
 
 

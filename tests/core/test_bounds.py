@@ -1,12 +1,12 @@
+import brute_force
+import made_meshes
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-import brute_force
-import made_meshes
-from thinpart_workbench.core.bounds import minimal_box, principal_box
+from thinpart_workbench.core.mesh.bounds import minimal_box, principal_box
 
 angles = st.tuples(*[st.floats(-3.1, 3.1)] * 3)
 sides = st.tuples(*[st.floats(0.01, 1000.0)] * 3)

@@ -1,36 +1,18 @@
 import copy
 import json
 
-import numpy as np
 import pytest
+from made_descriptors import part
 
-from thinpart_workbench.core.bounds import OrientedBox
-from thinpart_workbench.core.classification import classify
-from thinpart_workbench.core.criteria import PROFILES, load_profile, profile_from
-from thinpart_workbench.core.descriptors import QUANTITIES, Descriptors, quantity_named
-from thinpart_workbench.core.descriptors import STATED_ANGLES, STATED_FLOOR
-from thinpart_workbench.core.distribution import Distribution
+from thinpart_workbench.core.descriptors.descriptor_table import (
+    QUANTITIES,
+    quantity_named,
+)
 from thinpart_workbench.core.errors import ProfileError
+from thinpart_workbench.core.judging.classification import classify
+from thinpart_workbench.core.judging.criteria import PROFILES, load_profile, profile_from
 
 PAPER = load_profile("paper")
-
-
-def part(box=(1.0, 1.0, 1.0), fill=0.5, walls=(), slanted=(), unmet=0.0):
-    """Descriptors as wanted: walls are (x, share), slanted are (x, degrees, share)."""
-    box = np.array(box, dtype=float)
-    parallel = sum(share for _, share in walls)
-    nonparallel = sum(share for *_, share in slanted)
-    shares = Distribution(
-        np.array([int(round(x * 1000)) for x, _ in walls], int),
-        np.array([share for _, share in walls], float),
-        np.array([int(round(x * 1000)) for x, *_ in slanted], int),
-        np.array([angle for _, angle, _ in slanted], int),
-        np.array([share for *_, share in slanted], float),
-        parallel, nonparallel, 1.0 - parallel - nonparallel, unmet,
-    )
-    volume = None if fill is None else fill * box.prod()
-    least = shares.nonparallel_minimum(STATED_FLOOR, *STATED_ANGLES)
-    return Descriptors(volume, 1.0, OrientedBox(box, np.eye(3)), shares, least)
 
 
 @pytest.mark.parametrize("criterion, holds, fails", [
@@ -92,11 +74,11 @@ def test_what_nothing_is_known_about_may_be_thin():
 
 
 def test_thin_limit_is_the_bound_of_the_criteria_that_decided():
-    assert classify(part(walls=[(0.1, 0.7)]), PAPER).thin_limit == 0.25
-    assert classify(part(walls=[(0.02, 0.5), (0.2, 0.3)]), PAPER).thin_limit == 0.05
-    assert classify(part(walls=[(0.01, 0.1)]), PAPER).thin_limit == 0.05
-    assert classify(part(walls=[(0.2, 0.1), (0.4, 0.3)]), PAPER).thin_limit == 0.29
-    assert classify(part(fill=0.1), PAPER).thin_limit == 0.05
+    assert classify(part(walls=[(0.1, 0.7)]), PAPER).thin_limit_x == 0.25
+    assert classify(part(walls=[(0.02, 0.5), (0.2, 0.3)]), PAPER).thin_limit_x == 0.05
+    assert classify(part(walls=[(0.01, 0.1)]), PAPER).thin_limit_x == 0.05
+    assert classify(part(walls=[(0.2, 0.1), (0.4, 0.3)]), PAPER).thin_limit_x == 0.29
+    assert classify(part(fill=0.1), PAPER).thin_limit_x == 0.05
 
 
 def test_a_new_category_is_data():
@@ -144,7 +126,7 @@ def test_a_wrong_profile_says_what_is_wrong(spoil, says):
 
 
 def test_profile_files_that_cannot_be_read(tmp_path):
-    with pytest.raises(ProfileError, match="one of paper"):
+    with pytest.raises(ProfileError, match="one of calibrated, paper"):
         load_profile("no-such")
     broken = tmp_path / "broken.json"
     broken.write_text("{")

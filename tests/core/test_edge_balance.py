@@ -1,16 +1,18 @@
+import made_meshes
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-import made_meshes
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
-from thinpart_workbench.core.measurement import measure
-from thinpart_workbench.core.surface_mesh import surface_mesh
+from thinpart_workbench.core.mesh.edge_balance import paired_sides, shared_sides
+from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
+from thinpart_workbench.core.thickness.measurement import measure
 
+UNTURNED = np.eye(3)
 TURNED = Rotation.from_rotvec([0.5, 0.7, -0.3]).as_matrix()
 
 
-def _box_of_patches(turn=np.eye(3)):
+def _box_of_patches(turn=UNTURNED):
     """A box whose top is cut finer than its sides: its long edges meet several short ones."""
     coarse, fine = made_meshes.box(100, 60, 10), made_meshes.box(100, 60, 10, cells=4)
     kept = []
@@ -41,3 +43,13 @@ def test_a_slit_wider_than_the_tolerance_leaves_it_open():
     lifted = points.copy()
     lifted[(points[:, 2] == 10) & (points[:, 0] == 50)] += [0, 0, 0.01]
     assert not surface_mesh(lifted, triangles).watertight
+
+
+@pytest.mark.parametrize("spread", [1, 30_000], ids=["few vertices", "many vertices"])
+def test_sides_are_paired_on_closed_surfaces_only(spread):
+    _, closed = made_meshes.tube()
+    closed = closed * spread
+    assert all((one == other).all() for one, other in zip(paired_sides(closed), shared_sides(closed)))
+    for triangles in (closed[1:], closed[2:], np.concatenate([closed, closed[:1]]), np.concatenate([closed, closed]),
+                      np.concatenate([closed, [[0, 0, spread]]]), np.concatenate([closed, closed[:1, ::-1], closed[:1]])):
+        assert paired_sides(triangles) is None

@@ -1,11 +1,11 @@
+import made_meshes
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-import made_meshes
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
-from thinpart_workbench.core.measurement import measure
-from thinpart_workbench.core.surface_mesh import surface_mesh
+from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
+from thinpart_workbench.core.thickness.measurement import measure
 from thinpart_workbench.core.tolerances import TOLERANCES
 
 TURNED = Rotation.from_rotvec([0.5, 0.7, -0.3]).as_matrix()

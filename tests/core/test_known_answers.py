@@ -1,15 +1,15 @@
 """Parts whose measures and verdicts are known in closed form, in every place and size."""
 
+import made_meshes
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-import made_meshes
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
-from thinpart_workbench.core.classification import classify
-from thinpart_workbench.core.criteria import load_profile
-from thinpart_workbench.core.measurement import measure
-from thinpart_workbench.core.surface_mesh import surface_mesh
+from thinpart_workbench.core.judging.classification import classify
+from thinpart_workbench.core.judging.criteria import load_profile
+from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
+from thinpart_workbench.core.thickness.measurement import measure
 
 PAPER = load_profile("paper")
 
@@ -39,7 +39,7 @@ def test_plate(place, cells):
     assert descriptors.box.dimensions / scale == pytest.approx([100, 100, 2], rel=1e-6)
     assert descriptors.value("V/VBB") == pytest.approx(1.0, rel=1e-6)
     assert descriptors.value("F[0;0.05]") == pytest.approx(20000 / 20800, abs=0.005)
-    assert measurement.thinnest / scale == pytest.approx(2.0, rel=1e-6)
+    assert measurement.thinnest_mm / scale == pytest.approx(2.0, rel=1e-6)
     assert (verdict.category, verdict.criteria) == ("thin", (1, 4, 5))
 
 
@@ -80,7 +80,7 @@ def test_tube(steps):
 def test_ribbed_block(place):
     measurement, verdict = analysed(made_meshes.ribbed_block(), place)
     scale = PLACES[place].get("scale", 1.0)
-    assert measurement.thinnest / scale == pytest.approx(6.0, rel=1e-6)
+    assert measurement.thinnest_mm / scale == pytest.approx(6.0, rel=1e-6)
     assert verdict.category == "thin_features" and 5 in verdict.criteria
     rib = 2 * 20 * 100
     assert measurement.descriptors.value("F[0;0.05]") == pytest.approx(
@@ -107,7 +107,7 @@ def test_sphere():
 
 
 def test_rod():
-    rod = made_meshes.revolved([(0.0001, 0), (5, 0), (5, 100), (0.0001, 100)], 90)
+    rod = made_meshes.revolved([(0, 0), (5, 0), (5, 100), (0, 100)], 90)
     measurement, verdict = analysed(rod, "turned")
     assert measurement.wall_range[1] == pytest.approx(10, rel=2e-3)
     assert verdict.category == "thin" and 4 in verdict.criteria

@@ -1,13 +1,13 @@
+import made_meshes
 import numpy as np
 import pytest
 
-import made_meshes
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
-from thinpart_workbench.core.map_outline import outline
-from thinpart_workbench.core.map_search import MapSearch
-from thinpart_workbench.core.measurement import measure
-from thinpart_workbench.core.surface_mesh import surface_mesh
-from thinpart_workbench.core.thickness_map import thickness_map
+from thinpart_workbench.core.maps.map_outline import outline
+from thinpart_workbench.core.maps.map_search import MapSearch
+from thinpart_workbench.core.maps.thickness_map import thickness_map
+from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
+from thinpart_workbench.core.thickness.measurement import measure
 
 
 @pytest.fixture(scope="module")
@@ -36,7 +36,7 @@ def test_the_first_facet_is_that_of_a_test_of_every_facet(ribbed, rng):
         eye = middle + 300.0 * rng.normal(size=3)
         direction = middle + rng.uniform(-40, 40, 3) - eye
         distances = _distances(ribbed, eye, direction)
-        facet, distance = search.first_met(eye, direction)
+        facet, distance = search.first_hit(eye, direction)
         assert distance == pytest.approx(distances.min())
         assert (facet >= 0) == np.isfinite(distances.min())
         if facet >= 0:
@@ -51,14 +51,14 @@ def test_a_ray_along_the_sides_of_facets_meets_them(ribbed):
     for corner in ribbed.corners[below][:200]:
         eye = corner.mean(axis=0) + ribbed.origin
         for x, z in ((eye[0], eye[2]), (corner[0, 0] + ribbed.origin[0], eye[2])):
-            facet, distance = search.first_met((x, low[1] - 50.0, z), np.array([0.0, 2.0, 0.0]))
+            facet, distance = search.first_hit((x, low[1] - 50.0, z), np.array([0.0, 2.0, 0.0]))
             assert facet >= 0 and distance == pytest.approx(25.0, abs=1e-4)
 
 
 def test_what_is_missed_or_lies_behind(ribbed):
     search = MapSearch(ribbed)
-    assert search.first_met((0.0, 0.0, 0.0), np.array([-1.0, 0.0, 0.0])) == (-1, np.inf)
-    assert search.first_met((0.0, 500.0, 0.0), np.array([1.0, 0.0, 0.0])) == (-1, np.inf)
+    assert search.first_hit((0.0, 0.0, 0.0), np.array([-1.0, 0.0, 0.0])) == (-1, np.inf)
+    assert search.first_hit((0.0, 500.0, 0.0), np.array([1.0, 0.0, 0.0])) == (-1, np.inf)
 
 
 def test_the_facet_at_a_point():
@@ -66,12 +66,12 @@ def test_the_facet_at_a_point():
     search = MapSearch(shown)
     for facet in range(0, shown.count, 997):
         point = shown.corners[facet].mean(axis=0) + shown.origin
-        assert search.at(point, 1e-4) == facet
+        assert search.nearest_facet(point, 1e-4) == facet
         outside = point + 0.5 * shown.normal(facet)
-        assert search.at(outside, 0.49) == -1
-        assert shown.face[search.at(outside, 0.51)] == shown.face[facet]
+        assert search.nearest_facet(outside, 0.49) == -1
+        assert shown.face[search.nearest_facet(outside, 0.51)] == shown.face[facet]
     corner = shown.origin + shown.points.max(axis=0)
-    assert search.at(corner + 1.0, 1.7) == -1 and search.at(corner + 1.0, 1.8) >= 0
+    assert search.nearest_facet(corner + 1.0, 1.7) == -1 and search.nearest_facet(corner + 1.0, 1.8) >= 0
 
 
 def test_the_outline_of_a_box_is_its_twelve_edges():

@@ -1,13 +1,13 @@
+import made_meshes
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from scipy.spatial import ConvexHull
 from scipy.spatial.transform import Rotation
 
-import made_meshes
-from thinpart_workbench.core.mass_properties import area, volume
-from thinpart_workbench.core.surface_mesh import surface_mesh
+from thinpart_workbench.core.mesh.mass_properties import area, volume
+from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 
 angles = st.tuples(*[st.floats(-3.1, 3.1)] * 3)
 shifts = st.tuples(*[st.floats(-1e6, 1e6)] * 3)
@@ -28,6 +28,7 @@ def test_box_anywhere(size, turn, shift, scale):
 
 @settings(max_examples=60, deadline=None)
 @given(st.integers(0, 10 ** 6), st.integers(5, 60), angles)
+@example(187, 49, (0.0, 0.0, 0.0))  # two facets of it are nearly coplanar
 def test_convex_hull_of_random_points(seed, count, turn):
     points = np.random.default_rng(seed).normal(size=(count, 3))
     hull = ConvexHull(points)
@@ -38,8 +39,9 @@ def test_convex_hull_of_random_points(seed, count, turn):
     triangles = np.where(outward[:, None] > 0, hull.simplices, hull.simplices[:, ::-1])
     mesh = surface_mesh(*made_meshes.moved((points, triangles),
                                            Rotation.from_rotvec(turn).as_matrix()))
-    assert volume(mesh) == pytest.approx(hull.volume, rel=1e-9)
-    assert area(mesh) == pytest.approx(hull.area, rel=1e-9)
+    # Facets that lie in one plane up to the rounding of float32 are put into it: no point moves by more than a few steps.
+    assert volume(mesh) == pytest.approx(hull.volume, rel=1e-6)
+    assert area(mesh) == pytest.approx(hull.area, rel=1e-6)
 
 
 @settings(max_examples=40, deadline=None)

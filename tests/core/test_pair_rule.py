@@ -1,12 +1,12 @@
+import brute_force
+import made_meshes
 import numpy as np
 import pytest
 
-import brute_force
-import made_meshes
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
-from thinpart_workbench.core.measurement import measure
-from thinpart_workbench.core.pair_rule import pairs_of
-from thinpart_workbench.core.surface_mesh import surface_mesh
+from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
+from thinpart_workbench.core.thickness.measurement import measure
+from thinpart_workbench.core.thickness.pair_rule import pairs_of
 
 PAIRS, RAYS = AnalysisSettings(measure="pairs"), AnalysisSettings()
 

@@ -3,17 +3,17 @@
 import json
 from types import SimpleNamespace
 
+import made_meshes
 import pytest
 
-import made_meshes
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
-from thinpart_workbench.core.classification import classify
-from thinpart_workbench.core.criteria import load_profile
-from thinpart_workbench.core.descriptors import QUANTITIES
-from thinpart_workbench.core.face_thickness import face_thicknesses
-from thinpart_workbench.core.measurement import measure
-from thinpart_workbench.core.part_record import descriptors_of, part_record
-from thinpart_workbench.core.surface_mesh import surface_mesh
+from thinpart_workbench.core.descriptors.descriptor_table import QUANTITIES
+from thinpart_workbench.core.judging.classification import classify
+from thinpart_workbench.core.judging.criteria import load_profile
+from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
+from thinpart_workbench.core.record.part_record import descriptors_of, part_record
+from thinpart_workbench.core.thickness.face_thickness import face_thicknesses
+from thinpart_workbench.core.thickness.measurement import measure
 
 PAPER = load_profile("paper")
 PART = SimpleNamespace(name="Part", label="A part", instances=1, warnings=())
@@ -75,4 +75,4 @@ def test_evidence_has_a_row_per_criterion_and_condition():
     assert [row["criterion"] for row in record["evidence"] if row["holds"]] == record["criteria"]
     first = record["evidence"][0]["conditions"][0]
     assert first == {"quantity": "V/VBB", "value": 1.0, "comparison": ">", "threshold": 0.5,
-                     "holds": True, "margin": 1.0}
+                     "holds": True, "margin": 1.0, "error": None}

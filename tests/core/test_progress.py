@@ -1,11 +1,11 @@
 import time
 
+import made_meshes
 import pytest
 
-import made_meshes
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
-from thinpart_workbench.core.measurement import measure
-from thinpart_workbench.core.surface_mesh import surface_mesh
+from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
+from thinpart_workbench.core.thickness.measurement import measure
 
 
 class Stop(Exception):

@@ -1,18 +1,19 @@
+import brute_force
+import made_meshes
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-import brute_force
-import made_meshes
-from thinpart_workbench.core.box_tree import box_tree
 from thinpart_workbench.core.columns import corners_of
-from thinpart_workbench.core.inward_rays import InwardRays
-from thinpart_workbench.core.ray_casting import OUTER, first_hits, first_hits_within
-from thinpart_workbench.core.ray_packets import PACKET
-from thinpart_workbench.core.sampling import centroid_samples, surface_samples
-from thinpart_workbench.core.surface_mesh import surface_mesh
+from thinpart_workbench.core.mesh.dominant_directions import dominant_axes
+from thinpart_workbench.core.mesh.sampling import centroid_samples, surface_samples
+from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
+from thinpart_workbench.core.rays.box_tree import box_tree
+from thinpart_workbench.core.rays.inward_rays import InwardRays
+from thinpart_workbench.core.rays.ray_casting import OUTER, first_hits, first_hits_within
+from thinpart_workbench.core.rays.ray_packets import PACKET
+from thinpart_workbench.core.rays.tree_descent import Work
 from thinpart_workbench.core.tolerances import TOLERANCES
-from thinpart_workbench.core.tree_descent import Work
 
 TURNED = Rotation.from_rotvec([0.5, 0.7, -0.3]).as_matrix()
 
@@ -48,8 +49,11 @@ MADE = {
 def _counted(mesh, samples):
     work = Work()
     rays = InwardRays(mesh)
-    origins, directions = rays._rays(samples, slice(None))
-    first_hits(rays.tree, origins, directions, work=work)
+    # The tree is over the mesh as it is turned to its directions and moved to its middle.
+    axes = dominant_axes(mesh.normals, mesh.areas)
+    turned = axes @ mesh.vertices.T
+    origins = axes @ samples.points.T - 0.5 * (turned.min(axis=1) + turned.max(axis=1))[:, None]
+    first_hits(rays.tree, origins, -rays.normals[:, samples.triangle], work=work)
     return work
 
 
@@ -60,7 +64,7 @@ def _counted(mesh, samples):
 @pytest.mark.parametrize("turn", [np.eye(3), TURNED])
 def test_few_boxes_and_triangles_are_tested_per_packet(name, nodes, pairs, turn):
     mesh = surface_mesh(*made_meshes.moved(MADE[name], turn))
-    for samples in (centroid_samples(mesh), surface_samples(mesh)):
+    for samples in (centroid_samples(mesh), surface_samples(mesh, 4 * mesh.count)):
         work = _counted(mesh, samples)
         packets = samples.count / PACKET
         assert work.nodes / packets < nodes
@@ -95,7 +99,7 @@ def test_fine_meshes_are_identical_to_brute_force(name):
     distance, triangle = rays.first_hits(samples, 1.0)
     chosen = np.linspace(0, samples.count - 1, 300).astype(int)
     truth, other = brute_force.first_hits(
-        mesh, samples.points[chosen], -mesh.normals[samples.triangle[chosen]])
+        mesh, samples.points[chosen], -samples.normals[chosen])
     assert np.abs(distance[chosen] - truth).max() <= 1e-9 * mesh.extent
     assert (triangle[chosen] == other).mean() > 0.9
 

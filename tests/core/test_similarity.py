@@ -2,6 +2,7 @@
 
 from types import SimpleNamespace
 
+import made_meshes
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -9,18 +10,29 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 from scipy.stats import wasserstein_distance
 
-import made_meshes
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
-from thinpart_workbench.core.classification import classify
-from thinpart_workbench.core.criteria import load_profile
-from thinpart_workbench.core.distribution import BINS
-from thinpart_workbench.core.measurement import measure
-from thinpart_workbench.core.part_record import part_record
-from thinpart_workbench.core.similarity import (
-    DIAGONAL, EDGES, FILL, HALF_SCORE, INTERVALS, NO_WALL, SIGNATURE_LENGTH, TERMS, THICKNESS_UNIT,
-    UNKNOWN_FILL, nearest, reasons, score, signature,
+from thinpart_workbench.core.descriptors.distribution import BINS
+from thinpart_workbench.core.descriptors.similarity import (
+    DIAGONAL,
+    EDGES,
+    FILL,
+    HALF_SCORE,
+    INTERVALS,
+    NO_WALL,
+    SIGNATURE_LENGTH,
+    TERMS,
+    THICKNESS_UNIT,
+    UNKNOWN_FILL,
+    nearest,
+    reasons,
+    score,
+    signature,
 )
-from thinpart_workbench.core.surface_mesh import surface_mesh
+from thinpart_workbench.core.judging.classification import classify
+from thinpart_workbench.core.judging.criteria import load_profile
+from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
+from thinpart_workbench.core.record.part_record import part_record
+from thinpart_workbench.core.thickness.measurement import measure
 
 PART = SimpleNamespace(name="Part", label="A part", instances=1, warnings=())
 PAPER = load_profile("paper")

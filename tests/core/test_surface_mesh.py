@@ -1,10 +1,10 @@
+import made_meshes
 import numpy as np
 import pytest
 
-import made_meshes
 from thinpart_workbench.core.errors import MeshError
-from thinpart_workbench.core.mass_properties import area, volume
-from thinpart_workbench.core.surface_mesh import surface_mesh
+from thinpart_workbench.core.mesh.mass_properties import area, volume
+from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 
 
 def soup(mesh):
@@ -24,7 +24,7 @@ def test_box_is_watertight_and_exact():
 def test_inverted_soup_is_turned_round():
     mesh = surface_mesh(*made_meshes.inverted(made_meshes.box(3, 4, 5)))
     assert mesh.turned_round and volume(mesh) == pytest.approx(60, rel=1e-14)
-    assert "inside-out" in mesh.warnings[0]
+    assert "inside out" in mesh.warnings[0]
 
 
 def test_duplicates_and_flat_triangles_are_dropped_and_counted():
@@ -95,3 +95,14 @@ def test_flat_closed_surface_encloses_nothing():
     with pytest.raises(MeshError) as failure:
         volume(mesh)
     assert failure.value.kind == "zero_volume"
+
+
+@pytest.mark.parametrize("mesh", [
+    made_meshes.box(3, 4, 5), made_meshes.tube(), made_meshes.inverted(made_meshes.sphere()),
+    (made_meshes.box(3, 4, 5)[0], made_meshes.box(3, 4, 5)[1][1:])], ids=["box", "tube", "inverted sphere", "open box"])
+def test_sides_that_share_an_edge_are_found_once_and_stay_right(mesh):
+    mesh = surface_mesh(*mesh)
+    first, second = mesh.shared_sides
+    ends = np.stack([mesh.triangles, np.roll(mesh.triangles, -1, axis=1)], axis=2).reshape(-1, 2)
+    assert (ends[first] == ends[second][:, ::-1]).all()
+    assert len(first) == (3 * mesh.count - (0 if mesh.watertight else 3)) // 2

@@ -1,15 +1,17 @@
+import brute_force
+import made_meshes
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-import brute_force
-import made_meshes
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
-from thinpart_workbench.core.descriptors import REPORTED_SHARES
-from thinpart_workbench.core.distribution import distribution
-from thinpart_workbench.core.sampling import MAXIMUM_EXTRA_SAMPLES, surface_samples
-from thinpart_workbench.core.surface_mesh import surface_mesh
-from thinpart_workbench.core.thickness import measure_rays
+from thinpart_workbench.core.descriptors.descriptor_table import REPORTED_SHARES
+from thinpart_workbench.core.descriptors.distribution import distribution
+from thinpart_workbench.core.mesh.sampling import LEAST_ON_FACE, surface_samples
+from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
+from thinpart_workbench.core.rays.inward_rays import InwardRays
+from thinpart_workbench.core.thickness.thickness_field import measure_rays
+from thinpart_workbench.core.thickness.walls import walls_under
 
 TURNED = Rotation.from_rotvec([0.5, 0.7, -0.3]).as_matrix()
 
@@ -36,6 +38,8 @@ SHAPES = {
     "open box": (made_meshes.box(10, 10, 10)[0], made_meshes.box(10, 10, 10)[1][2:]),
     "soup": random_soup(np.random.default_rng(5)),
 }
+WATERTIGHT = len(SHAPES) - 2
+"""All but the open box and the soup."""
 
 
 @pytest.mark.parametrize("name", SHAPES)
@@ -48,18 +52,17 @@ def test_identical_to_brute_force(name, place):
     }[place]
     mesh = surface_mesh(*made_meshes.moved(SHAPES[name], **placed))
     samples = surface_samples(mesh, minimum=300)
-    field = measure_rays(mesh, samples)
+    walls, reach = walls_under(mesh, InwardRays(mesh), samples)
     chosen = np.linspace(0, samples.count - 1, 700).astype(int)
-    distance, triangle = brute_force.first_hits(
-        mesh, samples.points[chosen], -mesh.normals[samples.triangle[chosen]]
-    )
-    found, opposite = field.distance[chosen], field.opposite[chosen]
+    distance, _ = brute_force.first_hits(mesh, samples.points[chosen], -samples.normals[chosen])
+    found, opposite = reach[chosen], walls.opposite[chosen]
     assert (np.isinf(found) == np.isinf(distance)).all()
     met = np.isfinite(distance)
     assert np.abs(found[met] - distance[met]).max(initial=0) <= 1e-9 * mesh.extent
-    # A ray through an edge may name either neighbour; both are then equally far.
-    other = met & (opposite != triangle)
-    assert other.mean() < 0.2
+    # A ray through an edge may name either neighbour: the point that it meets is on both.
+    there = samples.points[chosen] - samples.normals[chosen] * np.where(met, found, 0.0)[:, None]
+    off = np.einsum("ij,ij->i", there - mesh.corners[opposite, 0], mesh.normals[opposite])
+    assert ((opposite >= 0) == met).all() and np.abs(off[met]).max(initial=0) <= 1e-9 * mesh.extent
 
 
 def test_samples_stand_for_the_whole_area():
@@ -71,16 +74,32 @@ def test_samples_stand_for_the_whole_area():
     assert np.bincount(samples.triangle).min() >= 4
 
 
-def test_samples_per_triangle_fall_on_very_fine_meshes():
+def test_samples_do_not_grow_with_the_triangles():
     mesh = surface_mesh(*made_meshes.box(100, 60, 40, cells=160))
     samples = surface_samples(mesh)
-    per_triangle = np.bincount(samples.triangle, minlength=mesh.count)
     assert mesh.count > 300_000
-    assert per_triangle.min() >= 1
-    assert samples.count <= mesh.count + MAXIMUM_EXTRA_SAMPLES
-    assert samples.area.sum() == pytest.approx(mesh.areas.sum())
-    # The large triangles keep their four.
-    assert per_triangle[mesh.areas > np.quantile(mesh.areas, 0.7)].min() >= 4
+    assert samples.count == pytest.approx(AnalysisSettings.minimum_samples, rel=1e-3)
+    faces = np.bincount(mesh.face_of_triangle[samples.triangle], samples.area)
+    assert faces == pytest.approx(np.bincount(mesh.face_of_triangle, mesh.areas), rel=1e-9)
+
+
+def test_no_face_of_a_fine_mesh_goes_unseen():
+    # Of a million, a plate's share would be none.
+    points, triangles = made_meshes.joined(
+        made_meshes.box(100, 60, 40, cells=160), made_meshes.moved(made_meshes.box(0.1, 0.1, 0.1), shift=(200, 0, 0)))
+    faces = np.append(np.zeros(len(triangles) - 12, dtype=np.int64), np.arange(1, 13))
+    mesh = surface_mesh(points, triangles, faces)
+    samples = surface_samples(mesh, 5000)
+    assert (np.bincount(mesh.face_of_triangle[samples.triangle], minlength=13)[1:] == LEAST_ON_FACE).all()
+    assert samples.area.sum() == pytest.approx(mesh.areas.sum(), rel=1e-9)
+
+
+def test_more_faces_than_samples_share_them_by_area():
+    points, triangles = made_meshes.box(100, 60, 40, cells=20)
+    mesh = surface_mesh(points, triangles, np.arange(len(triangles)))
+    samples = surface_samples(mesh, 1000)
+    assert mesh.count > 4000 and 900 <= samples.count <= 1100
+    assert samples.area.sum() == pytest.approx(mesh.areas.sum(), rel=2e-3)
 
 
 def test_samples_have_no_random_seed_in_them():
@@ -123,10 +142,14 @@ def test_a_surface_that_passes_through_itself_is_noticed(turn):
     through = made_meshes.joined(
         made_meshes.box(10, 10, 10), made_meshes.moved(made_meshes.box(10, 10, 10), shift=(5, 5, 5))
     )
+    seen, expected = [], []
     for shape, noticed in [(through, True), *((each, False) for each in SHAPES.values())]:
         mesh = surface_mesh(*made_meshes.moved(shape, turn))
         field = measure_rays(mesh, surface_samples(mesh))
-        assert (len(field.entered) > 0) == noticed or not mesh.watertight
+        if mesh.watertight:  # of what is open, nothing can be said
+            seen.append(len(field.entered) > 0)
+            expected.append(noticed)
+    assert seen == expected and len(seen) == WATERTIGHT + 1
 
 
 @pytest.mark.parametrize("shape", [
@@ -138,7 +161,7 @@ def test_shares_are_within_half_a_percent_of_a_very_dense_sampling(shape):
     shares = []
     for minimum in (AnalysisSettings.minimum_samples, 500_000):
         field = measure_rays(mesh, surface_samples(mesh, minimum))
-        shares.append(distribution(field, mesh.extent))
+        shares.append(distribution(field, mesh.extent, mesh.extent))
     for low, high in REPORTED_SHARES:
         assert shares[0].share(low, high) == pytest.approx(shares[1].share(low, high), abs=0.005)
 

@@ -1,19 +1,28 @@
+import json
+from dataclasses import replace
+
+import made_meshes
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-import made_meshes
-from thinpart_workbench.core.analysis_settings import AnalysisSettings
-from thinpart_workbench.core.colour_scale import COLOUR_MAPS, ColourScale, colour_table
+from thinpart_workbench.core.analysis_settings import RAY, SPHERE, AnalysisSettings
 from thinpart_workbench.core.errors import ThinPartError
-from thinpart_workbench.core.facet_refinement import cut_sides, side_keys
-from thinpart_workbench.core.map_summary import (
-    are_between, area_by_thickness, between, face_summaries, range_of, share_between, telling_range,
+from thinpart_workbench.core.maps.facet_refinement import cut_sides, side_keys
+from thinpart_workbench.core.maps.map_summary import (
+    are_between,
+    area_by_thickness,
+    between,
+    face_summaries,
+    share_between,
+    thickness_range,
+    typical_range,
 )
-from thinpart_workbench.core.mapped_part import MappedPart
-from thinpart_workbench.core.measurement import measure
-from thinpart_workbench.core.surface_mesh import surface_mesh
-from thinpart_workbench.core.thickness_map import FACETS, MOST_FACETS, at_place, thickness_map
+from thinpart_workbench.core.maps.mapped_part import MappedPart
+from thinpart_workbench.core.maps.thickness_map import FACETS, MOST_FACETS, thickness_map, transformed_map
+from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
+from thinpart_workbench.core.rendering.colour_scale import COLOUR_MAPS, ColourScale, colour_table
+from thinpart_workbench.core.thickness.measurement import measure
 from thinpart_workbench.storage.map_file import read_maps, write_maps
 
 TURNED = Rotation.from_rotvec([0.3, -0.8, 0.5]).as_matrix()
@@ -29,6 +38,16 @@ def _closed(shown):
                          return_counts=True)[1]) == {2}
 
 
+def _open_lengths(points, facets, face):
+    """By face, the length of the sides that belong to one of its facets only."""
+    sides = points[np.stack([facets, np.roll(facets, -1, axis=1)], axis=2)]
+    lengths = np.linalg.norm(sides[:, :, 1] - sides[:, :, 0], axis=2).ravel()
+    keys = (side_keys(facets, len(points)) * (int(face.max()) + 1) + face[:, None]).ravel()
+    _, first, count = np.unique(keys, return_index=True, return_counts=True)
+    assert count.max() <= 2
+    return np.bincount(np.repeat(face, 3)[first[count == 1]], lengths[first[count == 1]], int(face.max()) + 1)
+
+
 @pytest.mark.parametrize("shape", [
     made_meshes.box(100, 60, 40), made_meshes.ribbed_block(), made_meshes.tube(), made_meshes.wedge(),
     made_meshes.sphere(), made_meshes.spherical_shell(),
@@ -36,7 +55,9 @@ def _closed(shown):
 def test_facets_cover_the_surface_without_cracks(shape):
     mesh = surface_mesh(*made_meshes.moved(shape, TURNED, (1000.0, 0.0, 0.0)))
     shown = thickness_map(measure(mesh, AnalysisSettings()))
-    assert _closed(shown)
+    # Between two faces, the facets of one may have corners on the straight sides of those of the other.
+    assert _open_lengths(shown.points.astype(float), shown.facets.astype(np.int64), shown.face.astype(np.int64)) == \
+        pytest.approx(_open_lengths(mesh.vertices, mesh.triangles, mesh.face_of_triangle), rel=1e-4, abs=1e-3)
     assert shown.areas.sum() == pytest.approx(mesh.areas.sum(), rel=1e-5)
     assert FACETS / 4 < shown.count < 1.2 * max(MOST_FACETS, mesh.count)
     for face in np.unique(mesh.face_of_triangle):
@@ -146,9 +167,12 @@ def test_summaries_agree_with_each_other():
     total = 20800.0 + 3 * 600.0
     assert shares == pytest.approx([20000 / total, 1800 / total, 800 / total], rel=1e-4)
     assert share_between([plate, cube], 5.0, 50.0) == pytest.approx(shares[1])
-    assert range_of([plate, cube]) == pytest.approx((2.0, 100.0), rel=1e-4)
-    assert telling_range([plate]) == pytest.approx((2.0, 4.0), rel=1e-4)
-    assert telling_range([cube]) == pytest.approx((10.0, 10.0), rel=1e-4)
+    assert thickness_range([plate, cube]) == pytest.approx((2.0, 100.0), rel=1e-4)
+    assert typical_range([plate]) == pytest.approx((2.0, 4.0), rel=1e-4)
+    assert typical_range([cube]) == pytest.approx((10.0, 10.0), rel=1e-4)
+    # The thinnest wall of some extent, where the record names one.
+    measured = replace(plate, record={"descriptors": {"thickness_mm": {"min": 3.0}}})
+    assert typical_range([measured]) == pytest.approx((3.0, 6.0), rel=1e-4)
     faces = face_summaries(plate.map, 5.0)
     assert sum(each.area for each in faces) == pytest.approx(20800.0, rel=1e-5)
     thin = plate.map.areas[between(plate.map, 0.0, 5.0)].sum()
@@ -169,7 +193,7 @@ def test_a_map_goes_through_a_file(tmp_path):
     write_maps(path, [part, part])
     for read in read_maps(path):
         assert read.record == part.record and read.features == part.features
-        assert np.array_equal(read.places, part.places)
+        assert np.array_equal(read.matrices, part.matrices)
         assert np.array_equal(read.map.thickness, part.map.thickness, equal_nan=True)
         assert read.map.wall_at(0, read.map.corners[0].mean(axis=0)) is not None
 
@@ -186,7 +210,7 @@ def test_a_map_at_another_place():
     shown = _map(made_meshes.box(10, 20, 30))
     matrix = np.eye(4)
     matrix[:3, :3], matrix[:3, 3] = TURNED, (5.0, -6.0, 7.0)
-    moved = at_place(shown, matrix)
+    moved = transformed_map(shown, matrix)
     assert moved.points + moved.origin == pytest.approx(
         (shown.points + shown.origin) @ TURNED.T + matrix[:3, 3], abs=1e-3)
 
@@ -218,7 +242,46 @@ def test_a_range_of_no_width_still_has_colours():
 def test_large_triangles_of_a_fine_surface_mesh_are_cut_all_the_same(monkeypatch):
     fine = made_meshes.moved(made_meshes.box(10, 10, 10, cells=12), shift=(300.0, 0.0, 0.0))
     mesh = surface_mesh(*made_meshes.joined(made_meshes.ribbed_block(), fine))
-    monkeypatch.setattr("thinpart_workbench.core.thickness_map.MOST_FACETS", mesh.count // 2)
+    monkeypatch.setattr("thinpart_workbench.core.maps.thickness_map.MOST_FACETS", mesh.count // 2)
     shown = thickness_map(measure(mesh, AnalysisSettings()))
     assert mesh.count < shown.count <= 1.5 * mesh.count + 1
     assert shown.areas.max() < 0.2 * mesh.areas.max()
+
+
+@pytest.mark.parametrize("shape", [made_meshes.ribbed_block(), made_meshes.tube(), made_meshes.wedge()])
+def test_balls_cover_the_surface_and_are_no_larger_than_walls(shape):
+    measured = measure(surface_mesh(*made_meshes.moved(shape, TURNED)), AnalysisSettings())
+    walls, balls = thickness_map(measured), thickness_map(measured, by=SPHERE)
+    assert (walls.measure, balls.measure) == (RAY, SPHERE)
+    assert _closed(balls) and balls.measured.all()
+    assert balls.areas.sum() == pytest.approx(walls.areas.sum(), rel=1e-5)
+    assert balls.ends[1] <= walls.ends[1] * (1.0 + 1e-3)
+
+
+def test_a_ball_of_a_map_ends_at_its_diameter():
+    shown = thickness_map(measure(surface_mesh(*made_meshes.box(100, 100, 2)), AnalysisSettings()), by=SPHERE)
+    on_top = np.flatnonzero(shown.normals[:, 2] > 0.9)
+    middle = on_top[np.argmin(np.linalg.norm((shown.corners.mean(axis=1) + shown.origin)[on_top, :2] - 50.0, axis=1))]
+    point = shown.corners[middle].mean(axis=0) + shown.origin
+    value, end = shown.wall_at(middle, point)
+    assert value == pytest.approx(2.0, rel=1e-5)
+    assert end == pytest.approx(point - (0.0, 0.0, 2.0), abs=1e-4)
+
+
+def test_a_map_file_keeps_the_measure(tmp_path):
+    shown = thickness_map(measure(surface_mesh(*made_meshes.wedge()), AnalysisSettings()), by=SPHERE)
+    write_maps(str(tmp_path / "maps.npz"), [MappedPart({}, shown)])
+    read, = read_maps(str(tmp_path / "maps.npz"))
+    assert read.map.measure == SPHERE
+    np.testing.assert_array_equal(read.map.thickness, shown.thickness)
+
+
+def test_a_map_file_of_an_earlier_version_is_by_rays(tmp_path):
+    path = tmp_path / "maps.npz"
+    write_maps(str(path), [MappedPart({}, _map(made_meshes.wedge()))])
+    with np.load(path) as file:
+        arrays = dict(file)
+    content = json.loads(str(arrays["content"]))
+    del content["parts"][0]["measure"]
+    np.savez(path, **{**arrays, "content": np.array(json.dumps(content))})
+    assert read_maps(str(path))[0].map.measure == RAY

@@ -30,7 +30,7 @@ def _measure_a_part():
     import FreeCADGui as Gui
     import window_actions as window
 
-    from thinpart_workbench.gui.qt import QtWidgets
+    from thinpart_workbench.gui.application.qt import QtWidgets
 
     Gui.activateWorkbench("ThinPartWorkbench")
     window.add(App.newDocument("Test"), "Sieve", window.slow_shape())
@@ -52,7 +52,7 @@ def _save_a_document():
     import FreeCADGui as Gui
     import window_actions as window
 
-    from thinpart_workbench.freecad_adapter.settings import set_preference
+    from thinpart_workbench.freecad_adapter.preferences import set_preference
 
     set_preference("AutomaticClassification", True)
     document = App.newDocument("Test")
@@ -86,17 +86,19 @@ def _read_a_library():
     """Notes are written and not saved, and more parts are being read."""
     import FreeCADGui as Gui
     import window_actions as window
-
     from made_library import make_large_library
-    from thinpart_workbench.freecad_adapter.settings import set_preference_list
-    from thinpart_workbench.gui.qt import QtWidgets
-    from thinpart_workbench.gui.worker_python import python_environment, python_program
+
+    from thinpart_workbench.freecad_adapter.preferences import set_preference_list
+    from thinpart_workbench.freecad_adapter.python_beside_freecad import python_environment
+    from thinpart_workbench.gui.application.qt import QtWidgets
+    from thinpart_workbench.gui.library.libraries_page import LibrariesPage
+    from thinpart_workbench.gui.processes.freecad_python import python_program
 
     Gui.activateWorkbench("ThinPartWorkbench")
     parts, many = HOME / "parts", HOME / "many"
     parts.mkdir()
     shutil.copyfile(window.SAMPLES / "block.step", parts / "block.step")
-    subprocess.run([python_program(), "-m", "thinpart_workbench", "classify", os.fspath(parts)],
+    subprocess.run([python_program(), "-m", "thinpart_workbench", "classify", os.fspath(parts), "--profile", "paper"],
                    env=python_environment(), check=True, stdin=subprocess.DEVNULL, capture_output=True)
     make_large_library(many, [parts / "block.step.thinpart.json"], 8000)
     set_preference_list("Libraries", [os.fspath(parts)])
@@ -106,7 +108,7 @@ def _read_a_library():
     table.selectRow(0)
     window.wait_until(window.widget("ThinPart_KeptNotes").isEnabled)
     window.widget("ThinPart_KeptNotes").setPlainText("written last")
-    window.widget("ThinPart_FindParts", QtWidgets.QDockWidget)._libraries.add(os.fspath(many))
+    window.widget("ThinPart_FindParts", QtWidgets.QDockWidget).findChild(LibrariesPage).add(os.fspath(many))
     window.wait_until(lambda: "info files read" in window.widget("ThinPart_LibraryProgress").text())
     Gui.getMainWindow().close()
 

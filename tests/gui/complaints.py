@@ -2,8 +2,8 @@
 
 import traceback
 
-from thinpart_workbench.freecad_adapter.edge import on_fault
-from thinpart_workbench.gui.qt import QtCore, QtWidgets
+from thinpart_workbench.freecad_adapter.guard import FAULTS
+from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
 
 # Of the screen without a desktop, or of FreeCAD's own window.
 _OTHERS = ("propagateSizeHints", "XDG_RUNTIME_DIR", "QStandardPaths", "Could not find any platform plugin",
@@ -18,7 +18,7 @@ _messages = []
 def listen():
     """Keep what Qt says from now on, and what ends at an edge, which the Report view has without its traceback."""
     QtCore.qInstallMessageHandler(_keep)
-    on_fault(lambda error: _messages.append("".join(traceback.format_exception(type(error), error,
+    FAULTS.add(lambda error: _messages.append("".join(traceback.format_exception(type(error), error,
                                                                                error.__traceback__))))
 
 

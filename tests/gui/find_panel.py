@@ -5,13 +5,17 @@ import subprocess
 
 import pytest
 import window_actions as window
-
 from made_library import make_large_library
-from thinpart_workbench.freecad_adapter.settings import set_preference_list
-from thinpart_workbench.gui import find_parts
-from thinpart_workbench.gui.found_table import FILE, PART, WAITING
-from thinpart_workbench.gui.qt import QtCore
-from thinpart_workbench.gui.worker_python import python_environment, python_program
+
+from thinpart_workbench.freecad_adapter.preferences import set_preference_list
+from thinpart_workbench.freecad_adapter.python_beside_freecad import python_environment
+from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
+from thinpart_workbench.gui.library import command as find_parts
+from thinpart_workbench.gui.library.details import PartDetails
+from thinpart_workbench.gui.library.filters_page import FiltersPage
+from thinpart_workbench.gui.library.libraries_page import LibrariesPage
+from thinpart_workbench.gui.library.results_model import FILE, PART, WAITING
+from thinpart_workbench.gui.processes.freecad_python import python_program
 
 SAMPLES = ("plate.step", "block.step", "ribbed_block.FCStd", "ribbed_block.step", "tube.step",
            "heat_sink.FCStd", "assembly_of_three.FCStd")
@@ -25,7 +29,7 @@ def classified(tmp_path_factory):
     for name in SAMPLES:
         shutil.copyfile(window.SAMPLES / name, folder / name)
     (folder / "damaged.thinpart.json").write_text("{")
-    subprocess.run([python_program(), "-m", "thinpart_workbench", "classify", str(folder)],
+    subprocess.run([python_program(), "-m", "thinpart_workbench", "classify", str(folder), "--profile", "paper"],
                    env=python_environment(), check=True, stdin=subprocess.DEVNULL, capture_output=True)
     return folder
 
@@ -141,8 +145,28 @@ def select(dock, label, place=None):
     return table().current_part
 
 
+def details(dock):
+    """The tabs of the selected part."""
+    return dock.findChild(PartDetails)
+
+
+def choices(dock):
+    """The tabs of filters, libraries and reclassifying."""
+    return dock.findChild(QtWidgets.QTabWidget, "ThinPart_FindChoices")
+
+
+def filters(dock):
+    """All filters together."""
+    return dock.findChild(FiltersPage)
+
+
+def add_library(dock, folder):
+    """As the button does with the folder that was chosen."""
+    dock.findChild(LibrariesPage).add(str(folder))
+
+
 def tab(dock, page):
-    dock._details.setCurrentIndex(page)
+    details(dock).setCurrentIndex(page)
     window.settle(20)
 
 
@@ -151,7 +175,7 @@ def count_of(name):
 
 
 def choose(dock, index):
-    dock._choices.setCurrentIndex(index)
+    choices(dock).setCurrentIndex(index)
     window.settle(20)
 
 

@@ -6,12 +6,12 @@ import FreeCAD as App
 import pytest
 import window_actions as window
 
-from thinpart_workbench.freecad_adapter.settings import GROUP
-from thinpart_workbench.gui.qt import QtCore, QtGui, QtWidgets
-from thinpart_workbench.gui.result_table import FILE, PART
+from thinpart_workbench.freecad_adapter.preferences import GROUP
+from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
+from thinpart_workbench.gui.folder.results_model import FILE, PART
 
 MANY = 5
-CANCELLED = "cancelled: what was done is kept, Start does the rest"
+CANCELLED = "cancelled: finished results are saved, Start continues with the rest"
 
 
 @pytest.fixture(autouse=True)

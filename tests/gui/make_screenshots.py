@@ -72,11 +72,36 @@ def _show_thickness(make, picture, act=lambda: None):
     window.settle(100)
 
 
+def _prepare_mesh(sample, picture):
+    """A sample with its element sizes, meshed and compared."""
+    import FreeCAD as App
+    import FreeCADGui as Gui
+    import window_actions as window
+
+    Gui.activateWorkbench("ThinPartWorkbench")
+    document = _opened(sample)
+    view = Gui.getDocument(document.Name).activeView()
+    view.viewAxonometric()
+    view.fitAll()
+    window.press("ThinPart_MeshSizes")
+    window.wait_until(lambda: window.is_shown("ThinPart_MeshEstimate"), seconds=PATIENCE)
+    _dock_tasks()
+    window.click("ThinPart_MeshButton")
+    window.wait_until(lambda: window.is_shown("ThinPart_QualityChart"), seconds=PATIENCE)
+    view.fitAll()
+    Gui.getMainWindow().statusBar().clearMessage()
+    window.settle(1500)
+    _take(picture)
+    App.closeDocument(document.Name)
+    window.settle(300)
+
+
 def _dock_tasks():
     """Put the task view beside the 3D view, as it is in older FreeCADs: 1.1 lays it over the part."""
     import FreeCADGui as Gui
     import window_actions as window
-    from thinpart_workbench.gui.qt import QtCore, QtGui, QtWidgets
+
+    from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
 
     main = Gui.getMainWindow()
     overlay = main.findChild(QtWidgets.QTabWidget, "OverlayRight")
@@ -95,7 +120,8 @@ def _dock_tasks():
 def _hide_tasks():
     """Without a task, the view is an empty one beside the search."""
     import FreeCADGui as Gui
-    from thinpart_workbench.gui.qt import QtWidgets
+
+    from thinpart_workbench.gui.application.qt import QtWidgets
 
     tasks = Gui.getMainWindow().findChild(QtWidgets.QDockWidget, "Tasks")
     if tasks is not None:
@@ -131,10 +157,11 @@ def _choose_second_part():
 
 def _library():
     """All samples, classified by the command line with pictures, as a library."""
-    from thinpart_workbench.freecad_adapter.settings import set_preference_list
-    from thinpart_workbench.gui.worker_python import python_environment, python_program
-
     import window_actions as window
+
+    from thinpart_workbench.freecad_adapter.preferences import set_preference_list
+    from thinpart_workbench.freecad_adapter.python_beside_freecad import python_environment
+    from thinpart_workbench.gui.processes.freecad_python import python_program
 
     folder = HOME / "library"
     folder.mkdir()
@@ -150,8 +177,8 @@ def _find(main, folder):
     import FreeCADGui as Gui
     import window_actions as window
 
-    from thinpart_workbench.gui.find_parts import show_find_parts
-    from thinpart_workbench.gui.qt import QtCore
+    from thinpart_workbench.gui.application.qt import QtCore
+    from thinpart_workbench.gui.library.command import show_find_parts
 
     _library()
     dock = show_find_parts()
@@ -178,6 +205,24 @@ def _find(main, folder):
     _settle(dock)
     _take(folder / "find_similar.png")
     return dock
+
+
+def _edit_profile(folder):
+    """The profile editor with a threshold changed, and the parts that change their category."""
+    import window_actions as window
+
+    window.press("ThinPart_EditProfile")
+    dialog = window.widget("ThinPart_ProfileDialog")
+    window.wait_until(lambda: not dialog.is_waiting, PATIENCE)
+    field = window.widget("ThinPart_ProfileForm").findChild(type(window.widget("ThinPart_ConditionValue")),
+                                                            "ThinPart_ConditionValue")
+    field.setValue(95.0)
+    window.settle(50)
+    window.wait_until(lambda: not dialog.is_waiting, PATIENCE)
+    window.widget("ThinPart_ProfileChangesTable").selectRow(0)
+    window.settle(300)
+    _grab(dialog, folder / "edit_profile.png")
+    dialog.end()
 
 
 def _settle(dock):
@@ -230,7 +275,7 @@ def _take(picture):
 
 def _arrange(main):
     """As much room for the part and the panel as a user would give them."""
-    from thinpart_workbench.gui.qt import QtCore, QtWidgets
+    from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
 
     main.showMaximized()
     for dock in main.findChildren(QtWidgets.QDockWidget):
@@ -253,9 +298,11 @@ def _go():
         _classify("thin_walled_casting", Path(arguments[1], "classify_casting.png"))
         _show_thickness(lambda: _opened("thin_walled_casting"), Path(arguments[1], "thickness.png"))
         _show_thickness(_links, Path(arguments[1], "thickness_assembly.png"), _choose_second_part)
+        _prepare_mesh("bent_sheet_bracket", Path(arguments[1], "prepare_mesh.png"))
         _classify_folder(Path(arguments[1]))
         _hide_tasks()
         _find(Gui.getMainWindow(), Path(arguments[1]))
+        _edit_profile(Path(arguments[1]))
         status = 0
     except BaseException:  # whatever it was: FreeCAD must end, and tell
         traceback.print_exc(file=output)

@@ -1,6 +1,6 @@
 """Everything that can be read in a window."""
 
-from thinpart_workbench.gui.qt import QtCore, QtWidgets
+from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
 
 _HORIZONTAL = QtCore.Qt.Horizontal
 

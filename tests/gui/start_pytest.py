@@ -11,6 +11,9 @@ import sys
 START_SECONDS = 120
 """For pytest to begin; each test has its own limit then."""
 
+TOLD_ONLY = ("-W", "default::ResourceWarning", "-W", "default::pytest.PytestUnraisableExceptionWarning")
+"""Errors in pytest.ini, but in this process FreeCAD's own Python and Qt leave things to the collector as well."""
+
 
 class _Diary:
     """Which tests have begun, which have ended, and what failed."""
@@ -49,7 +52,7 @@ def _go():
         import pytest
 
         given = json.loads(os.environ["THINPART_GUI_ARGUMENTS"])
-        status = pytest.main(["-p", "no:cacheprovider", "--capture=sys", *given["pytest"]],
+        status = pytest.main(["-p", "no:cacheprovider", "--capture=sys", *TOLD_ONLY, *given["pytest"]],
                              plugins=[_Diary(home, set(given["done"]))])
     finally:
         # FreeCAD would ask whether to save the documents.

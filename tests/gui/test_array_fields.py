@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from pivy import coin
 
-from thinpart_workbench.gui.array_fields import fill_numbers, fill_points
+from thinpart_workbench.gui.scene.coin_arrays import fill_numbers, fill_points
 
 
 class _ListsOnly:

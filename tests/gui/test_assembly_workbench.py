@@ -7,14 +7,14 @@ import FreeCADGui as Gui
 import numpy as np
 import pytest
 import window_actions as window
-
 from made_assemblies import has_assembly_workbench, save_assembly
 from thickness_window import look_at
-from thinpart_workbench.freecad_adapter.settings import set_preference
-from thinpart_workbench.freecad_adapter.thickness_object import thickness_objects
-from thinpart_workbench.gui.automatic_classification import AUTOMATIC
-from thinpart_workbench.storage.info_file import read_info
-from thinpart_workbench.workflow.document_maps import parts_of
+
+from thinpart_workbench.api.document_maps import parts_of
+from thinpart_workbench.freecad_adapter.objects.thickness_object import thickness_objects
+from thinpart_workbench.freecad_adapter.preferences import set_preference
+from thinpart_workbench.gui.application import lifelong
+from thinpart_workbench.storage.info.info_file import read_info
 
 pytestmark = pytest.mark.skipif(not has_assembly_workbench(), reason="this FreeCAD has no Assembly workbench")
 
@@ -56,7 +56,7 @@ def test_the_map_colours_the_parts_where_they_stand(made):
     window.show_thickness()
     thickness, = thickness_objects(document)
     parts = parts_of(thickness)
-    assert sorted(len(part.places) for part in parts) == sorted(made.instances.values())
+    assert sorted(len(part.matrices) for part in parts) == sorted(made.instances.values())
     shown, stand = _boxes(parts), _boxes_of_solids(document)
     assert len(stand) >= 18, "FreeCAD's shape has two that stand at one place once"
     assert np.allclose(sorted(set(shown)), sorted(stand), atol=0.011)
@@ -67,7 +67,7 @@ def _boxes(parts):
     found = []
     for part in parts:
         corners = part.map.points + part.map.origin
-        for matrix in part.places:
+        for matrix in part.matrices:
             placed = corners @ matrix[:3, :3].T + matrix[:3, 3]
             found.append(tuple(np.round([*placed.min(axis=0), *placed.max(axis=0)], 2) + 0.0))
     return found
@@ -101,7 +101,7 @@ def test_saving_classifies_it(made):
         window.settle(50)
         document.save()
         window.settle(50)
-        window.wait_until(lambda: not AUTOMATIC.is_busy)
+        window.wait_until(lambda: not lifelong.auto_classifier.is_busy)
     finally:
         set_preference("AutomaticClassification", None)
         window.settle(50)

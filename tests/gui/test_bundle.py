@@ -17,31 +17,33 @@ import FreeCAD as App
 import pytest
 import window_actions as window
 
-from folder_dialog_use import (  # noqa: F401 - fixtures among them
+# Fixtures, and tests that run once more, in the bundle.
+from folder_dialog_use import (
     dialog, folder, many, no_choices,
 )
-from find_panel import classified, library, no_libraries  # noqa: F401
+from find_panel import classified, library, no_libraries
 from test_automatic import info, label, save, wait
-from test_classify import (  # noqa: F401 - they run once more, in the bundle
+from test_classify import (
     test_a_worker_that_cannot_begin_is_one_sentence, test_ribbed_block as test_a_part,
 )
-from test_classify_folder import (  # noqa: F401
+from test_classify_folder import (
     test_a_folder_becomes_rows_counts_and_info_files as test_a_folder,
     test_pausing_and_going_on, test_the_time_limit_can_be_raised_for_those_that_failed as test_a_time_limit,
 )
-from test_find_libraries import (  # noqa: F401
+from test_find_libraries import (
     other_profile, test_reclassify_previews_and_writes,
 )
-from test_find_parts import test_criteria as test_a_library  # noqa: F401
-from test_report import browser, message, opened, saved, wait_for_end  # noqa: F401
-from test_show_thickness import (  # noqa: F401
+from test_find_parts import test_criteria as test_a_library
+from test_report import browser, message, opened, saved, wait_for_end
+from test_show_thickness import (
     test_what_is_selected_is_measured_alone as test_a_thickness_map,
 )
 from thinpart_workbench.freecad_adapter.additional_packages import install_folder
-from thinpart_workbench.freecad_adapter.settings import set_preference
-from thinpart_workbench.gui.ready_process import READY
-from thinpart_workbench.gui.worker_python import python_environment, python_program
-from thinpart_workbench.storage.info_file import read_info
+from thinpart_workbench.freecad_adapter.preferences import set_preference
+from thinpart_workbench.gui.application import lifelong
+from thinpart_workbench.freecad_adapter.python_beside_freecad import python_environment
+from thinpart_workbench.gui.processes.freecad_python import python_program
+from thinpart_workbench.storage.info.info_file import read_info
 
 BARE = Path(__file__).resolve().parents[1] / "bare_python"
 PACKAGES = Path("/usr/lib/python3/dist-packages")
@@ -62,10 +64,10 @@ def bundle(tmp_path_factory, monkeypatch):
     hidden = runpy.run_path(str(BARE / "sitecustomize.py"))["HIDDEN"]
     for name in hidden:
         monkeypatch.delitem(sys.modules, name, raising=False)
-    READY.end()
+    lifelong.standby_worker.end()
     yield usr
     sys.meta_path[:] = before
-    READY.end()
+    lifelong.standby_worker.end()
     shutil.rmtree(Path(App.getUserAppDataDir(), "AdditionalPythonPackages"), ignore_errors=True)
 
 
@@ -75,9 +77,9 @@ def real_python():
 
 def test_its_python_is_found_and_has_no_libraries(bundle):
     assert python_program() == str(bundle / "bin" / "python")
-    run = subprocess.run([python_program(), "-c", "import numpy, scipy\nimport pebble"],
+    run = subprocess.run([python_program(), "-c", "import numpy, scipy\nimport rich"],
                          env=python_environment(), capture_output=True, encoding="utf-8")
-    assert "No module named 'pebble'" in run.stderr
+    assert "No module named 'rich'" in run.stderr
     run = subprocess.run([python_program(), "-c", "import jinja2"], env=python_environment(), capture_output=True)
     assert run.returncode == 1
 
@@ -188,3 +190,17 @@ def test_installing_can_be_stopped(saved, bundle):
     window.click("ThinPart_ReportCancel")
     assert "Stopped" in message() and window.widget("ThinPart_ReportStart").isEnabled()
     assert window.workers("sleep") == []
+
+
+def test_learning_asks_for_scikit_learn_and_installs_it(index, tmp_path):
+    window.press("ThinPart_LearnThresholds")
+    window.wait_until(lambda: window.is_shown("ThinPart_LearnDialog"))
+    assert window.is_shown("ThinPart_LearnInstall")
+    window.widget("ThinPart_LearnFolder").setCurrentText(str(tmp_path))
+    window.click("ThinPart_LearnStart")
+    said = window.text("ThinPart_LearnMessage")
+    assert "scikit-learn" in said and install_folder() in said
+    window.click("ThinPart_LearnInstall")
+    assert "Installing scikit-learn" in window.text("ThinPart_LearnMessage")
+    window.wait_until(lambda: window.widget("ThinPart_LearnStart").isEnabled())
+    assert "not found in the index" in window.text("ThinPart_LearnMessage")

@@ -6,20 +6,42 @@ from pathlib import Path
 
 import pytest
 import window_actions as window
-
 from folder_dialog_use import (  # noqa: F401 - fixtures among them
-    CANCELLED, MANY, column, count_of, dialog, folder, info_files, many, message, model,
-    no_choices, press_key, progress, run, select, sort_by, start, wait_for_end,
+    CANCELLED,
+    MANY,
+    column,
+    count_of,
+    dialog,
+    folder,
+    info_files,
+    many,
+    message,
+    model,
+    no_choices,
+    press_key,
+    progress,
+    run,
+    select,
+    sort_by,
+    start,
+    wait_for_end,
 )
 from slow_files import make_endless
-from thinpart_workbench.gui import classify_folder
-from thinpart_workbench.gui.folder_settings import FORMATS
-from thinpart_workbench.gui.qt import QtCore, QtWidgets
-from thinpart_workbench.gui.result_table import (
-    BOX, CATEGORY, CRITERIA, FILE, INSTANCES, PART, RATIO, THINNEST,
+
+from thinpart_workbench.freecad_adapter.preferences import preference_list, set_preference_list
+from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
+from thinpart_workbench.gui.folder import command as classify_folder
+from thinpart_workbench.gui.folder.results_model import (
+    BOX,
+    CATEGORY,
+    CRITERIA,
+    FILE,
+    INSTANCES,
+    PART,
+    RATIO,
+    THINNEST,
 )
-from thinpart_workbench.storage.info_file import read_info
-from thinpart_workbench.workflow.find_documents import ENDINGS
+from thinpart_workbench.storage.info.info_file import read_info
 
 
 def test_the_command_opens_one_dialog_and_brings_it_back(dialog):
@@ -31,10 +53,6 @@ def test_the_command_opens_one_dialog_and_brings_it_back(dialog):
     named = [each for each in QtWidgets.QApplication.allWidgets()
              if each.objectName() == "ThinPart_FolderDialog"]
     assert named == [dialog]
-
-
-def test_the_formats_are_all_that_can_be_taken_from_a_folder():
-    assert sorted(sum(FORMATS.values(), ())) == sorted(ENDINGS)
 
 
 def test_a_folder_becomes_rows_counts_and_info_files(dialog, folder):
@@ -55,6 +73,21 @@ def test_a_folder_becomes_rows_counts_and_info_files(dialog, folder):
     assert [each.name for each in info_files(folder)] == [
         "assembly.FCStd.thinpart.json", "block.FCStd.thinpart.json", "plate.step.thinpart.json"]
     assert window.widget("ThinPart_FolderRetry").isEnabled()
+
+
+def test_the_run_is_in_the_status_bar_and_the_folder_offers_itself_as_a_library(dialog, folder):
+    set_preference_list("Libraries", [])
+    start(folder)
+    window.wait_until(lambda: window.is_shown("ThinPart_RunningJobs"))
+    dialog.hide()
+    window.click("ThinPart_RunningJobs")
+    assert dialog.isVisible()
+    wait_for_end()
+    assert not window.is_shown("ThinPart_RunningJobs")
+    window.click("ThinPart_FolderAddLibrary")
+    assert preference_list("Libraries") == [str(folder)]
+    assert not window.is_shown("ThinPart_FolderAddLibrary")
+    set_preference_list("Libraries", [])
 
 
 def test_a_failure_is_red_and_says_what_happened(dialog, folder):

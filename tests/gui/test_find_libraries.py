@@ -7,17 +7,41 @@ import time
 
 import pytest
 import window_actions as window
-
 from find_panel import (  # noqa: F401 - fixtures among them
-    MANY, answered, cells, check, choose, classified, count_of, library, many, no_libraries,
-    opened, ready, row_of, select, status, table, trigger, uses_many, workers, write,
+    MANY,
+    add_library,
+    answered,
+    cells,
+    check,
+    choices,
+    choose,
+    classified,
+    count_of,
+    details,
+    filters,
+    library,
+    many,
+    no_libraries,
+    opened,
+    ready,
+    row_of,
+    select,
+    status,
+    table,
+    trigger,
+    uses_many,
+    workers,
+    write,
 )
-from thinpart_workbench.core.criteria import load_profile
-from thinpart_workbench.freecad_adapter.settings import preference_list, set_preference_list
-from thinpart_workbench.gui import find_parts
-from thinpart_workbench.gui.found_table import FILE, PART, WAITING
-from thinpart_workbench.gui.qt import QtCore, QtWidgets
-from thinpart_workbench.storage.info_file import read_info
+
+from thinpart_workbench.core.judging.criteria import load_profile
+from thinpart_workbench.freecad_adapter.preferences import preference_list, set_preference_list
+from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
+from thinpart_workbench.gui.library import command as find_parts
+from thinpart_workbench.gui.library.results_model import FILE, PART, WAITING
+from thinpart_workbench.gui.library.search_client import SearchClient
+from thinpart_workbench.gui.processes.json_client import JsonClient
+from thinpart_workbench.storage.info.info_file import read_info
 
 
 @pytest.fixture
@@ -72,12 +96,12 @@ def test_adding_and_removing_libraries(library, tmp_path):
     choose(dock, 1)
     inner = library / "inner"
     inner.mkdir()
-    dock._libraries.add(str(inner))
+    add_library(dock, inner)
     assert "is in the list already" in window.text("ThinPart_LibraryProblems")
     other = tmp_path / "other"
     other.mkdir()
     shutil.copyfile(library / "plate.step.thinpart.json", other / "plate.step.thinpart.json")
-    dock._libraries.add(str(other))
+    add_library(dock, other)
     ready(dock)
     assert status() == "11 of 11 parts"
     entries = window.widget("ThinPart_LibraryList")
@@ -85,7 +109,7 @@ def test_adding_and_removing_libraries(library, tmp_path):
     window.click("ThinPart_RemoveLibrary")
     ready(dock)
     assert status() == "1 of 1 parts" and preference_list("Libraries") == [str(other)]
-    dock._libraries.add(str(tmp_path))
+    add_library(dock, tmp_path)
     ready(dock)
     assert preference_list("Libraries") == [str(tmp_path)]
     assert (library / "plate.step.thinpart.json").is_file()
@@ -97,7 +121,7 @@ def test_a_folder_that_is_gone_keeps_what_was_known_and_says_so(library):
     choose(dock, 1)
     window.click("ThinPart_RefreshLibraries")
     ready(dock)
-    assert f"There is no folder {library} any more" in window.text("ThinPart_LibraryProblems")
+    assert f"The folder {library} no longer exists" in window.text("ThinPart_LibraryProblems")
     assert status() == "10 of 10 parts"
     part = table().model().part_at(row_of(None, "plate.step"))
     table().selectRow(row_of(None, "plate.step"))
@@ -142,9 +166,9 @@ def test_nothing_is_cut_off_where_the_panel_is_narrow(library, width, larger):
     part = select(dock, "ribbed_block")
     trigger("ThinPart_FoundSimilar")
     answered(dock)
-    assert dock._details.part is not None and part is not None
+    assert details(dock).part is not None and part is not None
     assert dock.width() <= width + 2
-    for tabs in (dock._choices, dock._details):
+    for tabs in (choices(dock), details(dock)):
         for page in range(tabs.count()):
             tabs.setCurrentIndex(page)
             window.settle(50)
@@ -251,16 +275,17 @@ def test_the_window_has_its_turn_while_a_large_library_is_read_and_searched(many
 def test_the_answer_to_an_outdated_question_is_thrown_away(many_opened):
     dock = many_opened
     shown = []
-    dock._search.found.connect(lambda found: shown.append(found["count"]))
+    search = dock.findChild(SearchClient)
+    search.found.connect(lambda found: shown.append(found["count"]))
     write_now = window.widget("ThinPart_FindWords")
     write_now.setText("part")
-    dock._ask()
+    filters(dock).changed.emit()
     window.settle(60)  # it is on its way
     write_now.setText("part 000012")
-    dock._ask()
+    filters(dock).changed.emit()
     answered(dock)
     assert shown[-1] == 1 and cells(FILE) == [os.path.join("0000", "part 000012.step")]
-    dock._search._take({"found": {"serial": 1}})  # an old answer that comes late
+    search.findChild(JsonClient).received.emit({"found": {"serial": 1}})  # an old answer that comes late
     assert cells(FILE) == [os.path.join("0000", "part 000012.step")]
 
 

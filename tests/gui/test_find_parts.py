@@ -6,15 +6,29 @@ from pathlib import Path
 
 import FreeCADGui as Gui
 import window_actions as window
-
 from find_panel import (  # noqa: F401 - fixtures among them
-    answered, cells, check, choose, classified, count_of, library, no_libraries, opened, ready,
-    row_of, select, status, table, workers, write,
+    answered,
+    cells,
+    check,
+    choose,
+    classified,
+    count_of,
+    details,
+    library,
+    no_libraries,
+    opened,
+    ready,
+    row_of,
+    select,
+    status,
+    table,
+    workers,
+    write,
 )
-from thinpart_workbench.freecad_adapter.settings import preference_list
-from thinpart_workbench.gui import find_parts
-from thinpart_workbench.gui.found_table import CATEGORY, FILE, PART, SIZE, THINNEST
-from thinpart_workbench.gui.qt import QtCore, QtGui, QtWidgets
+
+from thinpart_workbench.freecad_adapter.preferences import preference_list
+from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
+from thinpart_workbench.gui.library.results_model import CATEGORY, FILE, PART, SIZE, THINNEST
 
 
 def test_the_command_shows_and_hides_one_panel():
@@ -47,16 +61,16 @@ def test_all_parts_are_listed_with_failures_among_them(library):
 def test_thumbnails_are_those_of_the_cache(library, classified, tmp_path):
     picture = QtGui.QImage(160, 120, QtGui.QImage.Format_ARGB32)
     picture.fill(QtGui.QColor(10, 200, 30))
-    opened(library)
+    dock = opened(library)
     row = row_of(None, "block.step")
     index = table().model().index(row, PART)
     part = table().model().part_at(row)
     missing = index.data(QtCore.Qt.DecorationRole).toImage()
     Path(part.thumbnail).parent.mkdir(parents=True, exist_ok=True)
     picture.save(part.thumbnail)
-    choose(find_parts._docks[0], 1)
+    choose(dock, 1)
     window.click("ThinPart_RefreshLibraries")
-    ready(find_parts._docks[0])
+    ready(dock)
     window.wait_until(lambda: index_of("block.step").data(QtCore.Qt.DecorationRole).toImage() != missing)
     shown = index_of("block.step").data(QtCore.Qt.DecorationRole).toImage()
     assert shown.pixelColor(shown.width() // 2, shown.height() // 2) == QtGui.QColor(10, 200, 30)
@@ -105,12 +119,12 @@ def test_ranges_by_hand_and_as_numbers(library):
     answered(dock)
     assert status() == "10 of 10 parts" and window.widget("ThinPart_SizeMost").text() == ""
     slider = window.widget("ThinPart_ThinnestSlider")
-    drag(slider, slider.place_of(0), slider.width() * 0.7)
+    drag(slider, slider.handle_x(0), slider.width() * 0.7)
     answered(dock)
     least = float(window.widget("ThinPart_ThinnestLeast").text())
     thinnest = [float(each) for each in cells(THINNEST)]
     assert thinnest and min(thinnest) >= least * 0.99 and "10 of 10" not in status()
-    drag(slider, slider.place_of(0), 0)
+    drag(slider, slider.handle_x(0), 0)
     answered(dock)
     assert status() == "10 of 10 parts"
 
@@ -179,4 +193,4 @@ def test_the_selected_part_stays_selected(library):
     assert table().current_part.info_file == part.info_file
     check(dock, f"ThinPart_Category_{part.category}")
     assert table().current_part.info_file == part.info_file
-    assert dock._details.part.info_file == part.info_file
+    assert details(dock).part.info_file == part.info_file

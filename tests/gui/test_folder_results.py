@@ -9,16 +9,32 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import pytest
 import window_actions as window
-
 from folder_dialog_use import (  # noqa: F401 - fixtures among them
-    MANY, choose, column, dialog, folder, info_files, many, message, model, no_choices,
-    press_answer, press_key, progress, run, select, sort_by, start, wait_for_end,
+    MANY,
+    choose,
+    column,
+    dialog,
+    folder,
+    info_files,
+    many,
+    message,
+    model,
+    no_choices,
+    press_answer,
+    press_key,
+    progress,
+    run,
+    select,
+    sort_by,
+    start,
+    wait_for_end,
 )
-from thinpart_workbench.gui import folder_run
-from thinpart_workbench.gui.folder_settings import FORMATS
-from thinpart_workbench.gui.qt import QtCore, QtWidgets
-from thinpart_workbench.gui.result_table import FILE, PART
-from thinpart_workbench.storage.info_file import read_info
+
+from thinpart_workbench.core.file_formats import CHOICES
+from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
+from thinpart_workbench.gui.folder.results_model import FILE, PART
+from thinpart_workbench.gui.processes import child_process
+from thinpart_workbench.storage.info.info_file import read_info
 from thinpart_workbench.storage.part_table import PartRow
 
 
@@ -83,7 +99,7 @@ def test_what_cannot_be_opened_is_said(dialog, folder):
     (folder / "block.FCStd").unlink()
     select("Block")
     window.click("ThinPart_FolderOpen")
-    assert "There is no file" in message() and not App.listDocuments()
+    assert "no longer exists" in message() and not App.listDocuments()
 
 
 def test_the_info_files_folder_is_shown_or_named(dialog, folder):
@@ -126,7 +142,7 @@ def test_a_process_that_is_killed_is_told_and_nothing_is_lost(dialog, many):
 
 
 def test_a_process_that_cannot_start_is_told(dialog, folder, monkeypatch, tmp_path):
-    monkeypatch.setattr(folder_run, "python_program", lambda: str(tmp_path / "no_python"))
+    monkeypatch.setattr(child_process, "python_program", lambda: str(tmp_path / "no_python"))
     run(folder)
     assert "could not be started" in message()
 
@@ -152,10 +168,10 @@ def test_an_info_folder_that_cannot_be_written_is_told(dialog, folder, tmp_path)
 
 def test_no_format_and_a_damaged_profile_are_told(dialog, folder, tmp_path):
     (tmp_path / "mine.json").write_text("{}")
-    dialog._form._profile.choose(str(tmp_path / "mine.json"))
+    window.widget("ThinPart_FolderProfile").choose(str(tmp_path / "mine.json"))
     run(folder)
     assert "is not a ThinPart profile" in message()
-    for name in FORMATS:
+    for name in CHOICES:
         window.click(f"ThinPart_FolderFormat{name}")
     run(folder)
     assert message() == "\u26a0 Choose at least one format."
@@ -195,7 +211,7 @@ sys.stdout.flush()
 print(json.dumps({{"progress": progress}}), file=sys.stderr, flush=True)
 ''')
     program.chmod(0o755)
-    monkeypatch.setattr(folder_run, "python_program", lambda: str(program))
+    monkeypatch.setattr(child_process, "python_program", lambda: str(program))
     sort_by(FILE)
     seen = set()
     timer = QtCore.QTimer(interval=5)

@@ -6,15 +6,29 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import pytest
 import window_actions as window
-
 from find_panel import (  # noqa: F401 - fixtures among them
-    answered, cells, check, classified, library, no_libraries, opened, ready, row_of, select,
-    status, tab, table, trigger, write,
+    answered,
+    cells,
+    check,
+    classified,
+    details,
+    library,
+    no_libraries,
+    opened,
+    ready,
+    row_of,
+    select,
+    status,
+    tab,
+    table,
+    trigger,
+    write,
 )
-from thinpart_workbench.gui.found_table import CATEGORY, FILE, PART, REASONS, SCORE
-from thinpart_workbench.gui.part_details import COMPARISON, NOTES
-from thinpart_workbench.gui.qt import QtCore, QtGui, QtWidgets
-from thinpart_workbench.storage.info_file import read_info
+
+from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
+from thinpart_workbench.gui.library.details import COMPARISON, NOTES
+from thinpart_workbench.gui.library.results_model import CATEGORY, FILE, PART, REASONS, SCORE
+from thinpart_workbench.storage.info.info_file import read_info
 
 
 def test_details_say_why(library):
@@ -62,7 +76,7 @@ def test_what_took_all_memory_is_opened_by_whoever_insists(library, button, open
         box.button(getattr(QtWidgets.QMessageBox, button)).click()))
     table().open_current()
     (text, question, default, icon), = said
-    assert text == "Rib is too much." and question.endswith("Open it nevertheless?")
+    assert text == "Rib is too much." and question.endswith("Open it anyway?")
     assert "Cancel" in default and icon == QtWidgets.QMessageBox.Warning
     assert len(App.listDocuments()) == opened_documents
 
@@ -73,7 +87,7 @@ def test_a_document_that_has_gone_is_said_to_have(library):
     table().selectRow(row_of(None, "plate.step"))
     window.settle(30)
     table().open_current()
-    assert window.text("ThinPart_FindMessage") == f"There is no file {library / 'plate.step'} any more."
+    assert window.text("ThinPart_FindMessage") == f"The file {library / 'plate.step'} no longer exists."
 
 
 def test_inserting(library, document, tmp_path):
@@ -171,6 +185,78 @@ def test_what_cannot_be_saved_stays_in_the_field(library):
     assert window.widget("ThinPart_KeptNotes").toPlainText() == "x"
 
 
+@pytest.fixture
+def browser():
+    """What the desktop is asked to open."""
+    opened = []
+
+    class Browser(QtCore.QObject):
+        @QtCore.Slot(QtCore.QUrl)
+        def take(self, url):
+            opened.append(url.toString())
+
+    browser = Browser()
+    for scheme in ("http", "https", "file", "smb", "javascript"):
+        QtGui.QDesktopServices.setUrlHandler(scheme, browser, "take")
+    yield opened
+    for scheme in ("http", "https", "file", "smb", "javascript"):
+        QtGui.QDesktopServices.unsetUrlHandler(scheme)
+
+
+@pytest.mark.parametrize("button", ["Cancel", "Open"])
+def test_a_link_is_opened_only_after_asking_by_its_full_address(library, browser, button):
+    dock = opened(library)
+    select(dock, "tube")
+    tab(dock, NOTES)
+    (library / "drawing.pdf").write_text("")
+    for link, shown, address in (
+            ("https://user@example.org/\u0430?a=<b>", "https://user@example.org/%D0%B0?a=%3Cb%3E", None),
+            ("drawing.pdf", str(library / "drawing.pdf"), (library / "drawing.pdf").as_uri())):
+        window.widget("ThinPart_KeptLink").setText(link)
+        asked = []
+        window.answer("ThinPart_OpenLinkQuestion", lambda box, asked=asked: (
+            asked.append((box.text(), box.textFormat(), box.defaultButton().text())),
+            box.button(getattr(QtWidgets.QMessageBox, button)).click()))
+        window.click("ThinPart_OpenLink")
+        window.wait_until(lambda asked=asked: asked)
+        (text, text_format, default), = asked
+        assert text == shown and text_format == QtCore.Qt.PlainText and "Cancel" in default
+        window.settle(50)
+        assert len(browser) == (button == "Open")
+        if address is not None and browser:
+            assert browser == [address]
+        browser.clear()
+
+
+@pytest.mark.parametrize("link, sentence", [
+    ("javascript:alert(1)", "javascript:alert(1) was not opened: a link may lead to"),
+    ("smb://host/share", "smb://host/share was not opened"),
+    ("file:///etc/passwd", "file:///etc/passwd was not opened"),
+    ("/etc/passwd", "/etc/passwd was not opened"),
+    ("gone.pdf", "There is no file")])
+def test_links_to_anywhere_else_are_not_opened(library, browser, link, sentence):
+    dock = opened(library)
+    select(dock, "tube")
+    tab(dock, NOTES)
+    window.widget("ThinPart_KeptLink").setText(link)
+    window.click("ThinPart_OpenLink")
+    window.wait_until(lambda: sentence in window.text("ThinPart_KeptMessage"))
+    assert not browser
+
+
+def test_an_info_file_does_not_have_a_macro_opened(library):
+    (library / "evil.FCMacro").write_text("import os; os.mkdir(os.path.join(os.path.dirname(__file__), 'ran'))")
+    info_file = library / "plate.step.thinpart.json"
+    content = json.loads(info_file.read_text())
+    content["source"]["file"] = "evil.FCMacro"
+    info_file.write_text(json.dumps(content))
+    dock = opened(library)
+    select(dock, "plate")
+    table().open_current()
+    assert "evil.FCMacro was not opened: it is not a CAD file" in window.text("ThinPart_FindMessage")
+    assert not (library / "ran").exists()
+
+
 def test_parts_like_this_one(library):
     dock = opened(library)
     select(dock, "Ribbed block", "ribbed_block.FCStd")
@@ -183,7 +269,7 @@ def test_parts_like_this_one(library):
     assert not table().isColumnHidden(SCORE)
     select(dock, "plate")
     chart = window.widget("ThinPart_DistributionComparison")
-    assert dock._details.currentIndex() == COMPARISON and chart.isVisible()
+    assert details(dock).currentIndex() == COMPARISON and chart.isVisible()
     assert chart.names == ["Ribbed block", "plate"]
     assert "% like:" in window.text("ThinPart_Likeness").replace("\u00a0", " ")
     picture = chart.grab().toImage()

@@ -10,11 +10,11 @@ import Part
 import pytest
 import window_actions as window
 
-from thinpart_workbench.core.criteria import load_profile
-from thinpart_workbench.freecad_adapter.settings import set_preference
-from thinpart_workbench.gui.qt import QtWidgets
-from thinpart_workbench.storage.info_file import read_info, source_is_unchanged
-from thinpart_workbench.workflow.info_location import info_location
+from thinpart_workbench.core.judging.criteria import load_profile
+from thinpart_workbench.freecad_adapter.preferences import set_preference
+from thinpart_workbench.gui.application.qt import QtWidgets
+from thinpart_workbench.storage.info.info_file import read_info, source_is_unchanged
+from thinpart_workbench.storage.info.info_location import info_location
 
 
 @pytest.fixture

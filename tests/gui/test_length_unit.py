@@ -8,31 +8,44 @@ import FreeCAD as App
 import Part
 import pytest
 import window_actions as window
-from pivy import coin
-from thickness_window import look_at, move_to, place_of, view_of
-from window_actions import V
-
 from find_panel import (  # noqa: F401 - fixtures among them
-    answered, classified, library, no_libraries, opened, select, status, table,
+    answered,
+    classified,
+    filters,
+    library,
+    no_libraries,
+    opened,
+    select,
+    status,
+    table,
 )
 from folder_dialog_use import (  # noqa: F401 - fixtures among them
-    column, dialog, folder, model, no_choices, run,
+    column,
+    dialog,
+    folder,
+    model,
+    no_choices,
+    run,
 )
 from folder_dialog_use import select as select_row
+from pivy import coin
 from seen_texts import seen
 from test_automatic import notice, save, switched_on  # noqa: F401 - a fixture among them
 from test_preferences import field, in_preferences
-from thinpart_workbench.freecad_adapter.settings import preference, set_preference
-from thinpart_workbench.freecad_adapter.thickness_object import thickness_objects
-from thinpart_workbench.gui.colour_bar import bar_image
-from thinpart_workbench.gui.found_table import SIZE, THINNEST
-from thinpart_workbench.gui.length_unit import INCH, MILLIMETRE, PREFERENCES, length_unit
-from thinpart_workbench.gui.preference_fields import new_field
-from thinpart_workbench.gui.qt import QtCore, QtWidgets
-from thinpart_workbench.gui.result_table import BOX, PART
-from thinpart_workbench.gui.result_table import THINNEST as THINNEST_OF_FOLDER
-from thinpart_workbench.storage.info_file import read_info
-from thinpart_workbench.workflow.thickness_probes import probes_of
+from thickness_window import look_at, move_to, place_of, view_of
+from window_actions import V
+
+from thinpart_workbench.freecad_adapter.objects.thickness_object import thickness_objects
+from thinpart_workbench.freecad_adapter.objects.thickness_probes import probes_of
+from thinpart_workbench.freecad_adapter.preferences import preference, set_preference
+from thinpart_workbench.gui.application.length_unit import INCH, MILLIMETRE, PREFERENCES, length_unit
+from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
+from thinpart_workbench.gui.colour_bar.colour_bar import bar_image
+from thinpart_workbench.gui.folder.results_model import BOX, PART
+from thinpart_workbench.gui.folder.results_model import THINNEST as THINNEST_OF_FOLDER
+from thinpart_workbench.gui.library.results_model import SIZE, THINNEST
+from thinpart_workbench.gui.preferences.fields import new_field
+from thinpart_workbench.storage.info.info_file import read_info
 
 STANDARD, BUILDING_EURO, INCHES, FRACTIONS = 0, 4, 3, 5
 IMPERIAL = {2, INCHES, FRACTIONS, 7}
@@ -84,8 +97,8 @@ def test_lengths_are_written_with_three_digits_and_their_unit():
     assert INCH.number(None) == "\u2013" and INCH.value(25.4) == 1.0
     assert INCH.bound_text(0.25) == "0.0098\u00a0in" and MILLIMETRE.bound_text(0.25) == "0.25\u00a0mm"
     sentence = "The wall, 3 mm or 1.5e-05 mm, of 20 mm2 has 1.27 mm: 4 mmx."
-    assert MILLIMETRE.of_sentence(sentence) == sentence
-    assert INCH.of_sentence(sentence) == (
+    assert MILLIMETRE.convert_sentence(sentence) == sentence
+    assert INCH.convert_sentence(sentence) == (
         "The wall, 0.118\u00a0in or 5.91e-07\u00a0in, of 20 mm2 has 0.05\u00a0in: 4 mmx.")
 
 
@@ -161,7 +174,9 @@ def test_every_box_of_the_thickness_panel_is_in_inches_and_follows(ribbed):
     assert f"{width:.6g}".strip("0.") in ("1", "2", "4", "5", "25"), "bars are as wide as people like in inches"
     assert "\u00a0in: " in chart.bar_text(0)
     assert window.text("ThinPart_ThinShare").endswith("\u00a0in")
-    chart._choose((0, 1))
+    window.mouse_drag(chart, [
+        QtCore.QPoint(int(chart.x_of(chart.edges[bar:bar + 2].mean())), int(chart.plot().bottom()) - 3) for bar in (0, 1)])
+    assert chart.bars == (0, 1)
     assert "\u00a0in: " in window.text("ThinPart_ChosenShare")
     faces.selectRow(2)
     chosen = faces.current_row.name
@@ -249,7 +264,7 @@ def test_colour_bar_probes_and_the_wall_under_the_cursor(ribbed):
     assert ribbed.ProbeValues[0] == pytest.approx(40.0, abs=1e-2)
 
 
-def test_results_of_a_folder_and_their_table_in_mm(dialog, folder, tmp_path):  # noqa: F811
+def test_results_of_a_folder_and_their_table_in_mm(dialog, folder, tmp_path):
     choose(INCHES)
     run(folder)
     index = select_row("Cover plate")
@@ -274,7 +289,7 @@ def test_results_of_a_folder_and_their_table_in_mm(dialog, folder, tmp_path):  #
     assert model().headerData(THINNEST_OF_FOLDER, QtCore.Qt.Horizontal) == "Thinnest, mm"
 
 
-def test_the_panel_that_finds_parts(library):  # noqa: F811
+def test_the_panel_that_finds_parts(library):
     dock = opened(library)
     choose(INCHES)
     assert {text for text in in_mm(dock) if "/" not in text} == set()
@@ -288,11 +303,11 @@ def test_the_panel_that_finds_parts(library):  # noqa: F811
     most.setText("2.5")
     most.textEdited.emit("2.5")
     answered(dock)
-    assert dock._filters.query()["most_size"] == pytest.approx(63.5)
+    assert filters(dock).query()["most_size"] == pytest.approx(63.5)
     assert status() != "10 of 10 parts" and all(
         float(shown.index(row, SIZE).data() or 0) <= 2.5 for row in range(shown.rowCount()))
     choose(STANDARD)
-    assert most.text() == "63.5" and dock._filters.query()["most_size"] == pytest.approx(63.5)
+    assert most.text() == "63.5" and filters(dock).query()["most_size"] == pytest.approx(63.5)
     choose(INCHES)
     assert most.text() == "2.5"
     window.click("ThinPart_ClearFilters")
@@ -338,7 +353,7 @@ def test_preferences_are_shown_and_taken_in_inches_and_kept_in_mm():
 
 @pytest.mark.parametrize("limit", [0.001, 100_000.0, 3.0])
 def test_a_field_keeps_to_the_range_in_every_unit(limit):
-    from thinpart_workbench.freecad_adapter.settings import PREFERENCES as DECLARED
+    from thinpart_workbench.freecad_adapter.preferences import PREFERENCES as DECLARED
 
     choose(INCHES)
     parent = QtWidgets.QWidget()
@@ -354,7 +369,7 @@ def test_a_warning_on_save_is_in_inches(document, tmp_path):
     choose(INCHES)
     window.add(document, "Plate", Part.makeBox(100, 100, 2.54))
     save(document, tmp_path / "new.FCStd")
-    assert "has a wall of 0.1\u00a0in, under the limit of 0.118\u00a0in." in notice()
+    assert "has a wall of 0.1\u00a0in, below the limit of 0.118\u00a0in." in notice()
     content = read_info(tmp_path / "new.FCStd.thinpart.json")
     assert content["parts"][0]["descriptors"]["thickness_mm"]["min"] == pytest.approx(2.54)
 
@@ -366,7 +381,7 @@ def _has_unit_system(document):
     return "UnitSystem" in document.PropertiesList
 
 
-def test_each_document_has_its_own_unit_system(document, tmp_path, library):  # noqa: F811
+def test_each_document_has_its_own_unit_system(document, tmp_path, library):
     if not _has_unit_system(document):
         pytest.skip(PER_DOCUMENT)
     other = App.newDocument("Other")

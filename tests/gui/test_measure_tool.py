@@ -7,8 +7,8 @@ import pytest
 import window_actions as window
 from window_actions import V
 
-from thinpart_workbench.freecad_adapter.wall_measurement import ID
-from thinpart_workbench.gui.qt import QtCore, QtWidgets
+from thinpart_workbench.freecad_adapter.objects.wall_measurement import ID
+from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
 
 pytestmark = pytest.mark.skipif(not hasattr(App, "MeasureManager"), reason="this FreeCAD has no measure tool")
 

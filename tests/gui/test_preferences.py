@@ -1,6 +1,7 @@
 """The pages in FreeCAD's preferences: what is set there holds everywhere, what cannot be is said."""
 
 import json
+import os
 import threading
 
 import FreeCAD as App
@@ -9,16 +10,21 @@ import Part
 import pytest
 import window_actions as window
 
-from thinpart_workbench.core.criteria import load_profile
-from thinpart_workbench.freecad_adapter.settings import (
-    GROUP, PAGES, PREFERENCES, preference, preferred_analysis, set_preference,
+from thinpart_workbench.core.judging.criteria import load_profile
+from thinpart_workbench.core.number_text import number
+from thinpart_workbench.freecad_adapter.preferences import (
+    GROUP,
+    PAGES,
+    PREFERENCES,
+    preference,
+    preferred_analysis,
+    set_preference,
 )
-from thinpart_workbench.gui import path_question, preferences_form
-from thinpart_workbench.gui.folder_settings import kept_settings
-from thinpart_workbench.gui.qt import QtGui, QtWidgets
-from thinpart_workbench.gui.verdict_text import number
-from thinpart_workbench.storage.info_file import read_info
-from thinpart_workbench.workflow.info_location import info_location
+from thinpart_workbench.gui.application.qt import QtGui, QtWidgets
+from thinpart_workbench.gui.folder.settings import stored_settings
+from thinpart_workbench.gui.processes import path_check
+from thinpart_workbench.storage.info.info_file import read_info
+from thinpart_workbench.storage.info.info_location import info_location
 
 RED = (0.84, 0.15, 0.12)
 ON_PAGES = [each for each in PREFERENCES.values() if each.page]
@@ -35,6 +41,7 @@ def defaults():
 def reset():
     for name in PREFERENCES:
         set_preference(name, None)
+    set_preference("Profile", "paper")  # as everywhere in these tests, see conftest
 
 
 def in_preferences(act, button=QtWidgets.QDialogButtonBox.Ok):
@@ -85,24 +92,27 @@ def test_the_pages_show_every_preference_with_its_default():
         assert [dialog.findChild(QtWidgets.QWidget, f"ThinPart_Preferences{page}").windowTitle()
                 for page in PAGES] == list(PAGES)
         shown = {each.name: field(dialog, each.name).value() for each in ON_PAGES}
-        texts = {each.text() for kind in (QtWidgets.QLabel, QtWidgets.QCheckBox)
+        texts = {each.text().replace("&", "") for kind in (QtWidgets.QLabel, QtWidgets.QCheckBox)
                  for each in dialog.findChildren(kind)}
         assert {each.title for each in ON_PAGES} <= texts
         assert {each.group for each in ON_PAGES} <= {
             each.title() for each in dialog.findChildren(QtWidgets.QGroupBox)}
         return shown
 
+    set_preference("Profile", None)
     shown = in_preferences(act)
     for declared in ON_PAGES:
         assert shown[declared.name] == pytest.approx(declared.default, abs=0.003), declared.name
-    assert len(ON_PAGES) == 19
+    assert len(ON_PAGES) == 24
 
 
 OTHER = {
-    "LinearDeflection": 0.004, "AngularDeflection": 7.5, "Jobs": 3, "Seconds": 77, "MemoryMegabytes": 3000,
+    "Accuracy": "fine", "LinearDeflection": 0.004, "AngularDeflection": 7.5,
+    "Jobs": 3, "Seconds": 77, "MemoryMegabytes": 3000,
     "ThinLimit": "share", "ThinLimitMillimetres": 4.125, "ThinLimitShare": 0.0625,
     "ThinColour": (0.0, 0.2, 1.0), "PartlyThinColour": (0.0, 1.0, 0.0), "UnmeasuredColour": (1.0, 1.0, 0.0),
     "HeatMapColours": "magma", "HeatMapReversed": True, "HeatMapBands": 12,
+    "HeatMapShading": False, "HeatMapLogarithmic": True,
     "AutomaticClassification": True, "WarnOfCategory": False, "WarnWallUnder": 1.5,
 }
 
@@ -152,7 +162,7 @@ def test_numbers_say_their_unit_and_what_zero_means():
         bands.stepUp()
         assert bands.value() == 2, "one band would be no heat map"
         assert field(dialog, "LinearDeflection").text() == "0.001 of the diagonal"
-        assert field(dialog, "AngularDeflection").text() == "4\u00b0"
+        assert field(dialog, "AngularDeflection").text() == "12\u00b0"
         field(dialog, "MemoryMegabytes").show_value(10)
         assert field(dialog, "MemoryMegabytes").value() == 700
 
@@ -202,8 +212,8 @@ def test_what_somebody_has_spoilt_counts_as_default():
     group.SetString("HeatMapColours", "jet")
     group.SetInt("HeatMapBands", 1)
     group.SetFloat("AngularDeflection", 30.0)
-    assert preference("HeatMapColours") == "viridis" and preference("HeatMapBands") == 0
-    assert preferred_analysis().angular_deflection == 4.0
+    assert preference("HeatMapColours") == "red is thin" and preference("HeatMapBands") == 0
+    assert preferred_analysis().angular_deflection == 12.0
     group.RemInt("HeatMapBands")
 
 
@@ -221,15 +231,15 @@ def test_the_surface_mesh_is_made_as_asked_for(document, tmp_path):
     document.saveAs(str(file))
     window.classify()
     usual = read_info(info(file))
-    change(LinearDeflection=0.01, AngularDeflection=9.0)
+    change(LinearDeflection=0.01, AngularDeflection=15.0)
     window.classify()
     coarse = read_info(info(file))
     assert coarse["settings"]["linear_deflection"] == 0.01
-    assert coarse["settings"]["angular_deflection"] == 9.0
-    assert coarse["parts"][0]["triangles"] < 0.7 * usual["parts"][0]["triangles"]
-    arguments = kept_settings().arguments()
+    assert coarse["settings"]["angular_deflection"] == 15.0
+    assert coarse["parts"][0]["triangles"] < 0.9 * usual["parts"][0]["triangles"]
+    arguments = stored_settings().arguments()
     assert arguments[arguments.index("--linear-deflection") + 1] == "0.01"
-    assert arguments[arguments.index("--angular-deflection") + 1] == "9.0"
+    assert arguments[arguments.index("--angular-deflection") + 1] == "15.0"
 
 
 def test_own_thresholds(document, own_profile):
@@ -238,7 +248,7 @@ def test_own_thresholds(document, own_profile):
     assert preference("Profile") == str(own_profile)
     window.classify()
     assert window.text("ThinPart_Headline") == "Normal part"
-    assert kept_settings().profile == str(own_profile)
+    assert stored_settings().profile == str(own_profile)
 
 
 @pytest.fixture
@@ -247,7 +257,7 @@ def own_profile(tmp_path):
     content = json.loads(json.dumps(load_profile("paper").content))
     for category in content["categories"]:
         for criterion in category["criteria"]:
-            criterion["conditions"] = [{"quantity": "V/VBB", "comparison": ">", "value": 2.0}]
+            criterion["conditions"] = [{"quantity": "D1", "comparison": ">", "value": 1e9}]
     path = tmp_path / "own.json"
     path.write_text(json.dumps(content))
     return path
@@ -291,7 +301,7 @@ def test_limits_hold_for_folders_also_where_their_window_is_there_already():
     window.press("ThinPart_ClassifyFolder")
     assert window.widget("ThinPart_FolderJobs").value() == 3
     assert window.widget("ThinPart_FolderSeconds").value() == 123, "that is the user's own choice"
-    arguments = kept_settings().arguments()
+    arguments = stored_settings().arguments()
     assert [arguments[arguments.index(name) + 1] for name in ("--jobs", "--timeout", "--memory")] == [
         "3", "77", "3000"]
 
@@ -320,7 +330,7 @@ def test_info_files_in_a_folder_are_written_and_found_there(tmp_path):
     assert not list((tmp_path / "a").glob("*.json")) and window.widget(
         "ThinPart_InfoText").toolTip() == str(places[1])
     # A folder run writes the same file.
-    settings = kept_settings()
+    settings = stored_settings()
     assert settings.info_file(plate.FileName) == places[0]
     arguments = settings.arguments()
     assert arguments[arguments.index("--info-dir"):][:4] == ["--info-dir", str(store), "--info-tree", "/"]
@@ -382,9 +392,9 @@ def test_what_is_no_folder_is_said_and_not_kept(tmp_path):
 
 def test_a_folder_that_does_not_answer_holds_nobody_up(monkeypatch):
     # A server that is off cannot be had here.
-    released = threading.Event()
-    monkeypatch.setattr(preferences_form, "_folder_problem", lambda folder: released.wait(30) and "")
-    monkeypatch.setattr(path_question, "PATIENCE", 0.4)
+    released, is_folder = threading.Event(), os.path.isdir
+    monkeypatch.setattr(os.path, "isdir", lambda path: released.wait(30) if path == "/far/away" else is_folder(path))
+    monkeypatch.setattr(path_check, "PATIENCE", 0.4)
     in_preferences(lambda dialog: field(dialog, "InfoFolder").show_value("/far/away"))
     assert notice() == "" and preference("InfoFolder") == "", "the dialog was left before there was an answer"
     window.wait_until(lambda: "has not answered" in notice())

@@ -5,13 +5,14 @@ import signal
 
 import window_actions as window
 
-from thinpart_workbench.gui.ready_process import READY
+from thinpart_workbench.gui.application import lifelong
+from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
 
 
 def waiting():
     """Number of the process that waits, once there is one."""
-    window.wait_until(lambda: READY.number)
-    return READY.number
+    window.wait_until(lambda: lifelong.standby_worker.process_id)
+    return lifelong.standby_worker.process_id
 
 
 def test_the_next_part_is_measured_by_the_process_that_waits(document):
@@ -21,7 +22,7 @@ def test_the_next_part_is_measured_by_the_process_that_waits(document):
     assert window.workers() == []
     window.press("ThinPart_Classify")
     window.wait_until(window.workers)
-    assert window.workers() == [number] and READY.number is None
+    assert window.workers() == [number] and lifelong.standby_worker.process_id is None
     window.wait_until_measured()
     assert window.text("ThinPart_Headline") == "Part with thin features"
     assert waiting() != number
@@ -31,7 +32,7 @@ def test_one_that_has_died_meanwhile_is_not_waited_for(document):
     window.add_ribbed_block(document)
     window.classify()
     os.kill(waiting(), signal.SIGKILL)
-    window.wait_until(lambda: READY.number is None)
+    window.wait_until(lambda: lifelong.standby_worker.process_id is None)
     window.classify()
     assert window.text("ThinPart_Headline") == "Part with thin features"
 
@@ -48,9 +49,11 @@ def test_one_that_was_made_in_other_surroundings_is_not_taken(document, monkeypa
 
 
 def test_it_ends_when_its_input_does():
-    READY.make_soon()
+    lifelong.standby_worker.prepare_next()
     number = waiting()
     window.settle(1500)  # it has loaded, and waits
-    READY._process.closeWriteChannel()
-    window.wait_until(lambda: READY.number is None)
+    process, = [each for each in QtWidgets.QApplication.instance().findChildren(QtCore.QProcess)
+                if each.processId() == number]
+    process.closeWriteChannel()
+    window.wait_until(lambda: lifelong.standby_worker.process_id is None)
     assert not os.path.exists(f"/proc/{number}/exe")

@@ -1,5 +1,6 @@
 """A report about the active document, from the window."""
 
+import hashlib
 import re
 from pathlib import Path
 
@@ -9,10 +10,10 @@ import Part
 import pytest
 import window_actions as window
 
-from thinpart_workbench.freecad_adapter.settings import set_preference
-from thinpart_workbench.gui.qt import QtCore, QtGui
-from thinpart_workbench.storage.info_file import read_info
-from thinpart_workbench.workflow.kept_notes import keep_with_part
+from thinpart_workbench.api.annotations import annotate_part
+from thinpart_workbench.freecad_adapter.preferences import set_preference
+from thinpart_workbench.gui.application.qt import QtCore, QtGui
+from thinpart_workbench.storage.info.info_file import read_info
 
 
 class Browser(QtCore.QObject):
@@ -94,7 +95,7 @@ def test_it_measures_by_the_preferences_and_has_the_notes_of_their_folder(docume
         window.classify()
         window.wait_until(lambda: "preferred folder" in window.text("ThinPart_InfoText"))
         info, = library.rglob("*.thinpart.json")
-        keep_with_part(info, notes="Ask before thinning this")
+        annotate_part(info, notes="Ask before thinning this")
         opened()
         window.click("ThinPart_ReportStart")
         wait_for_end()
@@ -116,26 +117,44 @@ def test_who_does_not_want_to_look_need_not(saved, browser):
     assert message().startswith("The report is in") and browser.opened == []
 
 
-def test_a_document_that_was_never_saved_is_offered_to_be_saved(document):
+def the_page(folder):
+    page, = (folder / "pages").rglob("*.html")
+    return page.read_text(encoding="utf-8")
+
+
+def test_a_document_that_was_never_saved_has_a_report_too(document, browser, tmp_path):
     window.add_ribbed_block(document)
     opened()
-    window.click("ThinPart_ReportStart")
-    assert "has never been saved" in message() and window.workers() == []
-    assert window.is_shown("ThinPart_ReportSave")
-
-
-def test_changes_that_are_not_saved_are_saved_first(saved, browser, tmp_path):
-    saved.Objects[0].Placement.Base.x = 3.0
-    saved.recompute()
-    assert Gui.getDocument(saved.Name).Modified
-    opened()
-    window.click("ThinPart_ReportStart")
-    assert "not saved" in message() and not (tmp_path / "block-report").exists()
-    window.click("ThinPart_ReportSave")
-    assert message() == "" and not window.is_shown("ThinPart_ReportSave")
+    assert message() == "" and Path(window.text("ThinPart_ReportFolder")).name == f"{document.Label}-report"
+    window.widget("ThinPart_ReportFolder").setText(str(tmp_path / "out"))
     window.click("ThinPart_ReportStart")
     wait_for_end()
-    assert len(browser.opened) == 1
+    assert message() == f"The report is in {tmp_path / 'out'}." and document.FileName == ""
+    assert "as it was open in FreeCAD, not saved" in the_page(tmp_path / "out")
+    assert "SHA-256" not in the_page(tmp_path / "out")
+
+
+def test_changes_that_are_not_saved_are_in_the_report(document, browser, tmp_path):
+    box = document.addObject("Part::Box", "Box")
+    document.recompute()
+    document.saveAs(str(tmp_path / "block.FCStd"))
+    before = (tmp_path / "block.FCStd").read_bytes()
+    box.Height = 2.5
+    document.recompute()
+    opened()
+    window.click("ThinPart_ReportStart")
+    wait_for_end()
+    page = the_page(tmp_path / "block-report")
+    assert "<dt>Thinnest wall</dt><dd>2.5 <small>" in page and "not saved" in page
+    assert (tmp_path / "block.FCStd").read_bytes() == before
+
+
+def test_a_saved_document_is_named_with_its_hash(saved, browser, tmp_path):
+    opened()
+    window.click("ThinPart_ReportStart")
+    wait_for_end()
+    page = the_page(tmp_path / "block-report")
+    assert hashlib.sha256((tmp_path / "block.FCStd").read_bytes()).hexdigest() in page and "not saved" not in page
 
 
 def test_a_folder_that_holds_something_else_is_left_alone(saved, browser, tmp_path):
@@ -145,7 +164,7 @@ def test_a_folder_that_holds_something_else_is_left_alone(saved, browser, tmp_pa
     window.widget("ThinPart_ReportFolder").setText("mine")
     window.click("ThinPart_ReportStart")
     wait_for_end()
-    assert "holds something else than a report" in message() and browser.opened == []
+    assert "is not the folder of a report" in message() and browser.opened == []
     assert [each.name for each in (tmp_path / "mine").iterdir()] == ["thesis.txt"]
 
 
@@ -154,7 +173,7 @@ def test_it_can_be_stopped(saved, browser):
     window.click("ThinPart_ReportStart")
     window.click("ThinPart_ReportCancel")
     wait_for_end()
-    assert message() == "Stopped before the end, as asked."
+    assert message() == "Stopped on request before the end."
     assert window.workers() == [] and browser.opened == []
 
 

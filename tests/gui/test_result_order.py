@@ -4,7 +4,7 @@ import random
 
 import pytest
 
-from thinpart_workbench.gui.result_order import FAILED, ResultOrder, group_of
+from thinpart_workbench.gui.folder.results_order import FAILED, ResultsOrder, group_of
 from thinpart_workbench.storage.part_table import PartRow, failed_row
 
 BLANK = PartRow(*[None] * len(PartRow._fields))
@@ -39,7 +39,7 @@ def sorted_plainly(chosen, reverse):
 @pytest.mark.parametrize("reverse", [False, True])
 @pytest.mark.parametrize("seed", range(5))
 def test_growing_sorted_and_filtered_is_the_same_as_all_at_once(seed, reverse):
-    order, made = ResultOrder(), rows(200, seed)
+    order, made = ResultsOrder(), rows(200, seed)
     order.sort(lambda row: row.thinnest_mm, reverse)
     order.select(["folder1", "PLATE"], {"thin"})
     for first in range(0, len(made), 7):
@@ -55,7 +55,7 @@ def test_growing_sorted_and_filtered_is_the_same_as_all_at_once(seed, reverse):
 
 
 def test_files_are_taken_out_with_their_counts_and_the_rest_stays_in_order():
-    order, made = ResultOrder(), rows(200, 1)
+    order, made = ResultsOrder(), rows(200, 1)
     order.shown = order.add(made)
     order.sort(lambda row: row.thinnest_mm)
     failed = {row.file for row in made if row.error_kind}

@@ -12,11 +12,12 @@ import pytest
 import window_actions as window
 from window_actions import V
 
-from thinpart_workbench.freecad_adapter.thickness_object import thickness_objects
-from thinpart_workbench.gui import document_run
-from thinpart_workbench.gui.show_thickness import is_measuring_again
-from thinpart_workbench.gui.thickness_picking import add_probe
-from thinpart_workbench.workflow.document_maps import parts_of
+from thinpart_workbench.api.document_maps import parts_of
+from thinpart_workbench.freecad_adapter.objects.snapshot import write_snapshot
+from thinpart_workbench.freecad_adapter.objects.thickness_object import thickness_objects
+from thinpart_workbench.gui.processes import snapshot_job
+from thinpart_workbench.gui.thickness.command import is_measuring_again
+from thinpart_workbench.gui.view3d.picking import add_probe
 
 
 def _body(document):
@@ -81,7 +82,7 @@ def test_every_kind_of_object(document, make):
     window.show_thickness()
     thickness, = thickness_objects(document)
     parts = parts_of(thickness)
-    assert [len(part.places) for part in parts] == places
+    assert [len(part.matrices) for part in parts] == places
     assert parts[0].map.thickness.min() == pytest.approx(4.0, abs=1e-3)
     assert "Thinnest wall 4" in window.text("ThinPart_Walls")
     assert not thickness.Stale and document.UndoNames[0] == "Show thickness"
@@ -91,7 +92,7 @@ def test_a_link_array_is_coloured_where_its_copies_stand(document):
     _link_array(document)
     window.show_thickness()
     part, = parts_of(thickness_objects(document)[0])
-    assert sorted(matrix[2, 3] for matrix in part.places) == [0, 20, 40]
+    assert sorted(matrix[2, 3] for matrix in part.matrices) == [0, 20, 40]
 
 
 def test_what_is_selected_is_measured_alone(document):
@@ -213,7 +214,7 @@ def test_measuring_again_takes_new_copies_for_sources_too(document):
     window.click("ThinPart_AgainButton")
     window.wait_until(lambda: "Thinnest wall 7" in window.text("ThinPart_Walls"))
     assert {each.Name for each in thickness.Sources} == {"Plate", "Copy"}
-    assert len(parts_of(thickness)[0].places) == 2 and not thickness.Stale
+    assert len(parts_of(thickness)[0].matrices) == 2 and not thickness.Stale
     link.Placement.Base.x = 130
     document.recompute()
     window.settle(100)
@@ -241,13 +242,33 @@ def test_a_full_disk_is_told_and_leaves_nothing_behind(document, monkeypatch):
     window.add(document, "Plate", Part.makeBox(40, 30, 4))
     folders = _temporary_folders()
     with monkeypatch.context() as patch:
-        patch.setattr(document_run, "write_snapshot", write)
+        patch.setattr(snapshot_job, "write_snapshot", write)
         window.press("ThinPart_ShowThickness")
-        window.wait_until(lambda: "no room for temporary files" in window.text("ThinPart_Message"))
+        window.wait_until(lambda: "Temporary files cannot be written" in window.text("ThinPart_Message"))
     assert window.workers() == [] and _temporary_folders() == folders
     window.click("ThinPart_AgainButton")
     window.wait_until(window.is_thickness_told)
     assert len(thickness_objects(document)) == 1
+
+
+def test_a_disk_that_is_full_in_the_middle_of_the_snapshot_ends_the_run(document, monkeypatch):
+    """The shapes that a part was made from are written while it is measured."""
+    def write(*arguments):
+        list(write_snapshot(*arguments))
+
+        def steps():
+            yield "the first shape"
+            raise RuntimeError("Writing of BREP failed")
+
+        return steps()
+
+    window.add(document, "Sieve", window.slow_shape())
+    folders = _temporary_folders()
+    with monkeypatch.context() as patch:
+        patch.setattr(snapshot_job, "write_snapshot", write)
+        window.press("ThinPart_ShowThickness")
+        window.wait_until(lambda: "files cannot be written (Writing of BREP failed)" in window.text("ThinPart_Message"))
+    assert window.workers() == [] and _temporary_folders() == folders and thickness_objects(document) == []
 
 
 def test_cancel_half_way_leaves_nothing_behind(document):
@@ -258,8 +279,7 @@ def test_cancel_half_way_leaves_nothing_behind(document):
     window.click("ThinPart_CancelButton")
     assert window.text("ThinPart_Message").startswith("Cancelled")
     assert window.workers() == [] and _temporary_folders() == folders
-    assert thickness_objects(document) == [] and document.UndoCount == 0 or (
-        "Show thickness" not in document.UndoNames)
+    assert thickness_objects(document) == [] and "Show thickness" not in document.UndoNames
 
 
 def test_a_part_that_fails_is_named_and_the_others_are_shown(document):
@@ -322,7 +342,7 @@ def test_another_document_in_front_meanwhile(document):
 
 
 def test_without_a_document_it_cannot_be_pressed_and_says_why_when_called():
-    from thinpart_workbench.gui.show_thickness import show_thickness
+    from thinpart_workbench.gui.thickness.command import show_thickness
 
     assert not Gui.isCommandActive("ThinPart_ShowThickness")
     show_thickness()

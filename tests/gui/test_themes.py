@@ -6,15 +6,15 @@ from pathlib import Path
 import FreeCADGui as Gui
 import numpy as np
 import pytest
-
 import window_actions as window
-from thinpart_workbench.gui.criteria_table import CriteriaTable
-from thinpart_workbench.gui.distribution_chart import DistributionChart
-from thinpart_workbench.gui.distribution_comparison import DistributionComparison
-from thinpart_workbench.gui.free_area import free_area
-from thinpart_workbench.gui.qt import QtCore, QtGui, QtWidgets
-from thinpart_workbench.gui.range_slider import RangeSlider
-from thinpart_workbench.gui.thickness_chart import ThicknessChart
+
+from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
+from thinpart_workbench.gui.document.free_area import free_area
+from thinpart_workbench.gui.library.distribution_comparison import DistributionComparison
+from thinpart_workbench.gui.record.criteria_tree import CriteriaTree
+from thinpart_workbench.gui.record.distribution_chart import DistributionChart
+from thinpart_workbench.gui.thickness.histogram import ThicknessHistogram
+from thinpart_workbench.gui.widgets.range_slider import RangeSlider
 
 ROOT = Path(__file__).resolve().parents[2]
 ICONS = ROOT / "resources" / "icons"
@@ -33,7 +33,7 @@ def _distribution():
 
 
 def _histogram():
-    chart = ThicknessChart()
+    chart = ThicknessHistogram()
     chart.show_shares(np.array([0.0, 1, 2, 3]), np.array([0.2, 0.5, 0.3]), 3.0, 10.0)
     chart.show_colours(np.full((3, 3), 120, np.uint8))
     chart.show_threshold(1.4)
@@ -112,7 +112,7 @@ def test_icons_are_seen(name, ground):
 
 def test_criteria_can_be_read_in_another_theme():
     around = QtWidgets.QWidget()
-    table = CriteriaTable(around)
+    table = CriteriaTree(around)
     around.show()
     table.show_evidence([{"criterion": "5", "title": "Very thin wall on a filled part", "holds": True,
                           "margin": 0.2, "conditions": []}])

@@ -9,9 +9,9 @@ import pytest
 import window_actions as window
 from window_actions import V
 
-from thinpart_workbench.freecad_adapter.thickness_object import thickness_objects
-from thinpart_workbench.gui.qt import QtCore
-from thinpart_workbench.workflow.document_maps import parts_of
+from thinpart_workbench.api.document_maps import parts_of
+from thinpart_workbench.freecad_adapter.objects.thickness_object import thickness_objects
+from thinpart_workbench.gui.application.qt import QtCore
 
 
 def _assembly(document):
@@ -34,12 +34,12 @@ def test_an_assembly_of_100_solids(document):
     window.show_thickness()
     thickness, = thickness_objects(document)
     parts = parts_of(thickness)
-    assert [len(part.places) for part in parts] == [10] * 10
+    assert [len(part.matrices) for part in parts] == [10] * 10
     bounds = document.getObject("Link3_7").getSubObject("", retType=0).BoundBox
     part = next(part for part in parts
                 if part.record["descriptors"]["thickness_mm"]["min"] == pytest.approx(5.0))
     corners = part.map.points + part.map.origin
-    placed = [(corners @ matrix[:3, :3].T + matrix[:3, 3]) for matrix in part.places]
+    placed = [(corners @ matrix[:3, :3].T + matrix[:3, 3]) for matrix in part.matrices]
     assert any(abs(each[:, 0].min() - bounds.XMin) < 1e-3 and abs(each[:, 1].max() - bounds.YMax) < 1e-3
                for each in placed)
     table = window.widget("ThinPart_PartTable")

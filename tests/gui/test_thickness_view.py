@@ -1,6 +1,7 @@
 """Thickness maps in the 3D view: colours as the bar has them, kept, undone, out of date."""
 
 import os
+import re
 from dataclasses import replace
 
 import FreeCAD as App
@@ -9,19 +10,34 @@ import numpy as np
 import Part
 import pytest
 import window_actions as window
+from pivy import coin
 from thickness_window import bar_rows, look_at, picture, pixel, place_of, show_map, view_of
 from window_actions import V
 
-from thinpart_workbench.core.colour_scale import colour_table
-from thinpart_workbench.freecad_adapter.thickness_object import SHARE, scale_of, thickness_objects
-from thinpart_workbench.gui.colour_bar import bar_image, round_values
-from thinpart_workbench.gui.measure_requests import on_measure_request
-from thinpart_workbench.gui.qt import QtGui, QtWidgets
-from thinpart_workbench.gui.thickness_colours import GREYED, NEUTRAL, ThicknessColours
-from thinpart_workbench.workflow.document_maps import parts_of
+from thinpart_workbench.api.document_maps import parts_of
+from thinpart_workbench.core.rendering.colour_scale import colour_table
+from thinpart_workbench.freecad_adapter.objects.thickness_object import SHARE, scale_of, thickness_objects
+from thinpart_workbench.freecad_adapter.preferences import set_preference
+from thinpart_workbench.gui.application import lifelong
+from thinpart_workbench.gui.application.qt import QtGui, QtWidgets
+from thinpart_workbench.gui.colour_bar.colour_bar import bar_image, round_ratios, round_values
+from thinpart_workbench.gui.colour_bar.colours import GREYED, NEUTRAL, ThicknessColours
+from thinpart_workbench.gui.scene.drawn_triangles import drawn_triangles
+from thinpart_workbench.gui.view3d.facet_nodes import corner_normals
+from thinpart_workbench.gui.view3d.soft_light import CUBE_FROM, DARKEST
 
 # Places on the ribbed block that are seen from the corner, and what the wall there is.
 SEEN = {(50, 27, 52): 6.0, (60, 12, 40): 40.0, (50, 0, 20): 60.0, (100, 20, 20): 100.0}
+
+
+@pytest.fixture(autouse=True)
+def preferred():
+    """Flat colours can be compared exactly, and those of viridis with the bar from its top to its bottom."""
+    set_preference("HeatMapShading", False)
+    set_preference("HeatMapColours", "viridis")
+    yield
+    set_preference("HeatMapShading", None)
+    set_preference("HeatMapColours", None)
 
 
 @pytest.fixture
@@ -35,12 +51,12 @@ def thickness(block):
     return show_map(block.Document, block)
 
 
-def _assert_colours(thickness, folder, moved=V(0, 0, 0)):
+def _assert_colours(thickness, folder, moved=(0, 0, 0)):
     view = view_of(thickness.Document)
     image = picture(view, folder)
     for point, value in SEEN.items():
         expected = ThicknessColours.of(thickness).of_values([value])[0]
-        found = pixel(image, place_of(view, V(*point) + moved))
+        found = pixel(image, place_of(view, V(*point) + V(*moved)))
         assert np.abs(np.subtract(found, expected.astype(int))).max() <= 2, (point, found, expected)
     return image
 
@@ -61,6 +77,71 @@ def test_colours_are_those_of_the_scale(thickness, tmp_path):
     thickness.ThinOnly, thickness.Threshold = True, 41.0
     image = _assert_colours(thickness, tmp_path)
     assert pixel(image, place_of(view_of(thickness.Document), V(100, 20, 20))) == NEUTRAL
+
+
+def _channels(image, view, point):
+    return np.array(pixel(image, place_of(view, V(*point))), dtype=float)
+
+
+def test_light_changes_how_bright_a_colour_is_and_nothing_else(thickness, tmp_path):
+    view = view_of(thickness.Document)
+    thickness.ColourMap = "red is thin"
+    flat = picture(view, tmp_path)
+    thickness.Shaded = True
+    lit = picture(view, tmp_path)
+    brightness = {}
+    for point in SEEN:
+        expected = ThicknessColours.of(thickness).of_values([SEEN[point]])[0].astype(float)
+        assert np.abs(_channels(flat, view, point) - expected).max() <= 2
+        found = _channels(lit, view, point)
+        brightness[point] = share = found.sum() / expected.sum()
+        assert DARKEST - 0.02 <= share <= 1.01
+        assert np.abs(found - share * expected).max() <= 3, "the same hue"
+    # The three sides of a box that are seen from a corner differ, and each is evenly lit.
+    assert np.ptp([brightness[point] for point in ((60, 12, 40), (50, 0, 20), (100, 20, 20))]) > 0.15
+    near = _channels(lit, view, (20, 0, 10)), _channels(lit, view, (80, 0, 30))
+    is_even = tuple(map(int, re.findall(r"\d+", coin.SoDB.getVersion())[:3])) >= CUBE_FROM
+    assert np.abs(near[0] - near[1]).max() <= (2 if is_even else 26)
+    thickness.Shaded = False
+    _assert_colours(thickness, tmp_path)
+
+
+def test_normals_are_smooth_within_a_face_and_sharp_between_faces(document):
+    window.add(document, "Rod", Part.makeCylinder(10, 30))
+    part, = parts_of(show_map(document, document.getObject("Rod")))
+    shown = part.map
+    normals = corner_normals(shown)
+    assert np.linalg.norm(normals, axis=2) == pytest.approx(1.0)
+    corners = shown.corners + shown.origin
+    outward = corners * [1, 1, 0] / 10.0
+    round_side = np.abs(shown.normals[:, 2]) < 0.5
+    assert np.abs(normals - outward)[round_side].max() < 0.06
+    assert np.abs(np.abs(normals[~round_side, :, 2]) - 1.0).max() < 1e-6
+
+
+def test_only_isolated_faces_are_drawn(thickness):
+    part, = parts_of(thickness)
+    everything = len(drawn_triangles(thickness.ViewObject.RootNode))
+    assert everything == part.map.count
+    face = int(part.map.face[0])
+    thickness.ViewObject.Proxy.isolate({0: {face}})
+    triangles = drawn_triangles(thickness.ViewObject.RootNode)
+    assert len(triangles) == np.count_nonzero(part.map.face == face) < everything
+    expected = part.map.corners[part.map.face == face] + part.map.origin
+    assert np.abs(np.sort(triangles.reshape(-1, 3), axis=0) - np.sort(expected.reshape(-1, 3), axis=0)).max() < 1e-3
+    thickness.ViewObject.Proxy.isolate()
+    assert len(drawn_triangles(thickness.ViewObject.RootNode)) == everything
+
+
+def test_a_logarithmic_bar_has_its_middle_at_the_geometric_mean(thickness, tmp_path):
+    thickness.AutomaticRange = False
+    thickness.Low, thickness.High = 1.0, 100.0
+    thickness.Logarithmic, thickness.Threshold = True, 0.0
+    _assert_colours(thickness, tmp_path)
+    rows = bar_rows(picture(view_of(thickness.Document), tmp_path, 800, 600, "White"))
+    at_ten = ThicknessColours.of(thickness).of_values([10.0])[0].astype(int)
+    assert np.abs(np.subtract(rows[len(rows) // 2], at_ten)).max() <= 40
+    assert round_ratios(1.0, 100.0) == pytest.approx([1, 2, 5, 10, 20, 50, 100])
 
 
 def test_the_bar_shows_the_same_scale_at_every_size(thickness, tmp_path):
@@ -166,10 +247,21 @@ def test_undo_redo_and_remove(block, tmp_path):
     _assert_colours(thickness_objects(document)[0], tmp_path)
 
 
-def test_out_of_date_until_the_edit_is_undone_or_it_is_recomputed(block, thickness, tmp_path):
+@pytest.fixture
+def asked():
+    """Document's and object's names of the maps that are asked to be measured again."""
+    names = []
+
+    def note(*each):
+        names.append(each)
+
+    lifelong.map_events.measure_requested.add(note)
+    yield names
+    lifelong.map_events.measure_requested.remove(note)
+
+
+def test_out_of_date_until_the_edit_is_undone_or_it_is_recomputed(block, thickness, asked, tmp_path):
     document = block.Document
-    asked = []
-    on_measure_request(lambda *names: asked.append(names))
     fresh = picture(view_of(document), tmp_path)
     icon = thickness.ViewObject.Proxy.getIcon()
     document.openTransaction("Edit")
@@ -201,7 +293,7 @@ def test_it_goes_where_its_source_goes(block, thickness, tmp_path):
     window.settle(60)
     look_at(block.Document)
     assert not thickness.Stale
-    _assert_colours(thickness, tmp_path, V(300, -40, 90))
+    _assert_colours(thickness, tmp_path, (300, -40, 90))
     box = thickness.ViewObject.getBoundingBox()
     assert (box.XMin, box.ZMax) == pytest.approx((300.0, 150.0), abs=0.1)
 

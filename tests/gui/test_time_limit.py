@@ -1,10 +1,10 @@
 """What hangs in the window is ended, and what it waited for is told."""
 
 import pytest
+import time_limit
 import window_actions as window
 
-import time_limit
-from thinpart_workbench.gui.qt import QtWidgets
+from thinpart_workbench.gui.application.qt import QtWidgets
 
 
 def test_a_wait_says_what_for_and_what_the_window_shows(document):

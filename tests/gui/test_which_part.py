@@ -6,7 +6,7 @@ import pytest
 import window_actions as window
 from window_actions import V
 
-from thinpart_workbench.gui.qt import QtWidgets
+from thinpart_workbench.gui.application.qt import QtWidgets
 
 RED = (0.84, 0.15, 0.12)
 

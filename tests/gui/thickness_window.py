@@ -1,11 +1,11 @@
 """Thickness maps in the window: made, pictured, pointed at."""
 
 import FreeCADGui as Gui
-
 import made_maps
 import window_actions as window
-from thinpart_workbench.gui.qt import QtCore, QtGui, QtWidgets
-from thinpart_workbench.gui.thickness_view import ThicknessView
+
+from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
+from thinpart_workbench.gui.view3d.view_provider import ThicknessView
 
 
 def show_map(document, *sources):

@@ -8,10 +8,10 @@ from pathlib import Path
 import FreeCAD as App
 import FreeCADGui as Gui
 import Part
-
 import time_limit
-from thinpart_workbench.gui.qt import QtCore, QtGui, QtWidgets, translate
-from thinpart_workbench.gui.ready_process import READY
+
+from thinpart_workbench.gui.application import lifelong
+from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets, translate
 
 SAMPLES = Path(__file__).resolve().parents[2] / "resources" / "samples"
 V = App.Vector
@@ -79,17 +79,14 @@ def dismiss():
 
 def widget(name, kind=QtWidgets.QWidget):
     """The widget of a name, or None."""
-    found = [each for each in QtWidgets.QApplication.allWidgets()
-             if _is_named(each, name) and isinstance(each, kind)]
+    # Not among allWidgets() or topLevelWidgets(): PySide2 wraps widgets that Qt is about to delete, and crashes.
+    app, found = QtWidgets.QApplication, []
+    for root in (Gui.getMainWindow(), app.activeWindow(), app.activeModalWidget(), app.activePopupWidget()):
+        if root is not None:
+            of_name = [root] if isinstance(root, kind) and root.objectName() == name else []
+            found += [each for each in [*of_name, *root.findChildren(kind, name)] if each not in found]
     shown = [each for each in found if each.isVisible()]
     return (shown or found or [None])[-1]
-
-
-def _is_named(candidate, name):
-    try:
-        return candidate.objectName() == name
-    except RuntimeError:
-        return False  # Qt has deleted it, and Python still knows it
 
 
 def is_shown(name):
@@ -254,8 +251,8 @@ def answer(dialog_name, act, seconds=60.0):
     QtCore.QTimer.singleShot(20, look)
 
 
-WORKERS = ("thinpart_workbench.workflow.snapshot_worker", "thinpart_workbench\0classify",
-           "thinpart_workbench\0report", "thinpart_workbench.workflow.saved_document_worker")
+WORKERS = ("thinpart_workbench.window_processes.snapshot_worker", "thinpart_workbench\0classify",
+           "thinpart_workbench\0report", "thinpart_workbench.window_processes.saved_document_worker")
 
 
 def workers(*names):
@@ -271,9 +268,10 @@ def workers(*names):
             command = (stat.parent / "cmdline").read_text(errors="replace")
         except OSError:
             continue  # it ended while being looked at
-        if int(fields[1]) == os.getpid() and fields[0] != "Z" and int(stat.parent.name) != READY.number and any(
+        number = int(stat.parent.name)
+        if int(fields[1]) == os.getpid() and fields[0] != "Z" and number != lifelong.standby_worker.process_id and any(
                 each in command for each in names or WORKERS):
-            found.append(int(stat.parent.name))
+            found.append(number)
     return found
 
 
@@ -298,11 +296,10 @@ def add_ribbed_block(document, name="Ribbed"):
     return add(document, name, ribbed_shape())
 
 
-def slow_shape():
-    """A perforated plate that takes seconds to measure."""
-    holes = [Part.makeCylinder(3, 10, V(10 * i, 10 * j, 0)) for i in range(1, 8)
-             for j in range(1, 8)]
-    return Part.makeBox(80, 80, 10).cut(Part.makeCompound(holes))
+def slow_shape(holes=14):
+    """A perforated plate that takes about three seconds to measure, with so many holes each way."""
+    cut = [Part.makeCylinder(3, 10, V(10 * i, 10 * j, 0)) for i in range(1, holes + 1) for j in range(1, holes + 1)]
+    return Part.makeBox(10 * holes + 10, 10 * holes + 10, 10).cut(Part.makeCompound(cut))
 
 
 def rgb(feature):

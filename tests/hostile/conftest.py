@@ -1,8 +1,8 @@
 import shutil
 
 import pytest
-
 from program import SAMPLES, thinpart
+
 from thinpart_workbench.freecad_adapter.bootstrap import load_freecad
 
 

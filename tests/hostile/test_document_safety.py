@@ -9,12 +9,14 @@ import zipfile
 from pathlib import Path
 
 import pytest
-
 from hostile_documents import changed, harmless, with_module, with_resource
-from program import records, thinpart
+from program import failures, records, thinpart
+
 from thinpart_workbench.core.errors import ThinPartError
-from thinpart_workbench.freecad_adapter.document_safety import (
-    check_document, leaves_its_folder, named_modules,
+from thinpart_workbench.freecad_adapter.reading.document_safety import (
+    check_document,
+    leaves_its_folder,
+    named_modules,
 )
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -53,15 +55,16 @@ def test_no_document_of_other_people_is_refused_for_nothing(training_parts):
     assert len(documents) > 20
 
 
-@pytest.mark.parametrize("stored", ["V/../../../victim.step", "V/../../../../../../../../../../{victim}"])
-def test_a_resource_that_leaves_its_folder_is_refused(document, tmp_path, stored):
+def test_resources_that_leave_their_folder_are_refused(document, tmp_path):
     victim = tmp_path / "victim.step"
     victim.write_text("the user's own")
-    stored = stored.format(victim=os.fspath(victim).lstrip("/"))
-    hostile = changed(document, tmp_path / "hostile.FCStd", with_resource(stored), [(stored, b"overwritten")])
-    found = _classified(hostile)["hostile.FCStd"]
-    assert found["error"]["kind"] == "unsafe"
-    assert "hostile.FCStd was not opened" in found["error"]["message"]
+    stored = ["V/../../../victim.step", "V/../../../../../../../../../../" + os.fspath(victim).lstrip("/")]
+    hostile = [changed(document, tmp_path / f"hostile{number}.FCStd", with_resource(each), [(each, b"overwritten")])
+               for number, each in enumerate(stored)]
+    found = _classified(*hostile)
+    for path in hostile:
+        assert found[path.name]["error"]["kind"] == "unsafe"
+        assert f"{path.name} was not opened" in found[path.name]["error"]["message"]
     assert victim.read_text() == "the user's own"
 
 
@@ -94,11 +97,75 @@ def test_a_document_that_links_to_a_hostile_one_is_refused(freecad, document, tm
     assert error.value.kind == "unsafe"
 
 
+@pytest.fixture(scope="module")
+def linking(freecad, tmp_path_factory):
+    """A document that links to target.FCStd beside it."""
+    folder = tmp_path_factory.mktemp("linking")
+    opened = freecad.openDocument(str(harmless(freecad, folder / "target.FCStd")))
+    main = freecad.newDocument("Main")
+    main.saveAs(str(folder / "main.FCStd"))
+    main.addObject("App::Link", "Link").LinkedObject = opened.Block
+    main.addObject("Part::Box", "Own")
+    main.recompute()
+    main.save()
+    freecad.closeDocument(main.Name)
+    freecad.closeDocument(opened.Name)
+    return folder / "main.FCStd"
+
+
+@pytest.mark.parametrize("written", [
+    'file="target.dat"', "file='target.FCStd'", "file = 'target.FCStd'", 'label="a>b" file="target.FCStd"',
+    'file="t&#97;rget.FCStd"'])
+def test_a_link_to_a_hostile_document_is_found_however_it_is_written(document, linking, tmp_path, written):
+    name = "target.dat" if ".dat" in written else "target.FCStd"
+    changed(document, tmp_path / name, with_resource("V/../../x"), [("V/../../x", b"")])
+    main = changed(linking, tmp_path / "main.FCStd", lambda text: text.replace('file="target.FCStd"', written))
+    with pytest.raises(ThinPartError, match=f"{name} was not opened"):
+        check_document(main)
+
+
+def test_a_link_to_what_is_no_document_tells_nothing_about_it(linking, tmp_path):
+    """Its hash and size would go to whoever gets the info file."""
+    secret = tmp_path / "shadow"
+    secret.write_text("root:$6$...")
+    main = changed(linking, tmp_path / "main.FCStd",
+                   lambda text: text.replace('file="target.FCStd"', f'file="{secret}"'))
+    run = thinpart("classify", "--json", "--no-thumbnails", main)
+    assert failures(run) == {"main.FCStd": "missing"} and "'Block' in shadow" in run.stderr
+    content = json.loads((tmp_path / "main.FCStd.thinpart.json").read_text())
+    assert content["source"]["links"] == [{"file": "shadow", "sha256": None, "bytes": None, "modified": None}]
+    assert [part["name"] for part in content["parts"]] == ["Own"]
+
+
 @pytest.mark.parametrize("name", ["/etc/x", "../x", "a/../../x", "..\\x", "C:\\x", "C:x", "\\\\server\\x"])
 def test_an_entry_that_leaves_its_folder_is_refused(document, tmp_path, name):
     hostile = changed(document, tmp_path / "hostile.FCStd", entries=[(name, b"")])
     with pytest.raises(ThinPartError, match="was not opened"):
         check_document(hostile)
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le", "cp037", "utf-7", "utf-99999"])
+def test_other_encodings_hide_nothing(document, tmp_path, encoding):
+    def encoded(text):
+        return text.replace("utf-8", encoding, 1).replace("?>", '?><!DOCTYPE x [<!ENTITY y "z">]>', 1)
+
+    hostile = changed(document, tmp_path / "hostile.FCStd", encoded)
+    if not encoding.endswith("99999"):
+        with zipfile.ZipFile(hostile) as archive:
+            content = {name: archive.read(name) for name in archive.namelist()}
+        with zipfile.ZipFile(hostile, "w") as archive:
+            for name, data in content.items():
+                archive.writestr(name, data.decode().encode(encoding) if name == "Document.xml" else data)
+    with pytest.raises(ThinPartError) as error:
+        check_document(hostile)
+    assert error.value.kind == "unsafe"
+
+
+def test_a_name_in_the_sentence_is_short_and_printable(document, tmp_path):
+    name = "../" + "\x01\n\u202e" + "x" * 3000
+    with pytest.raises(ThinPartError) as error:
+        check_document(changed(document, tmp_path / "hostile.FCStd", entries=[(name, b"")]))
+    assert len(str(error.value)) < 300 and str(error.value).isprintable() and r"'../\x01\n\u202exx" in str(error.value)
 
 
 def test_names_that_only_look_alike_are_fine():
@@ -127,7 +194,7 @@ def test_an_entry_that_the_table_hides_is_refused(document, tmp_path):
     hostile.write_bytes(moved)
     with zipfile.ZipFile(hostile) as archive:
         assert archive.testzip() is None and name.decode() not in archive.namelist()
-    with pytest.raises(ThinPartError, match="belong to none"):
+    with pytest.raises(ThinPartError, match="belong to no entry"):
         check_document(hostile)
 
 
@@ -138,19 +205,21 @@ def test_entities_are_refused(document, tmp_path):
         check_document(hostile)
 
 
-@pytest.mark.parametrize("module", ["marker_of_a_module", "marker_of_a_module.inner", "antigravity", "this"])
-def test_a_module_that_is_not_freecads_is_not_run(document, tmp_path, module):
+def test_modules_that_are_not_freecads_are_not_run(document, tmp_path):
     package = tmp_path / "marker_of_a_module"
     package.mkdir()
     for name in ("__init__", "inner"):
         (package / f"{name}.py").write_text(
             f"open({os.fspath(tmp_path / 'ran')!r}, 'a').write('{name}')\nclass C: pass\n")
-    hostile = changed(document, tmp_path / "hostile.FCStd", with_module(module))
-    found = _classified(hostile, cwd=tmp_path)["hostile.FCStd"]
-    assert found["category"] == "normal"
+    modules = ["marker_of_a_module", "marker_of_a_module.inner", "antigravity", "this"]
+    hostile = {module: changed(document, tmp_path / f"{module}.FCStd", with_module(module)) for module in modules}
+    found = _classified(*hostile.values(), cwd=tmp_path)
     assert not (tmp_path / "ran").exists()
-    assert any(module.partition(".")[0] in each and "not loaded" in each for each in found["warnings"]), (
-        json.dumps(found["warnings"]))
+    for module, path in hostile.items():
+        said = found[path.name]
+        assert said["category"] == "normal"
+        assert any(module.partition(".")[0] in each and "not loaded" in each for each in said["warnings"]), (
+            module, json.dumps(said["warnings"]))
 
 
 def test_a_type_of_a_module_that_is_not_freecads_is_not_run(document, tmp_path, monkeypatch):
@@ -158,7 +227,9 @@ def test_a_type_of_a_module_that_is_not_freecads_is_not_run(document, tmp_path, 
     hostile = changed(document, tmp_path / "hostile.FCStd", lambda text: text.replace(
         'type="App::VRMLObject"', 'type="marker_of_a_type::Feature"'))
     monkeypatch.setenv("PYTHONPATH", f"{ROOT}:{tmp_path}")
-    assert named_modules(hostile).others == () or "marker_of_a_type" in named_modules(hostile).others
+    with monkeypatch.context() as patch:
+        patch.syspath_prepend(tmp_path)
+        assert named_modules(hostile).others == ("marker_of_a_type",)
     _classified(hostile, cwd=tmp_path)
     assert not (tmp_path / "ran").exists()
 

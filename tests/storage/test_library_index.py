@@ -8,15 +8,19 @@ import sqlite3
 import subprocess
 import sys
 import time
-
-import pytest
+from pathlib import Path
 
 import made_library
+import pytest
+from copied_program import answer, copied_program
+
 from thinpart_workbench.core.errors import ThinPartError
-from thinpart_workbench.storage import info_tree, library_index
-from thinpart_workbench.storage.info_file import SUFFIX
-from thinpart_workbench.storage.library_index import LibraryIndex
-from thinpart_workbench.workflow.find_parts import PartQuery, find_parts
+from thinpart_workbench.core.message import message
+from thinpart_workbench.storage.index import library_index
+from thinpart_workbench.storage.index.library_index import LibraryIndex
+from thinpart_workbench.storage.info import info_tree
+from thinpart_workbench.storage.info.info_file import SUFFIX
+from thinpart_workbench.workflow.library.find_parts import PartQuery, find_parts
 
 PARTS = len(made_library.SHAPES) + 2
 
@@ -56,6 +60,17 @@ def test_every_part_and_failure_is_there_and_a_second_refresh_reads_nothing(inde
     assert (again.files, again.changed, again.removed, again.unreachable) == (PARTS - 1, 0, 0, [])
 
 
+def test_what_sentences_of_failures_are_made_of_is_known(index, library):
+    (library / ("foreign" + SUFFIX)).write_text("{}")
+    said = message("'{object}' is a mesh without triangles: import it again or delete it.", object="Mesh")
+    failure = {"part": "Mesh", "label": "Mesh", "kind": "empty", "message": said}
+    made_library.store(library, "half.step", [made_library.record_of("plate")], [failure])
+    index.refresh()
+    told = {part.error_message: part.error_message for part in find_parts(index, PartQuery(failed=True))}
+    assert told[said].fields == {"object": "Mesh"}
+    assert told["foreign.thinpart.json is not a ThinPart info file."].fields == {"info_file": "foreign" + SUFFIX}
+
+
 def test_what_changed_moved_or_went_is_followed(index, library, monkeypatch):
     made_library.store(library, "new.step", [made_library.record_of("cube", label="new one")])
     changed = made_library.store(library / "group 0", "plate.step",
@@ -65,10 +80,10 @@ def test_what_changed_moved_or_went_is_followed(index, library, monkeypatch):
     moved = library / "group 1" / f"ribbed_block.step{SUFFIX}"
     moved.rename(library / "moved" / moved.name)
     read = []
-    monkeypatch.setattr(library_index, "_read", _spy(library_index._read, read))
+    monkeypatch.setattr(library_index, "open_regular", _spy(library_index.open_regular, read))
     refreshed = index.refresh()
     assert refreshed.removed == 1  # the cube; what moved did not go
-    assert sorted(os.fsdecode(path) for _, path in read) == [
+    assert sorted(os.path.relpath(path, library) for path, in read) == [
         os.path.relpath(changed, library), f"new.step{SUFFIX}"]
     assert {"new one", "tube 2"} <= set(labels(index)) and not {"plate", "cube"} & set(labels(index))
     there, = (part for part in find_parts(index) if part.label == "ribbed_block")
@@ -146,7 +161,7 @@ def test_odd_names_and_loops_of_links(tmp_path):
 def test_a_damaged_index_is_made_anew(library, tmp_path, damage):
     with LibraryIndex(library, tmp_path / "cache") as index:
         index.refresh()
-    content = open(index.path, "rb").read()
+    content = Path(index.path).read_bytes()
     damaged = {"garbage": b"no database" * 1000, "truncated": content[:4096 + 17], "empty": b""}[damage]
     with open(index.path, "wb") as file:
         file.write(damaged)
@@ -171,7 +186,7 @@ def test_without_a_place_for_it_the_index_lives_in_memory(library, tmp_path):
     (tmp_path / "file").write_text("in the way")
     with LibraryIndex(library, tmp_path / "file" / "cache") as index:
         refreshed = index.refresh()
-        assert "cannot be kept" in refreshed.warning and len(labels(index)) == PARTS
+        assert "cannot be saved" in refreshed.warning and len(labels(index)) == PARTS
         assert index.refresh().changed == 0
 
 
@@ -184,14 +199,17 @@ def test_without_a_home_the_index_lives_in_memory(library, tmp_path, monkeypatch
 
 
 def test_a_full_disk_keeps_the_index_in_memory(library, tmp_path, monkeypatch):
+    with LibraryIndex(library, tmp_path / "cache") as index:
+        assert labels(index) == []  # the file is there, and holds nothing yet
+
     # SQLite answers with the same error where it may have no more pages than it has.
-    def connected(path, original=library_index._connected):
-        database = original(path)
+    def connect(path, *arguments, original=sqlite3.connect, **options):
+        database = original(path, *arguments, **options)
         if path != ":memory:":
             database.execute("PRAGMA max_page_count = 1")
         return database
 
-    monkeypatch.setattr(library_index, "_connected", connected)
+    monkeypatch.setattr(sqlite3, "connect", connect)
     with LibraryIndex(library, tmp_path / "cache") as index:
         refreshed = index.refresh()
         assert "full" in refreshed.warning and len(labels(index)) == PARTS
@@ -223,7 +241,7 @@ def test_a_library_that_is_gone(index, library, tmp_path):
 
 REFRESH = """
 import sys
-from thinpart_workbench.storage import library_index
+from thinpart_workbench.storage.index import library_index
 library_index.FILES_AT_ONCE = 5
 index = library_index.LibraryIndex(sys.argv[1], sys.argv[2])
 print(index.refresh(lambda done, total: print(done, flush=True)).files)
@@ -239,7 +257,7 @@ def test_two_refreshes_at_once_and_one_that_is_killed(tmp_path):
     killed = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE)
     assert b"5" in iter(lambda: killed.stdout.readline().strip(), b"")
     killed.send_signal(signal.SIGKILL)
-    killed.wait()
+    killed.communicate()
     both = [subprocess.Popen(command, env=environment, stdout=subprocess.PIPE) for _ in range(2)]
     assert [each.communicate(timeout=60)[0].split()[-1] for each in both] == [b"60", b"60"]
     with LibraryIndex(library, tmp_path / "cache") as index:
@@ -276,3 +294,49 @@ def test_others_read_while_one_writes(index, library, tmp_path):
         assert len(labels(reader)) == PARTS and time.monotonic() - started < library_index.BUSY_SECONDS
         writer.rollback()
         writer.close()
+
+
+CHANGES = {
+    "another column": ("storage/record_columns.py", 'Column("triangles"', 'Column("facets"'),
+    "another type": ("storage/record_columns.py", '"triangles", "INTEGER"', '"triangles", "REAL"'),
+    "another value": ("storage/record_columns.py", 'part["label"]', 'part["name"]'),
+    "another quantity": ("core/descriptors/descriptor_table.py", "lambda d: d.area,", "lambda d: d.area / 2.0,"),
+    "another signature": ("core/descriptors/similarity.py", "THICKNESS_UNIT = 0.05", "THICKNESS_UNIT = 0.06"),
+    "other bins": ("core/descriptors/distribution.py", "BINS = 1000", "BINS = 500"),
+    "another definition": ("core/record/part_definition.py", '"instances": Whole(1)', '"instances": Whole(2)'),
+    "another SQL index": ("storage/index/library_index.py", "parts_by_file", "files_of_parts"),
+    "another table": ("storage/index/library_index.py", '"inode": "INTEGER"', '"inode": "TEXT"'),
+}
+PATH = """
+from thinpart_workbench.storage.index.library_index import LibraryIndex
+print(LibraryIndex("library", "cache").path)
+"""
+
+
+@pytest.fixture(scope="module")
+def program(tmp_path_factory):
+    return copied_program(tmp_path_factory.mktemp("program"))
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_a_program_that_would_make_another_index_has_a_file_of_its_own(program, change):
+    name, old, new = CHANGES[change]
+    file = program / name
+    content, before = file.read_text(encoding="utf-8"), answer(program, PATH)
+    assert old in content
+    try:
+        file.write_text(content.replace(old, new), encoding="utf-8")
+        assert answer(program, PATH) != before
+    finally:
+        file.write_text(content, encoding="utf-8")
+    assert answer(program, PATH) == before
+
+
+def test_the_same_index_whatever_else_changes_and_however_lines_end(program):
+    before = answer(program, PATH)
+    for name in ("core/thickness/thickness_field.py", "storage/part_table.py"):
+        with open(program / name, "a", encoding="utf-8") as file:
+            file.write("# changed\n")
+    columns = program / "storage" / "index" / "index_columns.py"
+    columns.write_bytes(columns.read_bytes().replace(b"\n", b"\r\n"))
+    assert answer(program, PATH) == before

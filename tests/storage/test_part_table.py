@@ -1,7 +1,11 @@
 import csv
 
 from thinpart_workbench.storage.part_table import (
-    FIRST_COLUMNS, PartRow, csv_text, failed_row, write_part_table,
+    FIRST_COLUMNS,
+    PartRow,
+    csv_text,
+    failed_row,
+    write_part_table,
 )
 
 

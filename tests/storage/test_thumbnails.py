@@ -5,8 +5,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
 from read_png import read_png
+
 from thinpart_workbench.storage.cache_folder import cache_folder
 from thinpart_workbench.storage.png import png_bytes
 from thinpart_workbench.storage.thumbnails import thumbnail_path, write_thumbnail
@@ -46,6 +46,13 @@ def test_one_picture_for_each_part_of_each_content(cache):
     assert {path.parent.name for path in paths} == {"ab", "cd"}
     for path in paths:
         assert len(path.name) < 100 and path.name.isascii() and path.suffix == ".png"
+
+
+@pytest.mark.parametrize("sha256", [
+    "", None, 7, "../../../../etc/x", "/etc/shadow", "AB" * 32, "ab" * 31, "ab" * 32 + "\n", "\u0661" * 64,
+    "ab" * 30 + "/../"])
+def test_what_is_no_hash_becomes_no_path(sha256):
+    assert thumbnail_path(sha256, "Solid1") is None
 
 
 def test_written_and_written_again(cache):

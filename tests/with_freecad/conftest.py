@@ -2,9 +2,9 @@ import os
 import signal
 
 import pytest
-
 from folder_runs import Run
 from program import BARE_PYTHON
+
 from thinpart_workbench.freecad_adapter.bootstrap import load_freecad
 
 
@@ -16,7 +16,11 @@ def freecad():
 
 @pytest.fixture(params=["all libraries", "numpy and scipy alone"])
 def each_python(request, monkeypatch):
-    """The program runs in a Python with all libraries, and in one as FreeCAD's bundles have it."""
+    """The program runs in a Python with all libraries, and in one as FreeCAD's bundles have it.
+
+    Only tables, bars and reports ask for more than a bundle has (see tests/test_layers.py); what has none of them is
+    the same in both.
+    """
     if request.param == "numpy and scipy alone":
         monkeypatch.setenv("THINPART_TEST_PATH", str(BARE_PYTHON))
     return request.param
@@ -44,3 +48,4 @@ def start():
         if run.process.poll() is None:
             os.killpg(run.process.pid, signal.SIGKILL)
             run.process.wait()
+        run.close()

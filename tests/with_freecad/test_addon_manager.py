@@ -11,19 +11,18 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
-
 from started_freecad import environment, start_freecad
 
 ROOT = Path(__file__).resolve().parents[2]
 STEPS = (ROOT / "tests" / "addon_manager_steps.py").read_text(encoding="utf-8")
 NAME, BRANCH = "thinpart", "main"
-REQUIRED, OPTIONAL = ["numpy", "scipy"], ["jinja2", "pebble", "rich"]
+REQUIRED, OPTIONAL = ["numpy", "scipy"], ["jinja2", "rich"]
 
 CLASSIFY_A_BOX = """
 import FreeCAD as App, FreeCADGui as Gui
 from PySide import QtCore
 import thinpart_workbench
-from thinpart_workbench.gui.qt import QtWidgets
+from thinpart_workbench.gui.application.qt import QtWidgets
 
 Gui.activateWorkbench("ThinPartWorkbench")
 document = App.newDocument("Test")
@@ -67,7 +66,7 @@ class Host:
         handler = functools.partial(_Handler, directory=os.fspath(self.site))
         self.server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
         threading.Thread(target=self.server.serve_forever, daemon=True).start()
-        self.address = "127.0.0.1:%d" % self.server.server_address[1]
+        self.address = f"127.0.0.1:{self.server.server_address[1]}"
 
     def commit(self, message):
         git(self.work, "add", "-A", "-f")
@@ -94,7 +93,8 @@ def _files():
     listed = subprocess.run(["git", "-c", "safe.directory=*", "ls-files", "--cached", "--others", "--exclude-standard"],
                             cwd=ROOT, capture_output=True, encoding="utf-8")
     names = listed.stdout.splitlines() if listed.returncode == 0 else [
-        each.relative_to(ROOT).as_posix() for each in ROOT.rglob("*") if not each.is_dir() and "__pycache__" not in each.parts]
+        each.relative_to(ROOT).as_posix() for each in ROOT.rglob("*")
+        if not each.is_dir() and "__pycache__" not in each.parts]
     return [name for name in names if (ROOT / name).is_file()]
 
 
@@ -175,8 +175,8 @@ def test_it_is_installed_runs_is_updated_and_goes(user, host):
 
     # On the command line it runs without the bit that zips lose.
     assert os.access(user.folder / "thinpart", os.X_OK) == (user.route == "git")
-    run = subprocess.run(["sh", user.folder / "thinpart", "install"], env=dict(environment(user.home), THINPART_NO_INSTALL="1"),
-                         capture_output=True, encoding="utf-8", stdin=subprocess.DEVNULL)
+    run = subprocess.run(["sh", user.folder / "thinpart", "install"], capture_output=True, encoding="utf-8",
+                         env=dict(environment(user.home), THINPART_NO_INSTALL="1"), stdin=subprocess.DEVNULL)
     assert run.returncode == 0 and f"is installed already, {user.folder}" in run.stdout
 
     # A new commit arrives, and what it removes goes.
@@ -199,7 +199,8 @@ def test_it_is_installed_runs_is_updated_and_goes(user, host):
 def test_package_xml_tells_all_and_invents_no_address():
     package = ElementTree.parse(ROOT / "package.xml").getroot()
     texts = {each.tag.rpartition("}")[2]: each.text for each in package}
-    for name in ("name", "description", "version", "date", "maintainer", "license", "icon", "freecadmin", "pythonmin", "tag"):
+    for name in ("name", "description", "version", "date", "maintainer", "license", "icon", "freecadmin", "pythonmin",
+                 "tag"):
         assert texts[name]
     assert (ROOT / texts["icon"]).is_file()
     assert [each for each in package.iter() if "email" in each.attrib or each.tag.endswith("url")] == []
@@ -211,6 +212,6 @@ def test_package_xml_tells_all_and_invents_no_address():
 def test_freecad_itself_accepts_package_xml(freecad):
     package = freecad.Metadata(os.fspath(ROOT / "package.xml"))
     assert package.supportsCurrentFreeCAD() and package.FreeCADMin == "0.20.2"
-    assert [each["package"] for each in package.Depend] == REQUIRED + sorted(OPTIONAL, key=["pebble", "rich", "jinja2"].index)
+    assert [each["package"] for each in package.Depend] == REQUIRED + sorted(OPTIONAL, key=["rich", "jinja2"].index)
     assert package.Content["workbench"][0].Classname == "ThinPartWorkbench"
     assert not package.Urls

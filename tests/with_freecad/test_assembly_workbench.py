@@ -4,11 +4,11 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
-
 from made_assemblies import BRACE, CASE, FOOT, LEAF, PIN, PLATE, has_assembly_workbench, save_assembly
 from program import failures, records, thinpart
-from thinpart_workbench.freecad_adapter.document_parts import document_content
-from thinpart_workbench.freecad_adapter.part_places import places_of
+
+from thinpart_workbench.freecad_adapter.occurrences.occurrences import occurrence_matrices
+from thinpart_workbench.freecad_adapter.reading.document_parts import document_content
 
 
 @pytest.fixture
@@ -72,7 +72,7 @@ def test_parts_stand_where_links_and_assemblies_place_them(made, freecad):
 def _centres(document, part):
     """Where the centre of a part lies at each of its places, as a thickness map is placed."""
     centre = (*part.shape.CenterOfGravity, 1.0)
-    return {_rounded((matrix @ centre)[:3]) for matrix in places_of(document, part, part)}
+    return {_rounded((matrix @ centre)[:3]) for matrix in occurrence_matrices(document, part, part)}
 
 
 def _rounded(point):

@@ -10,15 +10,14 @@ import sys
 from pathlib import Path
 
 import jsonschema
+import made_meshes
 import numpy as np
 import pytest
-
-import made_meshes
 import time_limit
 from program import SAMPLES, SCHEMA, environment, failures, group_ended, records, thinpart
 from slow_files import make_endless
-from thinpart_workbench.freecad_adapter.mesh_file_check import check_mesh_file
 
+from thinpart_workbench.freecad_adapter.reading.mesh_file_check import check_mesh_file
 
 ENDINGS = ["step", "iges", "brep", "FCStd", "stl", "obj", "ply", "off"]
 
@@ -82,7 +81,7 @@ def kind_of(bad_run, name):
 def test_the_good_file_goes_on_beside_the_bad_ones(bad_run):
     run, folder, before = bad_run
     assert run.returncode == 1 and "Traceback" not in run.stderr
-    assert [line["category"] for line in records(run) if line.get("category")] == ["thin_features"]
+    assert [line["category"] for line in records(run) if line.get("category")] == ["normal"]
     assert failures(run).keys() == before - {"wedge.step"}
     assert {file.name for file in folder.iterdir()} - before == {"wedge.step.thinpart.json"}
 
@@ -94,13 +93,13 @@ def test_empty_files(bad_run, ending):
 
 @pytest.mark.parametrize("ending", ENDINGS)
 def test_garbage(bad_run, ending):
-    assert kind_of(bad_run, f"bad.{ending}") in ("unreadable", "crash")
+    assert kind_of(bad_run, f"bad.{ending}") == "unreadable"
 
 
 @pytest.mark.parametrize("ending", ["step", "FCStd"])
 @pytest.mark.parametrize("part", [0.5, 0.9])
 def test_truncated(bad_run, ending, part):
-    assert kind_of(bad_run, f"cut-{part}.{ending}") in ("unreadable", "crash")
+    assert kind_of(bad_run, f"cut-{part}.{ending}") == "unreadable"
 
 
 @pytest.mark.parametrize("form", ["binary", "ascii"])
@@ -130,7 +129,7 @@ def test_a_table_is_never_written_over_a_part_or_anything_else(tmp_path):
     for table in (*files, notes, tmp_path / "new.FCStd"):
         before = table.read_bytes() if table.exists() else None
         run = thinpart("classify", files[1], "--no-info", "--csv", table)
-        assert run.returncode == 2 and "left as it is" in run.stderr
+        assert run.returncode == 2 and "not changed" in run.stderr
         assert (table.read_bytes() if table.exists() else None) == before
 
 
@@ -174,11 +173,11 @@ def test_suspect_parts_are_classified_with_a_warning(tmp_path):
     tiny.scale(1e-4)
     expected = {}
     for name, thing, says, category in (
-        ("through.stl", stl(box, other), "passes through itself", None),
+        ("through.stl", stl(box, other), "intersects itself", None),
         ("open.stl", stl(box, cut=2), "open", "unknown"),
-        ("inverted.stl", stl(box, flip=True), "inside-out", "normal"),
+        ("inverted.stl", stl(box, flip=True), "inside out", "normal"),
         ("tiny.brep", tiny, "unit", "normal"),
-        ("reversed.brep", box.reversed(), "inside-out", "normal"),
+        ("reversed.brep", box.reversed(), "inside out", "normal"),
     ):
         file = tmp_path / name
         (thing.exportBrep if name.endswith("brep") else thing.write)(str(file))
@@ -200,12 +199,11 @@ def test_a_solid_far_from_the_origin(tmp_path):
     file = tmp_path / "far.brep"
     box.exportBrep(str(file))
     record, = records(thinpart("classify", file, "--json", "--no-info"))
-    assert record["criteria"] == [1, 4, 5]
+    assert record["paper"]["criteria"] == [1, 4, 5]
     assert record["descriptors"]["thickness_mm"]["min"] == pytest.approx(2, rel=1e-6)
     assert record["faces"][0]["witness"]["points"][0] == pytest.approx([1e6, -1e6, 1e6], rel=1e-3)
 
 
-@pytest.mark.usefixtures("each_python")
 def test_a_file_that_ends_its_reader_is_one_row(tmp_path, rng):
     """References to anything: the reader of OCCT 7.6 follows them and dies; the row says so."""
     import Part
@@ -227,10 +225,9 @@ def test_a_file_that_ends_its_reader_is_one_row(tmp_path, rng):
     assert "crash" in kinds or tuple(map(int, Part.OCC_VERSION.split(".")[:2])) >= (7, 9)
     assert kinds <= {"crash", "unreadable", "no_solid", "timeout", "zero_volume", "memory"}
     assert [r["category"] for r in records(run) if r["file"].endswith("good.step")] == [
-        "thin_features"]
+        "normal"]
 
 
-@pytest.mark.usefixtures("each_python")
 def test_a_file_that_never_ends_is_one_row(tmp_path):
     make_endless(tmp_path / "hang.step")
     shutil.copy(SAMPLES / "wedge.step", tmp_path / "good.step")
@@ -238,7 +235,6 @@ def test_a_file_that_never_ends_is_one_row(tmp_path):
     assert failures(run) == {"hang.step": "timeout"} and len(records(run)) == 2
 
 
-@pytest.mark.usefixtures("each_python")
 def test_too_little_memory_is_one_row(tmp_path):
     points, triangles = made_meshes.sphere(20, 800)
     facets = np.zeros(len(triangles), [("normal", "<f4", 3), ("corners", "<f4", (3, 3)),
@@ -250,7 +246,7 @@ def test_too_little_memory_is_one_row(tmp_path):
     run = thinpart("classify", tmp_path / "large.stl", tmp_path / "wedge.step", "--json", "--memory", "700")
     assert run.returncode == 1 and failures(run) == {"large.stl": "memory"}
     assert "large.stl" in run.stderr and "Traceback" not in run.stderr
-    assert [line["category"] for line in records(run) if line.get("category")] == ["thin_features"]
+    assert [line["category"] for line in records(run) if line.get("category")] == ["normal"]
     assert {file.name for file in tmp_path.iterdir()} == {"large.stl", "wedge.step", "wedge.step.thinpart.json"}
 
 
@@ -288,7 +284,7 @@ def test_read_only_folder_for_the_info_file(tmp_path, nobody):
     run = thinpart("classify", file, "--json", **nobody)
     tmp_path.chmod(0o755)
     lines = records(run)
-    assert run.returncode == 1 and lines[0]["category"] == "thin_features"
+    assert run.returncode == 1 and lines[0]["category"] == "normal"
     assert lines[1]["error"]["kind"] == "info_write" and "--info-dir" in run.stderr
     assert sorted(os.listdir(tmp_path)) == ["wedge.step"]
 
@@ -309,13 +305,15 @@ def test_full_folder_for_the_info_file(tmp_path):
 
 
 def test_a_foreign_or_newer_info_file_is_left_as_it_is(tmp_path):
-    file = Path(shutil.copy(SAMPLES / "wedge.step", tmp_path))
-    info = tmp_path / "wedge.step.thinpart.json"
-    for content in ('{"format": "thinpart-info", "version": 99}', "something else", ""):
-        info.write_text(content)
-        run = thinpart("classify", file, "--json")
-        assert run.returncode == 1 and info.read_text() == content
-        assert [r["error"]["kind"] for r in records(run) if "error" in r] == ["info_write"]
+    contents = {"newer": '{"format": "thinpart-info", "version": 99}', "foreign": "something else", "empty": ""}
+    for name, content in contents.items():
+        shutil.copy(SAMPLES / "wedge.step", tmp_path / f"{name}.step")
+        (tmp_path / f"{name}.step.thinpart.json").write_text(content)
+    run = thinpart("classify", tmp_path, "--json")
+    assert run.returncode == 1 and failures(run) == {f"{name}.step": "info_write" for name in contents}
+    assert [line["category"] for line in records(run) if "category" in line] == ["normal"] * 3
+    for name, content in contents.items():
+        assert (tmp_path / f"{name}.step.thinpart.json").read_text() == content
 
 
 def _open_to_all(folder):
@@ -327,7 +325,6 @@ def _open_to_all(folder):
 # -- interruption
 
 
-@pytest.mark.usefixtures("each_python")
 def test_ctrl_c_keeps_what_was_done_and_leaves_nothing_running(tmp_path):
     for number in range(6):
         shutil.copy(SAMPLES / "thin_walled_casting.step", tmp_path / f"{number}.step")
@@ -342,13 +339,12 @@ def test_ctrl_c_keeps_what_was_done_and_leaves_nothing_running(tmp_path):
     assert process.returncode == 130 and "Traceback" not in errors
     done = len((first + rest).splitlines())
     infos = list(tmp_path.glob("*.thinpart.json"))
-    assert 1 <= done < 6 and len(infos) >= done
+    assert 1 <= done <= len(infos) < 6
     for info in infos:
         jsonschema.validate(json.loads(info.read_text(encoding="utf-8")), SCHEMA)
     assert group_ended(process.pid)
 
 
-@pytest.mark.usefixtures("each_python")
 def test_kill_9_leaves_no_half_written_file(tmp_path):
     for number in range(4):
         shutil.copy(SAMPLES / "wedge.step", tmp_path / f"{number}.step")
@@ -359,14 +355,15 @@ def test_kill_9_leaves_no_half_written_file(tmp_path):
     )
     process.stdout.readline()
     os.killpg(process.pid, signal.SIGKILL)
-    process.wait()
-    for info in tmp_path.glob("*.thinpart.json"):
+    process.communicate()
+    infos = list(tmp_path.glob("*.thinpart.json"))
+    assert infos  # what is told is written
+    for info in infos:
         jsonschema.validate(json.loads(info.read_text(encoding="utf-8")), SCHEMA)
     run = thinpart("classify", tmp_path, "--json")
     assert run.returncode == 0 and len(records(run)) == 4
 
 
-@pytest.mark.usefixtures("each_python")
 def test_temporary_folders_of_killed_runs_are_removed_by_the_next(tmp_path):
     folder = tmp_path / "parts"
     folder.mkdir()

@@ -5,12 +5,12 @@ import json
 
 import jsonschema
 import pytest
-
 from program import SCHEMA, records, thinpart
+
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
-from thinpart_workbench.core.criteria import load_profile
-from thinpart_workbench.freecad_adapter.document_parts import document_content
-from thinpart_workbench.workflow.analyse_part import analyse_part
+from thinpart_workbench.core.judging.criteria import load_profile
+from thinpart_workbench.freecad_adapter.reading.document_parts import document_content
+from thinpart_workbench.workflow.analysis.analyse_part import analyse_part
 
 
 def box(document, name, size=10):

@@ -11,16 +11,16 @@ from pathlib import Path
 
 import jsonschema
 import pytest
-
 import time_limit
 from program import ROOT, SAMPLES, SCHEMA, failures, records, thinpart
 from slow_files import make_endless
+
+from thinpart_workbench.core.analysis_limits import Limits
 from thinpart_workbench.core.errors import ThinPartError
+from thinpart_workbench.core.run_control import RunControl
 from thinpart_workbench.requirements import FREECAD_LIBS
-from thinpart_workbench.workflow.analyse_file import FileTask
-from thinpart_workbench.workflow.cluster import analyse_files_on_cluster
-from thinpart_workbench.workflow.run_control import RunControl
-from thinpart_workbench.workflow.worker_pool import Limits
+from thinpart_workbench.workflow.analysis.analyse_file import FileTask
+from thinpart_workbench.workflow.cluster.cluster_run import analyse_files_on_cluster
 
 SMALL = ("wedge", "vee_block", "ribbed_block", "tube")
 
@@ -33,7 +33,8 @@ class Cluster:
         self.file = folder / "scheduler.json"
         self.scheduler = self._start("scheduler", "--host", "127.0.0.1", "--port", "0", "--no-show",
                                      "--scheduler-file", self.file)
-        time_limit.wait_until(self.file.is_file, "the file of the scheduler")
+        time_limit.wait_until(lambda: self.file.is_file() and self.file.read_text().rstrip().endswith("}"),
+                              "the file of the scheduler")
         self.address = json.loads(self.file.read_text())["address"]
 
     def worker(self, *options, before=()):
@@ -172,7 +173,9 @@ def test_the_files_of_a_worker_that_is_lost_are_done_by_others(cluster, tmp_path
     first = run.stdout.readline()
     time_limit.wait_until(lambda: len(cluster.servers()) == 3, "a process on each of three workers")
     doomed.kill()
-    rest, errors = run.communicate()
+    # Not `communicate`, which passes by what `readline` has buffered: lines that came along with the first.
+    with run:
+        rest, errors = run.stdout.read(), run.stderr.read()
     assert run.returncode == 0, errors
     assert len({json.loads(line)["file"] for line in (first + rest).splitlines()}) == 14
     assert len(list(parts.glob("*.thinpart.json"))) == 14
@@ -243,7 +246,7 @@ def test_a_wrong_address_is_said_at_once(tmp_path):
     shutil.copy(SAMPLES / "wedge.step", tmp_path)
     for address in ("", "here", "tcp://here", "tcp://here:port", "http://here:8786", "tcp://a:1/b"):
         run = thinpart("classify", tmp_path, "--dask", address)
-        assert run.returncode == 2 and "is no address of a Dask scheduler" in run.stderr
+        assert run.returncode == 2 and "is not the address of a Dask scheduler" in run.stderr
         assert "Traceback" not in run.stderr
 
 
@@ -261,10 +264,10 @@ def test_a_scheduler_without_workers_and_one_that_is_lost(bare, tmp_path):
         next(analyse_files_on_cluster(bare.address, tasks, Limits(), patience=1))
     bare.worker("--no-nanny")
     threads = []
-    outcomes = analyse_files_on_cluster(bare.address, tasks, Limits(), threads_seen=threads.append)
+    outcomes = analyse_files_on_cluster(bare.address, tasks, Limits(), on_threads_changed=threads.append)
     assert next(outcomes)["parts"] and threads == [1]
     bare.scheduler.kill()
-    with pytest.raises(ThinPartError, match="what was done is kept: start again") as raised:
+    with pytest.raises(ThinPartError, match="finished results are saved: start again") as raised:
         list(outcomes)
     assert raised.value.kind == "cluster"
 

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import jsonschema
 import pytest
-
 from program import ROOT, SAMPLES, SCHEMA, records, thinpart
 
 
@@ -27,10 +26,10 @@ def test_every_sample_gets_its_verdict_in_both_formats():
     assert len(found) == 2 * len(expected) >= 24
     for file, parts in found.items():
         # A STEP file does not say which solids are copies of one.
-        verdicts = {(part["category"], tuple(part["criteria"])) for part in parts}
-        assert verdicts == {(each["category"], tuple(each["criteria"]))
+        verdicts = {(part["category"], part["paper"]["category"], tuple(part["paper"]["criteria"])) for part in parts}
+        assert verdicts == {(each["category"], each["paper"]["category"], tuple(each["paper"]["criteria"]))
                             for each in expected[file.stem]}, file
-    criteria = {each for parts in found.values() for part in parts for each in part["criteria"]}
+    criteria = {each for parts in found.values() for part in parts for each in part["paper"]["criteria"]}
     assert criteria == {1, 2, 3, 4, 5, 6, 7}
 
 
@@ -41,7 +40,7 @@ def test_an_assembly_gives_one_record_per_distinct_solid():
 
 
 def test_table_names_part_category_criteria_box_fill_and_wall(tmp_path):
-    run = thinpart("classify", SAMPLES / "plate.FCStd", "--info-dir", tmp_path)
+    run = thinpart("classify", SAMPLES / "plate.FCStd", "--info-dir", tmp_path, "--profile", "paper")
     assert run.returncode == 0
     header, row = run.stdout.splitlines()[:2]
     assert header.split() == "Part Category Criteria D1 x D2 x D3 mm V/VBB Thinnest mm".split()
@@ -60,7 +59,7 @@ def test_demo_classifies_the_samples_and_leaves_nothing_behind():
 def test_real_parts_are_read_and_the_papers_sure_finds_are_found(real_samples):
     with open(real_samples / "manifest.csv", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    run = thinpart("classify", real_samples / "parts", "--json", "--no-info")
+    run = thinpart("classify", real_samples / "parts", "--json", "--no-info", "--profile", "paper")
     assert run.returncode == 0, run.stderr
     category = {}
     for record in records(run):
@@ -193,7 +192,8 @@ def test_deflections_are_those_that_were_asked_for(tmp_path):
     info = json.loads((tmp_path / "tube.step.thinpart.json").read_text())
     assert (info["settings"]["linear_deflection"], info["settings"]["angular_deflection"]) == (0.004, 8.0)
     coarse = info["parts"][0]["triangles"]
-    run = thinpart("classify", SAMPLES / "tube.step", "--info-dir", tmp_path, "--linear-deflection", "0.0005")
+    run = thinpart("classify", SAMPLES / "tube.step", "--info-dir", tmp_path, "--linear-deflection", "0.0005",
+                   "--angular-deflection", "4")
     info = json.loads((tmp_path / "tube.step.thinpart.json").read_text())
     assert info["parts"][0]["triangles"] > 1.5 * coarse
     for option, value in (("--linear-deflection", "0.5"), ("--angular-deflection", "nan")):
@@ -210,7 +210,7 @@ def test_documents_of_one_name_in_two_folders_have_two_info_files(tmp_path):
         str(path.relative_to(tmp_path / "info")): json.loads(path.read_text())["parts"][0]["category"]
         for path in (tmp_path / "info").rglob("*.json")
     }
-    assert categories == {"a/part.step.thinpart.json": "thin_features",
+    assert categories == {"a/part.step.thinpart.json": "normal",
                           "b/part.step.thinpart.json": "normal"}
 
 
@@ -263,13 +263,6 @@ def test_one_file_is_measured_once_however_many_ways_lead_to_it(tmp_path):
     assert [each.name for each in tmp_path.rglob("*.json")] == ["wedge.step.thinpart.json"]
     record, = records(thinpart("classify", tmp_path / "link.step", "--json", "--no-info"))
     assert record["file"] == str(tmp_path / "link.step")
-
-
-def test_folders_offer_what_can_be_read():
-    from thinpart_workbench.freecad_adapter.part_files import READERS
-    from thinpart_workbench.workflow.find_documents import ENDINGS
-
-    assert set(ENDINGS) == set(READERS)
 
 
 def test_loops_of_links_are_walked_once(tmp_path):
@@ -333,3 +326,67 @@ def test_paths_with_odd_names(tmp_path):
     assert run.returncode == 0 and len(records(run)) == 5
     assert len(list(tmp_path.glob("*.thinpart.json"))) == 5
     assert thinpart("classify", tmp_path).returncode == 0
+
+
+def test_wall_regions_are_listed_below_the_table():
+    run = thinpart("classify", SAMPLES / "heat_sink.step", "--regions", "--no-info")
+    fins, base = run.stdout.splitlines()[-2:]
+    assert fins.startswith("heat_sink: 16 x plate, 1.5 mm thick, ") and " mm wide, 58 % of the volume: Face" in fins
+    assert base.startswith("heat_sink: plate, 6 mm thick, ")
+    assert "16 x plate" not in thinpart("classify", SAMPLES / "heat_sink.step", "--no-info").stdout
+
+
+# -- checks of walls against the limits of processes
+
+
+def test_a_part_that_fails_a_check_gives_exit_status_3(tmp_path):
+    table = tmp_path / "table.csv"
+    run = thinpart("classify", SAMPLES / "tube.step", SAMPLES / "block.step", "--no-info", "--no-thumbnails",
+                   "--check", "FDM,sand_casting", "--csv", table)
+    assert run.returncode == 3, run.stderr
+    assert "sand_casting" in run.stdout.splitlines()[0]
+    assert "tube.step: tube: Sand casting: fails: 97 % of the surface is under 3 mm, thinnest 2 mm on Face" in run.stdout
+    with open(table, newline="", encoding="utf-8") as file:
+        rows = {row["label"]: row for row in csv.DictReader(file)}
+    assert [rows["tube"][f"check {name}"] for name in ("FDM", "sand_casting")] == ["passes", "fails"]
+    assert rows["block"]["check sand_casting"] == "passes" and "40 mm" in rows["block"]["check sand_casting sentence"]
+
+
+def test_checks_stand_in_json_and_what_passes_gives_exit_status_0():
+    run = thinpart("classify", SAMPLES / "tube.step", "--no-info", "--no-thumbnails", "--json", "--check", "SLS",
+                   "--check", "die_casting:zinc")
+    tube, = records(run)
+    assert run.returncode == 0 and [check["process"] for check in tube["checks"]] == ["SLS", "die_casting:zinc"]
+    assert all(check["passes"] is True and check["thinnest_mm"] == pytest.approx(2.0) for check in tube["checks"])
+
+
+def test_a_file_that_failed_outweighs_a_check_that_failed(tmp_path):
+    shutil.copy(SAMPLES / "tube.step", tmp_path)
+    (tmp_path / "damaged.step").write_text("ISO-10303-21; nothing more")
+    assert thinpart("classify", tmp_path, "--no-info", "--no-thumbnails", "--check", "sand_casting").returncode == 1
+
+
+def test_an_unknown_process_is_wrong_usage_and_measures_nothing(tmp_path):
+    run = thinpart("classify", SAMPLES / "tube.step", "--no-info", "--check", "wood")
+    assert run.returncode == 2 and "wood" in run.stderr and "sheet_metal" in run.stderr and not run.stdout
+
+
+def test_own_limits_are_checked_and_faults_in_them_are_told(tmp_path):
+    own = tmp_path / "own.json"
+    own.write_text(json.dumps({"format": "thinpart-wall-limits", "version": 1, "processes": [
+        {"id": "FDM", "title": "Coarse FDM", "min_mm": 2.4, "max_mm": None}]}))
+    command = ("classify", SAMPLES / "tube.step", "--no-info", "--no-thumbnails", "--check", "FDM", "--limits", own)
+    run = thinpart(*command)
+    assert run.returncode == 3 and "Coarse FDM: fails" in run.stdout
+    own.write_text(own.read_text().replace("2.4", '"thick"'))
+    run = thinpart(*command)
+    assert run.returncode == 2 and "own.json" in run.stderr and "processes[0].min_mm" in run.stderr
+
+
+def test_a_record_is_measured_once_and_checked_at_any_limit(tmp_path):
+    shutil.copy(SAMPLES / "tube.step", tmp_path)
+    assert thinpart("classify", tmp_path, "--no-thumbnails").returncode == 0
+    before = next(tmp_path.glob("*.json")).read_bytes()
+    assert thinpart("classify", tmp_path, "--no-thumbnails", "--check", "sand_casting").returncode == 3
+    assert thinpart("classify", tmp_path, "--no-thumbnails", "--check", "FDM").returncode == 0
+    assert next(tmp_path.glob("*.json")).read_bytes() == before

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from thinpart_workbench.freecad_adapter.document_parts import document_parts, part_at
+from thinpart_workbench.freecad_adapter.reading.document_parts import document_parts, part_at
 
 
 def names(document):

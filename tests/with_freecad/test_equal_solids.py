@@ -5,10 +5,10 @@ from functools import cached_property
 import pytest
 
 from thinpart_workbench.freecad_adapter.bootstrap import load_freecad
-from thinpart_workbench.freecad_adapter.equal_solids import equal_part
-from thinpart_workbench.freecad_adapter.part import SolidPart
-from thinpart_workbench.freecad_adapter.part_files import read_parts
-from thinpart_workbench.freecad_adapter.solid_measures import SolidMeasures
+from thinpart_workbench.freecad_adapter.reading.part_files import read_parts
+from thinpart_workbench.freecad_adapter.shapes.equal_solids import equal_part
+from thinpart_workbench.freecad_adapter.shapes.part import SolidPart
+from thinpart_workbench.freecad_adapter.shapes.solid_measures import SolidMeasures
 
 load_freecad()
 
@@ -66,8 +66,8 @@ def test_each_solid_is_measured_once_however_many_it_is_compared_with(monkeypatc
             measured.append(self)
             return super().volume
 
-    monkeypatch.setattr("thinpart_workbench.freecad_adapter.part.SolidMeasures", Counting)
-    monkeypatch.setattr("thinpart_workbench.freecad_adapter.equal_solids.SolidMeasures", Counting)
+    monkeypatch.setattr("thinpart_workbench.freecad_adapter.shapes.part.SolidMeasures", Counting)
+    monkeypatch.setattr("thinpart_workbench.freecad_adapter.shapes.equal_solids.SolidMeasures", Counting)
     parts = []
     for number in range(20):
         solid = Part.makeBox(10 + number, 5, 3)

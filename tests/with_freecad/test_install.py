@@ -7,10 +7,10 @@ import types
 from pathlib import Path
 
 import pytest
-
 from started_freecad import OWN_SETTINGS, environment, start_freecad
-from thinpart_workbench.cli import install
-from thinpart_workbench.core.errors import ThinPartError
+
+from thinpart_workbench.cli.commands import install
+from thinpart_workbench.freecad_adapter import mod_folders
 from thinpart_workbench.freecad_adapter.mod_folders import ModFolder, folders_below
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -110,7 +110,7 @@ def test_what_is_not_this_checkout_is_named_and_left(home, user_folder):
     for left, how in ((copied, "in FreeCAD's Addon Manager, or by hand"),
                       (user_folder / "v1-2" / "Mod" / "ThinPart", "by hand"),
                       (user_folder / "v1-3" / "Mod" / "ThinPart", "by hand")):
-        assert f"{left} is there already and not this checkout: remove it {how} and install again." in run.stderr
+        assert f"{left} already exists and is not this checkout: remove it {how} and install again." in run.stderr
     run = thinpart(home, "uninstall")
     assert run.returncode == 1 and links(home) == []
     for left in (copied, user_folder / "v1-2" / "Mod" / "ThinPart", user_folder / "v1-3" / "Mod" / "ThinPart"):
@@ -123,7 +123,7 @@ def test_a_folder_of_that_name_that_is_something_else_is_left(home, user_folder)
     mine.mkdir(parents=True)
     (mine / "notes.txt").write_text("mine")
     run = thinpart(home, "install")
-    assert run.returncode == 1 and f"{mine} is there already and no ThinPart" in run.stderr
+    assert run.returncode == 1 and f"{mine} already exists and is not ThinPart" in run.stderr
     thinpart(home, "uninstall")
     assert (mine / "notes.txt").read_text() == "mine"
 
@@ -140,7 +140,7 @@ def test_a_folder_that_may_not_be_written_leaves_the_others(home, user_folder):
     (user_folder / "v1-1" / "Mod").write_text("a file where the folder belongs")
     (user_folder / "v1-2").mkdir()
     run = thinpart(home, "install")
-    assert run.returncode == 1 and f"the link {user_folder}/v1-1/Mod/ThinPart could not be made" in run.stderr
+    assert run.returncode == 1 and f"the link {user_folder}/v1-1/Mod/ThinPart could not be created" in run.stderr
     assert ".local/share/FreeCAD/v1-2/Mod/ThinPart" in links(home)
 
 
@@ -162,7 +162,7 @@ def test_the_folders_of_the_versions(tmp_path, there, read, version, expected):
     assert [(each.path.relative_to(tmp_path / "FreeCAD").as_posix(), *each[1:]) for each in found] == expected
 
 
-def test_without_the_right_to_link_windows_gets_a_junction(tmp_path, monkeypatch):
+def test_without_the_right_to_link_windows_gets_a_junction(tmp_path, monkeypatch, capsys):
     """A simulated Windows: what it raises and offers."""
     made = []
 
@@ -173,12 +173,13 @@ def test_without_the_right_to_link_windows_gets_a_junction(tmp_path, monkeypatch
 
     monkeypatch.setattr(Path, "symlink_to", refuse)
     monkeypatch.setitem(sys.modules, "_winapi", types.SimpleNamespace(CreateJunction=lambda *paths: made.append(paths)))
-    install._install(ModFolder(tmp_path, (1, 1), None))
+    monkeypatch.setattr(mod_folders, "mod_folders", lambda: [ModFolder(tmp_path, (1, 1), None)])
+    options = types.SimpleNamespace(command="install")
+    assert install.run(options) == 0
     assert made == [(os.fspath(ROOT), os.fspath(tmp_path / "ThinPart"))]
     monkeypatch.delattr(sys.modules["_winapi"], "CreateJunction")
     monkeypatch.setattr(Path, "symlink_to", lambda *_, **__: os.mkdir("/proc/nothing"))
-    with pytest.raises(ThinPartError, match="could not be made"):
-        install._install(ModFolder(tmp_path, (1, 1), None))
+    assert install.run(options) == 1 and "could not be created" in capsys.readouterr().err
 
 
 COPY_THE_CONFIGURATION = """
@@ -210,7 +211,8 @@ def test_it_survives_the_copy_of_the_settings_and_is_loaded_once(home, user_fold
         pytest.skip("this FreeCAD has one folder for all versions")
     (user_folder / "Mod").mkdir(parents=True)
     run = thinpart(home, "install")
-    assert f"FreeCAD up to 1.0, and 1.1 until it has a folder of its own: installed, {user_folder}/Mod/ThinPart" in run.stdout
+    assert ("FreeCAD up to 1.0, and 1.1 until it has a folder of its own: "
+            f"installed, {user_folder}/Mod/ThinPart") in run.stdout
     assert links(home) == [".local/share/FreeCAD/Mod/ThinPart"]  # a folder for 1.1 would keep FreeCAD from copying
     loaded = start_freecad(home, READ_REPORT + COPY_THE_CONFIGURATION, early=True, settings=OWN_SETTINGS)
     assert Path((home / "read-before").read_text()) == user_folder
@@ -234,7 +236,7 @@ def test_of_two_copies_one_runs_and_the_report_view_names_both(home, tmp_path):
     loaded = start_freecad(home, READ_REPORT + WHAT_IS_LOADED, "-M", os.fspath(copied))
     assert len(loaded["folders"]) == 2 and loaded["listed"]
     not_used = ({os.fspath(ROOT), os.fspath(copied)} - {loaded["package"]}).pop()
-    said = f"ThinPart is there twice: {loaded['package']} is used, {not_used} is not."
+    said = f"ThinPart is installed twice: {loaded['package']} is used, {not_used} is not."
     assert loaded["report"].count(said) == 1
 
 

@@ -6,9 +6,9 @@ from dataclasses import replace
 import pytest
 
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
-from thinpart_workbench.core.criteria import load_profile
-from thinpart_workbench.freecad_adapter.part import SolidPart
-from thinpart_workbench.workflow.analyse_part import analyse_part
+from thinpart_workbench.core.judging.criteria import load_profile
+from thinpart_workbench.freecad_adapter.shapes.part import SolidPart
+from thinpart_workbench.workflow.analysis.analyse_part import analyse_part
 
 PAPER = load_profile("paper")
 DENSITIES = {
@@ -196,12 +196,12 @@ def test_a_thin_wall_on_a_large_curved_part_is_tessellated_finer():
 
 def test_a_finer_triangulation_on_the_shape_is_not_reused():
     import MeshPart
-
     import Part
 
     shape = Part.makeSphere(20)
     fresh = analysed(shape.copy())
-    MeshPart.meshFromShape(Shape=shape, LinearDeflection=0.01, AngularDeflection=0.03)
+    finer = MeshPart.meshFromShape(Shape=shape, LinearDeflection=0.02, AngularDeflection=0.06)
+    assert finer.CountFacets > 1.2 * fresh["triangles"]
     assert analysed(shape)["triangles"] == fresh["triangles"]
 
 
@@ -226,3 +226,19 @@ def test_the_papers_box_can_be_chosen():
 
     assert analysed(Part.makeBox(30, 20, 10), box="principal")["box_mm"] == pytest.approx(
         [30, 20, 10], rel=1e-6)
+
+
+@pytest.mark.parametrize("place", ["straight", "turned"])
+def test_the_box_of_a_round_part_is_that_of_its_surface_not_of_its_facets(place):
+    import FreeCAD
+    import Part
+
+    washer = Part.makeCylinder(49, 3).cut(Part.makeCylinder(25, 3))
+    tube = Part.makeCylinder(20, 60).cut(Part.makeCylinder(18, 60))
+    cut_off = Part.makeCylinder(20, 60).cut(Part.makeBox(100, 100, 100, FreeCAD.Vector(5, -50, -10)))
+    for shape, box, exact in ((washer, (98, 98, 3), 1e-6), (tube, (60, 40, 40), 1e-6), (cut_off, (60, 40, 25), 1e-6),
+                              (Part.makeCone(20, 10, 60), (60, 40, 40), 1e-6), (Part.makeSphere(20), (40, 40, 40), 1e-6),
+                              (block(), (100, 60, 40), 1e-6)):
+        record = analysed(turned(shape) if place == "turned" else shape)
+        assert record["box_mm"] == pytest.approx(box, rel=exact)
+        assert record["box_mm"] == pytest.approx(box, abs=record["wall"]["error_bound"])

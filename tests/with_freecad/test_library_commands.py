@@ -4,10 +4,9 @@ import json
 import shutil
 
 import pytest
-
 from program import SAMPLES, SCHEMA, records, thinpart
 
-NAMES = ("tube.step", "plate.step", "block.FCStd", "assembly_of_three.step", "tapered_plug.step")
+NAMES = ("tube.step", "plate.step", "block.FCStd", "assembly_of_three.step", "vee_block.step")
 
 
 @pytest.fixture(scope="module")
@@ -16,7 +15,7 @@ def classified(tmp_path_factory):
     for name in NAMES:
         shutil.copy(SAMPLES / name, folder)
     (folder / "damaged.step").write_text("ISO-10303-21; nothing more")
-    assert thinpart("classify", folder, "--jobs", 2).returncode == 1
+    assert thinpart("classify", folder, "--jobs", 2, "--profile", "paper").returncode == 1
     return folder
 
 
@@ -42,7 +41,8 @@ def test_find_by_everything(library):
     assert labels(thinpart("find", library, "--max-thickness", "2.5", "--text", "TUBE", "--json")) == ["tube"]
     assert labels(thinpart("find", library, "--where", "D2/D3 < 1.1 and V/VBB < 0.3", "--json")) == ["tube"]
     assert labels(thinpart("find", library, "--min-size", "1e6", "--json")) == []
-    assert len(labels(thinpart("find", library, "--changed-since", "1h", "--json"))) in (0, 7)
+    assert len(labels(thinpart("find", library, "--changed-since", "1d", "--json"))) == 7
+    assert labels(thinpart("find", library, "--changed-since", "2999-12-31", "--json")) == []
     largest = records(thinpart("find", library, "--sort", "d1_mm", "--reverse", "-n", 2, "--json"))
     sizes = [line["descriptors"]["box_mm"][0] for line in largest]
     assert len(sizes) == 2 and sizes == sorted(sizes, reverse=True)
@@ -58,10 +58,10 @@ def jsonschema_part(line):
 
 def test_the_table_is_for_people(library):
     run = thinpart("find", library, "--category", "thin")
-    assert run.returncode == 0 and "tube.step" in run.stdout and "60 x 39.99 x 39.99" in run.stdout
+    assert run.returncode == 0 and "tube.step" in run.stdout and "60 x 40 x 40" in run.stdout
     assert "damaged" not in run.stdout
     nothing = thinpart("find", library, "--text", "no such words")
-    assert nothing.returncode == 0 and nothing.stdout == "" and "Nothing that is stored" in nothing.stderr
+    assert nothing.returncode == 0 and nothing.stdout == "" and "No stored part" in nothing.stderr
 
 
 def test_libraries_in_each_other_give_each_part_once(library):
@@ -137,7 +137,7 @@ def test_notes_that_cannot_be_set(library):
     several = thinpart("note", library / "assembly_of_three.step", "--set", "x")
     assert several.returncode == 2 and "--part" in several.stderr
     wrong = thinpart("note", library / "tube.step", "--mesh", "{size: 2")
-    assert wrong.returncode == 2 and "is no JSON object" in wrong.stderr
+    assert wrong.returncode == 2 and "is not a JSON object" in wrong.stderr
 
 
 def test_reclassify_tells_first_and_writes_when_asked(library, tmp_path):
@@ -163,3 +163,24 @@ def test_reclassify_tells_first_and_writes_when_asked(library, tmp_path):
 def test_reclassify_without_anything_stored(tmp_path):
     run = thinpart("reclassify", tmp_path)
     assert run.returncode == 1 and "There are no info files" in run.stderr
+
+
+def test_find_parts_that_pass_or_fail_a_process(library):
+    assert labels(thinpart("find", library, "--fails", "sand_casting", "--json")) == ["tube"]
+    passing = labels(thinpart("find", library, "--passes", "sand_casting,sheet_metal", "--json"))
+    assert passing and "tube" not in passing and "block" not in {each.casefold() for each in passing}
+    table = thinpart("find", library, "--text", "tube.step", "--check", "sand_casting,FDM")
+    assert table.returncode == 0 and "FAILS" in table.stdout and "passes" in table.stdout
+    tube, = records(thinpart("find", library, "--text", "tube.step", "--check", "FDM", "--json"))
+    assert tube["checks"][0]["passes"] is True
+    assert thinpart("find", library, "--passes", "wood").returncode == 2
+
+
+def test_a_report_has_the_checks_on_its_pages(library, tmp_path):
+    run = thinpart("report", library / "tube.step", "-o", tmp_path / "report", "--check", "sand_casting,FDM")
+    assert run.returncode == 3, run.stderr
+    page = next((tmp_path / "report" / "pages").glob("tube*.html")).read_text(encoding="utf-8")
+    assert "Limits of the wall" in page and "Sand casting: fails" in page and "https://" in page
+    overview = (tmp_path / "report" / "index.html").read_text(encoding="utf-8")
+    assert "Sand casting" in overview and "FDM printing" in overview
+    assert "check sand_casting" in (tmp_path / "report" / "parts.csv").read_text(encoding="utf-8")

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import jsonschema
 import pytest
-
 from program import SCHEMA, failures, records, thinpart
-from thinpart_workbench.freecad_adapter.linked_files import linked_files
+
+from thinpart_workbench.freecad_adapter.reading.linked_files import linked_files
 
 
 def save(freecad, file, *linked, size=None):

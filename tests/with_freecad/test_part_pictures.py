@@ -7,12 +7,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
 from program import SAMPLES, records, thinpart
 from read_png import read_png
-from thinpart_workbench.freecad_adapter.settings import PREFERENCES
+
+from thinpart_workbench.freecad_adapter.preferences import PREFERENCES
 from thinpart_workbench.storage.thumbnails import thumbnail_path
-from thinpart_workbench.workflow.analyse_file import FileTask, analyse_file
+from thinpart_workbench.workflow.analysis.analyse_file import FileTask, analyse_file
+from thinpart_workbench.workflow.analysis.result_files import write_results
 
 
 @pytest.fixture(autouse=True)
@@ -41,9 +42,9 @@ def of_hue(image, preference):
 
 
 def test_every_part_has_a_picture_with_its_thin_faces_red(tmp_path, cache):
-    files = [SAMPLES / name for name in ("plate.step", "block.step", "tube.FCStd", "tapered_plug.step",
+    files = [SAMPLES / name for name in ("plate.step", "block.step", "tube.FCStd", "vee_block.step",
                                          "ribbed_block.FCStd", "assembly_of_three.FCStd")]
-    run = thinpart("classify", *files, "--info-dir", tmp_path / "info", "--json")
+    run = thinpart("classify", *files, "--info-dir", tmp_path / "info", "--json", "--profile", "paper")
     assert run.returncode == 0, run.stderr
     found = pictures(tmp_path / "info")
     assert len(found) == len(records(run)) == 8
@@ -62,7 +63,7 @@ def test_every_part_has_a_picture_with_its_thin_faces_red(tmp_path, cache):
 def test_the_same_part_gives_the_same_bytes(tmp_path, cache):
     for name in ("first", "second"):
         (tmp_path / name).mkdir()
-        shutil.copy(SAMPLES / "thin_walled_casting.step", tmp_path / name / f"{name}.step")
+        shutil.copy(SAMPLES / "gear_thin_teeth.step", tmp_path / name / f"{name}.step")
     contents = []
     for name in ("first", "second"):
         thinpart("classify", tmp_path / name)
@@ -75,10 +76,10 @@ def test_the_same_part_gives_the_same_bytes(tmp_path, cache):
 def test_a_part_from_its_info_file_is_not_measured_again_for_its_picture(tmp_path, cache):
     task = FileTask(os.fspath(SAMPLES / "block.step"), os.fspath(tmp_path / "block.step.thinpart.json"),
                     thumbnails=True)
-    assert not analyse_file(task)["reused"]
+    assert not write_results(task, analyse_file(task))["reused"]
     path, = (path for path in cache.rglob("*") if path.is_file())
     path.unlink()
-    assert analyse_file(task)["reused"] and not path.exists()
+    assert write_results(task, analyse_file(task))["reused"] and not path.exists()
 
 
 @pytest.mark.parametrize("option", ["--no-thumbnails", "--no-info"])

@@ -13,10 +13,10 @@ from pathlib import Path
 from urllib.parse import unquote_to_bytes
 
 import pytest
-
 import time_limit
 from program import ROOT, SAMPLES, group_ended, thinpart
-from thinpart_workbench.core.criteria import load_profile
+
+from thinpart_workbench.core.judging.criteria import load_profile
 
 VOID = {"meta", "link", "br", "img", "input", "hr", "image", "rect", "line", "circle", "stop"}
 HOSTILE = "<script>alert('1')</script> \"&amp; \x1b[31m \u202e"
@@ -100,7 +100,7 @@ def report(tmp_path_factory):
     shutil.copy(SAMPLES / "tube.step", parts / "a b#?%.step")
     (parts / "damaged.step").write_text("ISO-10303-21;\nthis is no STEP file\n")
     before = {path: path.read_bytes() for path in parts.rglob("*") if path.is_file()}
-    run = thinpart("report", parts, "-o", top / "out")
+    run = thinpart("report", parts, "-o", top / "out", "--profile", "paper")
     assert before == {path: path.read_bytes() for path in parts.rglob("*") if path.is_file()}
     return run, top / "out"
 
@@ -203,10 +203,10 @@ def test_its_own_pages_are_replaced_and_are_the_same(tmp_path):
     assert first == written() and len(first) == 6
 
 
-@pytest.mark.parametrize("wrong", ["file", "below a file", "something else", "unwritable"])
+@pytest.mark.parametrize("wrong", ["file", "below a file", "not the folder of a report", "unwritable"])
 def test_a_place_that_cannot_be_taken(tmp_path, wrong):
     folder = tmp_path / "out"
-    if wrong == "something else":
+    if wrong == "not the folder of a report":
         folder.mkdir()
         (folder / "thesis.txt").write_text("mine")
     elif wrong == "unwritable":
@@ -278,3 +278,18 @@ def test_the_profile_that_was_asked_for_judges(tmp_path):
     assert run.returncode == 0, run.stderr
     for page in pages(tmp_path / "out").values():
         assert "Flat 'part'" in page.text and "House <rules>" in page.text
+
+
+def test_pictures_can_show_balls_while_the_verdict_is_by_rays(tmp_path):
+    shutil.copy(SAMPLES / "wedge.step", tmp_path)
+    said = {}
+    for measure in ("rays", "sphere"):
+        out = tmp_path / measure
+        run = thinpart("report", tmp_path / "wedge.step", "-o", out, "--measure", measure)
+        assert run.returncode == 0, run.stderr
+        page, = (out / "pages").rglob("*.html")
+        said[measure] = page.read_text(encoding="utf-8"), (out / "parts.csv").read_text(), (out / "faces.csv").read_text()
+        pages(out)
+    assert said["rays"][1:] == said["sphere"][1:]
+    assert "largest ball inside" in said["sphere"][0] and "largest ball inside" not in said["rays"][0]
+    assert re.findall("base64,([^\"]+)", said["rays"][0])[0] != re.findall("base64,([^\"]+)", said["sphere"][0])[0]

@@ -13,7 +13,6 @@ import time
 from pathlib import Path
 
 import pytest
-
 from folder_runs import TUBE, infos, messages, tubes
 from program import ROOT, SAMPLES, failures, records, thinpart
 
@@ -42,7 +41,7 @@ def test_a_list_that_cannot_be_used_is_answered_with_a_sentence(tmp_path):
     assert run.returncode == 2 and "cannot be read (No such file" in run.stderr
     wanted.write_bytes(b"a.step\0")
     run = thinpart("classify", folder, "--only", wanted, cwd=folder)
-    assert run.returncode == 2 and "no absolute path" in run.stderr
+    assert run.returncode == 2 and "not an absolute path" in run.stderr
     wanted.write_bytes(os.fsencode(TUBE) + b"\0")
     run = thinpart("classify", folder, "--only", wanted, "--info-dir", tmp_path / "info")
     assert run.returncode == 2 and "does not lie below" in run.stderr
@@ -137,7 +136,7 @@ def test_a_name_too_long_for_an_info_file_is_told_and_the_part_classified(tmp_pa
     assert run.returncode == 1 and set(infos(folder)) == {"b.step"}
     part, error = [line for line in records(run) if Path(line["file"]).name == name]
     assert part["category"] == "thin" and error["error"]["kind"] == "info_write"
-    assert "may have 241 bytes and has 242" in error["error"]["message"]
+    assert "has 242 bytes, at most 241 are possible" in error["error"]["message"]
     assert "--info-dir" not in run.stderr and messages(run.stderr)[0][-1]["progress"]["failed"] == 1
     assert thinpart("classify", folder, "--no-info").returncode == 0
 
@@ -182,12 +181,12 @@ def test_a_folder_without_permission_is_named(tmp_path, nobody):
         run = thinpart("classify", folder, "--json", "--no-info", **nobody)
         assert run.returncode == 1
         assert failures(run) == {"locked": "permission", "c.step": "permission"}
-        assert "The folder locked may not be searched" in run.stderr
+        assert "no permission to search the folder locked" in run.stderr
         assert [line["category"] for line in records(run) if "category" in line] == ["thin"]
         inner = thinpart("classify", folder / "locked" / "b.step", "--no-info", "--json", **nobody)
         assert inner.returncode == 1 and failures(inner) == {"b.step": "permission"}
         alone = thinpart("classify", folder / "locked", "--no-info", **nobody)
-        assert alone.returncode == 1 and "may not be searched" in alone.stderr
+        assert alone.returncode == 1 and "no permission to search" in alone.stderr
         assert "failed: permission" in alone.stdout
     finally:
         (folder / "locked").chmod(0o755)

@@ -5,9 +5,9 @@ import subprocess
 import sys
 
 import pytest
-
 from program import SAMPLES
-from thinpart_workbench.freecad_adapter.part_files import read_parts
+
+from thinpart_workbench.freecad_adapter.reading.part_files import read_parts
 
 
 def make_samples(*arguments):

@@ -13,12 +13,12 @@ import time_limit
 from program import ROOT, SAMPLES, group_ended
 from slow_files import held
 
+from thinpart_workbench.api.document_info import file_stamp
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
-from thinpart_workbench.core.criteria import load_profile
 from thinpart_workbench.core.errors import ThinPartError
-from thinpart_workbench.storage.info_file import read_info
-from thinpart_workbench.workflow.info_file_worker import file_stamp
-from thinpart_workbench.workflow.info_location import info_location, reach
+from thinpart_workbench.core.judging.criteria import load_profile
+from thinpart_workbench.storage.info.info_file import read_info
+from thinpart_workbench.storage.info.info_location import call_in_folder, info_location
 
 
 class Worker:
@@ -26,7 +26,7 @@ class Worker:
 
     def __init__(self, module, **job):
         self.process = subprocess.Popen(
-            [sys.executable, "-m", f"thinpart_workbench.workflow.{module}"], stdin=subprocess.PIPE,
+            [sys.executable, "-m", f"thinpart_workbench.window_processes.{module}"], stdin=subprocess.PIPE,
             stdout=subprocess.PIPE, env=dict(os.environ, PYTHONPATH=str(ROOT)), start_new_session=True)
         self.process.stdin.write(json.dumps(job).encode() + b"\n")
         self.process.stdin.flush()
@@ -35,6 +35,7 @@ class Worker:
         line = self.process.stdout.readline()
         self.process.wait()
         self.process.stdin.close()
+        self.process.stdout.close()
         return json.loads(line)
 
 
@@ -115,14 +116,14 @@ def test_a_document_without_a_part_is_no_failure(freecad, tmp_path):
 
 
 def test_failures_are_sentences(plate, tmp_path):
-    assert "There is no profile" in classified(plate, profile=str(tmp_path / "none.json"))["failure"]
+    assert "There is no profile" in classified(plate, profile=str(tmp_path / "none.json"))["failure"]["message"]
     assert "took longer than 0.05 s" in classified(plate, seconds=0.05)["failures"][0]
 
 
 def test_it_ends_when_nobody_listens_while_it_measures(tmp_path):
     document = shutil.copy(SAMPLES / "worm_run_out.FCStd", tmp_path / "worm.FCStd")
     worker = Worker("saved_document_worker", **job(document))
-    time_limit.wait_until(lambda: [*time_limit.children(worker.process.pid)], "the process that measures")
+    time_limit.wait_until(lambda: [*time_limit.children(worker.process.pid)], "the measuring process")
     _assert_it_ends(worker)
 
 
@@ -137,7 +138,8 @@ def test_it_ends_when_nobody_listens_while_it_waits_for_the_folder(tmp_path):
 def _assert_it_ends(worker):
     worker.process.stdin.close()
     worker.process.wait()
-    assert worker.process.stdout.read() == b"" and group_ended(worker.process.pid)
+    with worker.process.stdout as output:
+        assert output.read() == b"" and group_ended(worker.process.pid)
 
 
 @pytest.fixture
@@ -163,7 +165,7 @@ def test_the_info_file_of_an_open_document_is_written_and_compared(plate, writte
     assert [each["category"] for each in answer["now"].values()] == ["thin"]
     assert written(plate)["before"] == answer["now"]
     size, time_ns = file_stamp(plate)
-    assert "was written again" in written(plate, stamp=[size, time_ns + 1])["failure"]
+    assert "was saved again" in written(plate, stamp=[size, time_ns + 1])["failure"]["message"]
 
 
 def test_writing_waits_only_so_long_for_a_folder(plate, written, tmp_path):
@@ -174,11 +176,11 @@ def test_writing_waits_only_so_long_for_a_folder(plate, written, tmp_path):
     handle = os.open(place, os.O_RDONLY)
     fcntl.flock(handle, fcntl.LOCK_EX)  # as if another computer were writing there, without end
     answer = written(plate, folder=str(folder), patience=0.5)
-    assert "has not answered" in answer["failure"] and not list(place.iterdir())
+    assert "has not answered" in answer["failure"]["message"] and not list(place.iterdir())
     os.close(handle)
     assert "written" in written(plate, folder=str(folder))
     shutil.rmtree(folder)
-    assert "cannot be reached" in written(plate, folder=str(folder))["failure"]
+    assert "cannot be reached" in written(plate, folder=str(folder))["failure"]["message"]
 
 
 def test_reach_hands_on_what_was_raised(tmp_path):
@@ -186,6 +188,6 @@ def test_reach_hands_on_what_was_raised(tmp_path):
         raise ThinPartError("no", "usage")
 
     with pytest.raises(ThinPartError) as raised:
-        reach(str(tmp_path), fail)
+        call_in_folder(str(tmp_path), fail)
     assert raised.value.kind == "usage"
-    assert reach("", lambda: 5) == 5
+    assert call_in_folder("", lambda: 5) == 5

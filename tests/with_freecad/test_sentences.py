@@ -1,9 +1,13 @@
 """Sentences from below the window in the user's language, by Qt's own reading of the compiled translations."""
 
+import json
+import string
 import sys
 from pathlib import Path
 
 import pytest
+
+from thinpart_workbench.core.message import joined, message, restored, with_messages
 
 TRANSLATIONS = Path(__file__).resolve().parents[2] / "resources" / "translations"
 sys.path.insert(0, str(TRANSLATIONS))
@@ -15,7 +19,7 @@ BELOW = "ThinPartCore"
 
 
 def _with_translator(freecad, path):
-    from thinpart_workbench.gui.qt import QtCore
+    from thinpart_workbench.gui.application.qt import QtCore
 
     application = QtCore.QCoreApplication.instance() or QtCore.QCoreApplication([])
     translator = QtCore.QTranslator()
@@ -39,7 +43,7 @@ def german(freecad):
 
 
 def translated(text):
-    from thinpart_workbench.gui.sentences import translated as function
+    from thinpart_workbench.gui.application.sentences import translated as function
 
     return function(text)
 
@@ -52,66 +56,84 @@ def test_the_compiled_file_says_what_the_other_does(path, freecad):
     assert read == translations, "call resources/translations/update_translations.py"
 
 
-def test_every_sentence_is_found_again_whatever_its_fields_say(language):
+NAMES = ("bracket.step", "It holds no triangles.", "a (b)", "Plate", "{file}", "d: e")
+"""What fields may say, texts that are known as such among them."""
+
+
+def example(text):
+    """Fields for a template: numbers where it has them in a format, else names."""
+    fields = [(name, form) for _, name, form, _ in string.Formatter().parse(text) if name]
+    return {name: 12345 if form else NAMES[place % len(NAMES)] for place, (name, form) in enumerate(fields)}
+
+
+def test_every_sentence_is_said_whatever_its_fields_say(language):
     assert len(language) > 150
     for text, translation in language.items():
-        names = [f"{name}-{number}" for number, name in enumerate(["bracket.step", "12.5", "a (b)", "d: e"] * 3)]
-        names = names[:text.count("{}")]
-        assert translated(text.format(*names)) == translation.format(*names), text
+        fields = example(text)
+        said = translated(message(text, **fields))
+        assert said == translation.format(**fields) and type(said) is str, text
 
 
 def test_in_english_everything_stays(freecad):
-    for text in ("It holds no triangles.", "plate.step is empty (0 bytes).", ""):
+    for text in ("It holds no triangles.", message("{file} is empty (0 bytes).", file="plate.step"), ""):
         assert translated(text) == text
 
 
 def test_an_error_is_said_in_german(german):
-    from thinpart_workbench.core.conditions import search_conditions
     from thinpart_workbench.core.errors import ThinPartError
+    from thinpart_workbench.core.judging.conditions import search_conditions
 
     with pytest.raises(ThinPartError) as caught:
         search_conditions("D2/D3 > six")
     assert translated(caught.value) == "'six' in der Bedingung 'D2/D3 > six' ist keine Zahl."
 
 
-@pytest.mark.parametrize("text, german_text", [
-    # several, of which one starts with a field
-    ("The surface is open (4 free edges), so it has no certain volume. 3 duplicate triangles were left out.",
+NOT_AN_INFO_FILE = message("{info_file} is not a ThinPart info file.", info_file="x.thinpart.json")
+
+
+@pytest.mark.parametrize("said, german_text", [
+    # several
+    (joined([message("The surface is open ({edges} free edges), so it has no certain volume.", edges=4),
+             message("{count} duplicate triangles were left out.", count=3)]),
      "Die Oberfläche ist offen (4 freie Kanten), daher ist das Volumen nicht sicher. 3 doppelte Dreiecke "
      "wurden weggelassen."),
     # one in a field of another
-    ("x.thinpart.json is not a ThinPart info file. It was left as it is: move it away to have it written anew.",
+    (message("{sentence} It was not changed: move it away to have a new one written.", sentence=NOT_AN_INFO_FILE),
      "x.thinpart.json ist keine Infodatei von ThinPart. Sie blieb unverändert: Verschieben Sie sie, damit sie "
      "neu geschrieben wird."),
-    ("the profile is not well formed: a threshold must be finite.",
-     "Das Profil ist nicht wohlgeformt: ein Schwellenwert muss endlich sein."),
+    (message("{profile} is not well formed: {problem}.", profile=message("the profile"),
+             problem=ValueError(message("{first} and {second} exclude each other", first="V > 2", second="V < 1"))),
+     "Das Profil ist nicht wohlgeformt: V > 2 und V < 1 schließen sich aus."),
     # what it is about, before it
-    ("Block: a: Its surface encloses no volume.", "Block: a: Die Oberfläche umschließt kein Volumen."),
-    # the more exact of two that fit
-    ("The info file x cannot be read (no).", "Die Infodatei x kann nicht gelesen werden (no)."),
+    (message("{about}: {sentence}", about="Block: a", sentence=message("Its surface encloses no volume.")),
+     "Block: a: Die Oberfläche umschließt kein Volumen."),
+    # one that was told by another process
+    (restored(json.loads(json.dumps(with_messages({"failure": NOT_AN_INFO_FILE}))))["failure"],
+     "x.thinpart.json ist keine Infodatei von ThinPart."),
     # a title
     ("Plate", "Platte"),
     # names that read like texts
-    ("'Plate' is a closed shell but no solid: convert it to a solid first.",
+    (message("'{object}' is a closed shell but not a solid: convert it to a solid first.", object="Plate"),
      "„Plate“ ist eine geschlossene Schale, aber kein Volumenkörper: Wandeln Sie sie zuerst in einen "
      "Volumenkörper um."),
-    ("'same fill' has an empty shape: recompute the document or delete it.",
+    (message("'{object}' has an empty shape: recompute the document or delete it.", object="same fill"),
      "„same fill“ hat eine leere Form: Berechnen Sie das Dokument neu oder löschen Sie das Objekt."),
 ])
-def test_what_is_known_is_said_in_german(german, text, german_text):
-    assert translated(text) == german_text
+def test_what_is_known_is_said_in_german(german, said, german_text):
+    assert translated(said) == german_text
 
 
 @pytest.mark.parametrize("text", [
     "Thick enough for casting", "Some other program says so.", "A: b.", "", "{}", "{} is too large.",
-    "It holds no triangles", "Already in German: „Platte“.",
+    "It holds no triangles", "Already in German: „Platte“.", "plate.step is empty (0 bytes).",
+    message("{file} was made by another program.", file="a.step"), message("{file}", file="It holds no triangles."),
 ])
 def test_what_is_not_known_stays(german, text):
     assert translated(text) == text
 
 
 def test_reasons_are_translated_one_by_one(german):
-    from thinpart_workbench.gui.sentences import translated_list
+    from thinpart_workbench.gui.application.sentences import translated_list
 
     assert translated_list("same fill, longer box, of my own") == (
         "gleiche Füllung, längerer Quader, of my own")
@@ -119,7 +141,7 @@ def test_reasons_are_translated_one_by_one(german):
 
 
 def test_another_language_is_not_mixed_with_the_last_one(freecad):
-    sentence = "plate.step is empty (0 bytes)."
+    sentence = message("{file} is empty (0 bytes).", file="plate.step")
     said = [translated(sentence)]
     for path in FILES:
         for _ in _with_translator(freecad, path):

@@ -5,20 +5,25 @@ import subprocess
 import sys
 from pathlib import Path
 
+import made_maps
 import numpy as np
 import pytest
 
-import made_maps
+from thinpart_workbench.api.document_maps import parts_of, set_parts
 from thinpart_workbench.core.errors import ThinPartError
-from thinpart_workbench.freecad_adapter.document_parts import document_parts
-from thinpart_workbench.freecad_adapter.part_places import sources_of
-from thinpart_workbench.freecad_adapter.settings import set_preference
-from thinpart_workbench.freecad_adapter.source_signature import global_placement, same_signature, signature
-from thinpart_workbench.freecad_adapter.thickness_object import (
-    SHARE, is_thickness, motion, scale_of, thickness_objects,
+from thinpart_workbench.freecad_adapter.objects.thickness_object import (
+    SHARE,
+    is_thickness,
+    motion,
+    scale_of,
+    thickness_objects,
 )
-from thinpart_workbench.workflow.document_maps import parts_of, set_parts
-from thinpart_workbench.workflow.thickness_probes import Probe, probes_of, set_probes
+from thinpart_workbench.freecad_adapter.objects.thickness_probes import Probe, probes_of, set_probes
+from thinpart_workbench.freecad_adapter.occurrences.occurrences import sources_of
+from thinpart_workbench.freecad_adapter.preferences import set_preference
+from thinpart_workbench.freecad_adapter.reading.document_parts import document_parts
+from thinpart_workbench.freecad_adapter.shapes.placements import global_placement
+from thinpart_workbench.freecad_adapter.shapes.source_signature import same_signature, signature
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -38,7 +43,7 @@ def thickness(document, plate):
 
 
 def test_its_scale_is_that_of_the_walls(thickness):
-    assert (scale_of(thickness).low, scale_of(thickness).high) == pytest.approx((2.0, 20.0), abs=1e-3)
+    assert (scale_of(thickness).low, scale_of(thickness).high) == pytest.approx((2.0, 30.0), abs=1e-3)
     thickness.AutomaticRange = True
     assert (scale_of(thickness).low, scale_of(thickness).high) == pytest.approx((2.0, 30.0), abs=1e-3)
     assert thickness.Diagonal == pytest.approx(np.sqrt(400 + 900 + 4), rel=1e-4)
@@ -268,7 +273,7 @@ document = App.openDocument({file!r})
 thickness = document.getObject("Thickness")
 print("CAME", len(document.Objects), thickness.Stale, thickness.ProbeValues, thickness.ColourMap)
 if {there}:
-    from thinpart_workbench.workflow.document_maps import parts_of
+    from thinpart_workbench.api.document_maps import parts_of
     document.Plate.Height = 3
     document.recompute()
     print("THEN", thickness.Stale, parts_of(thickness)[0].map.count)

@@ -7,9 +7,10 @@ import subprocess
 from pathlib import Path
 
 import pytest
-
 from program import BARE_PYTHON, SAMPLES, environment, thinpart
+
 from thinpart_workbench import PACKAGES_VARIABLE
+from thinpart_workbench.system.landlock import landlock_version
 from thinpart_workbench.system.python_process import module_command
 
 FREECADCMD = shutil.which("freecadcmd")
@@ -50,8 +51,10 @@ def test_a_folder_is_classified_by_freecadcmd_and_its_workers(tmp_path):
     run = run_by_freecadcmd("thinpart_workbench", "classify", str(folder), "--json", "--jobs", "2")
     records = [json.loads(line) for line in run.stdout.splitlines() if line.startswith('{"file"')]
     assert run.returncode == 1, run.stderr
-    assert sorted(each.get("category", "failed") for each in records) == ["failed", "thin", "thin_features"]
+    assert sorted(each.get("category", "failed") for each in records) == ["failed", "normal", "thin"]
     assert len(list(folder.glob("*.thinpart.json"))) == 2
+    if landlock_version():
+        assert {json.dumps(each["confinement"]) for each in records} == {'{"files": "landlock", "network": "seccomp"}'}
 
 
 def test_a_report_without_jinja2_is_refused_in_one_sentence(tmp_path, monkeypatch):

@@ -5,7 +5,7 @@ import os
 
 import pytest
 
-from thinpart_workbench.workflow.find_documents import Document, NameFilter, find_documents
+from thinpart_workbench.workflow.analysis.find_documents import Document, NameFilter, find_documents
 
 
 def make(folder, *places):
@@ -28,7 +28,9 @@ def test_fifty_thousand_files_in_one_folder_cost_one_listing(tmp_path, monkeypat
         os.close(os.open(tmp_path / f"{number:05}.step", os.O_CREAT | os.O_WRONLY))
     calls = {"realpath": 0, "scandir": 0, "listdir": 0}
     for module, name in ((os.path, "realpath"), (os, "scandir"), (os, "listdir")):
-        def counted(*arguments, name=name, real=getattr(module, name), **options):
+        real = getattr(module, name)
+
+        def counted(*arguments, name=name, real=real, **options):
             calls[name] += 1
             return real(*arguments, **options)
 

@@ -5,19 +5,21 @@ import operator
 import os
 from datetime import datetime, timedelta, timezone
 
+import made_library
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-import made_library
-from thinpart_workbench.core.conditions import COMPARISONS, search_conditions
-from thinpart_workbench.core.descriptors import QUANTITIES, quantity_named
+from thinpart_workbench.core.descriptors.descriptor_table import QUANTITIES, quantity_named
 from thinpart_workbench.core.errors import ThinPartError
-from thinpart_workbench.core.part_record import descriptors_of
-from thinpart_workbench.storage.index_columns import COLUMNS
-from thinpart_workbench.storage.library_index import LibraryIndex
-from thinpart_workbench.workflow.find_parts import PartQuery, find_parts, read_records
-from thinpart_workbench.workflow.similar_parts import similar_parts
+from thinpart_workbench.core.judging.conditions import COMPARISONS, search_conditions
+from thinpart_workbench.core.record.part_record import descriptors_of
+from thinpart_workbench.storage.index.index_columns import small_values
+from thinpart_workbench.storage.index.library_index import LibraryIndex
+from thinpart_workbench.storage.index.written_query import SORTABLE
+from thinpart_workbench.storage.record_columns import INDEXED
+from thinpart_workbench.workflow.library.find_parts import PartQuery, find_parts, read_records
+from thinpart_workbench.workflow.library.similar_parts import similar_parts
 
 COMPARE = {">": operator.gt, "<": operator.lt, ">=": operator.ge, "<=": operator.le}
 BOUNDED = ["F[0;0.05]", "F[0;0.25]", "F[0.3;0.7]", "F[0.017;0.231]", "min_nonparallel[10;55]",
@@ -39,13 +41,13 @@ def found(index, **query):
 
 def test_columns_that_are_named_as_quantities_are_those_quantities():
     record = made_library.record_of("ribbed_block")
-    for column in COLUMNS:
+    for column, stored in zip(INDEXED, small_values(record)):
         quantity = next((each for each in QUANTITIES if each.name == column.name), None)
         if quantity is not None:
             name = column.name + ("[10;55]" if quantity.bounds else "")
             value = quantity_named(name).evaluate(descriptors_of(record), 1e-4)
             expected = quantity.absent_means if value is None else value
-            assert column.value(record, record["descriptors"]) == pytest.approx(expected)
+            assert stored == pytest.approx(expected)
 
 
 names = st.sampled_from([each.name for each in QUANTITIES if not each.bounds] + BOUNDED)
@@ -134,3 +136,8 @@ def test_similar_parts_come_first_and_the_part_itself_is_left_out(index):
     small = similar_parts([index], made_library.record_of("plate"), 9, same_size=1.1)
     labels = {each.part.label for each in small}
     assert {"plate", "Deckel Süd"} <= labels and not {"long_plate", "cube"} & labels
+
+
+def test_parts_of_several_libraries_are_sorted_by_any_quantity(index):
+    part = find_parts(index)[0]
+    assert all(hasattr(part, name) for name in SORTABLE)

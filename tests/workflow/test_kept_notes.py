@@ -4,14 +4,15 @@ import json
 import multiprocessing
 import os
 
+import made_library
 import pytest
 
-import made_library
+from thinpart_workbench.api.annotations import annotate_part, mesh_settings
 from thinpart_workbench.core.errors import ThinPartError
-from thinpart_workbench.storage.info_file import read_info
-from thinpart_workbench.storage.library_index import LibraryIndex
-from thinpart_workbench.workflow.find_parts import PartQuery, find_parts
-from thinpart_workbench.workflow.kept_notes import keep_with_part, mesh_settings, stored_records
+from thinpart_workbench.storage.index.library_index import LibraryIndex
+from thinpart_workbench.storage.info.info_file import read_info
+from thinpart_workbench.storage.info.stored_records import stored_records
+from thinpart_workbench.workflow.library.find_parts import PartQuery, find_parts
 
 
 @pytest.fixture
@@ -22,7 +23,7 @@ def document(tmp_path):
 
 def test_set_shown_found_and_removed(document, tmp_path):
     settings = mesh_settings('{"size": 2.5}')
-    keep_with_part(document, notes="three layers", mesh=settings, link="https://intranet/42")
+    annotate_part(document, notes="three layers", mesh=settings, link="https://intranet/42")
     record, = stored_records(document)
     assert (record["notes"], record["mesh"], record["link"]) == (
         "three layers", {"settings": {"size": 2.5}}, "https://intranet/42")
@@ -31,7 +32,7 @@ def test_set_shown_found_and_removed(document, tmp_path):
         for words in ("three layers", "intranet", "size"):
             assert len(find_parts(index, PartQuery(words=words))) == 1
         assert len(find_parts(index, PartQuery(has_notes=True))) == 1
-        keep_with_part(document, notes="", mesh={}, link="")
+        annotate_part(document, notes="", mesh={}, link="")
         index.refresh()
         assert len(find_parts(index, PartQuery(has_notes=True))) == 0
     record, = stored_records(document)
@@ -41,8 +42,8 @@ def test_set_shown_found_and_removed(document, tmp_path):
 def test_kept_over_a_new_analysis_and_given_back_when_the_part_returns(tmp_path):
     two = [made_library.record_of("cube", name="Solid1"), made_library.record_of("plate", name="Solid2")]
     info = made_library.store(tmp_path, "part.step", two)
-    keep_with_part(info, "Solid1", notes="first")
-    keep_with_part(info, "Solid2", notes="second", mesh={"file": "/share/mesh.geo"})
+    annotate_part(info, "Solid1", notes="first")
+    annotate_part(info, "Solid2", notes="second", mesh={"file": "/share/mesh.geo"})
     made_library.store(tmp_path, "part.step", two[:1])
     assert [each["notes"] for each in stored_records(info)] == ["first"]
     made_library.store(tmp_path, "part.step", two[:1])
@@ -57,14 +58,14 @@ def test_which_part_is_meant(tmp_path):
     info = made_library.store(tmp_path, "part.step", [
         made_library.record_of("cube", name="Solid1", label="foot"),
         made_library.record_of("cube", name="Solid2", label="hand")])
-    keep_with_part(info, "hand", notes="by label")
+    annotate_part(info, "hand", notes="by label")
     assert [each["notes"] for each in stored_records(info)] == ["", "by label"]
     for part in (None, "nose"):
         with pytest.raises(ThinPartError, match="Solid1, Solid2") as error:
-            keep_with_part(info, part, notes="whose?")
+            annotate_part(info, part, notes="whose?")
         assert error.value.kind == "usage"
     with pytest.raises(ThinPartError, match="classify other.step first"):
-        keep_with_part(tmp_path / "other.step", notes="x")
+        annotate_part(tmp_path / "other.step", notes="x")
 
 
 def test_mesh_settings_are_an_object_a_json_file_or_the_name_of_a_file(tmp_path):
@@ -85,11 +86,11 @@ def test_mesh_settings_are_an_object_a_json_file_or_the_name_of_a_file(tmp_path)
 def _append(info, letter):
     for _ in range(20):
         notes = stored_records(info)[0]["link"]
-        keep_with_part(info, link=notes, notes=letter)
+        annotate_part(info, link=notes, notes=letter)
 
 
 def test_notes_and_classifications_at_once_lose_nothing(document):
-    keep_with_part(document, notes="start", link="stays")
+    annotate_part(document, notes="start", link="stays")
     info = document.with_name(document.name + ".thinpart.json")
     context = multiprocessing.get_context("fork")
     writers = [context.Process(target=_append, args=(info, letter)) for letter in "ab"]

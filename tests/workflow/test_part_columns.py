@@ -1,18 +1,19 @@
 """Filtering in memory gives what the index gives."""
 
+import os
 from dataclasses import replace
 from datetime import datetime, timezone
 
+import made_meshes
 import numpy as np
 import pytest
-
-import made_meshes
 from made_library import make_large_library, measured_record, store
-from thinpart_workbench.core.conditions import search_conditions
-from thinpart_workbench.storage.library_index import LibraryIndex
-from thinpart_workbench.storage.part_query import FAILED, PartQuery
-from thinpart_workbench.workflow.find_parts import find_parts
-from thinpart_workbench.workflow.part_columns import HISTOGRAM_BINS, RANGES, SORTABLE, PartColumns
+
+from thinpart_workbench.core.judging.conditions import search_conditions
+from thinpart_workbench.storage.index.library_index import LibraryIndex
+from thinpart_workbench.storage.index.part_query import FAILED, PartQuery
+from thinpart_workbench.workflow.library.find_parts import find_parts
+from thinpart_workbench.workflow.library.part_columns import HISTOGRAM_BINS, RANGES, SORTABLE, PartColumns
 
 SHAPES = {
     "Plate": made_meshes.box(100, 100, 2), "Block": made_meshes.box(100, 80, 60),
@@ -117,9 +118,16 @@ def test_a_part_that_has_gone_is_none_and_the_others_keep_their_places(indexes, 
     assert [part.id for part in before] == [int(ids[0]) for ids in (
         columns.ids_by_index(rows[:1])[0], columns.ids_by_index(rows[1:2])[1],
         columns.ids_by_index(rows[2:])[0])]
-    gone = PartColumns(indexes)
-    gone._ids[rows[1]] = 10 ** 9
-    assert gone.parts(rows) == [before[0], None, before[2]]
+    # Another process has found meanwhile that its info file is not there any more.
+    name = before[1].info_file
+    os.rename(name, f"{name}.away")
+    try:
+        assert sum(index.refresh().removed for index in indexes) == 1
+        assert columns.parts(rows) == [before[0], None, before[2]]
+    finally:
+        os.rename(f"{name}.away", name)
+        for index in indexes:
+            index.refresh()
 
 
 def test_nothing_at_all():

@@ -3,16 +3,17 @@
 import copy
 import json
 import os
-
-import pytest
+from pathlib import Path
 
 import made_library
-from thinpart_workbench.core.classification import classify
-from thinpart_workbench.core.criteria import load_profile, profile_from
-from thinpart_workbench.core.part_record import descriptors_of
-from thinpart_workbench.storage.info_file import SUFFIX, read_info
-from thinpart_workbench.workflow.kept_notes import keep_with_part
-from thinpart_workbench.workflow.reclassify import is_another, reclassify_files
+import pytest
+
+from thinpart_workbench.api.annotations import annotate_part
+from thinpart_workbench.core.judging.classification import classify
+from thinpart_workbench.core.judging.criteria import load_profile, profile_from
+from thinpart_workbench.core.record.part_record import descriptors_of
+from thinpart_workbench.storage.info.info_file import SUFFIX, read_info
+from thinpart_workbench.workflow.library.reclassify import reclassify_files
 
 PAPER = load_profile("paper").content
 
@@ -39,15 +40,15 @@ def categories(info_files):
 
 
 def test_the_same_profile_changes_nothing_not_even_a_byte(info_files):
-    before = [open(path, "rb").read() for path in info_files]
+    before = [Path(path).read_bytes() for path in info_files]
     for file in reclassify_files(info_files, PAPER, write=True):
-        assert file.error is None and not any(map(is_another, file.parts))
-    assert [open(path, "rb").read() for path in info_files] == before
+        assert file.error is None and not any(part.differs for part in file.parts)
+    assert [Path(path).read_bytes() for path in info_files] == before
 
 
 @pytest.mark.parametrize("jobs", [1, 2])
 def test_another_profile(info_files, strict, jobs, monkeypatch):
-    from thinpart_workbench.workflow import reclassify
+    from thinpart_workbench.workflow.library import reclassify
 
     monkeypatch.setattr(reclassify, "FILES_AT_ONCE", 2)
     before = categories(info_files)
@@ -62,7 +63,7 @@ def test_another_profile(info_files, strict, jobs, monkeypatch):
 
 
 def test_written_atomically_with_everything_else_as_it_was(info_files, strict):
-    keep_with_part(info_files[0], "Solid1", notes="stays")
+    annotate_part(info_files[0], "Solid1", notes="stays")
     before = [read_info(path) for path in info_files]
     list(reclassify_files(info_files, strict, write=True))
     for path, old in zip(info_files, before):
@@ -90,10 +91,10 @@ def test_written_atomically_with_everything_else_as_it_was(info_files, strict):
 def test_a_damaged_info_file_is_one_sentence_and_the_rest_goes_on(info_files, strict):
     damaged = {info_files[0]: "{", info_files[2]: json.dumps({**read_info(info_files[2]), "parts": [{}]})}
     for path, text in damaged.items():
-        open(path, "w").write(text)
+        Path(path).write_text(text)
     for write in (False, True):
         told = {file.info_file: file for file in reclassify_files(info_files, strict, write)}
         assert set(told) == set(info_files)
         assert {path for path in told if told[path].error} == set(damaged)
         assert all(told[path].error.endswith(".") for path in damaged)
-        assert {path: open(path).read() for path in damaged} == damaged
+        assert {path: Path(path).read_text() for path in damaged} == damaged

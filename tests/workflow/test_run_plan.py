@@ -3,10 +3,10 @@
 import os
 from pathlib import Path
 
-from thinpart_workbench.storage.info_file import info_path
-from thinpart_workbench.workflow.analyse_file import FileTask
-from thinpart_workbench.workflow.find_documents import Document
-from thinpart_workbench.workflow.run_plan import info_place, plan_run
+from thinpart_workbench.storage.info.info_file import info_path_getter
+from thinpart_workbench.workflow.analysis.analyse_file import FileTask
+from thinpart_workbench.workflow.analysis.find_documents import Document
+from thinpart_workbench.workflow.analysis.run_plan import plan_run
 
 
 def plan(documents, jobs, info=lambda file: None, force=False):
@@ -35,27 +35,19 @@ def test_what_is_only_looked_up_comes_first(tmp_path):
             info = tmp_path / f"{name}.thinpart.json"
             info.write_text("")
             os.utime(info, (200, 200))
-    place = info_place()
+    place = info_path_getter()
     assert order(plan(documents, 2, place)) == ["a", "b", "d", "c"]
     assert order(plan(documents, 1, place)) == ["a", "b", "c", "d"]
     assert [each.unchanged for each in plan(documents, 1, place)] == [True, True, False, False]
     assert order(plan(documents, 2, place, force=True)) == ["d", "b", "c", "a"]
 
 
-def test_info_files_lie_where_storage_says(tmp_path):
-    for document in ("/tree/a/x.step", "/tree/x.step", "x.step", "a/b.step"):
-        beside = info_place()(document)
-        assert os.path.abspath(beside) == os.path.abspath(info_path(document))
-        mirrored = info_place(tmp_path, "/tree")(document)
-        assert mirrored == str(info_path(document, tmp_path, "/tree"))
-
-
 def test_a_name_without_room_for_the_ending_is_known_before(tmp_path):
     limit = os.pathconf(tmp_path, "PC_NAME_MAX") - len(".thinpart.json")
     for length, fits in ((limit, True), (limit + 1, False)):
         name = "x" * (length - 5) + ".step"
-        each, = plan([Document(str(tmp_path / "new" / name), 1, 1.0)], 1, info_place())
+        each, = plan([Document(str(tmp_path / "new" / name), 1, 1.0)], 1, info_path_getter())
         assert (each.problem is None) == fits and (each.task.info_file is not None) == fits
     assert each.problem.kind == "info_write" and str(limit) in str(each.problem)
-    each, = plan([Document(str(tmp_path / ("ü" * 120 + ".step")), 1, 1.0)], 1, info_place())
+    each, = plan([Document(str(tmp_path / ("ü" * 120 + ".step")), 1, 1.0)], 1, info_path_getter())
     assert each.problem is not None and "245" in str(each.problem)

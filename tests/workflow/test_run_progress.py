@@ -2,7 +2,9 @@
 
 import pytest
 
-from thinpart_workbench.workflow.run_progress import RunProgress
+from thinpart_workbench.core.run_control import RunControl
+from thinpart_workbench.workflow.analysis import run_progress
+from thinpart_workbench.workflow.analysis.run_progress import RunProgress
 
 LARGE = 10_000_000
 
@@ -77,3 +79,35 @@ def test_failures_of_a_part_count_once_by_file():
     progress = RunProgress(files(a=1), 1)
     progress.add({**measured("a", 1.0), "failures": [{}, {}]})
     assert progress.failed == 1
+
+
+def test_large_files_take_what_large_files_took():
+    """Five large files beside 95 small ones: bytes alone would have them as quick as the small ones."""
+    sizes = {f"small{k}": (10_000, False) for k in range(95)} | {f"large{k}": (LARGE, False) for k in range(5)}
+    progress = RunProgress(sizes, 1)
+    for number in range(40):
+        progress.add(measured(f"small{number}", 0.5))
+    before = progress.seconds_left()
+    progress.add(measured("large0", 600.0))  # slower per byte than the small ones
+    assert progress.seconds_left() == pytest.approx(4 * 600.0 + 55 * 0.5, rel=0.1)
+    assert before > 4 * 60.0  # by bytes, where no large file is known yet
+    for number in range(1, 5):
+        progress.add(measured(f"large{number}", 600.0))
+    assert progress.seconds_left() == pytest.approx(55 * 0.5, rel=0.2)
+
+
+def test_what_is_not_done_yet_counts(monkeypatch):
+    """Of eight equal-looking files two end soon; the workers sit on others for a minute."""
+    now, control = [0.0], RunControl()
+    monkeypatch.setattr(run_progress.time, "monotonic", lambda: now[0])
+    progress = RunProgress({f"{k}": (LARGE, False) for k in range(8)}, 2, control)
+    now[0] = 4.0
+    progress.add(measured("0", 4.0))
+    progress.add(measured("1", 4.0))
+    assert progress.seconds_left() == pytest.approx(12.0, rel=0.05)
+    now[0] = 64.0
+    assert progress.seconds_left() > 180.0
+    control.set_state("paused")
+    now[0] = 1064.0
+    control.set_state("running")
+    assert progress.seconds_left() < 240.0

@@ -1,37 +1,28 @@
 """Worker processes: what waits has no time limit, what dies is replaced, nobody outlives the parent."""
 
 import ctypes
-import importlib.util
 import os
 import signal
 import subprocess
 import sys
+import tempfile
 import time
+from collections import deque
 from pathlib import Path
 
 import pytest
-
 import time_limit
-from thinpart_workbench.core.errors import ThinPartError
-from thinpart_workbench.workflow.analyse_file import FileTask
-from thinpart_workbench.system.parent_death import end_with_parent  # noqa: F401 - programs import it from here
-from thinpart_workbench.workflow.process_pool import ProcessPool
-from thinpart_workbench.workflow.workers import Workers, chosen_pool
 from worker_outcomes import results
 
-POOLS = ["own"] + ["pebble"] * (importlib.util.find_spec("pebble") is not None)
+from thinpart_workbench.core.errors import ThinPartError
+from thinpart_workbench.core.run_control import RunControl
+from thinpart_workbench.workflow.analysis.analyse_file import FileTask
+from thinpart_workbench.workflow.workers.pool_supervisor import PoolSupervisor
+
 ROOT = Path(__file__).resolve().parents[2]
 
 
-def pool_class(pool):
-    """That of the standard library, or that of pebble."""
-    return ProcessPool if pool == "own" else chosen_pool()
-
-
-def do(task, log, hold):
-    if os.path.exists(hold):
-        return None
-    Path(log).touch()
+def do(task):
     what, argument = task.file.split()[:2]
     if what == "sleep":
         time.sleep(float(argument))
@@ -39,19 +30,29 @@ def do(task, log, hold):
         os._exit(int(argument))
     elif what == "raise":
         raise {"key": KeyError, "odd": Odd}[argument]("a", "b")
-    elif what == "print":
-        os.write(1, b"not an answer\n")
+    elif what.startswith("print"):
+        os.write(1, argument.encode() + b"\n")
+        if what.endswith("die"):
+            os._exit(1)
+    elif what == "number":
+        time.sleep(0.5)
+        return os.getpid()
+    elif what == "infinite":
+        return float("inf")
+    elif what == "leave":
+        Path(tempfile.gettempdir(), "left").write_text("a document that was unpacked")
+        return os.path.join(tempfile.gettempdir(), "left")
     elif what == "return":
         return "x" * int(argument)
     elif what == "hold-lock":
         # Foreign code that keeps Python's lock, as a reader of CAD files does.
-        Path(argument).write_text(str(os.getpid()))
+        Path(tempfile.gettempdir(), "busy").write_text(str(os.getpid()))
         ctypes.PyDLL(None).sleep(600)
     return task.file
 
 
 class Odd(Exception):
-    """Can be written and not read again, as some that libraries raise."""
+    """Cannot be made from its arguments, as some that libraries raise."""
 
     def __init__(self, one, two):
         super().__init__(one)
@@ -65,12 +66,12 @@ def start_badly():
     raise RuntimeError("cannot start")
 
 
-@pytest.fixture(params=POOLS)
+@pytest.fixture(params=[False, True], ids=["free", "confined"])
 def started(tmp_path, request):
     made = []
 
     def start(count, seconds, start=start_well, arguments=()):
-        made.append(Workers(count, seconds, str(tmp_path), do, start, arguments, pool_class(request.param)))
+        made.append(PoolSupervisor(count, seconds, str(tmp_path), do, start, arguments, confine=request.param))
         return made[-1]
 
     yield start
@@ -79,7 +80,7 @@ def started(tmp_path, request):
 
 
 def worker_processes():
-    """Numbers of the worker processes of this one, those of either pool."""
+    """Numbers of the worker processes of this one."""
     found = []
     for process in Path("/proc").glob("[0-9]*"):
         try:
@@ -87,7 +88,7 @@ def worker_processes():
             command = (process / "cmdline").read_bytes()
         except OSError:
             continue  # it has ended meanwhile
-        if parent == os.getpid() and (b"spawn_main" in command or b"pool_worker" in command):
+        if parent == os.getpid() and b"pool_worker" in command:
             found.append(int(process.name))
     return found
 
@@ -105,7 +106,7 @@ def test_a_task_that_takes_too_long_is_ended_and_the_rest_goes_on(started):
 def test_workers_end_although_their_pipe_is_full(started):
     workers = started(1, 60.0)
     for number in range(4):
-        workers.begin(FileTask(f"sleep 60 {number}", profile={"large": "x" * 10 ** 6}))
+        workers.submit(FileTask(f"sleep 60 {number}", profile={"large": "x" * 10 ** 6}))
     time.sleep(1)
     workers.stop()
     assert worker_processes() == []
@@ -116,7 +117,7 @@ def test_only_a_few_tasks_are_handed_over_at_once(started):
     for number in range(100):
         if not workers.has_room:
             break
-        workers.begin(FileTask(f"sleep 0 {number}"))
+        workers.submit(FileTask(f"sleep 0 {number}"))
     assert number == 8
 
 
@@ -142,42 +143,58 @@ def test_workers_that_are_killed_while_they_wait_are_replaced(started):
             assert ended(number)
 
 
-def test_what_is_held_comes_back_untouched(started):
+def test_what_is_held_is_begun_afterwards(started):
     workers = started(1, 60.0)
-    workers.hold(True)
-    workers.begin(FileTask("die 1"))
-    while (one := workers.next_ended()) is None:
-        assert not workers.lost_tasks()
-    assert one[0].result() is None and not workers.busy
-    workers.hold(False)
-    assert results(workers, ["sleep 0"]) == [("sleep 0", "sleep 0")]
+    workers.set_paused(True)
+    workers.submit(FileTask("sleep 0"))
+    for _ in range(10):
+        assert workers.next_finished() is None and not workers.lost_tasks()
+    workers.set_paused(False)
+    assert results(workers, ["sleep 0 b"]) == [("sleep 0", "sleep 0"), ("sleep 0 b", "sleep 0 b")]
+
+
+def test_workers_are_stopped_while_they_are_held(started):
+    workers = started(2, 60.0)
+    results(workers, ["sleep 0", "sleep 0 b"])
+    workers.set_paused(True)
+    workers.submit(FileTask("sleep 60"))
+    workers.stop()
+    assert worker_processes() == []
 
 
 def test_what_a_task_raises_and_returns_comes_back_whatever_it_prints(started):
     tasks = ["raise key", "print 0", "return 3000000", "sleep 0"]
     ended = dict(results(started(1, 60.0), tasks))
-    assert ended.pop("raise key") == "KeyError" and len(ended.pop("return 3000000")) == 3000000
+    assert ended.pop("raise key") == "KeyError: ('a', 'b')" and len(ended.pop("return 3000000")) == 3000000
     assert ended == {task: task for task in ("print 0", "sleep 0")}
 
 
-def test_an_exception_that_cannot_be_read_again_is_told_by_its_name(tmp_path):
-    workers = Workers(1, 60.0, str(tmp_path), do, start_well, (), ProcessPool)
-    workers.begin(FileTask("raise odd"))
-    while (one := workers.next_ended()) is None:
+def test_what_no_json_can_say_is_told_as_a_failure(started):
+    workers = started(1, 60.0)
+    (_, odd), (_, infinite), (_, well) = results(workers, ["raise odd", "infinite 0", "sleep 0"])
+    assert odd == "Odd: a" and infinite.startswith("ValueError: Out of range float") and well == "sleep 0"
+
+
+def test_what_a_worker_printed_before_it_died_is_known_and_nothing_of_the_task_before(started):
+    workers = started(1, 60.0)
+    assert results(workers, ["print earlier"]) == [("print earlier", "print earlier")]
+    workers.submit(FileTask("print-and-die last words"))
+    while (one := workers.next_finished()) is None:
         assert not workers.lost_tasks()
-    assert "Odd: a" in str(one[0].exception())
-    assert results(workers, ["sleep 0"]) == [("sleep 0", "sleep 0")]
+    assert one[0].exception().end.error_output == b"last\n"
+
+
+def test_a_worker_leaves_nothing_behind(started, tmp_path):
+    workers = started(1, 60.0)
+    left = results(workers, ["leave 0", "die 1", "leave 1"])
     workers.stop()
+    assert [Path(result).parent.parent == tmp_path for task, result in left if "leave" in task] == [True, True]
+    assert left[1] == ("die 1", "WorkerDied") and not any(tmp_path.iterdir())
 
 
-def test_two_workers_work_at_the_same_time(started, tmp_path):
-    workers = started(2, 60.0, start_counted, (str(tmp_path),))
-    results(workers, [f"sleep 0.5 {number}" for number in range(6)])
-    assert len(list(tmp_path.glob("started-*"))) == 2
-
-
-def start_counted(folder):
-    Path(folder, f"started-{os.getpid()}").touch()
+def test_two_workers_work_at_the_same_time(started):
+    numbers = results(started(2, 60.0), [f"number {number}" for number in range(6)])
+    assert len({number for _, number in numbers}) == 2
 
 
 def test_nothing_is_left_open_when_workers_are_stopped(started):
@@ -195,28 +212,30 @@ def test_nothing_is_left_open_when_workers_are_stopped(started):
 PARENT = """
 import os, sys
 sys.path[:0] = [{root!r}, {tests!r}, {here!r}]
-from test_workers import Workers, FileTask, do, end_with_parent, pool_class
+from test_workers import PoolSupervisor, FileTask, do, start_well
 if __name__ == "__main__":
-    workers = Workers(1, 600.0, {folder!r}, do, end_with_parent, (os.getpid(),), pool_class({pool!r}))
-    if {again}:  # the next worker is started by a thread of the pool
-        workers.begin(FileTask("die 1"))
-        while workers.next_ended() is None: pass
-    workers.begin(FileTask("hold-lock {folder}/busy"))
-    while True: workers.next_ended()
+    workers = PoolSupervisor(1, 600.0, {folder!r}, do, start_well, confine={confined})
+    if {again}:
+        workers.submit(FileTask("die 1"))
+        while workers.next_finished() is None: pass
+    workers.submit(FileTask("hold-lock 0"))
+    while True: workers.next_finished()
 """
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the service is Linux's")
-@pytest.mark.parametrize("pool", POOLS)
+@pytest.mark.parametrize("confined", [False, True])
 @pytest.mark.parametrize("again", [False, True])
-def test_a_worker_that_is_busy_in_foreign_code_ends_with_its_parent(tmp_path, again, pool):
+def test_a_worker_that_is_busy_in_foreign_code_ends_with_its_parent(tmp_path, again, confined):
     script = tmp_path / "parent.py"
     script.write_text(PARENT.format(root=str(ROOT), tests=str(ROOT / "tests"), here=str(Path(__file__).parent),
-                                    folder=str(tmp_path), again=again, pool=pool))
+                                    folder=str(tmp_path), again=again, confined=confined))
     parent = subprocess.Popen([sys.executable, str(script)], start_new_session=True)
-    busy = tmp_path / "busy"
-    time_limit.wait_until(lambda: busy.exists() and busy.read_text(), "the number of the busy worker")
-    number = int(busy.read_text())
+    def said():
+        return [each.read_text() for each in tmp_path.glob("worker-*/busy") if each.read_text()]
+
+    time_limit.wait_until(said, "the number of the busy worker")
+    number = int(said()[0])
     try:
         os.kill(number, 0)
         os.kill(parent.pid, signal.SIGKILL)
@@ -246,3 +265,11 @@ def ended(number):
             return True
         time.sleep(0.05)
     return False
+
+
+def test_other_work_is_done_while_workers_are_busy_and_not_again(started):
+    workers = started(1, 60.0)
+    done = []
+    tasks = deque([FileTask("sleep 0.6"), FileTask("sleep 0.6")])
+    finished = list(workers.run(tasks, RunControl(), meanwhile=(done.append(number) for number in range(3))))
+    assert len(finished) == 2 and done == [0, 1, 2]

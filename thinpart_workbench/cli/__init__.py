@@ -1,12 +1,15 @@
-"""The command line: one module per command, exit status 0, 1, 2 or 130."""
+"""The command line: one module per command, exit status 0, 1, 2, 3 (a part failed a check) or 130."""
 
 import argparse
 import importlib
+import json
 import os
+import signal
 import sys
 
 from .. import __version__
 from ..core.errors import ThinPartError
+from ..core.message import with_messages
 from .terminal_table import printable
 
 COMMANDS = {
@@ -14,15 +17,17 @@ COMMANDS = {
     "report": ("report", "write pages with pictures about parts, for people to read"),
     "find": ("find", "find stored parts by category, thickness, size, words and conditions"),
     "similar": ("similar", "find parts with similar walls, fill and box"),
-    "note": ("note", "show or set what is kept with a part"),
+    "note": ("note", "show or set notes, mesh settings and link of a part"),
     "reclassify": ("reclassify", "judge stored parts by another profile, without geometry"),
+    "size": ("size", "propose element sizes for a mesh that works, and try them with Gmsh"),
+    "learn": ("learn", "learn thresholds from parts that people have labelled"),
     "demo": ("demo", "classify the bundled samples"),
     "gui": ("gui", "start FreeCAD with the workbench from this folder"),
     "install": ("install", "make the workbench appear in your FreeCAD"),
-    "uninstall": ("install", "take the workbench out of your FreeCAD again"),
+    "uninstall": ("install", "remove the workbench from your FreeCAD"),
     "test": ("test", "run the test suite"),
 }
-"""Command: its module here, and what it does."""
+"""Command: its module in `commands`, and its description."""
 
 ALL_CLASSIFIED, SOME_FAILED, WRONG_USAGE, INTERRUPTED = 0, 1, 2, 130
 
@@ -31,54 +36,59 @@ def main(arguments=None):
     """Run a command and return its exit status."""
     arguments = sys.argv[1:] if arguments is None else arguments
     for stream in (sys.stdout, sys.stderr):
-        # A file name may hold bytes that are no text; they are printed as escapes.
+        # A file name may hold bytes that are not valid text; print them as escapes.
         stream.reconfigure(errors="backslashreplace")
-    parser = _parser(arguments)
-    options, rest = parser.parse_known_args(arguments)
-    if rest and options.command != "test":
-        parser.error(f"unrecognized arguments: {' '.join(rest)}")
-    options.rest = rest
     try:
+        parser = _parser(arguments)
+        options, rest = parser.parse_known_args(arguments)
+        if rest and options.command != "test":
+            parser.error(f"unrecognized arguments: {' '.join(rest)}")
+        options.rest = rest
+        if signal.getsignal(signal.SIGINT) != signal.SIG_IGN:  # a shell ignores it for a job started with &
+            signal.signal(signal.SIGINT, signal.default_int_handler)
         status = options.run(options)
-        sys.stdout.flush()  # at its own end, Python would print a traceback
+        sys.stdout.flush()  # here, because an error at Python's own flush would print a traceback
         return status
     except ThinPartError as error:
+        if "--control" in arguments:
+            failure = {"kind": error.kind, "message": str(error)}
+            print(json.dumps(with_messages({"failure": failure})), file=sys.stderr)
         print(f"thinpart: {printable(str(error))}", file=sys.stderr)
         return WRONG_USAGE if error.kind in ("usage", "profile") else SOME_FAILED
     except KeyboardInterrupt:
-        print("thinpart: interrupted; what was done is kept.", file=sys.stderr)
+        print("thinpart: interrupted; finished results are saved.", file=sys.stderr)
         return INTERRUPTED
     except BrokenPipeError:
-        # The reader of a pipe (head, less) has seen enough.
-        _forget_output()
+        # The reader of the pipe (head, less) closed it.
+        _discard_output()
         return ALL_CLASSIFIED
     except OSError as error:
-        # What fails at a file has its name, and a sentence where it was opened.
+        # An error with a file name is not about standard output; the code that opened the file reports it.
         if error.filename is not None:
             raise
-        _forget_output()
+        _discard_output()
         print(f"thinpart: The output could not be written ({error.strerror}): make room, or write it elsewhere.",
               file=sys.stderr)
         return SOME_FAILED
 
 
-def _forget_output():
+def _discard_output():
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _parser(arguments):
     parser = argparse.ArgumentParser(
-        prog="thinpart", description="Tells before meshing whether a CAD part is thin, and where.",
+        prog="thinpart", description="Check before meshing whether a CAD part is thin, and where.",
         epilog="'thinpart COMMAND --help' lists a command's options.",
     )
     parser.add_argument("--version", action="version", version=f"ThinPart {__version__}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
-    wanted = next((each for each in arguments if not each.startswith("-")), None)
+    command = next((argument for argument in arguments if not argument.startswith("-")), None)
     for name, (module, purpose) in COMMANDS.items():
         subparser = commands.add_parser(name, help=purpose, description=purpose.capitalize() + ".")
-        if name == wanted:
-            # Only the command that runs is imported: the others' imports would slow its start.
-            chosen = importlib.import_module(f".{module}", __name__)
+        if name == command:
+            # Import only the command that runs, because importing the others would slow its start.
+            chosen = importlib.import_module(f".commands.{module}", __name__)
             chosen.add_arguments(subparser)
             subparser.set_defaults(run=chosen.run)
     return parser

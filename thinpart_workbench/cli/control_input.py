@@ -1,4 +1,4 @@
-"""``--control``: another program pauses and stops a run through its standard input."""
+"""``--control``: lets another program pause and stop a run through its standard input."""
 
 import os
 import sys
@@ -8,37 +8,50 @@ from ..system.pipe_input import is_readable
 
 
 def listen(control, handle=0):
-    """Obey the lines that come in, in a thread of its own.
+    """Read commands in a thread and apply them to a run.
 
     Parameters
     ----------
     control : RunControl
-        Is paused by ``pause``, resumed by ``resume``, stopped by ``stop`` and by the end of the input:
-        whoever started the run is gone then.
+        Paused by ``pause``, resumed by ``resume``, stopped by ``stop`` and by the end of the input, which means that
+        the program that started the run has ended.
     handle : int
-        What is read; not through `sys.stdin`, whose lock this thread would take into the end of the
-        process.
+        File descriptor to read. Not `sys.stdin`, whose lock this thread would still hold when the process ends.
     """
     commands = {b"pause": control.pause, b"resume": control.resume, b"stop": control.stop}
+    pending = b""
+
+    def obey_next():
+        nonlocal pending
+        content = _read(handle)
+        *lines, pending = (pending + content).split(b"\n")
+        for line in [line.strip() for line in lines] + ([] if content else [b"stop"]):
+            if line in commands:
+                commands[line]()
+            elif line:
+                print(f"thinpart: there is no command {line.decode(errors='replace')!r} here: use "
+                      "pause, resume or stop.", file=sys.stderr, flush=True)
 
     def obey():
-        pending = b""
         while not control.stopped:
-            content = _read(handle)
-            *lines, pending = (pending + content).split(b"\n")
-            for line in [each.strip() for each in lines] + ([] if content else [b"stop"]):
-                if line in commands:
-                    commands[line]()
-                elif line:
-                    print(f"thinpart: there is no command {line.decode(errors='replace')!r} for a run "
-                          "under way: it takes pause, resume and stop.", file=sys.stderr, flush=True)
+            obey_next()
 
+    # Apply commands that were sent before the start right away; the thread might read them after the first file.
+    while not control.stopped and _has_input(handle):
+        obey_next()
     threading.Thread(target=obey, name="thinpart-control", daemon=True).start()
+
+
+def _has_input(handle):
+    try:
+        return is_readable(handle, 0)
+    except OSError:
+        return True  # reading reports the error
 
 
 def _read(handle):
     try:
-        is_readable(handle)  # whoever made it may have made it non-blocking
+        is_readable(handle)  # wait, because the descriptor may be non-blocking
         return os.read(handle, 4096)
     except OSError:
-        return b""  # a terminal that is gone, or no input at all
+        return b""  # the terminal was closed, or there is no input at all

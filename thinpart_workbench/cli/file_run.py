@@ -1,61 +1,42 @@
-"""Planned files analysed one after the other, with what is said meanwhile."""
+"""Analyse the documents of a run and report on it."""
 
 from contextlib import closing
 
 from ..system.process_limits import MEMORY_CAN_BE_LIMITED
-from ..workflow.cluster import analyse_files_on_cluster
-from ..workflow.run_progress import RunProgress
-from ..workflow.worker_pool import analyse_files
+from .terminal_table import prepare_tables
 
 
-def analyse_planned(planned, failures, limits, control, report, add, cluster=None):
-    """Analyse files.
+def analyse_and_report(run, report, add, *, checks=None, cluster=None, **how):
+    """Analyse the documents of a run.
 
     Parameters
     ----------
-    planned : list of PlannedFile
-    failures : list of dict
-        Outcomes of what could not be searched.
-    limits : Limits
-    control : RunControl
-    report : Report
+    run : FileRun
+    report : RunReport
     add : callable
-        Takes each outcome, those failures among them.
-    cluster : str, optional
-        Address of a Dask scheduler whose workers do it, in place of processes of this machine.
+        Called with each outcome, including those of folders that could not be searched.
+    checks : PartChecks, optional
+        Adds the results of checks to each outcome.
+    cluster, how
+        What to do with the documents: the arguments of `FileRun.outcomes`.
 
     Returns
     -------
     int
-        Number of files that failed, as a whole or in part.
+        Number of files that failed completely or in part.
     """
-    progress = RunProgress({each.task.file: (each.bytes, each.unchanged) for each in planned}, limits.jobs)
-    unkept = {each.task.file: each.problem for each in planned if each.problem is not None}
-    control.enter("paused" if control.paused else "running")
-    report.started(progress)
-    if cluster is None and not MEMORY_CAN_BE_LIMITED:
-        report.note("The memory that a file may take cannot be limited on this system.")
-    for outcome in failures:
-        add(outcome)
-        report.failures(outcome)
-    with closing(_outcomes([each.task for each in planned], limits, control, progress, cluster)) as outcomes:
-        for outcome in outcomes:
-            if outcome["file"] in unkept and "error" not in outcome:
-                error = unkept[outcome["file"]]
-                outcome["failures"] = [*outcome["failures"], {
-                    "part": None, "label": None, "kind": error.kind, "message": str(error)}]
+    def started():
+        report.started(run.progress)
+        if cluster is None and not MEMORY_CAN_BE_LIMITED:
+            report.note("On this system, --memory has no effect: the memory per file cannot be limited.")
+        for outcome in run.failures:
             add(outcome)
-            progress.add(outcome)
-            report.ended(outcome, progress)
-    return progress.failed + len(failures)
+            report.failures(outcome)
 
-
-def _outcomes(tasks, limits, control, progress, cluster):
-    """What analyses the files: worker processes of this machine, or a cluster."""
-    if cluster is None:
-        return analyse_files(tasks, limits, control)
-
-    def threads_seen(threads):
-        progress.jobs = threads
-
-    return analyse_files_on_cluster(cluster, tasks, limits, control, threads_seen)
+    with closing(run.outcomes(started=started, cluster=cluster, meanwhile=(prepare_tables,), **how)) as outcomes:
+        for outcome in outcomes:
+            if checks is not None:
+                outcome = checks.added_to(outcome)
+            add(outcome)
+            report.ended(outcome, run.progress)
+    return run.progress.failed + len(run.failures)

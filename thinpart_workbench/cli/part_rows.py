@@ -1,14 +1,22 @@
-"""Part records as rows of a table for people, and of a CSV file."""
+"""Part records as rows of a printed table and of a CSV file."""
 
 import json
 import os
 from collections import namedtuple
 
 from ..core.errors import ThinPartError
-from ..storage.part_table import csv_text, failed_row, measured_row, write_part_table
+from ..core.number_text import percent
+from ..storage.part_table import check_cells, check_titles, csv_text, failed_row, measured_row, write_part_table
+from .check_options import check_columns, check_remarks
 from .terminal_table import (
-    CATEGORY_STYLES, FAILURE, OTHER_CATEGORY, TableColumn, print_remark, print_table,
+    CATEGORY_STYLES,
+    FAILURE,
+    OTHER_CATEGORY,
+    TableColumn,
+    print_remark,
+    print_table,
 )
+
 
 def _box(part):
     return " x ".join(f"{side:.4g}" for side in part["descriptors"]["box_mm"])
@@ -30,7 +38,7 @@ def _name(part):
 
 
 def _category(part):
-    return part["category"] + (" (borderline)" if part["borderline"] else "")
+    return part["category"] + (" (unsure)" if part["borderline"] else "")
 
 
 TABLE = (
@@ -41,57 +49,66 @@ TABLE = (
     ("V/VBB", _ratio, True),
     ("Thinnest mm", _thinnest, True),
 )
-"""Title, function from a part record to a text, whether it lines up on the right."""
+"""Title, function from a part record to a text, whether the column is right-aligned."""
 
 _CATEGORY = 1
-"""Place of the category in `TABLE`, which has a colour."""
+"""Index in `TABLE` of the category, which is shown in colour."""
+
+_MOST_FACES = 6
 
 _Row = namedtuple("_Row", "file table csv")
 
 
 class PartRows:
-    """Rows of all files of a run, as text.
+    """Table and CSV rows of all files of a run, stored as text.
 
-    A part record is a hundred times as large as its rows, so records are not kept.
+    Records are not stored, because a part record is a hundred times as large as its rows.
 
     Parameters
     ----------
     tree : str or Path
-        Folder that holds all files: they are named by their places in it.
-    table, csv : bool
-        Which rows are going to be asked for.
+        Folder that holds all files; files are named by their paths relative to it.
+    table, csv, regions : bool
+        Which kinds of rows are needed; regions are lines below the table.
+    limits : tuple of WallLimits
+        What the parts were checked against: their ``checks`` get columns of their own.
     """
 
-    def __init__(self, tree, table=True, csv=True):
+    def __init__(self, tree, table=True, csv=True, regions=False, limits=()):
+        self._limits = limits
         self._tree = tree
         self._table = table
         self._csv = csv
+        self._regions = regions
         self._rows = []
 
     def __bool__(self):
         return bool(self._rows)
 
     def add(self, outcome):
-        """Take the parts and failures of one file, from `analyse_files`."""
-        place = os.path.relpath(outcome["file"], self._tree)
+        """Add the parts and failures of one file, an outcome of `analyse_files`."""
+        path = os.path.relpath(outcome["file"], self._tree)
         self._rows.append(_Row(
             outcome["file"],
-            json.dumps(_table_rows(outcome, place)) if self._table else None,
-            _csv_rows(outcome, place) if self._csv else None,
+            json.dumps(_table_rows(outcome, path, self._regions)) if self._table else None,
+            _csv_rows(outcome, path) if self._csv else None,
         ))
 
     def print_table(self, stream):
-        """Print a row per part and per failure, and what there is to say about parts below."""
+        """Print a row per part and per failure, and below it the remarks on the parts."""
         self._rows.sort(key=lambda row: row.file)
         several = len({row.file for row in self._rows}) > 1
-        print_table(stream, list(_columns(several)), self._shown)
-        for row in self._shown():
-            whose = f"{row['place']}: {row['cells'][0]}" if several else row["cells"][0]
-            for text in row["remarks"]:
-                print_remark(stream, f"{whose}: {text}")
+        columns = [*_columns(several), *check_columns(self._limits, lambda row: row.get("checks"))]
+        print_table(stream, columns, self._loaded_rows)
+        for row in self._loaded_rows():
+            prefix = f"{row['path']}: {row['cells'][0]}" if several else row["cells"][0]
+            for text in [*row["remarks"], *check_remarks(row.get("checks") or (), several)]:
+                print_remark(stream, f"{prefix}: {text}")
+            for text in row.get("regions", []):
+                print_remark(stream, f"{prefix}: {text}")
 
-    def _shown(self):
-        return (each for row in self._rows for each in json.loads(row.table))
+    def _loaded_rows(self):
+        return (table_row for row in self._rows for table_row in json.loads(row.table))
 
     def write_csv(self, path):
         """Write a row per part and per failure to a CSV file.
@@ -99,49 +116,69 @@ class PartRows:
         Raises
         ------
         ThinPartError
-            When there is no room for it. The table that was there is then still whole.
+            If it cannot be written. An existing table is then left intact.
         """
         self._rows.sort(key=lambda row: row.file)
         try:
-            write_part_table(path, (row.csv for row in self._rows))
+            write_part_table(path, (row.csv for row in self._rows), check_titles(limits.name for limits in self._limits))
         except OSError as error:
             raise ThinPartError(
-                f"The table {path} could not be written ({error.strerror}): make room, or give another "
+                f"The table {path} could not be written ({error.strerror}): free some disk space, or give another "
                 "file to --csv.", "failed",
             ) from None
 
 
-def _table_rows(outcome, place):
+def _table_rows(outcome, path, with_regions=False):
     rows = []
     for part in outcome.get("parts", ()):
         rows.append({
-            "place": place, "cells": [value(part) for _, value, _ in TABLE], "failed": False,
+            "path": path, "cells": [value(part) for _, value, _ in TABLE], "failed": False,
             "style": CATEGORY_STYLES.get(part["category"], OTHER_CATEGORY),
             "remarks": [text for text in [part["reason"], *part["warnings"]] if text],
+            "regions": list(_region_lines(part)) if with_regions else [],
+            "checks": part.get("checks"),
         })
     for error in _errors(outcome):
-        rows.append({"place": place, "failed": True, "style": FAILURE, "remarks": [],
+        rows.append({"path": path, "failed": True, "style": FAILURE, "remarks": [],
                      "cells": [error.get("label") or "", f"failed: {error['kind']}"]})
     return rows
 
 
+def _region_lines(part):
+    """A line for each kind of equal wall regions, and one for those that are left out."""
+    from ..core.record.region_groups import region_groups  # imports numpy
+
+    for group in region_groups(part):
+        times = f"{group.count} x " if group.count > 1 else ""
+        to = f" to {group.median:.3g}" if f"{group.median:.3g}" != f"{group.least:.3g}" else ""
+        volume = "" if group.volume_share is None else f", {percent(group.volume_share)} of the volume"
+        faces = ", ".join(f"Face{face + 1}" for face in group.faces[:_MOST_FACES])
+        excluded = f" (excluded: {group.excluded})" if group.excluded else ""
+        more = f" and {len(group.faces) - _MOST_FACES} more" if len(group.faces) > _MOST_FACES else ""
+        yield (f"{times}{group.kind}, {group.least:.3g}{to} mm thick, {group.length:.4g} mm long, {group.width:.4g} mm wide"
+               f"{volume}: {faces}{more}{excluded}").replace("\u00a0", " ")
+    if part.get("regions", {}).get("others"):
+        others, share = part["regions"]["others"], part["regions"]["others_share"]
+        yield f"{others} smaller regions, {percent(share)} of the surface".replace("\u00a0", " ")
+
+
 def _columns(several):
-    """Columns of the rows that `_table_rows` makes."""
+    """Columns for the rows of `_table_rows`."""
     if several:
-        yield TableColumn("File", lambda row: row["place"])
+        yield TableColumn("File", lambda row: row["path"])
     for number, (title, _, is_right) in enumerate(TABLE):
         def value(row, number=number):
             if row["failed"] and number == 0 and not several:
-                return row["cells"][0] or row["place"]
+                return row["cells"][0] or row["path"]
             return row["cells"][number] if number < len(row["cells"]) else ""
 
         style = (lambda row: row["style"]) if number == _CATEGORY else None
         yield TableColumn(title, value, is_right, style)
 
 
-def _csv_rows(outcome, place):
-    rows = [measured_row(place, part) for part in outcome.get("parts", ())]
-    rows += [failed_row(place, error.get("part"), error.get("label"), error)
+def _csv_rows(outcome, path):
+    rows = [(*measured_row(path, part), *check_cells(part.get("checks", ()))) for part in outcome.get("parts", ())]
+    rows += [failed_row(path, error.get("part"), error.get("label"), error)
              for error in _errors(outcome)]
     return csv_text(rows)
 

@@ -1,17 +1,17 @@
-"""Tables without colours, which take no library."""
+"""Tables without colours, which need no library."""
 
 import unicodedata
 
 
 def plain_lines(widths, rights, rows):
-    """Lines of a table whose cells are folded where they are wider than their column.
+    """Lines of a table; cells that are wider than their column are folded.
 
     Parameters
     ----------
     widths : list of int
-        Of the columns, in characters of a terminal.
+        Column widths in characters of a terminal.
     rights : list of bool
-        Columns that line up on the right.
+        Whether each column is right-aligned.
     rows : iterable of list of str
 
     Yields
@@ -22,11 +22,11 @@ def plain_lines(widths, rights, rows):
         cells = [_folded(cell, width) for cell, width in zip(row, widths)]
         for number in range(max(map(len, cells))):
             parts = (cell[number] if number < len(cell) else "" for cell in cells)
-            yield "  ".join(_filled(*each) for each in zip(parts, widths, rights)).rstrip()
+            yield "  ".join(_filled(*entry) for entry in zip(parts, widths, rights)).rstrip()
 
 
 def text_width(text):
-    """Characters of a terminal that a text takes: some take two, and marks above others take none."""
+    """Width of a text in characters of a terminal: wide characters take two, combining marks none."""
     return sum(map(_width, text))
 
 
@@ -37,13 +37,13 @@ def _width(character):
 
 
 def _folded(text, width):
-    lines, taken = [""], 0
-    for each in text:
-        if taken + _width(each) > width and lines[-1]:
+    lines, used = [""], 0
+    for character in text:
+        if used + _width(character) > width and lines[-1]:
             lines.append("")
-            taken = 0
-        lines[-1] += each
-        taken += _width(each)
+            used = 0
+        lines[-1] += character
+        used += _width(character)
     return lines
 
 

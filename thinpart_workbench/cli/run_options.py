@@ -1,31 +1,45 @@
-"""Options of the commands that measure files: which files, how, and what each may cost."""
+"""Options of the commands that measure files: file selection, measurement, limits and control."""
 
 import argparse
 import os
 from dataclasses import fields
 
-from ..core.analysis_settings import BOXES, MEASURES, AnalysisSettings
+from ..api.file_run import FileRun
+from ..core.analysis_limits import LEAST_MEGABYTES, Limits
+from ..core.analysis_settings import (
+    ACCURACIES,
+    BOXES,
+    DEFAULT_PROFILE,
+    MEASURES,
+    RAY,
+    SPHERE,
+    STANDARD,
+    AnalysisSettings,
+)
 from ..core.errors import ThinPartError
+from ..core.message import message
+from ..storage.common_folder import common_folder
 from ..system.file_paths import is_below
-from ..workflow.find_documents import NameFilter, common_folder, find_documents
-from ..workflow.worker_pool import LEAST_MEGABYTES, Limits, failure
 
 _MOST = 10 ** 9
-"""No machine has so much of anything; what lies above could not be handed on as a number."""
+"""Greatest value of a limit. More than any machine has; still greater numbers would overflow."""
 
 
-def add_choice(parser):
-    """Declare the options that say which files are taken."""
+_LIMITS = Limits()
+
+
+def add_file_options(parser):
+    """Declare the options that select files."""
     parser.add_argument("paths", nargs="+", metavar="PATH", help="a part, or a folder of parts")
     parser.add_argument("--include", metavar="GLOB", action="append", default=[],
-                        help="of folders, take only files whose name it matches; with a slash in it, "
-                             "whose path below the folder it matches; may be given several times")
+                        help="in folders, take only files whose name matches GLOB; a GLOB with a slash is compared "
+                             "with the path below the folder; may be given several times")
     parser.add_argument("--exclude", metavar="GLOB", action="append", default=[],
-                        help="of folders, leave out what it matches, in the same way")
+                        help="in folders, leave out files that match GLOB, in the same way")
 
 
-def add_info_place(parser, meaning):
-    """Declare the options that say where the info files lie."""
+def add_info_folder_options(parser, meaning):
+    """Declare the options for the location of the info files."""
     parser.add_argument("--info-dir", metavar="DIR", help=meaning)
     parser.add_argument("--info-tree", metavar="TOP",
                         help="the folder whose tree --info-dir mirrors (default: the folder that all "
@@ -33,12 +47,12 @@ def add_info_place(parser, meaning):
 
 
 def info_tree(options):
-    """Top of the tree that the folder for info files mirrors, str.
+    """Top folder of the tree that the folder for info files mirrors, str.
 
     Raises
     ------
     ThinPartError
-        kind ``usage`` where not all PATHs lie below it.
+        kind ``usage`` if not all PATHs lie below it.
     """
     shared = common_folder(options.paths)
     if options.info_tree is None:
@@ -46,94 +60,104 @@ def info_tree(options):
     top = os.path.abspath(options.info_tree) if options.info_tree != os.sep else os.sep
     if not is_below(shared, top):
         raise ThinPartError(
-            f"{shared} does not lie below {top}: name a folder after --info-tree that holds all PATHs.",
+            message("{folder} does not lie below {top}: name a folder after --info-tree that holds all PATHs.",
+                    folder=shared, top=top),
             "usage")
     return top
 
 
-def add_measuring(parser):
-    """Declare the options that say how parts are measured and judged."""
-    parser.add_argument("--profile", default="paper", metavar="NAME-or-FILE",
-                        help="the thresholds to judge by (default: paper)")
-    parser.add_argument("--measure", choices=MEASURES, default=MEASURES[0],
-                        help="how thickness is measured: rays (default), or the paper's pair rule")
+def add_measurement_options(parser, has_pictures=False):
+    """Declare the options for measuring and judging parts, and for what their pictures show if there are some."""
+    parser.add_argument("--profile", default=DEFAULT_PROFILE, metavar="NAME-or-FILE",
+                        help="the thresholds to judge by (default: %(default)s)")
+    measures, meaning = MEASURES, "how thickness is measured: rays (default), or the paper's pair rule"
+    if has_pictures:
+        measures += (SPHERE,)
+        meaning += "; sphere: the pictures show the largest ball inside, verdicts are by rays"
+    parser.add_argument("--measure", choices=measures, default=MEASURES[0], help=meaning)
     parser.add_argument("--box", choices=BOXES, default=BOXES[0],
                         help="bounding box: minimal (default), or the paper's principal axes")
+    parser.add_argument("--accuracy", choices=ACCURACIES, default=STANDARD,
+                        help="how finely parts are measured at first: only as the verdict needs, standard (default), "
+                             "or fine; where the error of a quantity could turn the verdict, a part is measured again, "
+                             "more finely")
     for option, what in (("linear", "chord error of the surface mesh, as a share of the diagonal"),
-                         ("angular", "degrees between its facets")):
+                         ("angular", "greatest angle between neighbouring facets, in degrees")):
         parser.add_argument(f"--{option}-deflection", metavar="X", type=float,
-                            default=getattr(AnalysisSettings, f"{option}_deflection"),
-                            help=f"{what} (default: %(default)g)")
+                            help=f"{what} (default: that of the accuracy, "
+                                 f"{getattr(AnalysisSettings, f'{option}_deflection'):g} at standard)")
 
 
-def add_limits(parser):
-    """Declare the options that say what a file may cost."""
-    default = {each.name: each.default for each in fields(Limits)}
+def add_limit_options(parser, limits=_LIMITS, when=""):
+    """Declare the options that limit processes, time and memory.
+
+    Parameters
+    ----------
+    parser : ArgumentParser
+    limits : Limits, optional
+        The defaults of time and memory.
+    when : str, optional
+        What the help begins with.
+    """
+    default = {field.name: getattr(limits, field.name) for field in fields(Limits)}
     parser.add_argument("--jobs", metavar="N", default=os.cpu_count() or 1,
                         type=_number("--jobs", int, "a whole number", 1),
-                        help="files at once (default: one per processor)")
+                        help=when + "files measured at the same time (default: one per processor)")
     parser.add_argument("--timeout", metavar="S", default=default["seconds"],
                         type=_number("--timeout", float, "a number of seconds", 0.001),
-                        help="seconds that one file may take (default: %(default)g)")
+                        help=when + "time limit per file, in seconds (default: %(default)g)")
     parser.add_argument("--memory", metavar="MB", default=default["megabytes"],
                         type=_number("--memory", int, "a whole number of megabytes", LEAST_MEGABYTES),
-                        help="memory that one file may take (default: %(default)s)")
+                        help=when + "memory limit per file, in MB (default: %(default)s)")
 
 
-def add_conversation(parser):
-    """Declare the options for programs that start this one."""
+def add_control_options(parser):
+    """Declare the options for programs that run the command line."""
     parser.add_argument("--json", action="store_true",
                         help="print one JSON record per part or failure, progress on stderr")
     parser.add_argument("--control", action="store_true",
-                        help="obey the lines pause, resume and stop on standard input; its end stops")
+                        help="take the commands pause, resume and stop from standard input; its end stops the run")
 
 
 def settings_of(options):
-    """AnalysisSettings of `add_measuring`."""
-    return AnalysisSettings(
-        linear_deflection=options.linear_deflection, angular_deflection=options.angular_deflection,
-        measure=options.measure, box=options.box)
+    """AnalysisSettings from the options of `add_measurement_options`."""
+    given = {name: getattr(options, name) for name in ("linear_deflection", "angular_deflection")}
+    return AnalysisSettings.at(
+        options.accuracy, **{name: value for name, value in given.items() if value is not None},
+        measure=MEASURES[0] if options.measure == SPHERE else options.measure, box=options.box)
+
+
+def shown_measure_of(options):
+    """One of `SHOWN_MEASURES`, from the options of `add_measurement_options`."""
+    return SPHERE if options.measure == SPHERE else RAY
 
 
 def limits_of(options):
-    """Limits of `add_limits`."""
+    """Limits from the options of `add_limit_options`."""
     return Limits(options.timeout, options.memory, options.jobs)
 
 
-def search_documents(options, control, report, paths=None):
-    """The documents of `add_choice`, and outcomes for what could not be searched.
+def new_file_run(options, control, report, only=None):
+    """Find the documents that the options of `add_file_options` select, and return their `FileRun`.
 
     Parameters
     ----------
     options : Namespace
     control : RunControl
-    report : Report
-    paths : list of str, optional
-        Taken in place of those that were given.
+    report : RunReport
+    only : list of str, optional
+        Paths to use instead of the given ones.
 
     Raises
     ------
     ThinPartError
-        kind ``empty`` where there are none.
+        kind ``empty`` if there are no documents.
     """
-    def searched(count):
-        control.check()
-        report.found(count)
-
-    control.enter("searching")
-    names = NameFilter(tuple(options.include), tuple(options.exclude))
-    found = find_documents(options.paths if paths is None else paths, names, searched)
-    control.check()
-    if not found.documents and not found.failures:
-        raise ThinPartError(
-            f"There are no parts in {', '.join(options.paths)}: name a CAD file or a folder "
-            "that holds some.", "empty",
-        )
-    return found.documents, [failure(path, error.kind, str(error)) for path, error in found.failures]
+    return FileRun(options.paths, options.include, options.exclude, only, control, report.found)
 
 
 def _number(option, kind, what, least):
-    """A parser of an option's value; what it does not take it answers with a sentence."""
+    """A parser for an option's value, which rejects invalid values with a sentence."""
     def parse(text):
         try:
             value = kind(text)

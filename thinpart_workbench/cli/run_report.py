@@ -1,4 +1,4 @@
-"""What a run says while it goes on: lines for programs, or a bar for people, on stderr."""
+"""Reports on a run in progress: JSON lines for programs, or a progress bar for people, on stderr."""
 
 import json
 import os
@@ -7,23 +7,31 @@ import sys
 from contextlib import contextmanager
 
 from ..core.errors import ThinPartError
+from ..core.message import with_messages
 from .plain_table import text_width
 from .terminal_table import has_rich, printable
 
 
-def new_report(as_json):
-    """The report for whoever reads: JSON lines, a bar on a terminal, else failures alone."""
+def new_report(as_json, translatable=False):
+    """Make the report that suits the reader: JSON lines, a progress bar on a terminal, else failures only.
+
+    Parameters
+    ----------
+    as_json : bool
+    translatable : bool
+        Whether JSON lines include the templates and values of their sentences, for a program that translates them.
+    """
     if as_json:
-        return JsonReport()
+        return JsonReport(translatable)
     if not sys.stderr.isatty():
-        return Report()
+        return RunReport()
     return BarReport() if has_rich() else LineReport()
 
 
-class Report:
-    """Failures, one sentence each; the rest of what a run tells is for the other reports.
+class RunReport:
+    """Report of failures only, one sentence each; base class of the other reports.
 
-    A ``with`` block lasts as long as the run.
+    A context manager: its ``with`` block lasts as long as the run.
     """
 
     def __enter__(self):
@@ -33,37 +41,46 @@ class Report:
         return None
 
     def state(self, name):
-        """The run is ``searching``, ``running`` or ``paused`` now."""
+        """Report that the run is now ``searching``, ``running`` or ``paused``."""
 
     def found(self, count):
-        """So many documents were found so far."""
+        """Report the number of documents found so far."""
 
     def started(self, progress):
-        """All documents are known."""
+        """Report that all documents are found and the analysis starts."""
 
     def ended(self, outcome, progress):
-        """One file has ended."""
+        """Report the outcome of one file."""
         self.failures(outcome)
 
     def note(self, sentence):
-        """Something that holds for the whole run."""
-        _say(f"thinpart: {sentence}")
+        """Report a sentence about the whole run."""
+        _write_line(f"thinpart: {sentence}")
 
     def failures(self, outcome):
-        """What could not be analysed, one sentence each."""
+        """Report the failures of one file, one sentence each."""
         errors = [outcome["error"]] if "error" in outcome else outcome["failures"]
         for error in errors:
             option = _OPTION_FOR.get(error["kind"])
             hint = f" See {option}." if option and "--" not in error["message"] else ""
-            _say(f"thinpart: {printable(outcome['file'])}: {printable(error['message'])}{hint} "
+            _write_line(f"thinpart: {printable(outcome['file'])}: {printable(error['message'])}{hint} "
                  f"[{error['kind']}]")
 
 
-class JsonReport(Report):
-    """Records on stdout and progress on stderr, a JSON object a line."""
+class JsonReport(RunReport):
+    """Records on stdout and progress on stderr, one JSON object per line.
+
+    Parameters
+    ----------
+    translatable : bool
+        See `new_report`.
+    """
+
+    def __init__(self, translatable=False):
+        self._with_templates = with_messages if translatable else dict
 
     def state(self, name):
-        _say(json.dumps({"state": name}))
+        _write_line(json.dumps({"state": name}))
 
     def started(self, progress):
         self._progress(progress, None)
@@ -76,26 +93,26 @@ class JsonReport(Report):
         super().failures(outcome)
         with standard_output() as stream:
             for line in json_lines(outcome):
-                # In one piece: a reader that looks at any time finds whole lines.
-                stream.write(json.dumps(line, ensure_ascii=False) + "\n")
+                # One write per line, so that a reader always finds complete lines.
+                stream.write(json.dumps(self._with_templates(line), ensure_ascii=False, allow_nan=False) + "\n")
 
     @staticmethod
     def _progress(progress, file):
-        _say(json.dumps({"progress": progress.content(file)}))
+        _write_line(json.dumps({"progress": progress.content(file)}))
 
 
-class BarReport(Report):
-    """A bar with the pace and the time left."""
+class BarReport(RunReport):
+    """A progress bar with the pace and the time left."""
 
     def __enter__(self):
         from rich.console import Console
         from rich.progress import BarColumn, Progress, TextColumn
 
         self._bar = Progress(TextColumn("{task.description}", markup=False),
-                             BarColumn(bar_width=None), TextColumn("{task.fields[told]}", markup=False),
+                             BarColumn(bar_width=None), TextColumn("{task.fields[status]}", markup=False),
                              console=Console(stderr=True, highlight=False), expand=True)
         self._bar.start()
-        self._task = self._bar.add_task("Starting", total=None, told="")
+        self._task = self._bar.add_task("Starting", total=None, status="")
         self._name = None
         return self
 
@@ -107,7 +124,7 @@ class BarReport(Report):
         self._bar.update(self._task, description=self._name)
 
     def found(self, count):
-        self._bar.update(self._task, told=f"{count:,} parts")
+        self._bar.update(self._task, status=f"{count:,} parts")
 
     def started(self, progress):
         self._show(progress)
@@ -119,18 +136,18 @@ class BarReport(Report):
     def _show(self, progress):
         is_over = progress.done == progress.total
         self._bar.update(self._task, total=progress.total, completed=progress.done,
-                         told=_told(progress.content()), description="Done" if is_over else self._name)
+                         status=_progress_text(progress.content()), description="Done" if is_over else self._name)
 
 
-class LineReport(Report):
-    """The same in a line without a bar, which takes no library."""
+class LineReport(RunReport):
+    """The same as `BarReport` in a line without a bar, which needs no library."""
 
     def __init__(self):
         self._name, self._line = "Starting", ""
 
     def __exit__(self, *reason):
         if self._line:
-            _say("")
+            _write_line("")
 
     def state(self, name):
         self._name = name.capitalize()
@@ -140,11 +157,11 @@ class LineReport(Report):
         self._show(f"{self._name} {count:,} parts")
 
     def started(self, progress):
-        self._told(progress)
+        self._show_progress(progress)
 
     def ended(self, outcome, progress):
         self.failures(outcome)
-        self._told(progress)
+        self._show_progress(progress)
 
     def failures(self, outcome):
         self._show("")
@@ -154,19 +171,19 @@ class LineReport(Report):
         self._show("")
         super().note(sentence)
 
-    def _told(self, progress):
+    def _show_progress(self, progress):
         name = "Done" if progress.done == progress.total else self._name
-        self._show(f"{name} {_told(progress.content())}")
+        self._show(f"{name} {_progress_text(progress.content())}")
 
     def _show(self, line):
-        # A line that the terminal breaks would not be written over.
+        # Cut the line: one that the terminal wraps could not be overwritten.
         line = line[:shutil.get_terminal_size().columns - 1]
         sys.stderr.write(f"\r{line}{' ' * (text_width(self._line) - text_width(line))}" + ("" if line else "\r"))
         sys.stderr.flush()
         self._line = line
 
 
-def _told(content):
+def _progress_text(content):
     words = [f"{content['done']:,} of {content['total']:,} files"]
     for count, what in ((content["failed"], "failed"), (content["reused"], "unchanged")):
         if count:
@@ -192,25 +209,28 @@ def _duration(seconds):
 
 def json_lines(outcome):
     """The records that ``--json`` prints for one file: parts, then failures."""
-    file = outcome["file"]
+    # A file that was rejected before it reached a worker has no confinement. The keys of `about` come last again, so
+    # that a part cannot override its file.
+    about = {"file": outcome["file"]}
+    if outcome.get("confinement"):
+        about["confinement"] = outcome["confinement"]
     if "error" in outcome:
-        return [{"file": file, "error": outcome["error"]}]
-    lines = [{"file": file, **part} for part in outcome["parts"]]
-    for each in outcome["failures"]:
-        error = {"kind": each["kind"], "message": each["message"]}
-        lines.append({"file": file, "name": each["part"], "label": each.get("label"),
-                      "error": error})
+        return [{**about, "error": outcome["error"]}]
+    lines = [{**about, **part, **about} for part in outcome["parts"]]
+    for failure in outcome["failures"]:
+        error = {"kind": failure["kind"], "message": failure["message"]}
+        lines.append({**about, "name": failure["part"], "label": failure.get("label"), "error": error})
     return lines
 
 
 @contextmanager
 def standard_output():
-    """The stream for what was asked for; flushed at the end of the block.
+    """Context manager for the standard output, flushed at the end of the block.
 
     Raises
     ------
     ThinPartError
-        When there is no room where it goes. A reader that has seen enough is another matter.
+        If the output cannot be written. A closed pipe raises BrokenPipeError instead.
     """
     try:
         yield sys.stdout
@@ -218,7 +238,7 @@ def standard_output():
     except BrokenPipeError:
         raise
     except OSError as error:
-        # What is still in the buffer would fail again when the process ends.
+        # Otherwise the rest of the buffer would fail again when the process ends.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         raise ThinPartError(f"The output cannot be written ({error.strerror}): make room for it.",
                             "failed") from None
@@ -227,6 +247,6 @@ def standard_output():
 _OPTION_FOR = {"info_write": "--info-dir", "timeout": "--timeout", "memory": "--memory"}
 
 
-def _say(line):
+def _write_line(line):
     sys.stderr.write(line + "\n")
     sys.stderr.flush()

@@ -1,4 +1,4 @@
-"""Ctrl-C and its kin: the first one asks a run to stop where it does no harm."""
+"""Handle Ctrl-C and similar signals: the first one stops a run at the next safe point."""
 
 import signal
 from contextlib import contextmanager
@@ -8,10 +8,10 @@ from ..system.interruption import STOP_SIGNALS
 
 @contextmanager
 def stop_signals(control):
-    """For a ``with`` block: Ctrl-C, a request to end (SIGTERM) and a lost terminal stop the run.
+    """Context manager in which Ctrl-C, a request to end (SIGTERM) and a closed terminal stop the run.
 
-    A run looks at `control` between two files, so no line is printed by half. Whoever does not want to
-    wait for that, since the disk or the reader of a pipe does not answer, asks a second time.
+    A run checks `control` between two files, so it prints no half lines. A second signal interrupts at once, for
+    example if the disk or the reader of a pipe does not respond.
 
     Parameters
     ----------
@@ -20,28 +20,28 @@ def stop_signals(control):
     Yields
     ------
     callable
-        A context manager during which nothing interrupts.
+        A context manager during which no signal interrupts.
     """
-    kept = False
+    is_deferred = False
     before = {}
 
-    def asked(number, frame):
-        if control.stopped and not kept:
+    def on_signal(number, frame):
+        if control.stopped and not is_deferred:
             raise KeyboardInterrupt
         control.stop()
 
     @contextmanager
     def undisturbed():
-        nonlocal kept
-        kept = True
+        nonlocal is_deferred
+        is_deferred = True
         try:
             yield
         finally:
-            kept = False
+            is_deferred = False
 
     for number in STOP_SIGNALS:
-        if signal.getsignal(number) != signal.SIG_IGN:  # as nohup and a shell's & have it
-            before[number] = signal.signal(number, asked)
+        if signal.getsignal(number) != signal.SIG_IGN:  # nohup and a shell's & ignore signals
+            before[number] = signal.signal(number, on_signal)
     try:
         yield undisturbed
     finally:

@@ -1,7 +1,9 @@
-"""Parts from the index as rows of a table for people."""
+"""Parts from the index as rows of a printed table."""
 
+import json
 import os
 
+from ..storage.record_columns import labels_text
 from .terminal_table import CATEGORY_STYLES, FAILURE, OTHER_CATEGORY, TableColumn, print_table
 
 
@@ -13,19 +15,19 @@ def print_stored(parts, stream, folder, more_columns=()):
     parts : list of StoredPart
     stream : text stream
     folder : str or Path
-        Documents are named by their places in it.
+        Documents are named by their paths relative to it.
     more_columns : sequence of TableColumn, optional
-        Come first.
+        Columns before the others.
     """
     if parts:
-        place = TableColumn("File", lambda part: os.path.relpath(part.file, folder))
-        print_table(stream, [*more_columns, place, *_COLUMNS], lambda: parts)
+        file_column = TableColumn("File", lambda part: os.path.relpath(part.file, folder))
+        print_table(stream, [*more_columns, file_column, *_COLUMNS], lambda: parts)
 
 
 def _category(part):
     if part.error_kind:
         return f"failed: {part.error_kind}"
-    return part.category + (" (borderline)" if part.borderline else "")
+    return part.category + (" (unsure)" if part.borderline else "")
 
 
 def _style(part):
@@ -52,8 +54,9 @@ def _box(part):
 
 
 def _notes(part):
-    kept = [part.notes, "mesh settings" if part.mesh else "", part.link or ""]
-    text = part.error_message or "; ".join(each for each in kept if each)
+    labels = labels_text(json.loads(part.labels)) if part.labels else ""
+    annotations = [labels and f"labelled {labels}", part.notes, "mesh settings" if part.mesh else "", part.link or ""]
+    text = part.error_message or "; ".join(annotation for annotation in annotations if annotation)
     return " ".join(text.split())
 
 

@@ -1,4 +1,4 @@
-"""Tables as they are printed for people: in colours where rich is there, else without."""
+"""Print tables on a terminal, in colours if rich is installed."""
 
 import importlib.util
 import shutil
@@ -11,26 +11,33 @@ CATEGORY_STYLES = {"thin": "red", "thin_features": "yellow", "normal": "green", 
 OTHER_CATEGORY, FAILURE = "cyan", "bold red"
 
 WIDTH_WITHOUT_TERMINAL = 220
-"""A file or a pipe has no width to fit into; cut cells would lose what was asked for."""
+"""Width for a file or a pipe, which has none of its own; large enough that cells are not folded."""
 
 _ROWS_AT_ONCE = 1000
-"""Rows that are laid out together: a table keeps some kilobytes for each until it is printed."""
+"""Rows that are laid out together: a table holds some kilobytes per row until it is printed."""
 
 _NARROWEST = 8
-"""Characters that a column keeps on a terminal that is too narrow for all."""
+"""Least width of a column, in characters, on a terminal that is too narrow."""
 
 TableColumn = namedtuple("TableColumn", "title value is_right style", defaults=(False, None))
-"""Title; a function from a row to its text; whether it lines up on the right; a function from a row to a
-rich style, or None."""
+"""Title; a function from a row to its text; whether it is right-aligned; a function from a row to a rich style,
+or None."""
 
 
 def has_rich():
-    """Whether there is the library that brings colours."""
+    """Whether rich, the library for colours, is installed."""
     return importlib.util.find_spec("rich") is not None
 
 
+def prepare_tables():
+    """Import what printing a table takes, while there is nothing else to do."""
+    if has_rich():
+        import rich.console
+        import rich.table  # noqa: F401
+
+
 def print_remark(stream, text):
-    """Print a line of less weight."""
+    """Print a dimmed line."""
     if has_rich():
         _console(stream).print(printable(text), style="dim", markup=False)
     else:
@@ -55,7 +62,7 @@ def print_table(stream, columns, rows):
     stream : text stream
     columns : list of TableColumn
     rows : callable
-        Goes through all rows; is called twice, so that not all cells are kept at once.
+        Returns an iterator over all rows; called twice, so that not all cells are in memory at once.
     """
     (_print_in_colours if has_rich() else _print_plainly)(stream, columns, rows)
 
@@ -81,36 +88,36 @@ def _print_in_colours(stream, columns, rows):
 
 
 def _print_plainly(stream, columns, rows):
-    room = shutil.get_terminal_size().columns if stream.isatty() else WIDTH_WITHOUT_TERMINAL
-    widths = _widths(columns, rows, room, text_width)
+    available = shutil.get_terminal_size().columns if stream.isatty() else WIDTH_WITHOUT_TERMINAL
+    widths = _widths(columns, rows, available, text_width)
     cells = ([_text(column, row) for column in columns] for row in rows())
     titles = [column.title for column in columns]
     for line in plain_lines(widths, [column.is_right for column in columns], chain([titles], cells)):
         stream.write(line + "\n")
 
 
-def _widths(columns, rows, room, width_of):
+def _widths(columns, rows, available, width_of):
     widths = [len(column.title) for column in columns]
     for row in rows():
         for number, column in enumerate(columns):
             widths[number] = max(widths[number], width_of(_text(column, row)))
-    _fit(widths, room - 2 * (len(widths) - 1))
+    _fit(widths, available - 2 * (len(widths) - 1))
     return widths
 
 
 def printable(text):
-    """A text for a line on a terminal: a file's name may hold line breaks and terminal commands."""
+    """Escape unprintable characters: a file name may hold line breaks and terminal commands."""
     if text.isprintable():
         return text
-    return "".join(each if each.isprintable() else each.encode("unicode_escape").decode()
-                   for each in text)
+    return "".join(character if character.isprintable() else character.encode("unicode_escape").decode()
+                   for character in text)
 
 
 def _text(column, row):
     return printable(str(column.value(row)))
 
 
-def _fit(widths, room):
+def _fit(widths, available):
     """Narrow the widest columns until all fit."""
-    while sum(widths) > room and max(widths) > _NARROWEST:
+    while sum(widths) > available and max(widths) > _NARROWEST:
         widths[widths.index(max(widths))] -= 1

@@ -1,31 +1,71 @@
-"""How a part is measured: one table of defaults for the command line, the panels and the tests."""
+"""Settings of a measurement: one set of defaults for the command line, the panels and the tests."""
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
+from typing import NamedTuple
 
 from .errors import ThinPartError
+from .message import message
 
-MEASURES = ("rays", "pairs")
+DEFAULT_PROFILE = "calibrated"
+"""The shipped profile that judges where none is named."""
+
+MEASURES = RAYS, PAIRS = ("rays", "pairs")
 BOXES = ("minimal", "principal")
 
-LINEAR_DEFLECTIONS = (1e-4, 0.02)
-"""Least and greatest share of the diagonal; the wall under which it is too coarse is refined anyway."""
+SHOWN_MEASURES = RAY, SPHERE = ("ray", "sphere")
+"""What thickness maps show: the wall across, along the inward normal, or the diameter of the largest ball inside. Verdicts
+do not depend on it."""
 
-ANGULAR_DEFLECTIONS = (1.0, 9.0)
-"""Least and greatest angle between facets: finer is too many triangles for a fillet, and 10 degrees
-count as parallel."""
+MOST_TRIANGLES = 400_000
+"""A part is not tessellated more finely if that would exceed this number."""
+
+LINEAR_DEFLECTIONS = (1e-4, 0.02)
+"""Least and greatest value, as a share of the diagonal. Where that is too coarse for a wall, the part is
+refined anyway."""
+
+ANGULAR_DEFLECTIONS = (1.0, 15.0)
+"""Least and greatest angle between facets, degrees: a smaller one gives too many triangles on a fillet, and walls
+at up to 10 degrees count as parallel."""
+
+
+class Fineness(NamedTuple):
+    """How finely a part is measured.
+
+    Attributes
+    ----------
+    linear_deflection : float
+        Share of the diagonal.
+    angular_deflection : float, degrees
+    minimum_samples : int
+    """
+
+    linear_deflection: float
+    angular_deflection: float
+    minimum_samples: int
+
+
+ACCURACIES = {
+    "verdict": Fineness(0.002, 12.0, 4_000),
+    "standard": Fineness(0.001, 12.0, 12_000),
+    "fine": Fineness(0.0005, 6.0, 36_000),
+}
+"""From the coarsest to the finest. A part whose verdict is uncertain at one is measured again at the next."""
+
+STANDARD = "standard"
 
 
 @dataclass(frozen=True)
 class AnalysisSettings:
-    """What enters a result besides the part itself.
+    """The settings that affect a result.
 
     Attributes
     ----------
     linear_deflection : float
         Chord error of the tessellation, as a share of the diagonal of the part.
     angular_deflection : float
-        Degrees between neighbouring facets. It must stay well below the 10 degrees that count as
-        parallel: at 5 the poles of a spherical shell already give stray wedges.
+        Degrees between neighbouring facets. Walls are measured between the smooth surfaces that facets approximate, so that
+        12 degrees are as good as 2. A face that is one facet wide has the normal of that facet everywhere, half of this
+        angle off at either side; opposite faces that are divided alike are off alike.
     wall_deflection : float
         Greatest error of a thickness as a share of the thinnest wall; beyond it the part is
         tessellated finer and measured again.
@@ -34,31 +74,64 @@ class AnalysisSettings:
     box : str
         ``minimal`` or ``principal``.
     minimum_samples : int
-        Least number of samples on a part; it keeps F[a;b] within 0.005 of its value.
+        Number of samples on a part; a face has four at least. 12,000 keep F[a;b] within 0.005 of its value.
+    accuracy : str
+        One of `ACCURACIES`: how finely parts are measured at first.
     """
 
-    linear_deflection: float = 0.001
-    angular_deflection: float = 4.0
+    linear_deflection: float = ACCURACIES[STANDARD].linear_deflection
+    angular_deflection: float = ACCURACIES[STANDARD].angular_deflection
     wall_deflection: float = 0.1
     measure: str = "rays"
     box: str = "minimal"
-    minimum_samples: int = 20_000
+    minimum_samples: int = ACCURACIES[STANDARD].minimum_samples
+    accuracy: str = STANDARD
 
     def __post_init__(self):
         if self.measure not in MEASURES:
-            raise ThinPartError(f"There is no measure {self.measure!r}: use rays or pairs.", "usage")
+            raise ThinPartError(message("There is no measure {measure!r}: use rays or pairs.",
+                                        measure=self.measure), "usage")
+        if self.accuracy not in ACCURACIES:
+            raise ThinPartError(message("There is no accuracy {accuracy!r}: use {known}.",
+                                        accuracy=self.accuracy, known=", ".join(ACCURACIES)), "usage")
         if self.box not in BOXES:
-            raise ThinPartError(f"There is no box {self.box!r}: use minimal or principal.", "usage")
-        _check("linear deflection", self.linear_deflection, LINEAR_DEFLECTIONS, "of the diagonal")
-        _check("angular deflection", self.angular_deflection, ANGULAR_DEFLECTIONS, "degrees")
+            raise ThinPartError(message("There is no box {box!r}: use minimal or principal.", box=self.box), "usage")
+        _check(message("linear deflection"), self.linear_deflection, LINEAR_DEFLECTIONS, message("of the diagonal"))
+        _check(message("angular deflection"), self.angular_deflection, ANGULAR_DEFLECTIONS, "degrees")
+
+    @classmethod
+    def at(cls, accuracy, **changes):
+        """The settings of one of `ACCURACIES`, with changes to them.
+
+        Raises
+        ------
+        ThinPartError
+            kind ``usage`` if there is no such accuracy, or a change is out of its range.
+        """
+        fineness = ACCURACIES.get(accuracy, ACCURACIES[STANDARD])
+        return cls(**{**fineness._asdict(), "accuracy": accuracy, **changes})
+
+    @property
+    def finer(self):
+        """AnalysisSettings or None: those of the next of `ACCURACIES`, nowhere coarser than these; None after the last."""
+        names = list(ACCURACIES)
+        following = names[names.index(self.accuracy) + 1:]
+        if not following:
+            return None
+        fineness = ACCURACIES[following[0]]
+        return replace(
+            self, accuracy=following[0], linear_deflection=min(self.linear_deflection, fineness.linear_deflection),
+            angular_deflection=min(self.angular_deflection, fineness.angular_deflection),
+            minimum_samples=max(self.minimum_samples, fineness.minimum_samples))
 
     def content(self):
         """dict for the info file."""
         return asdict(self)
 
 
-def _check(what, value, between, unit):
-    least, most = between
+def _check(what, value, bounds, unit):
+    least, most = bounds
     if not least <= value <= most:
         raise ThinPartError(
-            f"The {what} cannot be {value:g}: it may be {least:g} to {most:g} {unit}.", "usage")
+            message("The {what} cannot be {value:g}: use a value from {least:g} to {most:g} {unit}.",
+                    what=what, value=value, least=least, most=most, unit=unit), "usage")

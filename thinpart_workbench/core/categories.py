@@ -1,4 +1,7 @@
 """The two categories that no profile defines; importable without numpy."""
 
 NORMAL, UNKNOWN = "normal", "unknown"
-"""What no criterion holds of; what could not be measured well enough to tell."""
+"""Parts for which no criterion holds; parts that could not be measured well enough to decide."""
+
+MEASURE_AGAIN = "measure_again"
+"""Stands for the category of a stored part that lacks a quantity, because an earlier version measured it."""

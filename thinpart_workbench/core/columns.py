@@ -1,4 +1,4 @@
-"""Vectors as columns, ``(3, ...)``: the long axis is contiguous, on which numpy is several times faster."""
+"""Vectors as columns, ``(3, ...)``: numpy is several times faster when the long axis is contiguous."""
 
 import numpy as np
 

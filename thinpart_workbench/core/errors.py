@@ -1,15 +1,20 @@
-"""Named failures. Each carries a ``kind`` for programs and one sentence for people."""
+"""Exceptions. Each has a ``kind`` for programs and one sentence for people."""
+
+from .message import message
+
+NO_MEMORY = message("There is not enough memory for this.")
+"""Said by a process itself, or by whoever sees it end."""
 
 
 class ThinPartError(Exception):
-    """A failure that is reported as one row: ``kind`` names it, the message says what to do.
+    """A failure that is reported as one row: ``kind`` identifies it, the message says what to do.
 
     Parameters
     ----------
     message : str
         One sentence: what happened, to what, what to do.
     kind : str, optional
-        One of the keys of `KINDS`; the class's own kind when left out.
+        One of the keys of `KINDS`; by default that of the class.
     """
 
     kind = "failed"
@@ -29,7 +34,7 @@ class MeshError(ThinPartError):
 
 
 class ProfileError(ThinPartError):
-    """A profile file does not say what a profile must say."""
+    """A profile file is not a valid profile."""
 
     kind = "profile"
 
@@ -39,28 +44,29 @@ class Cancelled(ThinPartError):
 
     kind = "cancelled"
 
-    def __init__(self, message="Stopped before the end, as asked."):
-        super().__init__(message)
+    def __init__(self, sentence=message("Stopped on request before the end.")):
+        super().__init__(sentence)
 
 
 KINDS = {
-    "cancelled": "stopped as asked",
+    "cancelled": "stopped on request",
     "cluster": "the cluster cannot be used",
-    "crash": "the reading process died",
-    "empty": "the file or document holds nothing",
-    "failed": "an unforeseen failure",
+    "crash": "the worker process crashed",
+    "empty": "the file or document is empty",
+    "failed": "an unexpected error",
     "info_file": "an info file is damaged, foreign or of a newer version",
     "info_write": "the info file could not be written",
     "memory": "the memory limit was reached",
     "missing": "there is no such file",
+    "no_shell": "its walls make no shell",
     "no_solid": "there is no closed solid in it",
     "not_finite": "coordinates are not numbers",
-    "permission": "the file may not be read",
+    "permission": "no permission to read the file",
     "profile": "the profile is not usable",
     "timeout": "the time limit was reached",
     "unreadable": "the file is damaged or not what its name says",
-    "unsafe": "the file would write where it must not",
-    "unsupported": "the format cannot be read here",
-    "usage": "the command was called wrongly",
+    "unsafe": "the file is unsafe to open",
+    "unsupported": "the format is not supported here",
+    "usage": "wrong usage of the command",
     "zero_volume": "the part encloses no volume",
 }

@@ -1,14 +1,14 @@
-"""Progress of a measurement: a callable that is given the fraction done and may raise to stop."""
+"""Progress of a measurement: a callback that takes the fraction done and may raise to stop the work."""
 
 
 def portion(report, start, end):
-    """The report of a part of the work, which runs from 0 to 1 itself.
+    """Make the callback for one part of the work, which itself reports from 0 to 1.
 
     Parameters
     ----------
     report : callable or None
     start, end : float
-        Fractions of the whole at which the part starts and ends.
+        Fractions of all the work at which the part starts and ends.
 
     Returns
     -------
@@ -17,7 +17,7 @@ def portion(report, start, end):
     return report and (lambda done: report(start + (end - start) * min(done, 1.0)))
 
 
-def tell(report, done):
-    """Report a fraction, if anyone wants to know."""
+def report_progress(report, done):
+    """Report a fraction if there is a callback."""
     if report is not None:
         report(done)

@@ -1,1 +1,1 @@
-"""The only place that knows FreeCAD's modules. Never imports FreeCADGui or Qt."""
+"""The only package that uses FreeCAD's modules. It never imports FreeCADGui or Qt."""

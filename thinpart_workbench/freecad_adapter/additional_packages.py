@@ -12,14 +12,17 @@ import FreeCAD as App
 
 
 def package_folders():
-    """list of str: those that FreeCAD searches, in its order, whether or not they are there yet."""
+    """list of str: the folders that FreeCAD searches, in its order, including those that do not exist yet."""
     top = Path(App.getUserAppDataDir()) / "AdditionalPythonPackages"
     version = f"py{sys.version_info.major}{sys.version_info.minor}"
     return [os.fspath(top / version), os.fspath(top), *_of_snap()]
 
 
 def install_folder():
-    """str: where packages for this FreeCAD are installed. FreeCAD 0.20 knows no folders by Python's version."""
+    """str: the folder into which packages for this FreeCAD are installed.
+
+    FreeCAD 0.20 has no folders per Python version.
+    """
     by_version, top, *of_snap = package_folders()
     if of_snap:
         return of_snap[0]
@@ -27,7 +30,7 @@ def install_folder():
 
 
 def has_package(name):
-    """Whether a package can be imported by FreeCAD's Python, also one that was installed since FreeCAD started."""
+    """Whether FreeCAD's Python can import a package, even if it was installed after FreeCAD started."""
     importlib.invalidate_caches()
     return importlib.util.find_spec(name) is not None or PathFinder.find_spec(name, package_folders()) is not None
 

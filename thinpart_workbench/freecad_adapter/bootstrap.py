@@ -1,4 +1,4 @@
-"""Makes FreeCAD importable outside its own program, in the order that it needs."""
+"""Make FreeCAD importable outside its own program, in the order that it needs."""
 
 import importlib
 import os
@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 from ..core.errors import ThinPartError
+from ..core.message import message
 from ..requirements import FREECAD_LIBS, freecad_library
 
 _SHARE = ("/usr/share/freecad", "/usr/lib/freecad")
@@ -17,12 +18,12 @@ def load_freecad():
     Raises
     ------
     ThinPartError
-        kind ``unsupported`` where there is no FreeCAD for this Python.
+        kind ``unsupported`` if there is no FreeCAD for this Python, ``permission`` if the home folder cannot be used.
 
     Notes
     -----
-    FreeCAD comes first: importing MeshPart before it is a segmentation fault. The folders of its
-    modules must be known before a document is opened, or bodies are silently dropped from it.
+    FreeCAD is imported first, because importing MeshPart before it causes a segmentation fault. The folders of its
+    modules must be on the module path before a document is opened, or FreeCAD silently drops bodies from it.
     """
     if "FreeCAD" in sys.modules:
         return sys.modules["FreeCAD"]
@@ -30,12 +31,12 @@ def load_freecad():
     for folder in (library, *FREECAD_LIBS):
         if folder:
             _append(folder)
-    if library and hasattr(os, "add_dll_directory"):  # Windows looks for what it needs only where it is told to
+    if library and hasattr(os, "add_dll_directory"):  # Windows searches for DLLs in registered folders only
         os.add_dll_directory(library)
     if not has_home():
         raise ThinPartError(
-            f"The home folder {os.path.expanduser('~')} may not be used, which FreeCAD needs: set "
-            "FREECAD_USER_HOME to a folder that may.", "permission",
+            message("FreeCAD needs a home folder, but {folder} is not accessible: set FREECAD_USER_HOME to a folder "
+                    "that is.", folder=os.path.expanduser("~")), "permission",
         )
     try:
         freecad = importlib.import_module("FreeCAD")
@@ -43,14 +44,14 @@ def load_freecad():
         if "failed to map segment" in str(error):
             raise MemoryError(str(error)) from None
         raise ThinPartError(
-            f"FreeCAD cannot be imported by {sys.executable} ({error}): "
-            "install it (Debian: 'apt-get install freecad') or set FREECAD_LIB to the folder with its FreeCAD.so or "
-            "FreeCAD.pyd.",
+            message("FreeCAD cannot be imported by {program} ({problem}): install it (Debian: 'apt-get install "
+                    "freecad') or set FREECAD_LIB to the folder with its FreeCAD.so or FreeCAD.pyd.",
+                    program=sys.executable, problem=error),
             "unsupported",
         ) from None
     for home in _homes(freecad):
         _append(home / "Ext")
-        # The folder itself too: PartDesign is imported as a package out of it.
+        # The folder itself too, because PartDesign is imported from it as a package.
         _append(home / "Mod")
         for module in sorted((home / "Mod").glob("*")):
             _append(module)
@@ -62,7 +63,7 @@ def _homes(freecad):
 
 
 def trusted_code_folders():
-    """Folders of Python code that FreeCAD brings, and of its add-ons, list of str; loads FreeCAD."""
+    """Folders of the Python code of FreeCAD and its add-ons, list of str; loads FreeCAD."""
     freecad = load_freecad()
     folders = [os.path.dirname(freecad.__file__)]
     for home in _homes(freecad):
@@ -72,7 +73,7 @@ def trusted_code_folders():
 
 
 def load_meshing():
-    """Import FreeCAD with all that reading and meshing solids takes, which is otherwise loaded by the first part.
+    """Import FreeCAD and the modules for reading and meshing solids, which otherwise load with the first part.
 
     Raises
     ------
@@ -87,7 +88,7 @@ def load_meshing():
 def has_home():
     """Whether FreeCAD has a home folder that it can use.
 
-    It ends the process where it may not look into that folder, as under a service's user.
+    FreeCAD ends the process if it may not access that folder, for example under a service account.
     """
     return "FREECAD_USER_HOME" in os.environ or os.access(
         os.path.expanduser("~"), os.X_OK | os.W_OK

@@ -1,20 +1,23 @@
-"""The colours of thin faces, as the user of this FreeCAD prefers them."""
+"""The colours of thin faces from the user's preferences."""
 
-from ..core.thin_faces import thin_face_colours
-from .settings import preference
+from ..core.record.thin_faces import thin_body_colours, thin_face_colours
+from .preferences import preference
 
 
-def preferred_colours(record):
-    """Colours of the faces of a part that are thin.
+def preferred_colours(record, has_faces=True):
+    """Colours of the thin faces of a part.
 
     Parameters
     ----------
     record : dict
         Part record.
+    has_faces : bool, optional
+        False for a mesh, which has one colour.
 
     Returns
     -------
     dict
-        Red, green and blue from 0 to 1, by the number of the face, from 0.
+        Maps the index of a face to red, green and blue from 0 to 1.
     """
-    return thin_face_colours(record, preference("ThinColour"), preference("PartlyThinColour"))
+    colours = thin_face_colours if has_faces else thin_body_colours
+    return colours(record, preference("ThinColour"), preference("PartlyThinColour"))

@@ -1,8 +1,8 @@
-"""What FreeCADCmd is given to run where there is no Python: it runs a module, as ``python -m`` would.
+"""Script for FreeCADCmd, used if there is no Python: it runs a module as ``python -m`` would.
 
-FreeCADCmd reads further arguments as files, runs a script that raises a second time, and ends with status 0
-then. So the module and its arguments come as JSON in the environment, and this script always ends the process
-itself, with the module's status.
+FreeCADCmd opens further arguments as files, and runs a script that raises a second time and then exits with status 0.
+So the module and its arguments are passed as JSON in the environment, and this script always ends the process itself,
+with the module's exit status.
 """
 
 import json
@@ -14,11 +14,12 @@ import traceback
 
 def _run():
     module, *arguments = json.loads(os.environ["THINPART_RUN"])
-    # FreeCADCmd has put this folder first, where no module is to be looked for.
+    # FreeCADCmd puts this folder first on the path, but no module should be imported from it.
     here = os.path.dirname(os.path.abspath(__file__))
-    # Since FreeCAD 1.1 its Python looks into no PYTHON variables.
-    asked = [each for each in os.environ.get("PYTHONPATH", "").split(os.pathsep) if each]
-    sys.path[:] = asked + [each for each in sys.path if each not in asked and os.path.abspath(each) != here]
+    # Since FreeCAD 1.1 its Python ignores the PYTHON* environment variables.
+    python_path = [folder for folder in os.environ.get("PYTHONPATH", "").split(os.pathsep) if folder]
+    sys.path[:] = python_path + [
+        folder for folder in sys.path if folder not in python_path and os.path.abspath(folder) != here]
     for stream in (sys.stdout, sys.stderr):
         stream.reconfigure(encoding="utf-8")
     sys.argv = [module, *arguments]
@@ -34,12 +35,12 @@ def _run():
 _status = 1
 try:
     _status = _run()
-except BaseException:  # nothing may reach FreeCADCmd: it would begin again
+except BaseException:  # nothing may reach FreeCADCmd, which would run the script again
     traceback.print_exc()
 finally:
     for _stream in (sys.stdout, sys.stderr):
         try:
             _stream.flush()
         except OSError:
-            _status = _status or 1  # nobody reads it any more
+            _status = _status or 1  # the reader has closed the pipe
     os._exit(_status)

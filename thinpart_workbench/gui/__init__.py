@@ -1,1 +1,1 @@
-"""What ThinPart adds to FreeCAD's window. Draws and listens; it measures and judges nothing."""
+"""The FreeCAD GUI of ThinPart. It displays results and handles input; measuring and classifying is done elsewhere."""

@@ -1,36 +1,41 @@
-"""The commands of ThinPart: what the buttons say, when they can be pressed, and one call each."""
+"""The FreeCAD commands of ThinPart: texts, when they are enabled, and the function that each calls."""
 
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from ..freecad_adapter.edge import guarded_methods
-from .classify import can_classify, classify_active_document
-from .classify_folder import show_folder_dialog
-from .face_colours import FACE_COLOURS
-from .find_parts import toggle_find_parts
-from .preferences_pages import show_preferences
-from .report import can_report, show_report_dialog
-from .show_thickness import can_show_thickness, show_thickness
+from ..freecad_adapter.guard import guarded_methods
+from .application import lifelong
+from .classify.command import can_classify, classify_active_document
+from .folder.command import show_folder_dialog
+from .learning.command import show_learn_dialog
+from .library.command import toggle_find_parts
+from .mesh_sizes.command import can_prepare_mesh, prepare_mesh
+from .preferences.pages import show_preferences
+from .profile.command import show_profile_editor
+from .report.command import can_report, show_report_dialog
+from .thickness.command import can_show_thickness, show_thickness
 
-# Marks a text for translation; FreeCAD translates it by the command's name.
+# Marks a text for translation; FreeCAD translates it in the context of the command's name.
 QT_TRANSLATE_NOOP = App.Qt.QT_TRANSLATE_NOOP
 
-# FreeCAD greys commands out while a task of others is open, unless they are for editing too: ours say what is in the way.
-_BESIDE_TASKS = "AlterDoc;Alter3DView;AlterSelection;ForEdit"
+# FreeCAD disables commands while another task is open, unless they have the type ForEdit.
+# These stay enabled and show which task blocks them.
+_ENABLED_DURING_TASKS = "AlterDoc;Alter3DView;AlterSelection;ForEdit"
 
 
 class Classify:
-    """Tell whether a part is thin, has thin features or is normal."""
+    """Classify a part as thin, with thin features, or normal."""
 
     def GetResources(self):
         """Icon, text and tool tip."""
         return {
             "Pixmap": "ThinPart_Classify",
-            "CmdType": _BESIDE_TASKS,
+            "Accel": "T, C",
+            "CmdType": _ENABLED_DURING_TASKS,
             "MenuText": QT_TRANSLATE_NOOP("ThinPart_Classify", "Classify part"),
             "ToolTip": QT_TRANSLATE_NOOP(
-                "ThinPart_Classify", "Tells whether the selected part is thin, has thin features "
-                "or is normal, and colours its thin faces"),
+                "ThinPart_Classify", "Checks whether the selected part is thin, has thin features or is normal, and "
+                                     "colours its thin faces"),
         }
 
     def IsActive(self):
@@ -38,22 +43,23 @@ class Classify:
         return can_classify()
 
     def Activated(self):
-        """Classify the part that is meant."""
+        """Classify the selected or active part."""
         classify_active_document()
 
 
 class ShowThickness:
-    """Show in colours how thick the walls of a part are."""
+    """Colour parts by their wall thickness."""
 
     def GetResources(self):
         """Icon, text and tool tip."""
         return {
             "Pixmap": "ThinPart_ShowThickness",
-            "CmdType": _BESIDE_TASKS,
+            "Accel": "T, W",
+            "CmdType": _ENABLED_DURING_TASKS,
             "MenuText": QT_TRANSLATE_NOOP("ThinPart_ShowThickness", "Show thickness"),
             "ToolTip": QT_TRANSLATE_NOOP(
-                "ThinPart_ShowThickness", "Colours the selected parts, or all of them, by the thickness of "
-                "their walls, and tells how much of the surface lies over which wall"),
+                "ThinPart_ShowThickness", "Colours the selected parts, or all of them, by the thickness of their "
+                                          "walls, and shows how the area is distributed over thickness"),
         }
 
     def IsActive(self):
@@ -61,8 +67,32 @@ class ShowThickness:
         return can_show_thickness()
 
     def Activated(self):
-        """Measure what is meant, or show the map that is selected."""
+        """Measure the selected parts, or all, or show the selected thickness map."""
         show_thickness()
+
+
+class MeshSizes:
+    """Propose element sizes for a part, and make its FEM mesh."""
+
+    def GetResources(self):
+        """Icon, text and tool tip."""
+        return {
+            "Pixmap": "ThinPart_MeshSizes",
+            "Accel": "T, M",
+            "CmdType": _ENABLED_DURING_TASKS,
+            "MenuText": QT_TRANSLATE_NOOP("ThinPart_MeshSizes", "Prepare mesh"),
+            "ToolTip": QT_TRANSLATE_NOOP(
+                "ThinPart_MeshSizes", "Proposes element sizes that give the thin walls of the selected part enough layers, "
+                                      "and makes a FEM mesh with them"),
+        }
+
+    def IsActive(self):
+        """With a document."""
+        return can_prepare_mesh()
+
+    def Activated(self):
+        """Propose sizes for the selected or active part."""
+        prepare_mesh()
 
 
 class ClassifyFolder:
@@ -72,6 +102,7 @@ class ClassifyFolder:
         """Icon, text and tool tip."""
         return {
             "Pixmap": "ThinPart_ClassifyFolder",
+            "Accel": "T, F",
             "MenuText": QT_TRANSLATE_NOOP("ThinPart_ClassifyFolder", "Classify folder\u2026"),
             "ToolTip": QT_TRANSLATE_NOOP(
                 "ThinPart_ClassifyFolder", "Classifies all parts of a folder in the background and "
@@ -88,12 +119,13 @@ class ClassifyFolder:
 
 
 class Report:
-    """Write pages with pictures about the parts of a document."""
+    """Write a report with pictures about the parts of a document."""
 
     def GetResources(self):
         """Icon, text and tool tip."""
         return {
             "Pixmap": "ThinPart_Report",
+            "Accel": "T, R",
             "MenuText": QT_TRANSLATE_NOOP("ThinPart_Report", "Report\u2026"),
             "ToolTip": QT_TRANSLATE_NOOP(
                 "ThinPart_Report", "Writes a page with pictures, walls and criteria about every part of the "
@@ -116,6 +148,7 @@ class FindParts:
         """Icon, text and tool tip."""
         return {
             "Pixmap": "ThinPart_FindParts",
+            "Accel": "T, P",
             "MenuText": QT_TRANSLATE_NOOP("ThinPart_FindParts", "Find parts"),
             "ToolTip": QT_TRANSLATE_NOOP(
                 "ThinPart_FindParts", "Shows or hides the panel that finds classified parts by their "
@@ -131,26 +164,73 @@ class FindParts:
         toggle_find_parts()
 
 
+class EditProfile:
+    """Edit the thresholds that parts are judged by."""
+
+    def GetResources(self):
+        """Icon, text and tool tip."""
+        return {
+            "Pixmap": "ThinPart_EditProfile",
+            "Accel": "T, E",
+            "MenuText": QT_TRANSLATE_NOOP("ThinPart_EditProfile", "Edit profile\u2026"),
+            "ToolTip": QT_TRANSLATE_NOOP(
+                "ThinPart_EditProfile", "Edits the thresholds by which parts are judged, and the limits of the wall, and "
+                "counts meanwhile what would change in your libraries"),
+        }
+
+    def IsActive(self):
+        """Always."""
+        return True
+
+    def Activated(self):
+        """Show the editor."""
+        show_profile_editor()
+
+
+class LearnThresholds:
+    """Learn thresholds from labels."""
+
+    def GetResources(self):
+        """Icon, text and tool tip."""
+        return {
+            "Pixmap": "ThinPart_LearnThresholds",
+            "Accel": "T, L",
+            "MenuText": QT_TRANSLATE_NOOP("ThinPart_LearnThresholds", "Learn thresholds\u2026"),
+            "ToolTip": QT_TRANSLATE_NOOP(
+                "ThinPart_LearnThresholds", "Chooses thresholds that agree with what people say of the parts of a library, "
+                "and says how good they are on folders left out"),
+        }
+
+    def IsActive(self):
+        """Always."""
+        return True
+
+    def Activated(self):
+        """Show the dialog."""
+        show_learn_dialog()
+
+
 class ClearColours:
-    """Take the analysis colours away."""
+    """Remove the analysis colours."""
 
     def GetResources(self):
         """Icon, text and tool tip."""
         return {
             "Pixmap": "ThinPart_ClearColours",
+            "Accel": "T, X",
             "MenuText": QT_TRANSLATE_NOOP("ThinPart_ClearColours", "Clear thin colours"),
             "ToolTip": QT_TRANSLATE_NOOP(
-                "ThinPart_ClearColours", "Gives the faces of this document the colours back that "
-                "they had before they were coloured as thin"),
+                "ThinPart_ClearColours", "Restores the colours that the faces of this document had before they were "
+                                         "coloured as thin"),
         }
 
     def IsActive(self):
-        """While something is coloured."""
-        return App.ActiveDocument is not None and FACE_COLOURS.is_shown(App.ActiveDocument)
+        """While the active document has analysis colours."""
+        return App.ActiveDocument is not None and lifelong.face_colours.is_shown(App.ActiveDocument)
 
     def Activated(self):
-        """Clear."""
-        FACE_COLOURS.clear(App.ActiveDocument)
+        """Remove the colours."""
+        lifelong.face_colours.clear(App.ActiveDocument)
 
 
 class Preferences:
@@ -160,6 +240,7 @@ class Preferences:
         """Icon, text and tool tip."""
         return {
             "Pixmap": "ThinPart_Preferences",
+            "Accel": "T, O",
             "MenuText": QT_TRANSLATE_NOOP("ThinPart_Preferences", "ThinPart preferences\u2026"),
             "ToolTip": QT_TRANSLATE_NOOP(
                 "ThinPart_Preferences", "Opens the preferences: thresholds, surface mesh, info files, "
@@ -178,16 +259,19 @@ class Preferences:
 COMMANDS = {
     "ThinPart_Classify": Classify,
     "ThinPart_ShowThickness": ShowThickness,
+    "ThinPart_MeshSizes": MeshSizes,
     "ThinPart_ClassifyFolder": ClassifyFolder,
     "ThinPart_Report": Report,
     "ThinPart_FindParts": FindParts,
+    "ThinPart_EditProfile": EditProfile,
+    "ThinPart_LearnThresholds": LearnThresholds,
     "ThinPart_ClearColours": ClearColours,
     "ThinPart_Preferences": Preferences,
 }
 
 
 def add_commands():
-    """Make the commands known to FreeCAD and return their names."""
+    """Register the commands with FreeCAD and return their names."""
     for name, command in COMMANDS.items():
         Gui.addCommand(name, guarded_methods("Activated", IsActive=False)(command)())
     return list(COMMANDS)

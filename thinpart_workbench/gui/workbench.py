@@ -1,10 +1,10 @@
-"""The workbench: its name, icons, tool bar and menu."""
+"""The workbench: its name, icons, toolbar and menu."""
 
 from pathlib import Path
 
 import FreeCADGui as Gui
 
-from .qt import translate
+from .application.qt import translate
 
 ICONS = (Path(__file__).resolve().parents[2] / "resources" / "icons").as_posix()
 MENU_TEXT = "ThinPart"
@@ -12,12 +12,12 @@ TOOL_TIP = translate("ThinPart", "Check before meshing whether a part is thin, a
 
 
 def add_icons():
-    """Make the icons known; called once, when FreeCAD starts."""
+    """Register the icon folder; called once, when FreeCAD starts."""
     Gui.addIconPath(ICONS)
 
 
 def initialize(workbench):
-    """Add commands, tool bar and menu.
+    """Add commands, toolbar and menu.
 
     Parameters
     ----------

@@ -1,1 +1,1 @@
-"""What is kept on disk. Adds nothing to what core imports."""
+"""Files on disk. Imports no packages beyond those of core."""

@@ -1,45 +1,102 @@
-"""Writing a file so that a reader sees the old or the new one, never half of it."""
+"""Atomic writing: a reader sees the old file or the new one, never half of it."""
 
 import os
-import tempfile
+import secrets
+import stat
+from contextlib import suppress
+
+from ..system.file_lock import lock
+from ..system.user import is_own
+
+_PREFIX, _SUFFIX = ".thinpart-", ".tmp"
+
+_LEFTOVER_SECONDS = 60.0
+"""Age from which an unlocked temporary file counts as a leftover of a killed process."""
+
+_cleaned_folders: set[str] = set()  # each folder is listed once: it may hold 100,000 info files
 
 
-def write_atomically(path, content, lasting=True):
+def write_atomically(path, content, durable=True, beside=None):
     """Write bytes to a temporary file beside `path`, flush them to disk, and rename it.
 
     Parameters
     ----------
     path : str or Path
     content : bytes
-    lasting : bool
-        Whether it has to outlast a power failure. What can be made again need not, and is written
-        without waiting for the disk.
+    durable : bool
+        Whether the file has to survive a power failure. A file that can be regenerated need not, and is
+        written without waiting for the disk.
+    beside : str, optional
+        A file in the same folder without which nothing is written. If the share of the folder was unmounted, the new file
+        would be in the empty mount point: either this file is missing there, or the temporary one cannot be renamed.
 
     Raises
     ------
     OSError
-        The old file is then still whole and the temporary one removed.
+        The old file is then still intact and the temporary one removed.
+
+    Notes
+    -----
+    A killed process leaves its temporary file behind. The next process that writes into the folder removes it.
     """
     path = os.path.abspath(path)
     folder = os.path.dirname(path)
-    handle, temporary = tempfile.mkstemp(prefix=".thinpart-", suffix=".tmp", dir=folder)
+    mode = _mode(path)
+    handle, temporary = _new_temporary(folder, mode)
     try:
         with os.fdopen(handle, "wb") as file:
+            with suppress(OSError):  # a file system without locks
+                lock(file.fileno(), wait=False)
+            if folder not in _cleaned_folders:
+                _cleaned_folders.add(folder)
+                _remove_leftovers(folder, os.fstat(file.fileno()).st_mtime)
             file.write(content)
             file.flush()
-            if lasting:
+            if durable:
                 os.fsync(file.fileno())
-        os.chmod(temporary, _mode(path))
+        if stat.S_IMODE(os.stat(temporary).st_mode) != mode:  # a confined process may not change it
+            os.chmod(temporary, mode)
+        if beside is not None:
+            os.lstat(beside)
         os.replace(temporary, path)
     except BaseException:
         _remove(temporary)
         raise
-    if lasting:
+    if durable:
         _sync_folder(folder)
 
 
+def _new_temporary(folder, mode):
+    """Create a file with this mode, as far as the system's mask for new files allows: its descriptor and path."""
+    flags = os.O_RDWR | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0) | getattr(os, "O_NOINHERIT", 0)
+    path = os.path.join(folder, f"{_PREFIX}{secrets.token_hex(8)}{_SUFFIX}")
+    return os.open(path, flags, mode), path
+
+
+def _remove_leftovers(folder, now):
+    """Remove temporary files that killed processes of this user left; `now` is by the clock of the file system."""
+    with suppress(OSError):
+        for name in os.listdir(folder):
+            if name.startswith(_PREFIX) and name.endswith(_SUFFIX):
+                with suppress(OSError):
+                    _remove_unused(os.path.join(folder, name), now)
+
+
+def _remove_unused(path, now):
+    status = os.lstat(path)
+    if not (stat.S_ISREG(status.st_mode) and is_own(status)) or now - status.st_mtime < _LEFTOVER_SECONDS:
+        return
+    # Since `lstat` the file may have become a link, or something whose opening blocks.
+    handle = os.open(path, os.O_RDWR | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0))
+    try:
+        lock(handle, wait=False)  # refused where another process is still writing
+    finally:
+        os.close(handle)
+    os.unlink(path)
+
+
 def _mode(path):
-    """Permissions of the file that is replaced, else what a new file would have."""
+    """Permissions of the file that is replaced, else those of a new file."""
     try:
         return os.stat(path).st_mode & 0o777
     except OSError:
@@ -52,18 +109,18 @@ def _remove(path):
     try:
         os.unlink(path)
     except OSError:
-        return  # it is the first error that is reported
+        return  # only the first error is reported
 
 
 def _sync_folder(folder):
-    """Make the rename itself outlast a power failure, where the file system can."""
+    """Make the rename itself survive a power failure, where the file system supports that."""
     try:
         handle = os.open(folder, os.O_RDONLY)
     except OSError:
-        return  # folders cannot be opened on every system
+        return  # some systems cannot open folders
     try:
         os.fsync(handle)
     except OSError:
-        return  # nor flushed on every network share
+        return  # some network shares cannot flush folders
     finally:
         os.close(handle)

@@ -1,14 +1,14 @@
-"""The folder for what can be made again: the search index and pictures of parts."""
+"""The folder for files that can be regenerated: the search index and thumbnails of parts."""
 
 import errno
 import os
 from pathlib import Path
 
-from ..system.cache_home import cache_home
+from ..system.user_folders import cache_home
 
 
 def cache_folder():
-    """``$THINPART_CACHE``, else ``thinpart`` in the user's cache; need not exist.
+    """``$THINPART_CACHE``, else ``thinpart`` in the user's cache folder; may not exist yet.
 
     Returns
     -------
@@ -17,7 +17,7 @@ def cache_folder():
     Raises
     ------
     OSError
-        Where there is no home, as for some services.
+        If there is no home folder, as for some services.
     """
     chosen = os.path.expanduser(os.environ.get("THINPART_CACHE") or os.path.join(cache_home(), "thinpart"))
     if chosen.startswith("~"):

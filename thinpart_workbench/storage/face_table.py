@@ -1,12 +1,12 @@
-"""The table of the faces of parts as a CSV file: a row per B-Rep face."""
+"""The CSV table of the faces of parts: a row per B-Rep face."""
 
-from ..core.part_record import face_number
+from ..core.record.part_record import face_number
 
 FACE_COLUMNS = (
     "file", "part", "label", "face", "made_by", "area_mm2", "thinnest_mm", "median_mm", "thickest_mm",
     "thin_share", "unmeasured_share", "wall_mm", "x1", "y1", "z1", "x2", "y2", "z2", "opposite_face")
-"""The last ones are the thinnest wall under the face: its thickness, both of its ends in mm, and where the
-second one lies."""
+"""The columns from ``wall_mm`` on describe the thinnest wall under the face: its thickness, both of its end points
+in mm, and the face on which the second one lies."""
 
 
 def face_rows(file, record, features):
@@ -15,11 +15,10 @@ def face_rows(file, record, features):
     Parameters
     ----------
     file : str
-        As it is named in the table.
-    record : dict
-        Part record.
+        Name of the file in the table.
+    record : PartRecord
     features : list of str
-        What made each face, by its number; may be empty.
+        The feature that made each face, by face number; may be empty.
     """
     rows = []
     for face in record["faces"]:

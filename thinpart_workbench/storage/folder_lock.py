@@ -1,4 +1,4 @@
-"""One writer at a time where what is written depends on what was there."""
+"""A lock on a folder, for read-modify-write: one writer at a time."""
 
 import hashlib
 import os
@@ -18,14 +18,14 @@ def folder_lock(folder):
 
     Notes
     -----
-    Nothing is written into the folder for it, and a program that is killed leaves no lock behind. Some
-    network shares lock no folders; there the block runs without. Windows locks no folders at all: there an
-    empty file among this user's temporary ones stands for each, which programs on other machines do not see.
+    The lock writes nothing into the folder, and a killed program leaves no lock behind. Some network shares
+    cannot lock folders; there the block runs without a lock. Windows cannot lock folders at all: there an
+    empty file in this user's temporary folder is locked instead, which programs on other machines do not see.
     """
     try:
-        handle = os.open(folder, os.O_RDONLY) if FOLDERS_CAN_BE_LOCKED else _stand_in(folder)
+        handle = os.open(folder, os.O_RDONLY) if FOLDERS_CAN_BE_LOCKED else _open_lock_file(folder)
     except OSError:
-        yield  # whoever goes on to write there gets the reason
+        yield  # the caller gets the error when it writes there
         return
     try:
         try:
@@ -37,7 +37,7 @@ def folder_lock(folder):
         os.close(handle)
 
 
-def _stand_in(folder):
-    place = os.path.normcase(os.path.realpath(folder))
-    name = "thinpart-lock-" + hashlib.sha256(os.fsencode(place)).hexdigest()[:20]
+def _open_lock_file(folder):
+    real_path = os.path.normcase(os.path.realpath(folder))
+    name = "thinpart-lock-" + hashlib.sha256(os.fsencode(real_path)).hexdigest()[:20]
     return os.open(os.path.join(tempfile.gettempdir(), name), os.O_RDWR | os.O_CREAT, 0o600)

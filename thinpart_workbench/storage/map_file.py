@@ -1,4 +1,4 @@
-"""Thickness maps of parts in one file."""
+"""Files with the thickness maps of parts."""
 
 import json
 import os
@@ -6,16 +6,18 @@ import zipfile
 
 import numpy as np
 
+from ..core.analysis_settings import RAY
 from ..core.errors import ThinPartError
-from ..core.mapped_part import MappedPart
-from ..core.thickness_map import ThicknessMap
+from ..core.maps.mapped_part import MappedPart
+from ..core.maps.thickness_map import ThicknessMap
+from ..core.message import message
 
 _ARRAYS = ("points", "facets", "thickness", "opposite", "face", "origin")
 VERSION = 1
 
 
 def write_maps(path, parts):
-    """Write maps, for a worker's parent or into a FreeCAD document.
+    """Write maps, for the parent of a worker or into a FreeCAD document.
 
     Parameters
     ----------
@@ -29,10 +31,11 @@ def write_maps(path, parts):
     arrays = {}
     for number, part in enumerate(parts):
         arrays.update({f"{name}_{number}": getattr(part.map, name) for name in _ARRAYS})
-        arrays[f"places_{number}"] = part.places
+        arrays[f"corners_{number}"] = part.map.corner_thickness
+        arrays[f"places_{number}"] = part.matrices
         arrays[f"outline_{number}"] = part.map.outline
     content = {"version": VERSION, "parts": [
-        {"record": part.record, "features": part.features} for part in parts]}
+        {"record": part.record, "features": part.features, "measure": part.map.measure} for part in parts]}
     with open(path, "wb") as file:
         np.savez(file, content=np.array(json.dumps(content)), **arrays)
 
@@ -46,22 +49,24 @@ def read_maps(path):
         kind ``unreadable``.
     """
     try:
-        # Opened here: numpy leaves a damaged file open.
-        with open(path, "rb") as opened, np.load(opened, allow_pickle=False) as file:
+        # Opened here because numpy leaves a damaged file open.
+        with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
             content = json.loads(str(file["content"]))
             if content["version"] > VERSION:
                 raise ThinPartError(
-                    f"The thickness map {os.path.basename(path)} is of a newer ThinPart: update ThinPart or "
-                    "measure the part again.", "unreadable")
+                    message("The thickness map {file} is of a newer ThinPart: update ThinPart or measure the part "
+                            "again.", file=os.path.basename(path)), "unreadable")
             return [_part(file, number, entry) for number, entry in enumerate(content["parts"])]
     except (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile):
         raise ThinPartError(
-            f"The thickness map {os.path.basename(path)} cannot be read: measure the part again.",
+            message("The thickness map {file} cannot be read: measure the part again.", file=os.path.basename(path)),
             "unreadable") from None
 
 
 def _part(file, number, entry):
-    shown = ThicknessMap(*(file[f"{name}_{number}"] for name in _ARRAYS))
-    # Found by the process that measured: it takes 0.2 s where there are 200,000 facets.
-    vars(shown)["outline"] = file[f"outline_{number}"]
-    return MappedPart(entry["record"], shown, entry["features"], file[f"places_{number}"])
+    corners = file[f"corners_{number}"] if f"corners_{number}" in file.files else None  # earlier versions wrote none
+    thickness_map = ThicknessMap(**{name: file[f"{name}_{number}"] for name in _ARRAYS}, measure=entry.get("measure", RAY),
+                                 corner_thickness=corners)
+    # Computed by the process that measured: it takes 0.2 s for 200,000 facets.
+    vars(thickness_map)["outline"] = file[f"outline_{number}"]
+    return MappedPart(entry["record"], thickness_map, entry["features"], file[f"places_{number}"])

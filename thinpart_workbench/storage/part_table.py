@@ -1,52 +1,86 @@
-"""The table of classified parts as a CSV file: a row per part and per failure."""
+"""The CSV table of classified parts: a row per part and per failure."""
 
 import csv
 import io
-from collections import namedtuple
+from typing import Any
 
 from .atomic_file import write_atomically
+from .record_columns import TITLED, labels_text, row_class
 
-PART_COLUMNS = {
-    "part": lambda part: part["name"],
-    "label": lambda part: part["label"],
-    "instances": lambda part: part["instances"],
-    "category": lambda part: part["category"],
-    "criteria": lambda part: " ".join(map(str, part["criteria"])),
-    "margin": lambda part: part["margin"],
-    "borderline": lambda part: int(part["borderline"]),
-    "d1_mm": lambda part: part["descriptors"]["box_mm"][0],
-    "d2_mm": lambda part: part["descriptors"]["box_mm"][1],
-    "d3_mm": lambda part: part["descriptors"]["box_mm"][2],
-    "volume_mm3": lambda part: part["descriptors"]["volume_mm3"],
-    "area_mm2": lambda part: part["descriptors"]["area_mm2"],
-    "volume_ratio": lambda part: part["descriptors"]["volume_ratio"],
-    "thinnest_mm": lambda part: part["descriptors"]["thickness_mm"]["min"],
-    "median_mm": lambda part: part["descriptors"]["thickness_mm"]["median"],
-    "error_bound_mm": lambda part: part["descriptors"]["thickness_mm"]["error_bound"],
-    "triangles": lambda part: part["triangles"],
-    "warnings": lambda part: " ".join(part["warnings"]),
-}
-"""What a part's row takes from its record."""
+_Row: Any = row_class("_Row", ("file", *(column.title for column in TITLED), "error_kind", "error"))
 
-PartRow = namedtuple("PartRow", ("file", *PART_COLUMNS, "error_kind", "error"))
-"""A row: ``file`` as it is named in the table, a part's quantities or a failure's kind and message.
 
-What does not apply is None: a failure has no category, a part no ``error_kind``.
-"""
+class PartRow(_Row):
+    """A row: ``file`` as named in the table, and the quantities of a part or the kind and message of a failure.
+
+    Cells that do not apply are None: a failure has no category, a part no ``error_kind``.
+    """
+
+    __slots__ = ()
+
+
+class CheckedRow(PartRow):
+    """A PartRow with what is not a cell.
+
+    Attributes
+    ----------
+    checks : tuple of dict
+        Results of checks, each as `WallCheck.content` has it.
+    said : tuple of dict
+        What people say of the part: its ``labels``.
+    """
+
+    checks: tuple = ()
+    said: tuple = ()
+
+    def relabelled(self, labels):
+        """The same row with other labels."""
+        row = self._replace(labels=labels_text(labels))
+        row.checks, row.said = self.checks, tuple(labels)
+        return row
+
 
 FIRST_COLUMNS = ",".join(PartRow._fields[:3]).encode()
-"""How every table that was written starts; what starts otherwise is not overwritten."""
+"""The bytes with which every such table starts; files that start otherwise are not overwritten."""
 
 
 def measured_row(file, record):
     """PartRow of a part record."""
-    return PartRow(file, *(value(record) for value in PART_COLUMNS.values()), None, None)
+    measured = record["descriptors"]
+    return PartRow(file, *((column.cell or column.value)(record, measured) for column in TITLED), None, None)
+
+
+def checked_row(file, record):
+    """CheckedRow of a part record with its ``checks`` and ``labels``, if it has some."""
+    row = CheckedRow(*measured_row(file, record))
+    row.checks, row.said = tuple(record.get("checks", ())), tuple(record.get("labels", ()))
+    return row
 
 
 def failed_row(file, name, label, error):
-    """PartRow of a failure: of a part with a name, or of the whole file where that is None."""
-    blank = [None] * (len(PART_COLUMNS) - 2)
-    return PartRow(file, name, label, *blank, error["kind"], error["message"])
+    """PartRow of a failure: of the part `name`, or of the file if `name` is None."""
+    empty_cells = [None] * (len(TITLED) - 2)
+    return PartRow(file, name, label, *empty_cells, error["kind"], error["message"])
+
+
+def check_titles(names):
+    """Titles of the columns of `check_cells`, for names of processes: tuple of str."""
+    return tuple(title for name in names for title in (f"check {name}", f"check {name} sentence"))
+
+
+def check_cells(checks):
+    """Cells for the ``checks`` of a part: tuple of str.
+
+    Parameters
+    ----------
+    checks : list of dict
+        See `WallCheck.content`.
+    """
+    return tuple(cell for check in checks
+                 for cell in (_PASSES[check["passes"]], check["sentence"].replace("\u00a0", " ")))
+
+
+_PASSES = {True: "passes", False: "fails", None: "unknown"}
 
 
 def csv_text(rows):
@@ -57,31 +91,38 @@ def csv_text(rows):
     rows : iterable of tuple
     """
     text = io.StringIO(newline="")
-    csv.writer(text).writerows(map(_harmless, row) for row in rows)
+    csv.writer(text).writerows(map(_escaped, row) for row in rows)
     return text.getvalue()
 
 
-_COMPUTED = ("=", "+", "-", "@", "\t", "\r")
-"""What a cell begins with that spreadsheets compute, and may send elsewhere (OWASP, CSV injection)."""
+_FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
+"""First characters of cells that spreadsheets evaluate, and may send elsewhere (OWASP, CSV injection)."""
 
 
-def _harmless(value):
-    """A value that no spreadsheet takes for a formula: names of files and parts are other people's."""
-    return "'" + value if isinstance(value, str) and value.startswith(_COMPUTED) else value
+def _escaped(value):
+    """A value that no spreadsheet evaluates as a formula: names of files and parts are untrusted."""
+    return "'" + value if isinstance(value, str) and value.startswith(_FORMULA_STARTS) else value
 
 
-def write_part_table(path, texts):
-    """Write a CSV file, atomically: a line of titles, then the rows.
+def unescaped(cell):
+    """Undo `csv_text` on a cell that was read: str."""
+    return cell[1:] if cell[:1] == "'" and cell[1:].startswith(_FORMULA_STARTS) else cell
+
+
+def write_part_table(path, blocks, more_titles=()):
+    """Write a CSV file atomically: a line of titles, then the rows.
 
     Parameters
     ----------
     path : str or Path
-    texts : iterable of str
+    blocks : iterable of str
         From `csv_text`, of PartRows.
+    more_titles : tuple of str, optional
+        Titles of further columns, after those of a PartRow.
 
     Raises
     ------
     OSError
     """
-    text = csv_text([PartRow._fields]) + "".join(texts)
+    text = csv_text([(*PartRow._fields, *more_titles)]) + "".join(blocks)
     write_atomically(path, text.encode("utf-8", "backslashreplace"))

@@ -1,4 +1,4 @@
-"""PNG files, written with what the standard library has."""
+"""PNG files, written with the standard library alone."""
 
 import struct
 import zlib
@@ -18,8 +18,8 @@ def png_bytes(pixels):
 
     Notes
     -----
-    ISO/IEC 15948. Each row is kept as its difference from the one above (filter 2), which for surfaces of
-    one colour is nothing.
+    ISO/IEC 15948. Each row is stored as its difference from the row above (filter 2), which is zero for
+    surfaces of one colour.
     """
     height, width, _ = pixels.shape
     rows = pixels.reshape(height, -1)
@@ -28,7 +28,7 @@ def png_bytes(pixels):
     filtered = b"".join(b"\x02" + row.tobytes() for row in difference)
     header = struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0)
     return b"\x89PNG\r\n\x1a\n" + b"".join(
-        _chunk(*each) for each in ((b"IHDR", header), (b"IDAT", zlib.compress(filtered, 9)), (b"IEND", b"")))
+        _chunk(*chunk) for chunk in ((b"IHDR", header), (b"IDAT", zlib.compress(filtered, 9)), (b"IEND", b"")))
 
 
 def _chunk(kind, content):

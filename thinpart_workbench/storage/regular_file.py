@@ -1,12 +1,14 @@
-"""Files of other people, opened so that none of them can hold the program up."""
+"""Opening untrusted files such that none of them can block the program."""
 
 import errno
 import os
 import stat
 
+from ..core.message import message
+
 
 def open_regular(path):
-    """Open a file for reading, if it is one: a pipe would be waited for, and a device never ends.
+    """Open a regular file for reading: opening a pipe would block, and reading a device may never end.
 
     Parameters
     ----------
@@ -19,10 +21,10 @@ def open_regular(path):
     Raises
     ------
     OSError
-        Also where it is a folder, a pipe, a socket or a device.
+        Also if it is a folder, a pipe, a socket or a device.
     """
-    # Looked at first: opening a pipe waits for whoever writes into it. To open it without waiting would fail for a
-    # file that a server has lent to somebody.
+    # Checked before opening, since opening a pipe blocks until somebody writes to it. O_NONBLOCK is no way out: it
+    # would fail for a file on which another client of a server holds a lease.
     _check(os.stat(path), path)
     file = open(path, "rb")
     try:
@@ -37,4 +39,4 @@ def _check(status, path):
     if stat.S_ISDIR(status.st_mode):
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), os.fspath(path))
     if not stat.S_ISREG(status.st_mode):
-        raise OSError(errno.EINVAL, "it is no regular file", os.fspath(path))
+        raise OSError(errno.EINVAL, message("it is not a regular file"), os.fspath(path))

@@ -1,6 +1,7 @@
-"""Small pictures of parts in the user's cache, found by the document's content and the part's name."""
+"""Thumbnails of parts in the user's cache, identified by the document's hash and the part's name."""
 
 import hashlib
+import re
 
 from .atomic_file import write_atomically
 from .cache_folder import cache_folder
@@ -8,32 +9,35 @@ from .png import png_bytes
 
 
 def thumbnail_path(sha256, part_name):
-    """Where the picture of a part lies, whether or not there is one.
+    """The path of the thumbnail of a part, whether or not it exists.
 
     Parameters
     ----------
     sha256 : str
-        Of the document, as its info file has it.
+        Hash of the document from its info file.
     part_name : str
-        The part's unique name in it.
+        The part's unique name in the document.
 
     Returns
     -------
-    Path
-        A PNG file of 160 x 120 pixels. The same document in two places has one picture.
+    Path or None
+        A PNG file of 160 x 120 pixels. Copies of a document share a thumbnail. None if `sha256` is not a valid
+        hash: info files are untrusted, and their content must not lead to paths outside the cache.
 
     Raises
     ------
     OSError
-        Where there is no cache folder.
+        If there is no cache folder.
     """
-    # A name may hold what no file name may.
+    if not isinstance(sha256, str) or not re.fullmatch("[0-9a-f]{64}", sha256):
+        return None
+    # A part name may contain characters that file names must not.
     name = hashlib.sha256(part_name.encode("utf-8", "surrogatepass")).hexdigest()[:16]
     return cache_folder() / "thumbnails" / sha256[:2] / f"{sha256}-{name}.png"
 
 
 def write_thumbnail(sha256, part_name, pixels):
-    """Keep the picture of a part.
+    """Write the thumbnail of a part.
 
     Parameters
     ----------
@@ -44,8 +48,8 @@ def write_thumbnail(sha256, part_name, pixels):
     Raises
     ------
     OSError
-        Nothing half-written is left; a picture that was there still is.
+        No partial file is left, and an existing thumbnail stays.
     """
     path = thumbnail_path(sha256, part_name)
     path.parent.mkdir(parents=True, exist_ok=True)
-    write_atomically(path, png_bytes(pixels), lasting=False)
+    write_atomically(path, png_bytes(pixels), durable=False)

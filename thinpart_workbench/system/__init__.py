@@ -1,1 +1,1 @@
-"""What Linux, macOS and Windows do differently, each in one module; it knows nothing of parts."""
+"""Differences between Linux, macOS and Windows, one topic per module; independent of parts."""

@@ -1,4 +1,4 @@
-"""Locks that the system takes away from a process that ends, however it ends."""
+"""File locks that the system releases when a process ends, even by a crash."""
 
 import os
 import sys
@@ -11,38 +11,39 @@ except ModuleNotFoundError:  # Windows
     import msvcrt
 
 _TICK = 0.05
-"""Seconds between two attempts, where the system does not wait by itself."""
+"""Seconds between two attempts, on systems without a blocking lock."""
 
 FOLDERS_CAN_BE_LOCKED = fcntl is not None
-"""On Windows a folder cannot be opened, so that it takes a file to lock."""
+"""Whether a folder can be locked. Windows cannot open a folder, so a file in it has to be locked instead."""
 
 OPEN_FILES_CAN_BE_MOVED = sys.platform != "win32"
 """Whether a file can be renamed and removed while it is open."""
 
 
 def lock(handle, wait=True):
-    """Lock an open file, or a folder where that can be, until it is closed.
+    """Lock an open file, or a folder if `FOLDERS_CAN_BE_LOCKED`, until it is closed.
 
     Parameters
     ----------
     handle : int
+        File descriptor.
     wait : bool
-        Whether to wait for another process that has the lock.
+        Whether to wait for another process that holds the lock.
 
     Raises
     ------
     OSError
-        Where there is no such lock: another process has it, or the file system has none.
+        If the lock cannot be acquired: another process holds it, or the file system has no locks.
     """
     if fcntl is not None:
         fcntl.flock(handle, fcntl.LOCK_EX if wait else fcntl.LOCK_EX | fcntl.LOCK_NB)
         return
     while True:
-        os.lseek(handle, 0, os.SEEK_SET)  # bytes are locked from where the file stands
+        os.lseek(handle, 0, os.SEEK_SET)  # locking starts at the current position
         try:
             msvcrt.locking(handle, msvcrt.LK_NBLCK, 1)
             return
-        except PermissionError:  # somebody has it; LK_LOCK would give up after ten seconds
+        except PermissionError:  # another process holds it; LK_LOCK would give up after ten seconds
             if not wait:
                 raise
         time.sleep(_TICK)

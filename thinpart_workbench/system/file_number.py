@@ -1,10 +1,10 @@
-"""The number by which a file system knows a file."""
+"""The inode number of a file."""
 
 import sys
 
 
 def file_number(status):
-    """Number of a file, to see whether it is still the same one.
+    """Inode number of a file, to detect that a file was replaced.
 
     Parameters
     ----------
@@ -13,6 +13,6 @@ def file_number(status):
     Returns
     -------
     int
-        Fits into 63 bits. Windows tells it only of files that are open, so there it is always 0.
+        Fits into 63 bits. Always 0 on Windows, which gives the number for open files only.
     """
     return 0 if sys.platform == "win32" else status.st_ino & (2 ** 63 - 1)

@@ -1,4 +1,4 @@
-"""Paths as files of ThinPart keep them: Windows has drives, and another sign between folders."""
+"""Paths as ThinPart's files store them: Windows has drives and another path separator."""
 
 import os
 
@@ -6,7 +6,7 @@ _path = os.path
 
 
 def relative_path(path, start):
-    """A path as seen from a folder, with ``/`` between folders, which every system reads.
+    """A path relative to a folder, with ``/`` as separator, which every system reads.
 
     Parameters
     ----------
@@ -15,17 +15,17 @@ def relative_path(path, start):
     Returns
     -------
     str
-        The whole path where no way leads there, from one drive to another.
+        The unchanged path if there is no relative one, because the drives differ.
     """
     try:
-        found = _path.relpath(path, start)
+        relative = _path.relpath(path, start)
     except ValueError:
-        found = os.fspath(path)
-    return found if _path.sep == "/" else found.replace(_path.sep, "/")
+        relative = os.fspath(path)
+    return relative if _path.sep == "/" else relative.replace(_path.sep, "/")
 
 
-def place_in_tree(folder, top):
-    """Where a folder lies in the tree below another one; what lies on another drive, below that drive's letter.
+def path_in_tree(folder, top):
+    """The path of a folder in the tree below another one; a folder on another drive is below that drive's letter.
 
     Parameters
     ----------
@@ -44,12 +44,12 @@ def place_in_tree(folder, top):
 
 
 def is_below(folder, top):
-    """Whether a folder is another one, or lies in it; all drives lie below the one sign that is no drive's.
+    """Whether a folder equals another one or lies in it. All drives lie below `os.sep`, which names no drive.
 
     Parameters
     ----------
     folder, top : str
-        Absolute paths, but for `os.sep`.
+        Absolute paths; `top` may be `os.sep`.
     """
     if top == _path.sep:
         return True

@@ -1,4 +1,4 @@
-"""Ctrl-C and its kin, as far as they are known here."""
+"""Ctrl-C and the other stop signals of each system."""
 
 import signal
 import subprocess
@@ -6,17 +6,17 @@ from contextlib import contextmanager
 
 STOP_SIGNALS = tuple(
     getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK") if hasattr(signal, name))
-"""How a program is asked to end: a lost terminal is Unix's, Ctrl-Break is Windows's."""
+"""Signals that ask a program to end. SIGHUP (closed terminal) exists on Unix, SIGBREAK (Ctrl-Break) on Windows."""
 
-DEAF_TO_CTRL_C = getattr(subprocess, "CREATE_NEW_PROCESS_GROUP", 0)
-"""`creationflags` of a process that does not see Ctrl-C; elsewhere `without_ctrl_c` does that."""
+IGNORE_CTRL_C = getattr(subprocess, "CREATE_NEW_PROCESS_GROUP", 0)
+"""`creationflags` for a process on Windows that ignores Ctrl-C; on other systems use `without_ctrl_c`."""
 
 
 @contextmanager
 def without_ctrl_c():
-    """Processes and threads that start in this block never see Ctrl-C, not even while they start."""
+    """Context manager: processes and threads started in it never receive Ctrl-C, not even while they start."""
     if not hasattr(signal, "pthread_sigmask"):
-        yield  # Windows: see DEAF_TO_CTRL_C
+        yield  # Windows: see IGNORE_CTRL_C
         return
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:

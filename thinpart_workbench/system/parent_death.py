@@ -1,4 +1,4 @@
-"""A process that ends when its parent ends, however that ends and whatever it is busy with itself."""
+"""End a process when its parent ends, even if the parent crashes and whatever the process is doing."""
 
 import ctypes
 import os
@@ -13,30 +13,27 @@ from . import windows
 _PR_SET_PDEATHSIG = 1
 
 _TICK = 1.0
-"""Seconds between two looks at the parent, where the system tells nothing."""
+"""Seconds between two checks of the parent, on systems without a notification."""
 
 
 def end_with_parent(parent):
-    """Have the system end this process when the one that started it ends.
+    """Make the system end this process when its parent ends.
 
-    A reader of CAD files may hold Python's lock for minutes, so nothing in this process could look
-    whether its parent is still there. Linux and Windows end it nevertheless. On macOS, and where the
-    system has no such service, a thread waits for the parent's end, and a process that is in the middle of
-    such foreign code goes on until that returns.
+    A reader of CAD files may hold Python's lock for minutes, so code in this process could not check whether the
+    parent still runs. Linux and Windows end the process nevertheless. On macOS, and on systems without such a
+    service, a thread waits for the parent's end, and a process inside such foreign code goes on until that returns.
 
     Parameters
     ----------
     parent : int
-        Number of the parent's process, which may have ended before this call.
+        Process id of the parent, which may have ended before this call.
 
     Notes
     -----
-    On Linux the signal comes when the parent's *thread* ends (prctl(2)). pebble starts its first workers
-    from the thread that hands over the first task, which waits for the results, and replaces lost ones
-    from a thread that ends when the pool is stopped, so with all its workers. `process_pool` has a thread
-    per worker, which lasts as long as that.
+    On Linux the signal is sent when the parent's *thread* ends (prctl(2)). `process_pool` has one thread per worker,
+    which lives as long as the worker.
 
-    On Windows the process joins a job that ends with its last handle, which only the parent has.
+    On Windows the process joins a job that ends when its last handle is closed, and only the parent has a handle.
     """
     if sys.platform == "win32":
         _end_with_job(parent)

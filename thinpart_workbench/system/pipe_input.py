@@ -1,4 +1,4 @@
-"""Waiting for what comes through a pipe."""
+"""Wait for input from a pipe."""
 
 import select
 import sys
@@ -10,18 +10,18 @@ if sys.platform == "win32":
     import msvcrt
 
 _TICK = 0.02
-"""Seconds between two looks into a pipe, where the system cannot wait for one."""
+"""Seconds between two checks of a pipe, on systems that cannot wait for one."""
 
 
 def is_readable(handle, seconds=None):
-    """Whether reading returns at once, since something came or nothing more will.
+    """Whether reading returns at once, because there is input or the pipe was closed.
 
     Parameters
     ----------
     handle : int
-        Of a pipe.
+        File descriptor of a pipe.
     seconds : float, optional
-        To wait for that; for ever where left out.
+        Time to wait for this; by default forever.
     """
     if sys.platform != "win32":
         return bool(select.select([handle], [], [], seconds)[0])
@@ -31,7 +31,7 @@ def is_readable(handle, seconds=None):
             if windows.bytes_in_pipe(msvcrt.get_osfhandle(handle)):
                 return True
         except OSError:
-            return True  # its end, or no pipe: reading tells
+            return True  # the pipe was closed, or it is not a pipe: reading reports it
         if end is not None and time.monotonic() >= end:
             return False
         time.sleep(_TICK)

@@ -1,4 +1,4 @@
-"""Processes that step back behind the window."""
+"""Lower the priority of processes in favour of the window."""
 
 import os
 import sys
@@ -6,18 +6,18 @@ import sys
 from . import windows
 
 
-def step_back(process):
-    """Let others go first where there are few processors.
+def lower_priority(process):
+    """Lower the priority of a process, so that others go first if there are few processors.
 
     Parameters
     ----------
     process : int
-        Number of a process.
+        Process id.
 
     Raises
     ------
     OSError
-        Where it has ended.
+        If the process has ended.
     """
     if sys.platform == "win32":
         windows.lower_priority(process)

@@ -1,30 +1,53 @@
-"""What a process may take, and that it leaves nothing behind when it crashes."""
+"""Limit the resources of a process and of programs that it runs, and suppress core dumps and crash dialogs."""
 
+import shutil
+import signal
+import subprocess
 import sys
+from dataclasses import dataclass
 
 from . import windows
+from .exit_cause import ProcessEnd
 
 try:
     import resource
 except ModuleNotFoundError:  # Windows
     resource = None
 
+WALL_FACTOR = 3.0
+"""Times the limit that a program may take by the clock where the limit is for the processor."""
+
+_CPU_SIGNALS = {-getattr(signal, name).value for name in ("SIGXCPU", "SIGKILL") if hasattr(signal, name)}
+
 MEMORY_CAN_BE_LIMITED = sys.platform != "darwin"
-"""macOS refuses a limit of the address space, or takes it and does not hold it."""
+"""Whether memory can be limited. macOS rejects a limit of the address space, or accepts it without enforcing it."""
+
+
+@dataclass(frozen=True)
+class ProgramEnd(ProcessEnd):
+    """How a program ended.
+
+    Attributes
+    ----------
+    timed_out : bool
+        Whether it was ended because of the limit of time.
+    """
+
+    timed_out: bool = False
 
 
 def limit_memory(size):
-    """Have this process fail to get memory beyond a limit.
+    """Make allocations beyond a limit fail in this process.
 
     Parameters
     ----------
     size : int
-        Bytes: of address space, or on Windows of committed memory.
+        Bytes of address space, or of committed memory on Windows.
 
     Returns
     -------
     bool
-        Whether there is such a limit now.
+        Whether the limit is in effect.
     """
     try:
         if resource is None:
@@ -38,9 +61,87 @@ def limit_memory(size):
     return MEMORY_CAN_BE_LIMITED
 
 
+def limit_files(size, count):
+    """Limit the size of files that this process writes, and the number of files that it opens.
+
+    Parameters
+    ----------
+    size : int
+        Bytes.
+    count : int
+        Open files.
+
+    Notes
+    -----
+    Windows has no such limits.
+    """
+    if resource is not None:
+        for limit, requested in ((resource.RLIMIT_FSIZE, size), (resource.RLIMIT_NOFILE, count)):
+            most = resource.getrlimit(limit)[1]
+            least = requested if most == resource.RLIM_INFINITY else min(requested, most)
+            resource.setrlimit(limit, (least, least))
+
+
 def crash_quietly():
-    """A crash leaves no file of several GB, and no dialog waits for an answer."""
+    """Prevent a crash from writing a core dump of several GB or opening a dialog that waits for an answer."""
     if resource is None:
         windows.crash_without_dialog()
     else:
         resource.setrlimit(resource.RLIMIT_CORE, (0, resource.getrlimit(resource.RLIMIT_CORE)[1]))
+
+
+def run_limited(command, seconds, folder):
+    """Run a program with a limit of time and wait for it. Limits of memory and files are inherited from this process.
+
+    Parameters
+    ----------
+    command : list of str
+    seconds : float
+        Limit of processor time where the system can limit that of another process, else by the clock.
+    folder : str
+        Working directory.
+
+    Returns
+    -------
+    ProgramEnd
+        Its output holds both streams.
+
+    Raises
+    ------
+    OSError
+        If the program cannot be started.
+
+    Notes
+    -----
+    A confined process may kill no other (see `system_call_filter`), so the kernel has to end the program.
+    """
+    process = subprocess.Popen([*_ends_with_this_process(), *command], cwd=folder, stdin=subprocess.DEVNULL,
+                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    limited = _limit_processor_time(process.pid, seconds)
+    try:
+        output, _ = process.communicate(timeout=WALL_FACTOR * seconds if limited else seconds)
+    except subprocess.TimeoutExpired:
+        try:
+            process.kill()
+        except PermissionError:
+            pass  # confined: what started this process has a limit for it
+        return ProgramEnd(process.wait(), b"", True)
+    timed_out = limited and process.returncode in _CPU_SIGNALS
+    return ProgramEnd(process.returncode, output, timed_out)
+
+
+def _ends_with_this_process():
+    """The prefix of a command on Linux that ends it when this process ends."""
+    program = shutil.which("setpriv") if sys.platform.startswith("linux") else None
+    return [] if program is None else [program, "--pdeathsig", "KILL"]
+
+
+def _limit_processor_time(process, seconds):
+    if not hasattr(resource, "prlimit"):
+        return False
+    whole = max(1, round(seconds))
+    try:
+        resource.prlimit(process, resource.RLIMIT_CPU, (whole, whole + 1))
+    except (OSError, ValueError):
+        return False
+    return True

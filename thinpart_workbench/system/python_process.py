@@ -1,4 +1,4 @@
-"""Starting a module of ThinPart in another process: by a Python, or by FreeCADCmd where there is none."""
+"""Start a module of ThinPart in another process, by a Python or, if there is none, by FreeCADCmd."""
 
 import json
 import os
@@ -6,22 +6,22 @@ import sys
 from pathlib import Path
 
 CHECKOUT = Path(__file__).resolve().parents[2]
-"""The folder to import `thinpart_workbench` from."""
+"""The folder that holds the package `thinpart_workbench`."""
 
 RUNNER = CHECKOUT / "thinpart_workbench" / "freecadcmd" / "run_module.py"
 RUN_VARIABLE = "THINPART_RUN"
-"""Environment variable that tells RUNNER what to run: FreeCADCmd takes further arguments for files."""
+"""Environment variable with the module for RUNNER and its arguments, because FreeCADCmd opens arguments as files."""
 
 
 def module_command(module, arguments=(), program=None):
-    """What to start for ``python -m MODULE ARGUMENTS``.
+    """The command for ``python -m MODULE ARGUMENTS``.
 
     Parameters
     ----------
     module : str
     arguments : iterable of str
     program : str, optional
-        A Python, or FreeCADCmd; that of this process where left out.
+        A Python or FreeCADCmd; by default that of this process.
 
     Returns
     -------
@@ -37,5 +37,5 @@ def module_command(module, arguments=(), program=None):
 
 
 def is_freecadcmd(program):
-    """Whether a program is FreeCAD without window, which runs scripts but is no Python."""
+    """Whether a program is FreeCADCmd, FreeCAD without a window, which runs scripts but is not a Python."""
     return os.path.basename(program).lower().startswith("freecadcmd")

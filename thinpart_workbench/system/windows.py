@@ -1,13 +1,13 @@
-"""The calls of Windows that Python has no functions for; nothing here is called elsewhere."""
+"""Calls of the Windows API that Python has no functions for; used on Windows only."""
 
 import ctypes
-from functools import lru_cache
+from functools import cache
 
 PROCESS_DUPLICATE, PROCESS_SET_INFORMATION = 0x0040, 0x0200
-"""What a handle of a process may be used for (OpenProcess)."""
+"""Access rights of a process handle (OpenProcess)."""
 
 LIMIT_MEMORY, KILL_WITH_JOB = 0x0100, 0x2000
-"""Flags of a job's limits: committed memory per process; its processes end with its last handle."""
+"""Limit flags of a job: limit the committed memory per process; end its processes when its last handle is closed."""
 
 _EXTENDED_LIMITS = 9
 _CLOSE_SOURCE, _SAME_ACCESS = 1, 2
@@ -15,7 +15,7 @@ _NO_DIALOGS = 0x0001 | 0x0002  # SEM_FAILCRITICALERRORS, SEM_NOGPFAULTERRORBOX
 _BELOW_NORMAL = 0x4000
 
 
-# Not those of `ctypes.wintypes`, which have these sizes on Windows alone.
+# `ctypes.wintypes` is not used, because its types have these sizes on Windows only.
 _HANDLE, _DWORD, _BOOL = ctypes.c_void_p, ctypes.c_uint32, ctypes.c_int
 
 
@@ -32,11 +32,11 @@ class _ExtendedLimits(ctypes.Structure):
                 ("process_peak", ctypes.c_size_t), ("job_peak", ctypes.c_size_t)]
 
 
-@lru_cache(maxsize=None)
+@cache
 def _kernel():
     kernel = ctypes.WinDLL("kernel32", use_last_error=True)
     handle, number, yes = _HANDLE, _DWORD, _BOOL
-    # Without these, handles would be cut to 32 bits.
+    # Without declared types, ctypes would truncate handles to 32 bits.
     for name, result, arguments in (
             ("CreateJobObjectW", handle, [ctypes.c_void_p, ctypes.c_wchar_p]),
             ("SetInformationJobObject", yes, [handle, ctypes.c_int, ctypes.c_void_p, number]),
@@ -83,18 +83,18 @@ def join_new_job(flags, memory=0):
 
 
 def give_handle(handle, process):
-    """Hand a handle over to another process, which never hears of it: it is closed when that ends.
+    """Move a handle to another process, which does not know of it; it is closed when that process ends.
 
     Parameters
     ----------
     handle : int
     process : int
-        Number of the process.
+        Process id.
 
     Raises
     ------
     OSError
-        Where there is no such process any more.
+        If the process no longer exists.
     """
     kernel = _kernel()
     receiver = _checked(kernel.OpenProcess(PROCESS_DUPLICATE, False, process))
@@ -112,7 +112,7 @@ def bytes_in_pipe(handle):
     Raises
     ------
     OSError
-        Where nothing more comes, or it is no pipe.
+        If the pipe was closed, or the handle is not a pipe.
     """
     count = _DWORD()
     _checked(_kernel().PeekNamedPipe(handle, None, 0, None, ctypes.byref(count), None))
@@ -120,7 +120,7 @@ def bytes_in_pipe(handle):
 
 
 def lower_priority(process):
-    """Have a process step back behind others.
+    """Give a process a priority below normal.
 
     Raises
     ------
@@ -135,7 +135,7 @@ def lower_priority(process):
 
 
 def crash_without_dialog():
-    """When this process crashes it ends, and no dialog waits for an answer."""
+    """End this process at a crash without a dialog that waits for an answer."""
     _kernel().SetErrorMode(_NO_DIALOGS)
 
 

@@ -23,7 +23,7 @@ def assembly_of_three(doc):
         cylinder(doc, f"Seat {i}", pin, depth, (x, y, base_height - depth))
         for i, (x, y) in enumerate(positions, 1)
     ]
-    base = cut(doc, "Base block", blank, *seats)
+    cut(doc, "Base block", blank, *seats)
 
     sheet = box(doc, "Cover blank", (length, width, cover))
     sheet = fillet(doc, "Rounded cover blank", sheet, 5.0, lambda e: is_line(e, Z))

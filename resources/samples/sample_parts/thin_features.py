@@ -6,10 +6,20 @@ import Part
 from FreeCAD import Placement, Rotation, Vector
 
 from .body_objects import (
-    body, body_feature, dress_up_body, pad, show_tip_only, sketch_circles, sketch_on, through_pocket,
+    body,
+    body_feature,
+    dress_up_body,
+    pad,
+    show_tip_only,
+    sketch_circles,
+    sketch_on,
+    through_pocket,
 )
 from .edge_choice import is_circle
 from .part_objects import X, add, box, chamfer, cut, cylinder, extrusion, fillet, fuse, polygon
+
+PRESSURE_ANGLE = math.radians(20)
+"""Of the spur gear's teeth."""
 
 
 def ribbed_block(doc):
@@ -52,7 +62,7 @@ def spur_gear_on_hub(doc):
     return [cut(doc, "Spur gear", gear, bore, key)]
 
 
-def _involute_profile(module, teeth, pressure_angle=math.radians(20)):
+def _involute_profile(module, teeth, pressure_angle=PRESSURE_ANGLE):
     """The outline of a spur gear in the XY plane, as a face."""
     pitch_radius = module * teeth / 2
     base_radius = pitch_radius * math.cos(pressure_angle)

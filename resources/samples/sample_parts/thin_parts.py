@@ -7,7 +7,14 @@ import Sketcher
 from FreeCAD import Placement, Rotation, Vector
 
 from .body_objects import (
-    body, dress_up_body, pad, show_tip_only, sketch_circles, sketch_on, sketch_rectangle, through_pocket,
+    body,
+    dress_up_body,
+    pad,
+    show_tip_only,
+    sketch_circles,
+    sketch_on,
+    sketch_rectangle,
+    through_pocket,
 )
 from .edge_choice import is_line, lies_at
 from .part_objects import X, Z, add, box, cut, cylinder, extrusion, fillet, fuse, hide, polygon

@@ -1,0 +1,107 @@
+"""Libraries that stay open find what a search that opens them finds, also after they were refreshed."""
+
+import os
+import queue
+
+import made_library
+import pytest
+import time_limit
+
+import thinpart_workbench as thinpart
+from thinpart_workbench.api.found_parts import record_and_profile
+from thinpart_workbench.api.open_libraries import OpenLibraries
+from thinpart_workbench.api.reclassification import ReclassificationCounts, reclassify_folders
+
+
+@pytest.fixture
+def opened(library):
+    """The library, open and refreshed; and what its thread has posted and nobody has taken."""
+    posted = queue.Queue()
+    libraries = OpenLibraries(posted.put)
+    libraries.open([str(library)])
+    refresh(libraries, posted)
+    yield libraries, posted
+    libraries.open([])
+
+
+def refresh(libraries, posted):
+    """Take over what is posted until the refresh has ended; what was told of its progress."""
+    told = []
+
+    def ended():
+        told.append(posted.get(timeout=20))
+        event = dict(told[-1])
+        return event.pop("ask") == "refreshed" and libraries.refreshed(**event)
+
+    time_limit.wait_until(ended, "the end of a refresh")
+    return told
+
+
+def names(parts):
+    return [(part.info_file, part.name) for part in parts]
+
+
+def test_they_find_what_a_search_finds(library, opened):
+    libraries, _ = opened
+    for conditions in ("", "V/VBB < 0.5"):
+        expected = thinpart.find(library, where=conditions, failed=None)
+        found = libraries.find(conditions)
+        assert names(libraries.rows(0, 1000)) == names(expected)
+        assert found.count == found.matching == len(expected) and found.total >= found.count
+        assert sum(found.categories.values()) == found.count
+    with pytest.raises(thinpart.ThinPartError, match="D9"):
+        libraries.find("D9 > 1")
+
+
+def test_they_find_similar_parts_and_where_a_part_is(library, opened):
+    libraries, _ = opened
+    part = thinpart.find(library, text="Deckel")[0]
+    own = os.path.realpath(part.info_file), part.name
+    expected = thinpart.similar(part, library, 100)
+    found = libraries.find(like=part.record(), excluding=own, sort="score")
+    rows = libraries.rows(0, 100)
+    assert names(rows) == names(expected) and [each.score for each in rows] == [each.score for each in expected]
+    assert found.count == len(expected) < found.matching
+    assert {libraries.root_of(each) for each in rows} == {str(library)}
+    assert libraries.position_of(str(library), *names(rows)[2]) == 2
+    assert libraries.position_of(str(library), *own) is None and libraries.position_of("gone", *own) is None
+
+
+def test_a_refresh_brings_what_is_new_and_says_what_is_gone(tmp_path):
+    posted, library = queue.Queue(), tmp_path / "library"
+    libraries = OpenLibraries(posted.put)
+    libraries.open([str(library)])
+    state, = libraries.states
+    assert state.busy and state.parts == 0 and str(library) in libraries
+    refresh(libraries, posted)
+    state, = libraries.states
+    assert not state.busy and f"The folder {library}" in state.problems[0]
+    made_library.store(library, "plate.step", [made_library.record_of("plate")])
+    libraries.refresh()
+    assert libraries.states[0].busy
+    refresh(libraries, posted)
+    state, = libraries.states
+    assert (state.parts, state.problems, state.busy) == (1, [], False) and libraries.find().count == 1
+    libraries.open([])
+    assert libraries.states == [] and not libraries.refreshed(str(library), None, [], False)
+
+
+def test_a_record_comes_with_the_profile_that_it_was_judged_by(library):
+    part = thinpart.find(library, text="Deckel")[0]
+    record, profile = record_and_profile(part.info_file, part.name)
+    assert record == {key: value for key, value in part.record().items() if key not in ("file", "info_file")}
+    assert profile["name"] == "paper"
+    with pytest.raises(thinpart.ThinPartError, match="has no part 'Other'"):
+        record_and_profile(part.info_file, "Other")
+
+
+def test_libraries_are_judged_again_also_where_one_is_gone(library, tmp_path):
+    run = reclassify_folders([str(library), str(tmp_path / "gone")], "paper")
+    assert "gone" in run.problems[0] and len(run.problems) == 1
+    counts = ReclassificationCounts(len(run))
+    for file in run:
+        counts.add(file)
+    stored = thinpart.find(library)
+    assert counts.done == counts.total == len(run) > 0 and counts.failed == len(counts.errors)
+    assert counts.before == counts.after and sum(counts.after.values()) == len(stored)
+    assert len(reclassify_folders([str(tmp_path)])) == 0

@@ -1,0 +1,99 @@
+"""Sentences that keep what they are made of: as text, as data, and as what another process says they are."""
+
+import copy
+import json
+import pickle
+
+import numpy as np
+import pytest
+
+from thinpart_workbench.core.errors import ThinPartError
+from thinpart_workbench.core.message import Message, from_data, joined, message, restored, to_data, with_messages
+
+EMPTY = message("{file} is empty (0 bytes).", file="a.step")
+THIN = message("The wall is {wall:.3g} mm in {faces:,} faces.", wall=1.23456, faces=12345)
+ABOUT = message("{about}: {sentence}", about="Block", sentence=THIN)
+
+
+def test_a_message_is_the_sentence():
+    assert EMPTY == "a.step is empty (0 bytes)." and {EMPTY: 1}["a.step is empty (0 bytes)."] == 1
+    assert THIN == "The wall is 1.23 mm in 12,345 faces."
+    assert ABOUT == "Block: The wall is 1.23 mm in 12,345 faces."
+    assert json.loads(json.dumps([EMPTY])) == ["a.step is empty (0 bytes)."]
+
+
+def test_an_error_says_its_message():
+    told = str(ThinPartError(EMPTY, "empty"))
+    assert (told.template, told.fields) == ("{file} is empty (0 bytes).", {"file": "a.step"})
+
+
+def test_what_an_exception_says_is_a_field():
+    inner = ThinPartError(EMPTY, "empty")
+    assert message("({problem})", problem=inner).fields["problem"].fields == {"file": "a.step"}
+    assert message("({problem})", problem=ValueError("no number")).fields == {"problem": "no number"}
+
+
+def test_fields_are_what_json_can_say(tmp_path):
+    said = message("{a} {b} {c} {d} {e}", a=np.int64(3), b=np.float32(0.5), c=tmp_path, d=None, e=True)
+    assert said == f"3 0.5 {tmp_path} None True"
+    assert [type(each) for each in said.fields.values()] == [int, float, str, type(None), bool]
+
+
+def test_a_field_is_missing():
+    with pytest.raises(KeyError):
+        message("{file} is empty.")
+
+
+@pytest.mark.parametrize("change", [copy.deepcopy, lambda said: pickle.loads(pickle.dumps(said)),
+                                    lambda said: from_data(json.loads(json.dumps(to_data(said))))])
+@pytest.mark.parametrize("said", [EMPTY, THIN, ABOUT, joined([EMPTY, THIN, ABOUT])])
+def test_a_copy_is_the_same(change, said):
+    told = change(said)
+    assert told == said and to_data(told) == to_data(said)
+
+
+def test_several_in_one_text():
+    assert joined([]) == "" and joined(["a.", "b."]) == "a. b." and joined([EMPTY]) is EMPTY
+    assert joined([EMPTY, THIN]) == f"{EMPTY} {THIN}" and joined([EMPTY, THIN]).fields["next"] is THIN
+
+
+def test_lines_have_messages_beside_their_sentences():
+    content = {"parts": [{"warnings": [EMPTY, "plain"], "reason": ABOUT}], "failures": ({"message": EMPTY},)}
+    line = json.loads(json.dumps(with_messages(content)))
+    assert line.pop("messages") == [to_data(EMPTY), to_data(ABOUT)]
+    assert line == json.loads(json.dumps(content))
+    told = restored(json.loads(json.dumps(with_messages(content))))
+    assert "messages" not in told and told == line
+    assert told["parts"][0]["reason"].fields["sentence"].fields == {"wall": 1.23456, "faces": 12345}
+    assert isinstance(told["failures"][0]["message"], Message)
+    assert not isinstance(told["parts"][0]["warnings"][1], Message)
+
+
+def test_a_line_without_messages_is_as_it_was():
+    content = {"done": True, "record": {"warnings": ["plain"]}}
+    assert with_messages(content) is content and restored(content) is content
+
+
+@pytest.mark.parametrize("line", [None, 3, [], "x", {"messages": 7, "a": "x"}, {"messages": [None, {}], "a": "x"}])
+def test_lines_of_any_kind_are_taken(line):
+    assert restored(line) == ({"a": "x"} if isinstance(line, dict) else line)
+
+
+@pytest.mark.parametrize("data", [
+    None, 3, "x", [], {}, {"template": "x"}, {"template": 3, "fields": {}}, {"template": "x", "fields": []},
+    {"template": "{a", "fields": {"a": 1}}, {"template": "{}", "fields": {}}, {"template": "{0}", "fields": {"0": 1}},
+    {"template": "{a}", "fields": {}}, {"template": "{a}", "fields": {"a": [1]}},
+    {"template": "{a}", "fields": {"a": {}}},
+    {"template": "{a.__class__}", "fields": {"a": 1}}, {"template": "{a[0]}", "fields": {"a": "x"}},
+    {"template": "{a:999999999}", "fields": {"a": 1}}, {"template": "{a:.999999999f}", "fields": {"a": 1.0}},
+    {"template": "{a:{b}}", "fields": {"a": 1, "b": 9}}, {"template": "{a:.3g}", "fields": {"a": "x"}},
+    {"template": "{a}" * 21, "fields": {"a": "x"}}, {"template": "{a}{a}", "fields": {"a": "x" * 150_000}}])
+def test_what_is_no_message_is_none(data):
+    assert from_data(data) is None
+
+
+def test_messages_within_messages_have_an_end():
+    data = {"template": "x", "fields": {}}
+    for _ in range(10_000):
+        data = {"template": "{a}", "fields": {"a": data}}
+    assert from_data(data) is None

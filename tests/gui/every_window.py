@@ -1,0 +1,102 @@
+"""Every panel, dialog and page of ThinPart, one after the other, as the tests of all of them see them."""
+
+from contextlib import contextmanager
+
+import FreeCADGui as Gui
+import Part
+import window_actions as window
+
+from thinpart_workbench.freecad_adapter.preferences import PAGES
+from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
+from thinpart_workbench.gui.document.active_task import end_session, open_session
+from thinpart_workbench.gui.document.part_chooser import PartChooser
+from thinpart_workbench.gui.folder.command import end_folder_dialog, show_folder_dialog
+from thinpart_workbench.gui.learning.command import end_learn_dialog, show_learn_dialog
+from thinpart_workbench.gui.library.command import end_find_parts, show_find_parts
+from thinpart_workbench.gui.preferences.form import PreferencesForm
+from thinpart_workbench.gui.profile.command import end_profile_editor, show_profile_editor
+from thinpart_workbench.gui.report.command import end_report_dialog, show_report_dialog
+
+IN_MAIN_WINDOW = ("classification", "thickness", "find parts")
+
+
+@contextmanager
+def _classification(document):
+    window.classify()
+    yield [window.widget("ThinPart_Panel")]
+    end_session()
+
+
+@contextmanager
+def _thickness(document):
+    window.show_thickness()
+    window.settle(500)
+    yield open_session().panel.form
+    end_session()
+
+
+def _dialog(show, end):
+    @contextmanager
+    def shown(document):
+        dialog = show()
+        window.settle(300)
+        yield [dialog]
+        end()
+    return shown
+
+
+def _page(title):
+    @contextmanager
+    def shown(document):
+        form = PreferencesForm(title)
+        form.show()
+        window.settle(50)
+        yield [form]
+        form.hide()
+        form.deleteLater()
+    return shown
+
+
+@contextmanager
+def _chooser(document):
+    class Named:
+        label, instances = "Bracket", 2
+
+    dialog = PartChooser([Named, Named], Gui.getMainWindow())
+    dialog.show()
+    yield [dialog]
+    dialog.close()
+    dialog.deleteLater()
+
+
+WINDOWS = {
+    "classification": _classification,
+    "thickness": _thickness,
+    "folder": _dialog(show_folder_dialog, end_folder_dialog),
+    "report": _dialog(show_report_dialog, end_report_dialog),
+    "find parts": _dialog(show_find_parts, end_find_parts),
+    "profile": _dialog(show_profile_editor, end_profile_editor),
+    "learning": _dialog(show_learn_dialog, end_learn_dialog),
+    "part chooser": _chooser,
+    **{f"preferences {title}": _page(title) for title in PAGES},
+}
+"""By name: a context in which a window is shown; it gives its widgets."""
+
+
+def document_to_show(document):
+    """Put a part into a document, for the panels to be about."""
+    window.add_ribbed_block(document)
+    plate = Part.makeBox(50, 40, 3)
+    window.add(document, "Plate", plate).Placement.Base = window.V(0, 100, 0)
+    document.recompute()
+
+
+def wheel_over(widget):
+    """Turn the mouse wheel over a widget by three notches."""
+    from thinpart_workbench.gui.application.qt import QtGui
+
+    place = QtCore.QPointF(widget.rect().center())
+    event = QtGui.QWheelEvent(
+        place, QtCore.QPointF(widget.mapToGlobal(widget.rect().center())), QtCore.QPoint(), QtCore.QPoint(0, -360),
+        QtCore.Qt.NoButton, QtCore.Qt.NoModifier, QtCore.Qt.NoScrollPhase, False)
+    QtWidgets.QApplication.sendEvent(widget, event)

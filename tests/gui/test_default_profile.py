@@ -1,0 +1,56 @@
+"""What the window says by the profile that is the default."""
+
+import Part
+import pytest
+import window_actions as window
+
+from thinpart_workbench.freecad_adapter.preferences import preference
+
+RED = (0.84, 0.15, 0.12)
+
+pytestmark = pytest.mark.default_profile
+
+
+def test_it_is_the_calibrated_one():
+    assert preference("Profile") == "calibrated"
+
+
+def test_a_plate_is_thin_with_figures_and_the_advice_to_use_shells(document):
+    window.add(document, "Plate", Part.makeBox(100, 60, 3))
+    window.classify()
+    assert window.text("ThinPart_Headline") == "Thin part"
+    assert window.text("ThinPart_Why") == (
+        "93\u00a0% of the surface lies over walls thinner than 9 mm, 15\u00a0% of the middle side of 60 mm, and "
+        "93\u00a0% over walls that are plates: consider shells.")
+    assert window.text("ThinPart_HowSure").startswith("Probability: 92\u00a0%, next 'Part with thin features' with ")
+    assert window.text("ThinPart_PaperVerdict") == "By the thresholds of the paper: Thin part (criteria 1, 4, 5)"
+
+
+def test_a_bar_is_normal_where_the_paper_calls_it_thin(document):
+    window.add(document, "Bar", Part.makeBox(20, 20, 200))
+    window.classify()
+    assert window.text("ThinPart_Headline") == "Normal part"
+    assert window.text("ThinPart_Why") == (
+        "No walls are thinner than 1.2 mm, 6.0\u00a0% of the middle side of 20 mm: mesh it with solids.")
+    assert window.text("ThinPart_PaperVerdict") == "By the thresholds of the paper: Thin part (criteria 4)"
+
+
+def test_a_block_with_a_thin_rib_has_thin_features_and_the_rib_is_red(document):
+    rib = Part.makeBox(100, 2, 20)
+    rib.Placement.Base.y, rib.Placement.Base.z = 29, 40
+    feature = window.add(document, "Ribbed", Part.makeBox(100, 60, 40).fuse(rib))
+    window.classify()
+    assert window.text("ThinPart_Headline") == "Part with thin features"
+    assert window.text("ThinPart_Why").endswith("of the middle side of 60 mm: refine the mesh there.")
+    assert 2 <= window.rgb(feature).count(RED) < len(feature.Shape.Faces)
+
+
+def test_between_two_categories_it_is_unsure_and_names_both(document):
+    # A rib that is low, and nearly as thick as 6 % of the width.
+    rib = Part.makeBox(100, 3.5, 3)
+    rib.Placement.Base.y, rib.Placement.Base.z = 29, 40
+    block = Part.makeBox(100, 60, 40).fuse(rib)
+    window.add(document, "Between", block)
+    window.classify()
+    text = window.text("ThinPart_HowSure")
+    assert text.startswith("Unsure: '") and text.count("%") == 2 and " or '" in text

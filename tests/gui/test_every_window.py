@@ -1,0 +1,115 @@
+"""What holds for every panel, dialog and page: small screens, the keyboard in three languages, the mouse wheel."""
+
+import FreeCADGui as Gui
+import pytest
+import window_actions as window
+from every_window import IN_MAIN_WINDOW, WINDOWS, document_to_show, wheel_over
+
+from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
+from thinpart_workbench.gui.classify.command import current_session
+from thinpart_workbench.gui.commands import COMMANDS
+from thinpart_workbench.gui.widgets.controls import controls, menu_letters, mnemonic, plain
+
+LANGUAGES = ("English", "German", "French")
+WIDTH, HEIGHT = 1024, 700
+TASK_WIDTH = 340
+"""Of the task view and of docks beside the 3D view, in pixels."""
+
+
+@pytest.fixture
+def part(document):
+    document_to_show(document)
+    return document
+
+
+@pytest.fixture(params=LANGUAGES)
+def language(request):
+    started = Gui.getLocale()
+    Gui.setLocale(request.param)
+    yield request.param
+    Gui.setLocale(started)
+
+
+@pytest.mark.timeout(180)
+@pytest.mark.parametrize("name", WINDOWS)
+def test_it_fits_a_small_screen(name, language, part):
+    with WINDOWS[name](part) as widgets:
+        for widget in widgets:
+            least = widget.minimumSizeHint()
+            if name in IN_MAIN_WINDOW:
+                assert least.width() <= TASK_WIDTH + 60, (widget.objectName(), least)
+                continue
+            assert least.width() <= WIDTH and least.height() <= HEIGHT, (widget.objectName(), least)
+            if widget.isWindow():
+                widget.resize(WIDTH, HEIGHT)
+                window.settle(50)
+                assert widget.width() <= WIDTH and widget.height() <= HEIGHT, widget.size()
+
+
+@pytest.mark.timeout(180)
+@pytest.mark.parametrize("name", WINDOWS)
+def test_every_control_has_a_letter_of_its_own(name, language, part):
+    with WINDOWS[name](part) as widgets:
+        menus = menu_letters(Gui.getMainWindow()) if name in IN_MAIN_WINDOW else set()
+        # Texts with counts change while a window fills; each change asks for a new layout, and so for letters.
+        for widget in widgets:
+            QtWidgets.QApplication.postEvent(widget, QtCore.QEvent(QtCore.QEvent.LayoutRequest))
+        window.settle(100)
+        found = [entry for widget in widgets for entry in controls(widget)]
+        assert found
+        pages = {}
+        for page, text, _ in found:
+            pages.setdefault(page, []).append(text)
+        outside = pages.pop(None, [])
+        for texts in pages.values() or [[]]:
+            letters = [mnemonic(text) for text in outside + texts]
+            given = [letter for letter in letters if letter]
+            assert len(set(given)) == len(given), sorted(outside + texts)
+            assert menus.isdisjoint(given), (menus, sorted(given))
+            # Without one are only those of which every letter is taken, and one whose text has just changed.
+            without = [text for text in outside + texts if not mnemonic(text) and not {
+                letter for letter in plain(text).lower() if letter.isascii() and letter.isalpha()} <= menus | set(given)]
+            assert len(without) <= 1, without
+
+
+def test_the_wheel_changes_nothing_without_the_focus(part):
+    for name, shown in WINDOWS.items():
+        with shown(part) as widgets:
+            fields = [field for widget in widgets for field in widget.findChildren(QtWidgets.QWidget)
+                      if isinstance(field, (QtWidgets.QComboBox, QtWidgets.QAbstractSpinBox, QtWidgets.QAbstractSlider))
+                      and not isinstance(field, QtWidgets.QScrollBar)]
+            count = part.UndoCount
+            for field in fields:
+                field.clearFocus()
+                before = _value(field)
+                wheel_over(field)
+                assert _value(field) == before, (name, field.objectName())
+            assert part.UndoCount == count, name
+
+
+def _value(field):
+    if isinstance(field, QtWidgets.QComboBox):
+        return field.currentIndex()
+    return field.value() if hasattr(field, "value") else field.text()
+
+
+def test_commands_have_shortcuts_that_nothing_else_has():
+    taken = {}
+    for action in Gui.getMainWindow().findChildren(QtWidgets.QAction if hasattr(QtWidgets, "QAction") else type(
+            Gui.getMainWindow().menuBar().actions()[0])):
+        for sequence in action.shortcuts():
+            taken.setdefault(sequence.toString(), set()).add(action.objectName() or action.text())
+    for name, command in COMMANDS.items():
+        keys = command().GetResources()["Accel"]
+        assert keys.startswith("T, "), name
+        window.tool_button(name)
+        assert taken.get(keys, {name}) == {name}, (keys, taken.get(keys))
+        assert [other for other in taken if other and keys.startswith(other + ",")] == [], keys
+
+
+def test_escape_closes_a_panel_from_the_start(part):
+    window.classify()
+    panel = window.widget("ThinPart_Panel")
+    QtWidgets.QApplication.sendEvent(panel, QtGui.QKeyEvent(
+        QtCore.QEvent.KeyPress, QtCore.Qt.Key_Escape, QtCore.Qt.NoModifier))
+    window.wait_until(lambda: current_session() is None)

@@ -1,0 +1,161 @@
+"""'Prepare mesh' in the window: walls with sizes, the estimate, Gmsh's mesh, and FEM's mesh object."""
+
+import os
+import shutil
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import Part
+import pytest
+import window_actions as window
+from window_actions import V
+
+from thinpart_workbench.api.annotations import note_regions
+from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
+from thinpart_workbench.gui.document.active_task import MESH_SIZES, end_session, open_session
+
+pytestmark = pytest.mark.skipif(shutil.which("gmsh") is None, reason="gmsh is not installed")
+
+
+def part(document):
+    """A block with a thin fin, apart from the origin."""
+    shape = Part.makeBox(50, 30, 15).fuse(Part.makeBox(50, 2, 12, V(0, 14, 15))).removeSplitter()
+    feature = window.add(document, "Fin", shape)
+    feature.Placement.Base = V(100, 0, 0)
+    document.recompute()
+    return feature
+
+
+def open_panel():
+    window.press("ThinPart_MeshSizes")
+    window.wait_until(lambda: window.is_shown("ThinPart_MeshEstimate") or window.text("ThinPart_Message"))
+
+
+def meshes(document):
+    return [each for each in document.Objects if each.isDerivedFrom("Fem::FemMeshObject")]
+
+
+def regions(document):
+    return [each for each in document.Objects if hasattr(each, "ThinPartSizes") and hasattr(each, "References")]
+
+
+def press_ok():
+    session = open_session(MESH_SIZES)
+    boxes = [each for box in Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox) for each in box.buttons()
+             if each.isVisible() and box.standardButton(each) == QtWidgets.QDialogButtonBox.Ok]
+    assert session is not None and len(boxes) == 1
+    boxes[0].click()
+
+
+def test_ok_makes_the_fem_mesh_in_one_step_of_undo_and_again_updates_it(document):
+    document.UndoMode = 1
+    feature = part(document)
+    open_panel()
+    table = window.widget("ThinPart_WallSizes")
+    assert [row["thickness"] for row in table.rows] == [pytest.approx(2.0, rel=0.02)]
+    steps = document.UndoCount
+    press_ok()
+    window.wait_until(lambda: open_session() is None)
+    assert document.UndoCount == steps + 1
+    mesh, = meshes(document)
+    assert mesh.FemMesh.VolumeCount > 1000
+    region, = regions(document)
+    assert region.CharacteristicLength.Value == pytest.approx(2.0 / 2.3, rel=0.02)
+    (owner, names), = region.References
+    fin = [owner.Shape.getElement(name).BoundBox for name in names]
+    assert owner == feature and {round(box.YMin, 3) for box in fin} == {14.0, 16.0}
+    xs = [point.x for point in mesh.FemMesh.Nodes.values()]
+    assert (min(xs), max(xs)) == (pytest.approx(100.0), pytest.approx(150.0))  # where the part stands
+    count = mesh.FemMesh.VolumeCount
+    document.undo()
+    assert meshes(document) == [] and regions(document) == []
+    document.redo()
+    open_panel()
+    window.widget("ThinPart_WallSizes").item(0, 1).setText("2.5")
+    press_ok()
+    window.wait_until(lambda: open_session() is None)
+    mesh, = meshes(document)
+    assert mesh.FemMesh.VolumeCount < 0.5 * count and len(regions(document)) == 1
+
+
+def test_sizes_are_edited_and_the_estimate_follows(document):
+    part(document)
+    open_panel()
+    table, before = window.widget("ThinPart_WallSizes"), window.text("ThinPart_MeshEstimate")
+    table.item(0, 2).setText("4")
+    window.wait_until(lambda: window.text("ThinPart_MeshEstimate") != before)
+    assert table.rows[0]["size"] == pytest.approx(2.0 / (1.15 * 4), rel=0.02)
+    assert table.rows[0]["layers"] == pytest.approx(4.0)
+    table.item(0, 0).setCheckState(QtCore.Qt.Unchecked)
+    window.wait_until(lambda: table.rows[0]["size"] is None)
+    assert table.rows[0]["elements"] is None
+
+
+def test_meshes_are_compared_and_nothing_of_the_panel_stays(document):
+    part(document)
+    open_panel()
+    root = Gui.getDocument(document.Name).mdiViewsOfType("Gui::View3DInventor")[0].getSceneGraph()
+    nodes = root.getNumChildren()
+    window.click("ThinPart_MeshButton")
+    window.wait_until(lambda: "As proposed:" in window.text("ThinPart_MeshFigures"))
+    chart = window.widget("ThinPart_QualityChart")
+    assert sum(chart.before) == pytest.approx(1.0) and sum(chart.after) == pytest.approx(1.0)
+    folder = open_session().measured.folder
+    assert os.path.isdir(folder)
+    open_session().close()
+    window.settle(50)
+    assert not os.path.exists(folder) and root.getNumChildren() < nodes and meshes(document) == []
+
+
+def test_cancel_half_way_changes_nothing_and_one_can_go_on(document):
+    part(document)
+    open_panel()
+    window.click("ThinPart_MeshButton")
+    window.click("ThinPart_CancelButton")
+    assert "Cancelled" in window.text("ThinPart_Message") and meshes(document) == []
+    window.wait_until(lambda: window.widget("ThinPart_MeshButton").isEnabled())
+    window.click("ThinPart_MeshButton")
+    window.wait_until(lambda: "As proposed:" in window.text("ThinPart_MeshFigures"))
+
+
+def test_a_document_closed_while_gmsh_runs_leaves_nothing(document):
+    part(document)
+    open_panel()
+    window.click("ThinPart_MeshButton")
+    folder = open_session().measured.folder
+    App.closeDocument(document.Name)
+    window.settle(100)
+    assert open_session() is None and not os.path.exists(folder)
+    assert window.workers("size_worker") == []
+
+
+def test_sizes_said_in_the_table_of_walls_are_taken_over(document, tmp_path):
+    part(document)
+    document.saveAs(str(tmp_path / "fin.FCStd"))
+    window.classify()
+    window.wait_until(lambda: (tmp_path / "fin.FCStd.thinpart.json").exists())
+    record = open_session().measured.analysis.records
+    region = next(iter(record.values()))["regions"]["listed"][0]
+    note_regions(tmp_path / "fin.FCStd", [region], mesh_size_mm=1.25)
+    end_session()
+    open_panel()
+    window.wait_until(lambda: window.widget("ThinPart_WallSizes").rows[0]["size"] == pytest.approx(1.25))
+
+
+def test_several_solids_in_one_object_are_said(document):
+    window.add(document, "Two", Part.makeCompound([Part.makeBox(20, 20, 1), Part.makeBox(30, 20, 1, V(50, 0, 0))]))
+    window.answer("ThinPart_PartDialog", lambda dialog: dialog.accept())
+    open_panel()
+    assert "consists of 2 solids" in window.text("ThinPart_Message")
+
+
+def test_without_gmsh_it_says_how_to_have_it(document, monkeypatch, tmp_path):
+    broken = tmp_path / "gmsh"
+    broken.write_text("#!/bin/sh\nexit 1\n")
+    broken.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path}{os.pathsep}{os.environ['PATH']}")
+    part(document)
+    open_panel()
+    assert "Meshing needs Gmsh: install it" in window.text("ThinPart_Message")
+    press_ok()
+    assert open_session() is not None and meshes(document) == []

@@ -1,0 +1,28 @@
+"""Descriptors with values as wanted, without geometry."""
+
+import numpy as np
+
+from thinpart_workbench.core.descriptors.descriptor_table import STATED_ANGLES, STATED_FLOOR, Descriptors
+from thinpart_workbench.core.descriptors.distribution import Distribution
+from thinpart_workbench.core.descriptors.region_kinds import PLATE, REGION_KINDS
+from thinpart_workbench.core.mesh.bounds import OrientedBox
+
+ONE_PLATE = {"thinnest_mm": 0.1, "count": 1, **dict.fromkeys(REGION_KINDS, 0), PLATE: 1}
+
+
+def part(box=(1.0, 1.0, 1.0), fill=0.5, walls=(), slanted=(), unmet=0.0, plates=0.5):
+    """Descriptors as wanted: walls are (x, share), slanted are (x, degrees, share)."""
+    box = np.array(box, dtype=float)
+    parallel = sum(share for _, share in walls)
+    nonparallel = sum(share for *_, share in slanted)
+    shares = Distribution(
+        np.array([int(round(x * 1000)) for x, _ in walls], int),
+        np.array([share for _, share in walls], float),
+        np.array([int(round(x * 1000)) for x, *_ in slanted], int),
+        np.array([angle for _, angle, _ in slanted], int),
+        np.array([share for *_, share in slanted], float),
+        parallel, nonparallel, 1.0 - parallel - nonparallel, unmet,
+    )
+    volume = None if fill is None else fill * box.prod()
+    least = shares.nonparallel_minimum(STATED_FLOOR, *STATED_ANGLES)
+    return Descriptors(volume, 1.0, OrientedBox(box, np.eye(3)), shares, least, plates, ONE_PLATE)

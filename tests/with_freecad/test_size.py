@@ -1,0 +1,193 @@
+"""``thinpart size`` with the real Gmsh: parts that it cannot mesh or meshes badly at one size, and well as proposed."""
+
+import csv
+import json
+import os
+import shutil
+import stat
+import subprocess
+
+import pytest
+from program import SAMPLES, thinpart
+
+from thinpart_workbench.api.mesh_sizes import mesh_sizes
+from thinpart_workbench.core.errors import ThinPartError
+from thinpart_workbench.core.sizing.sizing_settings import SizingSettings
+from thinpart_workbench.storage.exchange.msh_file import read_tetrahedra
+
+pytestmark = pytest.mark.skipif(shutil.which("gmsh") is None, reason="gmsh is not installed")
+
+
+@pytest.fixture(autouse=True)
+def own_cache(tmp_path, monkeypatch):
+    monkeypatch.setenv("THINPART_CACHE", str(tmp_path / "cache"))
+
+
+@pytest.fixture(scope="module")
+def parts(tmp_path_factory):
+    """A bracket of sheet with holes, a solid block, a mesh."""
+    import FreeCAD
+    import MeshPart
+    import Part
+
+    folder = tmp_path_factory.mktemp("parts")
+    sheet = Part.makeBox(60, 40, 1.5).fuse(Part.makeBox(1.5, 40, 30)).removeSplitter()
+    for place in (20, 40):
+        sheet = sheet.cut(Part.makeCylinder(4, 5, FreeCAD.Vector(place, 20, -1)))
+    sheet.exportStep(str(folder / "bracket.step"))
+    block = Part.makeBox(50, 40, 30)
+    block.exportBrep(str(folder / "block.brep"))
+    MeshPart.meshFromShape(block, LinearDeflection=1.0).write(str(folder / "triangles.stl"))
+    return folder
+
+
+@pytest.fixture
+def lines():
+    def of(*arguments):
+        run = thinpart("size", *arguments, "--json")
+        return [json.loads(line) for line in run.stdout.splitlines()], run
+    return of
+
+
+def test_a_thin_part_is_meshed_better_and_has_its_layers(parts, lines):
+    (line,), run = lines(parts / "bracket.step", "--check")
+    assert run.returncode == 0 and line["category"] == "thin"
+    default, proposed = line["check"]["default"], line["check"]["proposed"]
+    assert proposed["layers_share"] > 0.9 > 0.5 > default["layers_share"]
+    assert proposed["poor_share"] < 0.01 and proposed["gamma_mean"] > default["gamma_mean"]
+    assert proposed["elements"] == pytest.approx(line["elements"], rel=0.35)
+    region = line["regions"][0]
+    assert region["thickness"] == pytest.approx(1.5, rel=0.02) and region["layers"] == pytest.approx(2.0, rel=0.05)
+    assert "sources" not in line
+
+
+def test_a_part_without_thin_walls_stays_as_it_was(parts, lines):
+    (line,), run = lines(parts / "block.brep", "--check")
+    assert run.returncode == 0 and line["check"]["default"] == line["check"]["proposed"]
+    assert line["least_size"] == line["global_size"] and line["regions"] == []
+
+
+def test_the_script_opens_the_part_and_gives_the_same_mesh(parts, lines, tmp_path):
+    script = tmp_path / "in a folder" / "sizes.geo"
+    script.parent.mkdir()
+    (line,), run = lines(parts / "bracket.step", "--check", "--geo", script)
+    assert run.returncode == 0
+    mesh = tmp_path / "mesh.msh"
+    subprocess.run(["gmsh", script.name, "-3", "-format", "msh2", "-bin", "-nt", "1", "-o", mesh, "-v", "2"],
+                   cwd=script.parent, check=True, timeout=300)
+    assert len(read_tetrahedra(mesh)[1]) == pytest.approx(line["check"]["proposed"]["elements"], rel=0.05)
+
+
+def test_a_document_is_opened_by_hand(tmp_path):
+    script = tmp_path / "sizes.geo"
+    assert thinpart("size", SAMPLES / "bent_sheet_bracket.FCStd", "--geo", script).returncode == 0
+    text = script.read_text()
+    assert "Open the part first" in text and "Merge" not in text.split("View")[0]
+
+
+def test_a_budget_is_kept_by_the_mesh(parts, lines):
+    (free,), _ = lines(parts / "bracket.step")
+    budget = free["elements"] // 4
+    (line,), _ = lines(parts / "bracket.step", "--budget", budget, "--check")
+    assert line["elements"] <= budget and line["unbounded"]["elements"] == free["elements"]
+    assert line["check"]["proposed"]["elements"] <= 1.35 * budget
+    text = thinpart("size", parts / "bracket.step", "--budget", budget).stdout
+    assert "The budget costs layers: 2 layers would take about" in text
+
+
+def test_elements_of_second_order_need_one_layer(parts, lines):
+    (line,), _ = lines(parts / "bracket.step", "--order", 2, "--check")
+    assert line["wanted_layers"] == 1.0 and line["check"]["proposed"]["elements"] > 0
+
+
+def test_a_folder_with_a_table_and_what_fails_in_it(parts, tmp_path):
+    (tmp_path / "library").mkdir()
+    for name in ("bracket.step", "block.brep", "triangles.stl"):
+        shutil.copy(parts / name, tmp_path / "library")
+    (tmp_path / "library" / "broken.step").write_text("ISO-10303-21;\nHEADER;\n")
+    table = tmp_path / "sizes.csv"
+    run = thinpart("size", tmp_path / "library", "--check", "--csv", table)
+    assert run.returncode == 1
+    with table.open(newline="") as file:
+        rows = {row["file"].rsplit("/", 1)[-1]: row for row in csv.DictReader(file)}
+    assert set(rows) == {"bracket.step", "block.brep"}
+    assert float(rows["bracket.step"]["proposed_layers_share"]) > 0.9
+    assert "triangles" in run.stderr and "no solid to mesh" in run.stderr and "broken.step" in run.stderr
+    assert "bracket.step" in run.stdout
+
+
+def test_without_a_check_triangles_have_sizes_too(parts, lines):
+    (line,), run = lines(parts / "triangles.stl")
+    assert run.returncode == 0 and line["check"] is None
+
+
+@pytest.fixture
+def other_gmsh(tmp_path, monkeypatch):
+    """Puts a program in the place of Gmsh, for faults that the real one cannot be made to have."""
+    def put(text):
+        (tmp_path / "bin").mkdir(exist_ok=True)
+        program = tmp_path / "bin" / "gmsh"
+        program.write_text(f'#!/bin/sh\n[ "$1" = --version ] && echo 9.9.9 && exit\n{text}\n')
+        program.chmod(program.stat().st_mode | stat.S_IXUSR)
+        monkeypatch.setenv("PATH", f"{tmp_path / 'bin'}{os.pathsep}{os.environ['PATH']}")
+
+    return put
+
+
+@pytest.mark.parametrize("program, reason", [
+    ("kill -SEGV $$", "Gmsh crashed"),
+    ("while :; do :; done", "Gmsh took too long"),
+    ("exit 0", "Gmsh wrote no mesh"),
+    ("echo 'Error   : Invalid boundary mesh'; exit 1", "Invalid boundary mesh"),
+])
+def test_what_becomes_of_gmsh_is_a_reason(parts, lines, other_gmsh, program, reason):
+    other_gmsh(program)
+    (line,), run = lines(parts / "bracket.step", "--check", "--mesh-timeout", 1)
+    assert run.returncode == 0 and line["check"]["proposed"]["elements"] == 0
+    assert reason in line["check"]["default"]["reason"] and reason in line["check"]["proposed"]["reason"]
+
+
+def test_an_interrupted_run_goes_on_where_it_was(parts):
+    calls = []
+
+    def sizes():
+        return list(mesh_sizes([parts / "bracket.step", parts / "block.brep"], SizingSettings(layers=1.5), check=True,
+                               report=lambda outcome, progress: calls.append(outcome["file"])))
+
+    first = sizes()
+    assert len(calls) == 2
+    os.utime(parts / "block.brep", (1, 1))
+    again = {outcome["file"]: outcome for outcome in sizes()}
+    for outcome in first:
+        before = outcome["parts"][0]["check"]["default"]["seconds"]
+        same = again[outcome["file"]]["parts"][0]["check"]["default"]["seconds"] == before
+        assert same or outcome["file"].endswith("block.brep")
+    assert again[str(parts / "bracket.step")] == next(each for each in first if each["file"].endswith("bracket.step"))
+
+
+def test_without_gmsh_it_says_how_to_have_it(parts, monkeypatch, tmp_path):
+    monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.setattr("sys.executable", str(tmp_path / "python3"))
+    with pytest.raises(ThinPartError, match="Meshing needs Gmsh: install it") as missing:
+        list(mesh_sizes(parts / "block.brep", check=True))
+    assert missing.value.kind == "unsupported"
+
+
+@pytest.mark.parametrize("arguments, sentence", [
+    (("--layers", "0"), "Layers are from"), (("--growth", "9"), "The growth from element to element"),
+    (("--size", "-1"), "The greatest element size"), (("--budget", "0"), "A budget is at least 1 element"),
+    (("--geo", "sizes.msh"), "give it the ending .geo"),
+])
+def test_wrong_options_are_told_in_a_sentence(parts, arguments, sentence):
+    run = thinpart("size", parts / "block.brep", *arguments)
+    assert run.returncode == 2 and sentence in run.stderr and "Traceback" not in run.stderr
+
+
+def test_a_script_is_for_one_part(parts, tmp_path):
+    run = thinpart("size", parts, "--geo", tmp_path / "sizes.geo", "--include", "b*")
+    assert run.returncode == 2 and "name one after --part" in run.stderr and not (tmp_path / "sizes.geo").exists()
+
+
+def test_the_script_cannot_be_written(parts, tmp_path):
+    run = thinpart("size", parts / "block.brep", "--geo", tmp_path / "no such folder" / "sizes.geo")
+    assert run.returncode == 1 and "cannot be written" in run.stderr

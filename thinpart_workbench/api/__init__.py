@@ -1,0 +1,1 @@
+"""The Python API that `thinpart_workbench` offers to programs; docs/python.md shows how to use it."""

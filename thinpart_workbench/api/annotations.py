@@ -1,0 +1,247 @@
+"""Set the annotations of a part in its info file: notes, mesh settings, links, labels, notes on walls; check links."""
+
+import json
+import os
+import re
+from pathlib import Path
+from urllib.parse import urlsplit
+
+from ..core.categories import NORMAL
+from ..core.errors import ThinPartError
+from ..core.message import message
+from ..core.record.part_definition import ANNOTATIONS, PERSON
+from ..storage.info.annotations import set_annotation, set_label, set_region_note
+from ..storage.info.info_file import change_info, stored_info
+from ..storage.info.stored_records import info_file_of, select_record
+from ..system.file_paths import is_below
+from ..system.user import user_name
+
+LARGEST_SETTINGS = 1024 * 1024
+"""Maximum bytes of mesh settings that are copied into an info file; of a larger file only the name is stored."""
+
+_PROGRAM_ENDINGS = (
+    ".app", ".appimage", ".bat", ".cmd", ".com", ".command", ".cpl", ".desktop", ".exe", ".fcmacro", ".hta", ".inf",
+    ".jar", ".js", ".jse", ".lnk", ".msc", ".msi", ".pif", ".ps1", ".py", ".pyw", ".reg", ".scf", ".scr", ".sh", ".url",
+    ".vbe", ".vbs", ".wsf", ".wsh")
+"""Endings of files that a desktop runs when they are opened."""
+
+_SCHEME = re.compile(r"[A-Za-z][A-Za-z0-9+.-]+:")
+
+
+def annotate_part(path, part=None, info_folder=None, **values):
+    """Set annotations of a part; see `storage/info/annotations.set_annotation`.
+
+    Parameters
+    ----------
+    path : str or Path
+        Document or info file.
+    part : str, optional
+        Name or label; optional if the document has only one part.
+    info_folder : str or Path, optional
+    values
+        ``notes``, ``mesh``, ``link``.
+
+    Returns
+    -------
+    PartRecord
+
+    Raises
+    ------
+    ThinPartError
+        kind ``usage`` if it is ambiguous which part is meant.
+    """
+    def change(content):
+        return set_annotation(select_record(content["parts"], part, path), **values)
+
+    return select_record(change_info(info_file_of(path, info_folder), change)["parts"], part, path)
+
+
+def label_part(path, category, person="", is_sure=True, part=None, info_folder=None):
+    """Keep with a part what a person says it is; the answers of others stay.
+
+    Parameters
+    ----------
+    path : str or Path
+        Document or info file.
+    category : str
+        A category of the profile by which the part was judged, or ``normal``. Empty removes the person's answer.
+    person : str, optional
+        By default the name of the user on this computer.
+    is_sure : bool, optional
+    part : str, optional
+        Name or label; optional if the document has only one part.
+    info_folder : str or Path, optional
+
+    Returns
+    -------
+    PartRecord
+
+    Raises
+    ------
+    ThinPartError
+        kind ``usage`` if it is ambiguous which part is meant, or there is no such category.
+    """
+    person = _checked_person(person)
+
+    def change(content):
+        known = [*(each["name"] for each in content["profile"]["categories"]), NORMAL]
+        if category and category not in known:
+            raise ThinPartError(message("{category!r} is no category: there are {known}.",
+                                        category=category, known=", ".join(known)), "usage")
+        return set_label(select_record(content["parts"], part, path), person, category, is_sure)
+
+    return select_record(change_info(info_file_of(path, info_folder), change)["parts"], part, path)
+
+
+def note_regions(path, regions, person="", part=None, info_folder=None, excluded=None, mesh_size_mm=None):
+    """Keep with wall regions of a part what a person says of them; the verdict stays.
+
+    Parameters
+    ----------
+    path : str or Path
+        Document or info file.
+    regions : list of dict
+        As in a part record; they are found again by place and faces.
+    person : str, optional
+        By default the name of the user on this computer.
+    part : str, optional
+        Name or label; optional if the document has only one part.
+    info_folder : str or Path, optional
+    excluded : str, optional
+        Why they are left out; empty includes them again, None changes nothing.
+    mesh_size_mm : float, optional
+        Wanted element size; 0 removes it, None changes nothing.
+
+    Returns
+    -------
+    PartRecord
+
+    Raises
+    ------
+    ThinPartError
+        kind ``usage`` if it is ambiguous which part is meant, or if something cannot be kept.
+    """
+    person = _checked_person(person)
+
+    def change(content):
+        return set_region_note(select_record(content["parts"], part, path), regions, person, excluded, mesh_size_mm)
+
+    return select_record(change_info(info_file_of(path, info_folder), change)["parts"], part, path)
+
+
+def region_notes(path):
+    """What people said of wall regions: dict of list by part name; None where there is no readable info file.
+
+    Parameters
+    ----------
+    path : str or Path
+        The info file.
+    """
+    content = stored_info(path)
+    return None if content is None else {part["name"]: part.get("region_notes", []) for part in content["parts"]}
+
+
+def mesh_settings(text):
+    """Parse mesh settings.
+
+    Parameters
+    ----------
+    text : str
+        A JSON object, the name of a JSON file with one, the name of any other file, or empty to remove them.
+
+    Returns
+    -------
+    dict
+        ``{"settings": object}``, ``{"file": path}``, or empty.
+    """
+    if not text.strip():
+        return {}
+    if text.lstrip().startswith("{"):
+        return {"settings": _settings(text, message("The mesh settings"))}
+    file = Path(text)
+    if not file.is_file():
+        raise ThinPartError(message("There is no file {file}: --mesh takes a JSON object or a file.",
+                                    file=text), "missing")
+    if file.suffix.lower() == ".json" and file.stat().st_size <= LARGEST_SETTINGS:
+        try:
+            return {"settings": _settings(file.read_text(encoding="utf-8"), message("The file {file}", file=text))}
+        except (OSError, UnicodeDecodeError) as error:
+            raise ThinPartError(message("The file {file} cannot be read ({problem}).",
+                                        file=text, problem=error), "unreadable") from None
+    return {"file": os.path.abspath(file)}
+
+
+def _checked_person(person):
+    """The name under which something is kept; see `label_part`."""
+    person = person.strip() or user_name()
+    if PERSON.fault(person, "") is not None:
+        raise ThinPartError(message("{person!r} cannot be kept as a person's name: choose a shorter one, in one line.",
+                                    person=person[:100]), "usage")
+    return person
+
+
+def _settings(text, what):
+    try:
+        content = json.loads(text, parse_constant=_refuse)
+    except (ValueError, RecursionError) as error:
+        raise ThinPartError(message("{what} is not a JSON object ({problem}).",
+                                    what=what, problem=error), "usage") from None
+    if not isinstance(content, dict):
+        raise ThinPartError(message("{what} is not a JSON object.", what=what), "usage")
+    fault = ANNOTATIONS["mesh"].fault({"settings": content}, "")
+    if fault:
+        raise ThinPartError(message("{what} cannot be stored ({problem}).", what=what, problem=fault), "usage")
+    return content
+
+
+def _refuse(constant):
+    raise ValueError(message("{constant} is not a JSON number", constant=constant))
+
+
+def link_address(text, library, info_file):
+    """The address or path to open for a link.
+
+    Parameters
+    ----------
+    text : str
+    library : str
+        Root folder of the library with the part.
+    info_file : str
+        Info file of the part: relative paths start from its folder.
+
+    Returns
+    -------
+    str
+        An http or https address, or the absolute path of a file or folder in the library.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``unsafe`` for any other link, ``missing`` for a path that does not exist.
+    """
+    text = text.strip()
+    if not text.isprintable():
+        raise _refused(text.encode("unicode_escape").decode())
+    if re.match("https?://", text, re.IGNORECASE):
+        try:
+            if urlsplit(text).hostname:
+                return text
+        except ValueError:
+            pass  # not a valid address
+        raise _refused(text)
+    if _SCHEME.match(text) or text.startswith(("//", "\\\\")):
+        raise _refused(text)
+    path = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(info_file)), text))
+    if not is_below(os.path.realpath(path), os.path.realpath(library)):
+        raise _refused(text)
+    if not os.path.isfile(path) and not os.path.isdir(path):
+        raise ThinPartError(message("There is no file {file}.", file=path), "missing")
+    if os.path.realpath(path).lower().endswith(_PROGRAM_ENDINGS) or path.lower().endswith(_PROGRAM_ENDINGS):
+        raise ThinPartError(message("{file} is a program: it was not opened.", file=path), "unsafe")
+    return path
+
+
+def _refused(text):
+    return ThinPartError(
+        message("{link} was not opened: a link may lead to http:// or https://, or to a file of the library.",
+                link=text), "unsafe")

@@ -1,0 +1,135 @@
+"""The thickness maps in a document: adding, reading and updating them."""
+
+import os
+import tempfile
+
+import numpy as np
+
+from ..core.analysis_settings import RAY
+from ..core.maps.map_summary import thickness_range, typical_range
+from ..core.record.thin_faces import limit_in_millimetres
+from ..freecad_adapter.objects.thickness_object import ThicknessObject, unit_in_mm
+from ..freecad_adapter.objects.thickness_probes import carried_probes, probes_of, set_probes
+from ..freecad_adapter.preferences import preferred_thin_limit
+from ..storage.map_file import read_maps, write_maps
+
+NAME = "Thickness"
+
+
+def new_thickness_object(document, sources, parts):
+    """Add maps of parts to a document.
+
+    Parameters
+    ----------
+    document : FreeCAD.Document
+    sources : list of FreeCAD.DocumentObject
+        Objects whose change makes the maps stale.
+    parts : list of MappedPart
+
+    Returns
+    -------
+    FreeCAD.DocumentObject
+
+    Raises
+    ------
+    OSError
+        If there is no space for the file.
+    """
+    thickness = document.addObject("App::FeaturePython", NAME)
+    ThicknessObject(thickness)
+    thickness.Sources = sources
+    _store(thickness, parts)
+    thickness.Threshold = _thin_limit_mm(parts)
+    _choose_range(thickness, parts)
+    return thickness
+
+
+def set_parts(thickness, sources, parts):
+    """Replace the maps of an object after measuring again; threshold and scale stay.
+
+    By another measure, the range of the scale is chosen as that of a new object.
+
+    Parameters
+    ----------
+    thickness : FreeCAD.DocumentObject
+    sources : list of FreeCAD.DocumentObject
+        See `new_thickness_object`.
+    parts : list of MappedPart
+
+    Returns
+    -------
+    int
+        Number of probes that were dropped because they no longer lie on the surface.
+
+    Raises
+    ------
+    OSError
+    """
+    probes = carried_probes(thickness, parts)
+    dropped = len(probes_of(thickness)) - len(probes)
+    thickness.Sources = sources
+    measure_before = thickness.Measure
+    _store(thickness, parts)
+    if thickness.Measure != measure_before:
+        _choose_range(thickness, parts)
+    set_probes(thickness, probes)
+    return dropped
+
+
+def parts_of(thickness):
+    """The parts of an object with their maps, list of MappedPart.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``unreadable``.
+    """
+    key = map_version(thickness)
+    proxy = thickness.Proxy
+    if proxy.cached_parts is None or proxy.cached_parts[0] != key:
+        proxy.cached_parts = key, read_maps(thickness.Map)
+    return proxy.cached_parts[1]
+
+
+def map_version(thickness):
+    """A value to compare, which changes whenever the maps of an object do."""
+    try:
+        status = os.stat(thickness.Map)
+    except OSError:
+        return thickness.Map, None
+    return status.st_ino, status.st_mtime_ns, status.st_size
+
+
+def _store(thickness, parts):
+    with tempfile.TemporaryDirectory(prefix="thinpart-") as folder:
+        path = os.path.join(folder, "thickness.npz")
+        write_maps(path, parts)
+        thickness.Map = path  # FreeCAD copies the file
+    thickness.Proxy.cached_parts = map_version(thickness), parts
+    thickness.Measure = next((part.map.measure for part in parts), RAY)
+    thickness.Diagonal = max(map(_diagonal, parts), default=0.0)
+    thickness.Thinnest, thickness.Thickest = thickness_range(parts) or (0.0, 0.0)
+    thickness.Proxy.measured(thickness)
+
+
+def _choose_range(thickness, parts):
+    low, high = typical_range(parts) or (0.0, 0.0)
+    thickness.AutomaticRange = high >= thickness.Thickest
+    if not thickness.AutomaticRange:
+        unit = unit_in_mm(thickness)
+        thickness.Low, thickness.High = low / unit, high / unit
+
+
+def _diagonal(part):
+    try:
+        return float(part.record["descriptors"]["diagonal_mm"])
+    except (KeyError, TypeError):
+        return float(np.linalg.norm(np.ptp(part.map.points, axis=0)))
+
+
+def _thin_limit_mm(parts):
+    preferred_limit = preferred_thin_limit()
+    if preferred_limit is not None:
+        return min(limit_in_millimetres(preferred_limit, part.record["descriptors"]["diagonal_mm"]) for part in parts)
+    limits = [part.record.get("thin_limit_mm") for part in parts]
+    return min((limit for limit in limits if limit), default=0.0)

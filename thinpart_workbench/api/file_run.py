@@ -1,0 +1,136 @@
+"""Find and analyse documents in worker processes or on a cluster, for both the command line and the Python API."""
+
+from contextlib import closing
+from typing import Optional
+
+from ..core.errors import ThinPartError
+from ..core.message import message
+from ..core.run_control import RunControl
+from ..workflow.analysis.analyse_file import FileTask
+from ..workflow.analysis.analysis_outcome import failure
+from ..workflow.analysis.find_documents import NameFilter, find_documents
+from ..workflow.analysis.run_plan import plan_run
+from ..workflow.analysis.run_progress import RunProgress
+from ..workflow.workers.worker_pool import analyse_files
+
+
+class FileRun:
+    """A run over the documents found in some paths.
+
+    Parameters
+    ----------
+    paths : list of str or Path
+        Files, and folders that are searched.
+    include, exclude : iterable of str, optional
+        Globs for files in folders: only those that match `include`, without those that match `exclude`; see `NameFilter`.
+    only : list of str, optional
+        Files and folders to use instead of `paths`.
+    control : RunControl, optional
+        Pauses and stops the run.
+    report : callable, optional
+        Called with the number of documents found so far.
+
+    Attributes
+    ----------
+    documents : list of Document
+    failures : list of dict
+        Outcomes for paths that could not be searched.
+    control : RunControl
+    progress : RunProgress or None
+        None until `outcomes` is iterated.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``empty`` if nothing was found.
+    KeyboardInterrupt
+        If `control` was asked to stop.
+    """
+
+    def __init__(self, paths, include=(), exclude=(), only=None, control=None, report=None):
+        self.control = control or RunControl()
+        self.progress: Optional[RunProgress] = None
+
+        def searched(count):
+            self.control.check()
+            if report is not None:
+                report(count)
+
+        self.control.set_state("searching")
+        found = find_documents(paths if only is None else only, NameFilter(tuple(include), tuple(exclude)), searched)
+        self.control.check()
+        if not found.documents and not found.failures:
+            raise ThinPartError(
+                message("There are no parts in {paths}: name a CAD file or a folder that holds some.",
+                        paths=", ".join(map(str, paths))), "empty",
+            )
+        self.documents = found.documents
+        self.failures = [failure(path, error.kind, str(error)) for path, error in found.failures]
+
+    def outcomes(self, profile, settings, limits, *, info_for=None, force=False, thumbnails=False, pages_for=None,
+                 started=None, cluster=None, meanwhile=()):
+        """Analyse the documents.
+
+        Parameters
+        ----------
+        profile : dict
+            Content of the profile to judge by.
+        settings : AnalysisSettings
+        limits : Limits
+        info_for : callable, optional
+            Maps a path to the path of its info file; by default no info files are read or written.
+        force : bool, optional
+            Whether to measure files again whose info file is current.
+        thumbnails : bool, optional
+            Whether to store pictures of all measured parts in the user's cache.
+        pages_for : callable, optional
+            Maps a path to the pages of a report to be made about its parts; see `ReportFolder.pages_for`.
+        started : callable, optional
+            Called once, when `progress` is available.
+        cluster : str, optional
+            Address of a Dask scheduler, from `cluster_address`, whose workers analyse the files instead of processes on
+            this machine.
+        meanwhile : iterable of callable, optional
+            Each is called once, while processes on this machine are busy.
+
+        Yields
+        ------
+        dict
+            As `worker_pool.analyse_files`, in the order in which files finish; `progress` already counts it. A caller
+            that stops iterating has to close the generator.
+
+        Raises
+        ------
+        ThinPartError
+            If no worker can be started or the cluster cannot be used.
+        KeyboardInterrupt
+            If the control was asked to stop.
+        """
+        def new_task(file, info_file):
+            return FileTask(file, info_file, settings, profile, force, thumbnails, pages_for and pages_for(file))
+
+        planned = plan_run(self.documents, new_task, info_for or (lambda file: None), limits.jobs)
+        sizes = {entry.task.file: (entry.bytes, entry.unchanged) for entry in planned}
+        progress = self.progress = RunProgress(sizes, limits.jobs, self.control)
+        info_errors = {entry.task.file: entry.problem for entry in planned if entry.problem is not None}
+        self.control.set_state("paused" if self.control.paused else "running")
+        if started is not None:
+            started()
+        with closing(self._analyse([entry.task for entry in planned], limits, cluster, progress, meanwhile)) as outcomes:
+            for outcome in outcomes:
+                if outcome["file"] in info_errors and "error" not in outcome:
+                    error = info_errors[outcome["file"]]
+                    outcome["failures"] = [*outcome["failures"], {
+                        "part": None, "label": None, "kind": error.kind, "message": str(error)}]
+                progress.add(outcome)
+                yield outcome
+
+    def _analyse(self, tasks, limits, cluster, progress, meanwhile):
+        if cluster is None:
+            return analyse_files(tasks, limits, self.control, meanwhile)
+        from ..workflow.cluster.cluster_run import analyse_files_on_cluster
+
+        def on_threads_changed(threads):
+            progress.jobs = threads
+
+        return analyse_files_on_cluster(cluster, tasks, limits, self.control, on_threads_changed)

@@ -1,0 +1,193 @@
+"""Learn a profile from parts that people have labelled, and write their labels as a table."""
+
+import os
+
+from ..core.analysis_limits import Limits
+from ..core.analysis_settings import DEFAULT_PROFILE
+from ..core.errors import ThinPartError
+from ..core.judging.criteria import given_profile, profile_from
+from ..core.message import message
+from ..storage.labels_file import check_labels_output, read_labels, write_labels
+from ..storage.user_profiles import check_profile_file, write_profile
+from ..workflow.learning.fit_probabilities import check_scikit_learn
+from ..workflow.learning.kept_labels import kept_labels as kept_labels_of
+from ..workflow.learning.labels import categories_of, check_library, labelled_parts
+from ..workflow.learning.learn_profile import learn_profile
+from ..workflow.learning.meshing_labels import THIN, THIN_FEATURES, Meshing
+from ..workflow.learning.meshing_run import mesh_library
+
+UNNAMED = "learned"
+"""Name of a profile that is written nowhere."""
+
+
+MESHING_LIMITS = Limits(seconds=60.0, megabytes=4096)
+"""For each part: at Gmsh's default size most take less than a second."""
+
+
+def learn(library, labels=(), profile=DEFAULT_PROFILE, *, kept_labels=True, output=None, report=None):
+    """Learn a profile from labelled parts of a library, from their info files alone. FreeCAD is not needed.
+
+    Parameters
+    ----------
+    library : str or Path
+        Folder with info files.
+    labels : str, Path, or list of them, optional
+        CSV files; docs/learning.md describes their columns. Also a `Meshing`, for its labels.
+    profile : str, Path, dict or Profile, optional
+        Where to start: name of a shipped profile, a JSON file, or the content of a profile.
+    kept_labels : bool, optional
+        Whether to take the labels too that people keep in the info files.
+    output : str or Path, optional
+        Where to write the new profile. Neither a shipped profile nor the start is overwritten.
+    report : callable, optional
+        ``report(stage, done, total)``, where the stage is ``read`` or ``learn``; may raise to stop.
+
+    Returns
+    -------
+    LearnedProfile
+        Its ``content`` may be given to `classify`.
+
+    Raises
+    ------
+    ThinPartError
+        If the profile is invalid, a label cannot be used, labels are too few, scikit-learn is not installed, or the file
+        cannot be written.
+    """
+    check_scikit_learn()
+    start = given_profile(profile)
+    files = _files(labels)
+    if output is not None:
+        _check_output(output, profile, files)
+    parts = _labelled(library, files, categories_of(start), kept_labels, report)[0]
+    learned = learn_profile(parts, start, UNNAMED if output is None else _stem(output), _of_stage(report, "learn"))
+    if output is not None:
+        write_profile(learned.content, output)
+    return learned
+
+
+def export_labels(library, output, labels=(), profile=DEFAULT_PROFILE, *, kept_labels=True):
+    """Write the labels of a library as one CSV file, which `learn` reads.
+
+    Parameters
+    ----------
+    library, labels, profile, kept_labels
+        See `learn`; of the profile only the categories count.
+    output : str or Path
+        A file that is none of labels is not overwritten.
+
+    Returns
+    -------
+    int
+        Number of labels.
+
+    Raises
+    ------
+    ThinPartError
+        If a label cannot be used, there are none, or the file cannot be written.
+    """
+    rows = _labelled(library, _files(labels), categories_of(given_profile(profile)), kept_labels, None)[1]
+    write_labels(output, rows)
+    return len(rows)
+
+
+def label_by_meshing(library, profile=DEFAULT_PROFILE, limits=MESHING_LIMITS, *, output=None, control=None, report=None):
+    """Label the classified parts of a library without a person: by how Gmsh meshes them.
+
+    Parameters
+    ----------
+    library : str or Path
+        Folder with info files; their documents are read.
+    profile : str, Path, dict or Profile, optional
+        The quantities of its conditions are examined too. It needs the categories ``thin`` and ``thin_features``.
+    limits : Limits, optional
+        Of time for each part, of memory, and the number of workers.
+    output : str or Path, optional
+        Where to write the labels as CSV. A file that is none of labels is not overwritten.
+    control : RunControl, optional
+        Pauses and stops the run.
+    report : callable, optional
+        Called with the number of documents done and their total.
+
+    Returns
+    -------
+    Meshing
+        With the labels, and how well each quantity foretells trouble.
+
+    Raises
+    ------
+    ThinPartError
+        If Gmsh is not installed, or there are no info files.
+    KeyboardInterrupt
+        When `control` was asked to stop; what was meshed is kept for the next run.
+    """
+    start = given_profile(profile)
+    missing = [category for category in (THIN, THIN_FEATURES) if category not in categories_of(start)]
+    if missing:
+        raise ThinPartError(message("The profile {profile} has no category {categories}: labels from meshing are of these.",
+                                    profile=start.name, categories=", ".join(missing)), "usage")
+    if output is not None:
+        check_labels_output(output)
+    meshing = mesh_library(library, limits, start, control, report)
+    if output is not None:
+        rows = [result.row() for result in meshing.results]
+        write_labels(output, meshing.labels, [(key, lambda number, key=key: _cell(rows[number][key]))
+                                              for key in ("elements", "least_ratio", "trouble_share", "reason")])
+    return meshing
+
+
+def _cell(value):
+    return "" if value is None else value
+
+
+def save_profile(content, output):
+    """Write a learned profile.
+
+    Parameters
+    ----------
+    content : dict
+        Of a `LearnedProfile`. It gets the name of the file.
+    output : str or Path
+        Neither a shipped profile nor a file that is no profile is overwritten.
+
+    Raises
+    ------
+    ThinPartError
+    """
+    name = _stem(output)
+    write_profile(profile_from({**content, "name": name, "title": name}).content, output)
+
+
+def _files(labels):
+    return [labels] if isinstance(labels, (str, os.PathLike, Meshing)) else list(labels)
+
+
+def _labelled(library, files, categories, with_kept, report):
+    """The labelled parts, list of LabelledPart; and the labels, list of Label."""
+    rows = [row for file in files
+            for row in (file.labels if isinstance(file, Meshing) else read_labels(file, categories))]
+    if with_kept:
+        check_library(library)
+        rows += kept_labels_of(library, categories, _of_stage(report, "read"))
+    if not rows:
+        raise ThinPartError(message("There are no labels in {folder}: label parts in the window, or by 'thinpart note "
+                                    "--label', or name CSV files of labels.", folder=os.fspath(library)), "usage")
+    parts = labelled_parts(library, rows, categories)
+    return parts, [label for part in parts for label in part.labels]
+
+
+def _of_stage(report, stage):
+    return None if report is None else lambda done, total: report(stage, done, total)
+
+
+def _stem(path):
+    return os.path.splitext(os.path.basename(path))[0]
+
+
+def _check_output(output, profile, labels):
+    """Refuse before reading what would be overwritten and must not be."""
+    inputs = [*(each for each in labels if not isinstance(each, Meshing)),
+              *([profile] if isinstance(profile, (str, os.PathLike)) and os.path.exists(profile) else [])]
+    if os.path.exists(output) and any(os.path.exists(each) and os.path.samefile(each, output) for each in inputs):
+        raise ThinPartError(message("{file} is what is learned from: write the new profile elsewhere.",
+                                    file=os.fspath(output)), "usage")
+    check_profile_file(output)

@@ -1,0 +1,241 @@
+"""Search folders of info files for parts."""
+
+import os
+from contextlib import ExitStack
+
+from ..core.errors import ThinPartError
+from ..core.record.part_definition import PART
+from ..core.record.record_types import PartRecord
+from ..storage.common_folder import common_folder
+from ..storage.index.written_query import part_query
+from ..storage.info.stored_records import info_file_of, select_record, single_record
+from ..workflow.library.find_parts import open_library
+from ..workflow.library.library_search import search
+from ..workflow.library.similar_parts import similar_parts
+from .classified_parts import ClassifiedPart
+from .found_parts import FoundPart, LibraryProblem, SearchResult
+
+
+class Libraries:
+    """Folders with info files and their refreshed indexes; a context manager.
+
+    Parameters
+    ----------
+    roots : list of str or Path
+    report : callable, optional
+        Called with the number of info files read and the total; may raise to stop.
+
+    Attributes
+    ----------
+    indexes : list of LibraryIndex
+        Indexes of the folders that could be reached.
+    folder : Path
+        The folder that holds all roots.
+    problems : tuple of LibraryProblem
+    """
+
+    def __init__(self, roots, report=None):
+        self.folder = common_folder(roots)
+        self.indexes, self._stack = [], ExitStack()
+        problems = []
+        try:
+            for root in roots:
+                problems += self._open(os.fspath(root), report)
+        except BaseException:
+            self.close()
+            raise
+        self.problems = tuple(problems)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def close(self):
+        """Close the indexes."""
+        self._stack.close()
+
+    def find(self, query, sort="file", descending=False, limit=None):
+        """Find the parts that match a `PartQuery`; see `library_search.search`.
+
+        Returns
+        -------
+        SearchResult
+        """
+        answer = search(self.indexes, query, sort, descending, limit)
+        return SearchResult([FoundPart(part) for part in answer.parts], answer.total, self.problems)
+
+    def similar(self, record: PartRecord, count=10, same_size=None, excluding=None):
+        """Find the parts most similar to a record, best first; see `similar_parts`.
+
+        Returns
+        -------
+        SearchResult
+        """
+        found = similar_parts(self.indexes, record, count, same_size, excluding)
+        return SearchResult([FoundPart(*match) for match in found], len(found), self.problems)
+
+    def _open(self, root, report):
+        """Open a library; returns its problems as a list of LibraryProblem."""
+        try:
+            _check(root)
+            index, refreshed = open_library(root, report)
+        except ThinPartError as error:
+            return [LibraryProblem(root, "folder", str(error))]
+        self._stack.callback(index.close)
+        self.indexes.append(index)
+        problems = [LibraryProblem(root, "folder", sentence) for sentence in refreshed.unreachable]
+        if refreshed.warning:
+            problems.append(LibraryProblem(root, "index", refreshed.warning))
+        messages = index.query("SELECT error_message FROM parts WHERE error_kind = 'info_file'")
+        return problems + [LibraryProblem(root, "info_file", text) for text, in messages]
+
+
+def find(roots, category=(), criterion=(), where=(), text="", thickness=(None, None), size=(None, None), *,
+         ratio=(None, None), has_notes=None, said=(), labelled=None, disputed=None, borderline=None, failed=False,
+         changed_since=None, sort="file", descending=False, limit=None, report=None):
+    """Search folders of info files for parts. FreeCAD is not needed.
+
+    Parameters
+    ----------
+    roots : str, Path, or list of them
+        Folders, searched recursively. An index of each is stored in the user's cache.
+    category, criterion : str, or sequence of str, optional
+        Only parts of one of these categories, or for which one of these criteria holds.
+    where : str, or sequence of str, optional
+        Conditions over any quantity of docs/info-file.md, such as ``D2/D3 > 6 and F[0;0.05] >= 0.5``.
+    text : str, optional
+        Words to search for in path, name, label, notes, mesh settings and link.
+    thickness, size : (float or None, float or None), optional
+        Least and greatest thickness of the thinnest wall, and of the longest side of the box, mm.
+    ratio : (float or None, float or None), optional
+        Least and greatest V/VBB.
+    has_notes, borderline : bool, optional
+        True for only parts with annotations, or near another category; False for only the others.
+    said : str, or sequence of str, optional
+        Only parts that somebody has labelled as one of these categories.
+    labelled, disputed : bool, optional
+        True for only parts that somebody has labelled, or labelled otherwise than the verdict; False for only the others.
+    failed : bool or None, optional
+        True for failures instead of parts, None for both.
+    changed_since : str or datetime, optional
+        Only documents changed since a date or within an age: ``2026-03-31``, ``12h``, ``7d``, ``4w``, ``1y``.
+    sort : str, optional
+        ``file``, ``label`` or a numeric column of the index, such as ``thinnest_mm`` or ``volume_ratio``.
+    descending : bool, optional
+    limit : int, optional
+    report : callable, optional
+        Called with the number of info files read and the total; may raise to stop.
+
+    Returns
+    -------
+    SearchResult
+        A sequence of `FoundPart`; folders and files that could not be searched are in ``problems``.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``usage`` if an argument is invalid, ``missing`` if none of the folders exists.
+    """
+    # Build the query first, so that invalid arguments are rejected before folders are read.
+    query = part_query(
+        categories=_texts(category), criteria=tuple(map(str, _texts(criterion))), conditions=where, words=text,
+        least_thickness=thickness[0], most_thickness=thickness[1], least_size=size[0], most_size=size[1],
+        least_ratio=ratio[0], most_ratio=ratio[1], has_notes=has_notes, said=_texts(said), labelled=labelled,
+        disputed=disputed, borderline=borderline, failed=failed, changed_since=changed_since)
+    with _opened(roots, report) as libraries:
+        return libraries.find(query, sort, descending, limit)
+
+
+def similar(part, roots, count=10, *, same_size=None, name=None, report=None):
+    """Search folders of info files for parts similar to one, by their walls, fill and box.
+
+    Parameters
+    ----------
+    part : ClassifiedPart, FoundPart, PartRecord, str or Path
+        A file is measured if it has no info file beside it.
+    roots : str, Path, or list of them
+        See `find`.
+    count : int, optional
+        Greatest number of results.
+    same_size : float, optional
+        Factor, 1 or more, by which diagonals may differ; by default any size.
+    name : str, optional
+        Name or label of the part, if a file has several.
+    report : callable, optional
+        See `find`.
+
+    Returns
+    -------
+    SearchResult
+        Best first, each with its ``score`` and ``reasons``.
+
+    Raises
+    ------
+    ThinPartError
+        If the file cannot be read, the part is ambiguous, or none of the folders exists.
+    """
+    record, own_key = reference_part(part, name)
+    with _opened(roots, report) as libraries:
+        return libraries.similar(record, count, same_size, own_key)
+
+
+def reference_part(part, name=None):
+    """The record of the part that others are compared with.
+
+    Parameters
+    ----------
+    part, name
+        See `similar`.
+
+    Returns
+    -------
+    record : PartRecord
+    own_key : tuple of (str, str) or None
+        Info file and name of the part itself, which the search leaves out.
+    """
+    if isinstance(part, ClassifiedPart):
+        return part.record, None
+    if isinstance(part, FoundPart):
+        return part.record(), (os.path.realpath(part.info_file), part.name)
+    if isinstance(part, dict):
+        fault = PART.fault(part, "the part")
+        if fault:
+            raise ThinPartError(f"This is not a part record: {fault}.", "usage")
+        return part, None
+    try:
+        info_file = info_file_of(part)
+    except ThinPartError:
+        return select_record(_measured(part), name, part), None
+    record = single_record(info_file, name)
+    return record, (os.path.realpath(info_file), record["name"])
+
+
+def _measured(path):
+    from .classification import classify
+
+    found = classify(path)
+    if not found:
+        raise found.failures[0].error()
+    return [part.record for part in found]
+
+
+def _opened(roots, report):
+    roots = [roots] if isinstance(roots, (str, os.PathLike)) else list(roots)
+    libraries = Libraries(roots, report)
+    if not libraries.indexes and libraries.problems:
+        libraries.close()
+        raise ThinPartError(libraries.problems[0].message, "missing")
+    return libraries
+
+
+def _check(root):
+    if os.path.isfile(root):
+        raise ThinPartError(f"{root} is a file: name the folder of a library.", "usage")
+    if not os.path.isdir(root):
+        raise ThinPartError(f"There is no folder {root}.", "missing")
+
+
+def _texts(values):
+    return (values,) if isinstance(values, (str, int)) else tuple(values)

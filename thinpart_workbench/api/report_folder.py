@@ -1,0 +1,246 @@
+"""The folder of a report, with its marker file, overview and tables; and a report about an open document."""
+
+import json
+import os
+import tempfile
+from collections import Counter, namedtuple
+
+from .. import __version__
+from ..core.analysis_settings import RAY
+from ..core.errors import ThinPartError
+from ..core.judging.criteria import NORMAL, UNKNOWN, profile_from
+from ..core.judging.wall_check import check_walls
+from ..core.message import message
+from ..freecad_adapter.reading.linked_files import linked_files
+from ..storage.atomic_file import write_atomically
+from ..storage.face_table import FACE_COLUMNS
+from ..storage.info.info_file import new_source
+from ..storage.info.info_location import call_in_folder, info_location
+from ..storage.part_table import check_cells, check_titles, csv_text, failed_row, measured_row, write_part_table
+from ..storage.user_limits import limits_named
+from ..workflow.report.page_templates import check_templates, fill_in
+from ..workflow.report.report_pages import PageMaker, ReportPages, address
+
+MARK = "thinpart-report.json"
+"""File that marks the folder of a report; it is written before the first page."""
+
+OVERVIEW = "index.html"
+
+PartSummary = namedtuple("PartSummary", (
+    "file", "label", "instances", "category", "thinnest", "thin_share", "margin", "borderline", "box",
+    "diagonal", "warnings", "page", "picture", "checks"))
+FailureSummary = namedtuple("FailureSummary", "file label kind message")
+_Drawn = namedtuple("_Drawn", "page picture")
+
+
+class ReportFolder:
+    """Collects a row per part for the overview and the tables.
+
+    Parameters
+    ----------
+    folder : str
+    tree : Path
+        Common folder of all documents.
+    profile : dict
+    info_for : callable
+        Maps the path of a document to that of its info file, which may contain notes.
+    limits : tuple of WallLimits, optional
+        What the walls are checked against.
+    shown_measure : str, optional
+        One of `SHOWN_MEASURES`: what the colours of the pictures stand for.
+    subject : str, optional
+        What the overview names as the place of the documents; by default their common folder.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``usage`` if the folder cannot be written or contains anything but a report; ``unsupported`` if
+        templates cannot be rendered.
+    """
+
+    def __init__(self, folder, tree, profile, info_for, limits=(), shown_measure=RAY, subject=None):
+        self.folder = os.path.abspath(folder)
+        self._tree = tree
+        self._subject = os.fspath(tree) if subject is None else subject
+        self._profile, self._limits = profile, limits
+        self._info_for = info_for
+        self._shown_measure = shown_measure
+        self._parts, self._failures, self._part_blocks = [], [], []
+        self._face_blocks = []  # (document, start, length) of its rows in the temporary file
+        check_templates()
+        _prepare(self.folder, folder)
+        self._faces = tempfile.TemporaryFile(dir=self.folder)
+
+    @property
+    def overview(self):
+        """str: path of the overview page."""
+        return os.path.join(self.folder, OVERVIEW)
+
+    def pages_for(self, file):
+        """ReportPages of a document."""
+        return ReportPages(self.folder, os.path.relpath(file, self._tree), self._info_for(file),
+                           self._limits, self._shown_measure)
+
+    def add(self, outcome):
+        """Add the outcome of one document."""
+        pages = self.pages_for(outcome["file"])
+        document = pages.document
+        errors = [outcome["error"]] if "error" in outcome else outcome["failures"]
+        rows = []
+        for record in outcome.get("parts", ()):
+            checks = [check_walls(record, limits).content() for limits in self._limits]
+            self._parts.append(_summary(record, pages, checks))
+            rows.append((*measured_row(document, record), *check_cells(checks)))
+        for error in errors:
+            self._failures.append(FailureSummary(document, error.get("label"), error["kind"], error["message"]))
+            rows.append(failed_row(document, error.get("part"), error.get("label"), error))
+        self._part_blocks.append((document, csv_text(rows)))
+        start = self._faces.tell()
+        self._faces.write("".join(outcome.get("faces", {}).values()).encode("utf-8", "backslashreplace"))
+        self._face_blocks.append((document, start, self._faces.tell() - start))
+
+    def finish(self):
+        """Write tables and overview.
+
+        Raises
+        ------
+        ThinPartError
+            kind ``failed`` if there is no space for them.
+        """
+        try:
+            blocks = [text for _, text in sorted(self._part_blocks)]
+            write_part_table(os.path.join(self.folder, "parts.csv"), blocks,
+                             check_titles(limits.name for limits in self._limits))
+            write_atomically(os.path.join(self.folder, "faces.csv"), self._all_faces())
+            write_atomically(self.overview, self._overview_page())
+        except OSError as error:
+            raise ThinPartError(
+                message("The overview of the report could not be written into {folder} ({problem}): make room for "
+                        "it, and start again.", folder=self.folder, problem=error.strerror), "failed") from None
+
+    def close(self):
+        """Remove the temporary file."""
+        self._faces.close()
+
+    def _all_faces(self):
+        pieces = [csv_text([FACE_COLUMNS]).encode()]
+        for _, start, length in sorted(self._face_blocks):
+            self._faces.seek(start)
+            pieces.append(self._faces.read(length))
+        return b"".join(pieces)
+
+    def _overview_page(self):
+        profile = profile_from(self._profile)
+        names = [category.name for category in profile.categories] + [NORMAL, UNKNOWN]
+        count = Counter(part.category for part in self._parts)
+        return fill_in(
+            "index.html", software=__version__, tree=self._subject, profile=self._profile,
+            titles={category.name: category.title for category in profile.categories},
+            counts={"parts": len(self._parts),
+                    "categories": [(name, count[name]) for name in names if count[name]]},
+            limits=self._limits, rows=sorted(self._parts, key=lambda part: (part.file, part.page)),
+            failures=sorted(self._failures, key=lambda failure: failure.file),
+        )
+
+
+class OpenDocumentReport:
+    """Writes a report about an open document, saved or not, while its snapshot is measured.
+
+    Parameters
+    ----------
+    settings, profile : dict
+        Those of the snapshot.
+    output : str
+        Absolute path of the report's folder.
+    document : str
+        Absolute path of the document's file; empty where it has none.
+    label : str
+        Name of the document for people.
+    is_saved : bool
+        Whether the file has what is measured. Otherwise the pages say that it is not saved.
+    info_folder : str
+        See `info_location`: notes are taken from the info file there.
+    checks : str
+        Names of processes with commas between them, against whose limits the walls are checked.
+    failures : list of dict
+        Objects that cannot be read as parts.
+
+    Raises
+    ------
+    ThinPartError
+        As `ReportFolder`, and where the folder of info files does not answer.
+    """
+
+    def __init__(self, settings, profile, output, document, label, is_saved, info_folder, checks, failures):
+        self._file = document or os.path.join(os.path.dirname(output), label.replace(os.sep, "_"))
+        self._outcome = {"file": self._file, "parts": [], "failures": list(failures), "faces": {}}
+        info_file = os.fspath(info_location(document, info_folder)) if document else ""
+        self._folder = ReportFolder(
+            output, os.path.dirname(self._file), profile, lambda _: info_file,
+            limits_named(checks.split(","), None) if checks.strip() else (), RAY,
+            subject=os.path.dirname(document) if document else "")
+        self._pages = self._folder.pages_for(self._file)
+        source = new_source(document, linked_files(document), info_file) if is_saved else {"file": document or label}
+        self._maker = call_in_folder(info_folder, lambda: PageMaker(self._pages, source, settings, profile))
+
+    def add(self, part, measurement, record, features):
+        """Write the page of a part that was measured.
+
+        Parameters
+        ----------
+        part : SolidPart or MeshedPart
+        measurement : Measurement
+        record : PartRecord
+        features : list of str
+            The feature that made each face; may be empty.
+        """
+        self._pages.write(_Drawn(*self._maker.make(part, measurement, record, features)), record)
+        self._outcome["parts"].append(record)
+
+    def add_failure(self, failure):
+        """Add a part that could not be measured: PartFailure."""
+        # A part whose page could not be written is a failure alone.
+        self._outcome["failures"].append({
+            "part": failure.part, "label": failure.label, "kind": failure.kind, "message": failure.message})
+
+    def finish(self):
+        """Write the overview and the tables."""
+        self._folder.add({**self._outcome, "faces": self._maker.faces})
+        self._folder.finish()
+
+    def close(self):
+        """Remove the temporary file."""
+        self._folder.close()
+
+
+def _summary(record, pages, checks):
+    measured = record["descriptors"]
+    thin = sum(face["area_mm2"] * face["thin_share"] for face in record["faces"])
+    return PartSummary(
+        pages.document, record["label"], record["instances"], record["category"],
+        measured["thickness_mm"]["min"], thin / measured["area_mm2"], record["margin"], record["borderline"],
+        tuple(measured["box_mm"]), measured["diagonal_mm"], len(record["warnings"]), address(pages.page(record["name"])),
+        address(pages.picture(record["name"])), checks,
+    )
+
+
+def _prepare(path, given_name):
+    """Create the folder, or reuse that of an earlier report."""
+    try:
+        os.makedirs(path, exist_ok=True)
+        entries = os.listdir(path)
+        if entries and MARK not in entries:
+            raise ThinPartError(
+                message("{folder} already exists and is not the folder of a report: it was not changed; give a new or "
+                        "an empty folder.", folder=given_name), "usage")
+        mark = {"format": "thinpart-report", "version": 1, "software": __version__}
+        write_atomically(os.path.join(path, MARK), json.dumps(mark).encode() + b"\n")
+    except FileExistsError:
+        raise _not_writable(given_name, message("it is a file")) from None
+    except OSError as error:
+        raise _not_writable(given_name, error.strerror) from None
+
+
+def _not_writable(given_name, problem):
+    return ThinPartError(message("No report can be written into {folder} ({problem}): give another folder.",
+                                 folder=given_name, problem=problem), "usage")

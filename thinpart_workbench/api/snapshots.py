@@ -1,0 +1,151 @@
+"""Measure the parts of an open document from a snapshot of it, in another process than FreeCAD's."""
+
+import os
+import time
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Optional
+
+from ..core.analysis_settings import AnalysisSettings
+from ..core.judging.criteria import profile_from
+from ..core.maps.mapped_part import MappedPart
+from ..core.maps.thickness_map import thickness_map
+from ..core.message import message
+from ..core.record.record_types import PartRecord
+from ..core.record.thin_faces import limit_in_millimetres
+from ..core.thickness.face_thickness import thin_shares
+from ..freecad_adapter.features.face_features import face_features
+from ..freecad_adapter.objects.snapshot import read_history, read_snapshot
+from ..storage.map_file import write_maps
+from ..workflow.analysis.analyse_part import analyse_part
+from ..workflow.workers.reported_failure import is_out_of_memory
+from .classified_parts import PartFailure
+
+
+@dataclass(frozen=True)
+class SnapshotPart:
+    """A measured part of a snapshot.
+
+    Attributes
+    ----------
+    record : PartRecord
+    thin_limit_mm : float or None
+        The limit of the snapshot for thin faces; None if that of the verdict holds.
+    thin_shares : list of float, or None
+        By that limit, the thin share of each face.
+    """
+
+    record: PartRecord
+    thin_limit_mm: Optional[float] = None
+    thin_shares: Optional[list[float]] = None
+
+
+@dataclass(frozen=True)
+class SnapshotMap:
+    """The thickness map of a part that was measured just before.
+
+    Attributes
+    ----------
+    part : str
+        Name of the part.
+    file : str
+        In the snapshot's folder; see `map_file`.
+    """
+
+    part: str
+    file: str
+
+
+def measure_snapshot(folder, megabytes, report=None, wait_for_history=None, pages=None):
+    """Measure and judge the parts of a snapshot.
+
+    Parameters
+    ----------
+    folder : str
+        See `freecad_adapter.objects.snapshot.write_snapshot`.
+    megabytes : int
+        Limit of the address space of this process, which the sentence about a lack of memory names.
+    report : callable, optional
+        Called with the name of a part, the stage (``mesh``, ``measure``, ``map``) and the fraction of it that is done;
+        may raise to stop.
+    wait_for_history : callable, optional
+        Called before the feature history of the faces is read, which the window may still be writing.
+    pages : OpenDocumentReport, optional
+        Gets every part and every failure, instead of the maps being written.
+
+    Yields
+    ------
+    SnapshotPart, SnapshotMap or PartFailure
+        In the order of the snapshot. A map follows its part if the snapshot asks for maps, by the measure that it names.
+        A part that fails does not affect the others.
+
+    Raises
+    ------
+    ThinPartError
+        If the profile is unusable. An unreadable snapshot raises whatever its reader does.
+    """
+    job, read = read_snapshot(folder)
+    settings, profile = AnalysisSettings(**job["settings"]), profile_from(job["profile"])
+    for entry in job["parts"]:
+        report_part = _part_report(report, entry["name"])
+        try:
+            started = time.perf_counter()
+            part = read(entry)
+            seconds = time.perf_counter() - started
+            found, measurement = _measured(part, seconds, settings, profile, job["thin_limit"], report_part)
+            yield found
+            if pages is not None:
+                pages.add(part, measurement, found.record, _features(part, entry, folder, wait_for_history))
+            elif job["maps"]:
+                part_map = thickness_map(measurement, partial(report_part, "map"), job["maps"])
+                mapped = MappedPart(found.record, part_map, _features(part, entry, folder, wait_for_history))
+                yield SnapshotMap(part.name, _write_map(mapped, entry, folder))
+        except Exception as error:  # a failed part does not affect the others
+            failure = _failure(error, entry, megabytes)
+            if pages is not None:
+                pages.add_failure(failure)
+            yield failure
+
+
+def _part_report(report, name):
+    def report_part(stage, fraction):
+        if report is not None:
+            report(name, stage, fraction)
+
+    return report_part
+
+
+def _measured(part, seconds, settings, profile, thin_limit, report):
+    measurements = []
+    record = analyse_part(part, settings, profile, report, lambda measurement, _: measurements.append(measurement))
+    record["seconds"] = {
+        key: round(value, 4) for key, value in {"read": seconds, **record["seconds"]}.items()
+    }
+    measurement, = measurements
+    if thin_limit is None:
+        return SnapshotPart(record), measurement
+    limit = limit_in_millimetres(thin_limit, record["descriptors"]["diagonal_mm"])
+    return SnapshotPart(record, limit, thin_shares(measurement.field, limit).tolist()), measurement
+
+
+def _write_map(mapped, entry, folder):
+    path = os.path.join(folder, f"map-{entry['file']}.npz")
+    write_maps(path, [mapped])
+    return path
+
+
+def _features(part, entry, folder, wait_for_history):
+    if not entry.get("history"):
+        return []
+    if wait_for_history is not None:
+        wait_for_history()
+    return face_features(part.shape, read_history(folder, entry))
+
+
+def _failure(error, entry, megabytes):
+    failure = PartFailure.of_exception(error, entry["name"], entry["label"])
+    if is_out_of_memory(error):
+        return replace(failure, message=message(
+            "{part} needs more than {megabytes} MB of memory: raise the limit in the preferences.",
+            part=entry["label"], megabytes=megabytes))
+    return failure

@@ -1,0 +1,1 @@
+"""One module per command, with its options and its `run` function."""

@@ -1,0 +1,90 @@
+"""``thinpart learn``: thresholds from parts that people have labelled, and how good they are."""
+
+import argparse
+import json
+
+from ...api.learning import MESHING_LIMITS, export_labels, label_by_meshing, learn
+from ...core.analysis_settings import DEFAULT_PROFILE
+from ...core.errors import ThinPartError
+from ...core.run_control import RunControl
+from ..learned_text import print_learned
+from ..meshing_text import meshing_progress, print_meshing
+from ..run_options import add_limit_options, limits_of
+from ..stop_signals import stop_signals
+from ..terminal_table import printable
+
+
+def add_arguments(parser):
+    """Declare the options."""
+    parser.add_argument("library", metavar="LIBRARY", help="folder with info files, as classify writes them")
+    parser.add_argument("--labels", action="append", default=[], metavar="FILE",
+                        help="CSV with the columns file and category, and as you like part, person, sure, second, group; "
+                             "may be given several times")
+    parser.add_argument("--kept-labels", action=argparse.BooleanOptionalAction, default=True,
+                        help="take the labels too that people keep in the info files, by the window or by 'note --label' "
+                             "(default), or not")
+    parser.add_argument("--export-labels", metavar="FILE",
+                        help="only write all these labels as one CSV file")
+    parser.add_argument("--from-meshing", action="store_true",
+                        help="label the parts of LIBRARY by Gmsh instead, without a person: mesh them, say how well each "
+                             "quantity foretells trouble, and learn from these labels if there is -o; --export-labels "
+                             "writes them")
+    add_limit_options(parser, MESHING_LIMITS, "with --from-meshing: ")
+    parser.add_argument("--profile", default=DEFAULT_PROFILE, metavar="NAME-or-FILE",
+                        help="where to start: its categories, criteria and quantities are taken (default: %(default)s)")
+    parser.add_argument("-o", "--output", metavar="FILE", help="write the new profile; otherwise it is only described")
+    parser.add_argument("--json", action="store_true", help="print the result as one JSON object")
+
+
+def run(options):
+    """Learn and return the exit status."""
+    if options.from_meshing:
+        return _mesh(options)
+    if options.export_labels is not None:
+        return _export(options)
+    learned = learn(options.library, options.labels, options.profile, kept_labels=options.kept_labels,
+                    output=options.output)
+    if options.json:
+        print(json.dumps(learned.as_dict(), ensure_ascii=False, allow_nan=False))
+    else:
+        print_learned(learned, options.output)
+    return 0
+
+
+def _mesh(options):
+    if options.labels:
+        raise ThinPartError("--from-meshing stands instead of --labels: leave one of them out.", "usage")
+    control = RunControl()
+    with stop_signals(control), meshing_progress() as report:
+        meshing = label_by_meshing(options.library, options.profile, limits_of(options), output=options.export_labels,
+                                   control=control, report=report)
+    learned = None
+    if options.output is not None:
+        learned = learn(options.library, meshing, options.profile, kept_labels=False, output=options.output)
+    if options.json:
+        content = meshing.as_dict()
+        if learned is not None:
+            content["learned"] = learned.as_dict()
+        print(json.dumps(content, ensure_ascii=False, allow_nan=False))
+    else:
+        print_meshing(meshing, options.export_labels)
+        if learned is not None:
+            print()
+            print_learned(learned, options.output)
+    return SOME_FAILED if meshing.failures else 0
+
+
+SOME_FAILED = 1
+"""Exit status where parts could not be given to Gmsh."""
+
+
+def _export(options):
+    if options.output is not None:
+        raise ThinPartError("--export-labels learns nothing: leave -o out.", "usage")
+    count = export_labels(options.library, options.export_labels, options.labels, options.profile,
+                          kept_labels=options.kept_labels)
+    if options.json:
+        print(json.dumps({"labels": count, "file": options.export_labels}, ensure_ascii=False))
+    else:
+        print(f"{count} labels were written to {printable(options.export_labels)}.")
+    return 0

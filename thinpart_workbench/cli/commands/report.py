@@ -1,0 +1,65 @@
+"""``thinpart report``: write a page with pictures per part, and an overview."""
+
+from contextlib import closing
+
+from ...api.report_folder import ReportFolder
+from ...core.judging.criteria import load_profile
+from ...core.run_control import RunControl
+from ...storage.common_folder import common_folder
+from ...storage.info.info_file import info_path_getter
+from ..check_options import PartChecks, add_check_options, checked_limits
+from ..control_input import listen
+from ..file_run import analyse_and_report
+from ..run_options import (
+    add_control_options,
+    add_file_options,
+    add_info_folder_options,
+    add_limit_options,
+    add_measurement_options,
+    info_tree,
+    limits_of,
+    new_file_run,
+    settings_of,
+    shown_measure_of,
+)
+from ..run_report import new_report, standard_output
+from ..stop_signals import stop_signals
+
+
+def add_arguments(parser):
+    """Declare the options."""
+    add_file_options(parser)
+    parser.add_argument("-o", "--output", metavar="DIR", required=True,
+                        help="folder of the report: a new or an empty one, or that of an earlier report, "
+                             "whose pages are replaced")
+    add_info_folder_options(parser, "take notes that are kept with the parts from the info files in this folder "
+                           "instead of those beside the parts")
+    add_measurement_options(parser, has_pictures=True)
+    add_check_options(parser)
+    add_limit_options(parser)
+    add_control_options(parser)
+
+
+def run(options):
+    """Make the report and return the exit status."""
+    report = new_report(options.json, options.control)
+    control = RunControl(report.state)
+    profile = load_profile(options.profile).content
+    checks = PartChecks(checked_limits(options))
+    with stop_signals(control) as undisturbed, report:
+        if options.control:
+            listen(control)
+        file_run = new_file_run(options, control, report)
+        tree = common_folder(options.paths)
+        folder = ReportFolder(options.output, tree, profile, info_path_getter(options.info_dir, info_tree(options)),
+                              checks.limits, shown_measure_of(options))
+        with closing(folder):
+            failed = analyse_and_report(file_run, report, folder.add, checks=checks, profile=profile,
+                                        settings=settings_of(options), limits=limits_of(options),
+                                        pages_for=folder.pages_for)
+            with undisturbed():
+                folder.finish()
+    if not options.json:
+        with standard_output() as stream:
+            stream.write(f"{folder.overview}\n")
+    return checks.exit_status(1 if failed else 0)

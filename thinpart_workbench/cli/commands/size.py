@@ -1,0 +1,148 @@
+"""``thinpart size``: element sizes that fit the walls of parts, and meshes with and without them."""
+
+import csv
+import io
+from pathlib import Path
+
+from ...api.mesh_sizes import MESH_SECONDS, check_shell_file, mesh_sizes, write_shell_file, write_size_script
+from ...core.errors import ThinPartError
+from ...core.message import message
+from ...core.run_control import RunControl
+from ...core.shells.shell_settings import ShellSettings
+from ...core.sizing.sizing_settings import LAYERS_OF_ORDER, SizingSettings
+from ...storage.atomic_file import write_atomically
+from ..control_input import listen
+from ..run_options import (
+    add_control_options,
+    add_file_options,
+    add_limit_options,
+    add_measurement_options,
+    limits_of,
+    settings_of,
+)
+from ..run_report import new_report, standard_output
+from ..size_text import SIZE_COLUMNS, flat_row, print_part, print_sizes
+from ..stop_signals import stop_signals
+
+
+def add_arguments(parser):
+    """Declare the options."""
+    add_file_options(parser)
+    parser.add_argument("--layers", type=float, metavar="N",
+                        help="elements through the thickness of a thin wall (default: {:g}; of second order {:g})".format(
+                            *LAYERS_OF_ORDER.values()))
+    parser.add_argument("--order", type=int, choices=tuple(LAYERS_OF_ORDER), default=1,
+                        help="order of the elements (default: %(default)s)")
+    parser.add_argument("--growth", type=float, default=SizingSettings.growth, metavar="X",
+                        help="greatest ratio of the sizes of neighbouring elements (default: %(default)g)")
+    parser.add_argument("--size", type=float, metavar="MM",
+                        help="greatest element size (default: a tenth of the part's diagonal)")
+    parser.add_argument("--budget", type=int, metavar="N",
+                        help="at most so many elements: walls get fewer layers, and it says how many")
+    parser.add_argument("--geo", metavar="FILE",
+                        help="write the sizes of the part as a script for Gmsh, FILE.geo, which opens the part too")
+    parser.add_argument("--shell", metavar="FILE",
+                        help="write the mid-surface of the part as triangles with the thickness of its walls, FILE.inp "
+                             "(CalculiX), FILE.msh (Gmsh) or FILE.unv (I-DEAS)")
+    parser.add_argument("--shell-size", type=float, metavar="MM",
+                        help="greatest element size of the shell (default: from the diagonal and the narrowest wall)")
+    parser.add_argument("--shell-order", type=int, choices=(1, 2), default=ShellSettings.order,
+                        help="order of the elements of the shell (default: %(default)s; those of first order are too stiff)")
+    parser.add_argument("--part", metavar="NAME",
+                        help="name or label of the part for --geo and --shell, where the document has several")
+    parser.add_argument("--check", action="store_true",
+                        help="mesh each part with Gmsh, at the greatest size and at the proposed ones, and compare: "
+                             "elements, quality, layers in thin walls")
+    parser.add_argument("--mesh-timeout", type=float, default=MESH_SECONDS, metavar="S",
+                        help="time limit for each mesh, in seconds (default: %(default)g)")
+    parser.add_argument("--csv", metavar="FILE", help="write one row per part to a CSV file as well")
+    parser.add_argument("--force", action="store_true", help="do not take what an earlier, interrupted run has kept")
+    add_measurement_options(parser)
+    add_limit_options(parser)
+    add_control_options(parser)
+
+
+def run(options):
+    """Propose sizes and return the exit status."""
+    settings = SizingSettings(options.order, options.layers, options.growth, options.size, options.budget)
+    if options.geo is not None and not options.geo.lower().endswith(".geo"):
+        raise ThinPartError(message("{file} is no name for a script of Gmsh: give it the ending .geo.", file=options.geo),
+                            "usage")
+    shell = None
+    if options.shell is not None:
+        check_shell_file(options.shell)
+        shell = ShellSettings(options.shell_size, options.shell_order)
+    report, found, failed = new_report(options.json, options.control), [], 0
+    control = RunControl(report.state)
+    try:
+        with stop_signals(control), report:
+            if options.control:
+                listen(control)
+            for outcome in mesh_sizes(
+                    options.paths, settings, options.profile, analysis=settings_of(options), limits=limits_of(options),
+                    check=options.check, mesh_seconds=options.mesh_timeout, has_sources=options.geo is not None,
+                    force=options.force, include=options.include, exclude=options.exclude, control=control,
+                    started=report.started, shell=shell):
+                failed += "error" in outcome or bool(outcome["failures"])
+                found.append(outcome)
+                report.failures({**outcome, "parts": [_without_places(part) for part in outcome.get("parts", ())]})
+    finally:
+        parts = [(outcome["file"], part) for outcome in found for part in outcome.get("parts", ())]
+        if options.csv and parts:
+            _write_csv(options.csv, parts)
+        if parts and not options.json:
+            with standard_output() as stream:
+                if len(parts) == 1:
+                    print_part(stream, *parts[0])
+                else:
+                    print_sizes(stream, parts)
+    if options.geo is not None:
+        outcome, part = _chosen(options, found, options.geo)
+        write_size_script(options.geo, part, outcome["file"], len(outcome["parts"]))
+        _say(options, message("The sizes were written to {file}: open it in Gmsh.", file=Path(options.geo).name))
+    if options.shell is not None:
+        part = _chosen(options, found, options.shell)[1]
+        write_shell_file(options.shell, part)
+        _say(options, message("The shell was written to {file}: {elements} elements, {nodes} nodes.",
+                              file=Path(options.shell).name, elements=part["shell"]["elements"],
+                              nodes=part["shell"]["nodes"]))
+    return 1 if failed else 0
+
+
+def _without_places(part):
+    """What is proposed for a part, without the places that scripts are made of, and the nodes of its shell."""
+    shown = {key: value for key, value in part.items() if key not in ("sources", "box", "inner")}
+    if "shell" in shown:
+        shown["shell"] = {key: value for key, value in shown["shell"].items()
+                          if key not in ("points", "triangles", "wall", "thickness")}
+    return shown
+
+
+def _write_csv(path, parts):
+    text = io.StringIO()
+    writer = csv.writer(text)
+    writer.writerow(SIZE_COLUMNS)
+    writer.writerows(flat_row(file, part) for file, part in parts)
+    try:
+        write_atomically(path, text.getvalue().encode())
+    except OSError as error:
+        raise ThinPartError(message("{file} cannot be written ({problem}): name another place.", file=path,
+                                    problem=error.strerror), "failed") from None
+
+
+def _chosen(options, found, path):
+    """The outcome and the part that a file is for."""
+    files = [outcome for outcome in found if outcome.get("parts")]
+    chosen = [(outcome, part) for outcome in files for part in outcome["parts"]
+              if options.part in (None, part["name"], part["label"])]
+    if not chosen:
+        raise ThinPartError(message("There is no part that could be written to {file}.", file=path), "empty")
+    if len(chosen) > 1:
+        raise ThinPartError(message("{file} is for one part, and there are {count}: name one after --part, as {example}.",
+                                    file=path, count=len(chosen), example=chosen[0][1]["label"]), "usage")
+    return chosen[0]
+
+
+def _say(options, sentence):
+    if not options.json:
+        print(sentence)

@@ -1,0 +1,156 @@
+"""Proposed element sizes as printed text and as rows of a table."""
+
+import os
+
+from .terminal_table import CATEGORY_STYLES, OTHER_CATEGORY, TableColumn, print_table, printable
+
+_MESH_KEYS = ("elements", "gamma_least", "gamma_1_percent", "gamma_mean", "sicn_least", "poor_share", "layers_share",
+              "seconds", "reason")
+_PART_KEYS = ("category", "order", "wanted_layers", "layers", "global_size", "least_size", "thin_limit", "elements",
+              "uniform_elements")
+
+_IDEALISATION_KEYS = ("advice", "plate_volume_share", "plate_area_share", "width_to_thickness", "solid_elements",
+                      "shell_elements")
+_SHELL_KEYS = ("elements", "nodes", "size", "volume_share", "reason")
+
+SIZE_COLUMNS = ("file", "part", "label", *_PART_KEYS,
+                *(f"{mesh}_{key}" for mesh in ("default", "proposed") for key in _MESH_KEYS),
+                *_IDEALISATION_KEYS, *(f"shell_mesh_{key}" for key in _SHELL_KEYS), "left_solid")
+"""Columns of the CSV table; lengths in mm."""
+
+
+def flat_row(file, part):
+    """The cells of a part for `SIZE_COLUMNS`, list of str and numbers."""
+    check = part["check"] or {"default": {}, "proposed": {}}
+    shell = part.get("shell", {})
+    cells = [file, part["name"], part["label"], *(part[key] for key in _PART_KEYS),
+             *(check[mesh].get(key) for mesh in ("default", "proposed") for key in _MESH_KEYS),
+             *(part["idealisation"][key] for key in _IDEALISATION_KEYS), *(shell.get(key) for key in _SHELL_KEYS),
+             " ".join(face for each in shell.get("left_solid", ()) for face in each["faces"])]
+    return ["" if cell is None else _harmless(cell) for cell in cells]
+
+
+def _harmless(cell):
+    # As in other tables: no spreadsheet takes a name for a formula.
+    return "'" + cell if isinstance(cell, str) and cell[:1] in ("=", "+", "-", "@", "\t", "\r") else cell
+
+
+def print_part(stream, file, part):
+    """Print the proposal for one part: a sentence, its regions, and how it was meshed."""
+    stream.write(_sentences(file, part) + "\n")
+    stream.write(_idealisation(part["idealisation"]) + "\n")
+    if "shell" in part:
+        stream.write(_shell(part["shell"]) + "\n")
+    if part["regions"]:
+        stream.write("\n")
+        print_table(stream, _REGION_COLUMNS, lambda: part["regions"])
+    if part["check"] is not None:
+        stream.write("\n")
+        print_table(stream, _MESH_COLUMNS, lambda: [("one size", part["check"]["default"]),
+                                                    ("proposed", part["check"]["proposed"])])
+
+
+def print_sizes(stream, parts):
+    """Print a table with a row per part: (file, part)."""
+    has_check = any(part["check"] is not None for _, part in parts)
+    print_table(stream, _PART_COLUMNS + (_CHECK_COLUMNS if has_check else ()), lambda: parts)
+
+
+def _sentences(file, part):
+    name = printable(f"{os.path.basename(file)}: {part['label']}")
+    if part["least_size"] >= part["global_size"]:
+        why = "no wall is thinner than {:.4g} mm".format(part["thin_limit"])
+        if part["unbounded"] is not None:
+            why = "the budget allows no more"
+        return (f"{name}: one element size of {part['global_size']:.4g} mm, about {part['elements']:,} elements; {why}.")
+    text = (f"{name}: elements from {part['least_size']:.3g} mm in thin walls to {part['global_size']:.4g} mm, "
+            f"{part['layers']:.3g} layers in walls under {part['thin_limit']:.4g} mm; about {part['elements']:,} elements "
+            f"(one size of {part['least_size']:.3g} mm everywhere: {part['uniform_elements']:,}).")
+    wider = part["unbounded"]
+    if wider is not None:
+        text += (f"\nThe budget costs layers: {wider['layers']:.3g} layers would take about {wider['elements']:,} elements, "
+                 f"from {wider['least_size']:.3g} mm.")
+    return text
+
+
+_ADVICE = {"shell": "Shell or solid: a shell suits it", "mixed": "Shell or solid: shells for its walls, solids for the rest",
+           "solid": "Shell or solid: a solid"}
+
+
+def _idealisation(found):
+    """Which idealisation suits a part, and the figures for both, str."""
+    figures = [f"{_share(found['plate_volume_share'])} of its volume in plate-like walls"]
+    if found["width_to_thickness"] is not None:
+        figures.append(f"these {found['width_to_thickness']:.3g} times as wide as thick")
+    text = f"{_ADVICE[found['advice']]} ({', '.join(figures)}). About {found['solid_elements']:,} elements as a solid"
+    return text + (f", {found['shell_elements']:,} as a shell." if found["shell_elements"] else ".")
+
+
+def _shell(shell):
+    """What the shell is, or why there is none, str."""
+    if not shell["elements"]:
+        return f"No shell: {shell['reason']}"
+    thick = [wall["thickness"] for wall in shell["walls"]]
+    text = (f"Shell: {shell['elements']:,} triangles of up to {shell['size']:.3g} mm, {len(thick)} walls from "
+            f"{min(thick):.3g} to {max(thick):.3g} mm thick, {_share(shell['volume_share'])} of the part's volume.")
+    for each in shell["left_solid"]:
+        text += f"\nLeft solid: a {each['kind']} {each['thickness']:.3g} mm thick, {_some(each['faces'])}."
+    return "\n".join([text, *shell["warnings"]])
+
+
+def _share(value):
+    return "-" if value is None else f"{100.0 * value:.3g} %"
+
+
+def _number(value, digits=3):
+    return "-" if value is None else f"{value:.{digits}g}"
+
+
+def _outcome(figures):
+    return f"{figures['elements']:,}" if figures["elements"] else f"none: {figures['reason']}"
+
+
+_REGION_COLUMNS = (
+    TableColumn("Region", lambda row: str(row["region"]), True),
+    TableColumn("Kind", lambda row: row["kind"]),
+    TableColumn("Thickness mm", lambda row: _number(row["thickness"]), True),
+    TableColumn("Width mm", lambda row: _number(row["width"]), True),
+    TableColumn("Area mm2", lambda row: _number(row["area"]), True),
+    TableColumn("Element mm", lambda row: _number(row["size"]), True),
+    TableColumn("Layers", lambda row: _number(row["layers"], 2), True),
+    TableColumn("Elements", lambda row: f"{row['elements']:,}", True),
+    TableColumn("Faces", lambda row: _some(row["faces"])),
+)
+
+_MESH_COLUMNS = (
+    TableColumn("Mesh", lambda row: row[0]),
+    TableColumn("Elements", lambda row: _outcome(row[1]), True),
+    TableColumn("Worst gamma", lambda row: _number(row[1]["gamma_least"]), True),
+    TableColumn("Worst 1 %", lambda row: _number(row[1]["gamma_1_percent"]), True),
+    TableColumn("Mean", lambda row: _number(row[1]["gamma_mean"]), True),
+    TableColumn("Worst minSICN", lambda row: _number(row[1]["sicn_least"]), True),
+    TableColumn("Under 0.3", lambda row: _share(row[1]["poor_share"]), True),
+    TableColumn("Has layers", lambda row: _share(row[1]["layers_share"]), True),
+    TableColumn("Seconds", lambda row: _number(row[1]["seconds"], 2), True),
+)
+
+_PART_COLUMNS = (
+    TableColumn("Part", lambda row: f"{os.path.basename(row[0])}: {row[1]['label']}"),
+    TableColumn("Category", lambda row: row[1]["category"], style=lambda row: CATEGORY_STYLES.get(
+        row[1]["category"], OTHER_CATEGORY)),
+    TableColumn("Element mm", lambda row: f"{row[1]['least_size']:.3g} to {row[1]['global_size']:.3g}", True),
+    TableColumn("Layers", lambda row: _number(row[1]["layers"], 2) if row[1]["layers"] else "-", True),
+    TableColumn("Elements", lambda row: f"{row[1]['elements']:,}", True),
+)
+
+_CHECK_COLUMNS = (
+    TableColumn("Meshed at one size", lambda row: _outcome(row[1]["check"]["default"]), True),
+    TableColumn("Under 0.3", lambda row: _share(row[1]["check"]["default"]["poor_share"]), True),
+    TableColumn("Meshed as proposed", lambda row: _outcome(row[1]["check"]["proposed"]), True),
+    TableColumn("Under 0.3", lambda row: _share(row[1]["check"]["proposed"]["poor_share"]), True),
+    TableColumn("Has layers", lambda row: _share(row[1]["check"]["proposed"]["layers_share"]), True),
+)
+
+
+def _some(names, most=4):
+    return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")

@@ -1,0 +1,1 @@
+"""The measured quantities of a part: their table, the thickness distribution, similarity."""

@@ -1,0 +1,277 @@
+"""Similar parts: alike in their walls, fill and box, whatever their position and size."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from .distribution import BINS
+
+EDGE_STEPS = ((1, 30), (2, 80), (5, 150), (10, 300), (25, BINS))
+"""(width, end) in bins of the distribution: intervals of that width up to that bin, finest where thin parts differ."""
+
+THICKNESS_UNIT = 0.05
+"""The x (the paper's bound on thin features) above which thicknesses are compared by their ratio rather than by their
+difference."""
+
+NO_WALL = 0.25
+"""Distance from the thickest wall, on the scale from 0 to 1, at which area without a parallel wall is placed."""
+
+SIDES_RATIO = 10.0
+"""Ratio of sides at which the difference between two boxes reaches its maximum."""
+
+UNKNOWN_FILL = 0.25
+"""Difference of fill where only one of two parts has a known fill; about that of two random parts."""
+
+HALF_SCORE = 0.2
+"""Distance that halves the score."""
+
+_AT_ONCE = 4096
+
+
+class Term(NamedTuple):
+    """One way in which two parts differ.
+
+    Attributes
+    ----------
+    name : str
+    weight : float
+        Weight in the distance; all weights sum to 1.
+    near, less, much_less, more, much_more : str
+        Texts for a part that has the same as the reference part, somewhat and much less, and somewhat and much
+        more. The texts for less and more are the same where the term has no direction.
+    unknown : str
+        Text for parts that cannot be compared.
+    """
+
+    name: str
+    weight: float
+    near: str
+    less: str
+    much_less: str
+    more: str
+    much_more: str
+    unknown: str = ""
+
+
+TERMS = (
+    Term("walls", 0.45, "same wall distribution", "similar wall distribution",
+         "different wall distribution", "similar wall distribution", "different wall distribution"),
+    Term("fill", 0.2, "same fill", "less filled", "much less filled", "more filled",
+         "much more filled", "fill not comparable"),
+    Term("length", 0.125, "box as long", "shorter box", "much shorter box", "longer box",
+         "much longer box"),
+    Term("flatness", 0.125, "box as flat", "less flat box", "much less flat box", "flatter box",
+         "much flatter box"),
+    Term("slanted", 0.1, "", "fewer tapered walls", "far fewer tapered walls",
+         "more tapered walls", "far more tapered walls"),
+)
+"""The terms of the distance, with their weights and texts."""
+
+NEAR, FAR = 0.04, 0.2
+"""Terms below `NEAR` are described as the same, terms from `FAR` on as much less or much more."""
+
+
+def _edges():
+    edges: list[int] = []
+    start = 0
+    for width, end in EDGE_STEPS:
+        edges += range(start, end, width)
+        start = end
+    return np.array(edges)
+
+
+def _spacing(edges):
+    ends = np.append(edges, BINS) / BINS
+    return np.diff(np.log1p(ends / THICKNESS_UNIT)) / math.log1p(1.0 / THICKNESS_UNIT)
+
+
+EDGES = _edges()
+"""ndarray of shape (INTERVALS,), int64: first bin of each interval of x."""
+
+INTERVALS = len(EDGES)
+_WIDTHS = np.diff(np.append(EDGES, BINS)).astype(float)
+
+SPACING = _spacing(EDGES)
+"""ndarray of shape (INTERVALS,): length of each interval on the scale of thickness, which is proportional to
+``log(1 + x / THICKNESS_UNIT)`` and runs from 0 to 1."""
+
+PARALLEL, NONPARALLEL, UNMEASURED, FILL, D2_D1, D3_D1, DIAGONAL = range(INTERVALS, INTERVALS + 7)
+"""Columns of a signature after those of the distribution."""
+
+SIGNATURE_LENGTH = INTERVALS + 7
+
+_WALL_WEIGHTS = (np.append(SPACING, NO_WALL) / (1.0 + NO_WALL)).astype(np.float32)
+_WEIGHTS = np.array([term.weight for term in TERMS])
+_LEAST_RATIO = np.float32(1e-4)
+
+
+def signature(record):
+    """Compute the signature by which a part is compared.
+
+    Parameters
+    ----------
+    record : PartRecord
+
+    Returns
+    -------
+    ndarray of shape (SIGNATURE_LENGTH,), float32
+        The share of the area over parallel walls thinner than x, as its mean over each interval of x
+        (so that it changes continuously when a wall moves across an edge); from `PARALLEL` on the shares
+        of parallel, non-parallel and unmeasured area, the fill V/VBB (NaN where it is not known),
+        D2/D1, D3/D1, and the diagonal in mm.
+    """
+    content = record["descriptors"]
+    table, shares, sides = content["distribution"], content["shares"], content["box_mm"]
+    fill = content["volume_ratio"]
+    area = np.zeros(BINS)
+    if table["bins"]:
+        area[table["bins"]] = table["area"]
+    result = np.empty(SIGNATURE_LENGTH, dtype=np.float32)
+    result[:INTERVALS] = np.add.reduceat(area.cumsum(), EDGES) / _WIDTHS
+    result[INTERVALS:] = (
+        shares["parallel"], shares["nonparallel"], shares["unmeasured"],
+        math.nan if fill is None else fill, sides[1] / sides[0], sides[2] / sides[0],
+        content["diagonal_mm"],
+    )
+    return result
+
+
+class Similarity(NamedTuple):
+    """The parts most similar to a reference part, most similar first.
+
+    Attributes
+    ----------
+    indices : ndarray of shape (k,), int64
+        Rows of the signatures.
+    distances : ndarray of shape (k,)
+        From 0 for the same part to about 1.
+    terms : ndarray of shape (k, len(TERMS))
+        Terms of the distances, each from -1 to 1: how much more the part has than the reference part; without a
+        sign for the walls. NaN where the value of one or both parts is unknown.
+    """
+
+    indices: np.ndarray
+    distances: np.ndarray
+    terms: np.ndarray
+
+
+def nearest(signatures, reference, count, same_size=None):
+    """Find the parts most similar to a reference part.
+
+    Parameters
+    ----------
+    signatures : ndarray of shape (n, SIGNATURE_LENGTH), float32
+    reference : ndarray of shape (SIGNATURE_LENGTH,), float32
+    count : int
+        How many at most.
+    same_size : float, optional
+        Factor, 1 or more, by which diagonals may differ; by default any size.
+
+    Returns
+    -------
+    Similarity
+        Equally similar parts come in the order of their rows.
+
+    Notes
+    -----
+    The distance is ``sqrt(sum(weight * term ** 2))`` over `TERMS`:
+
+    - ``walls``: earth mover's distance (Rubner, Tomasi, Guibas, IJCV 2000) between the distributions of
+      area by thickness, ``integral |F - G|`` over the scale of `SPACING`, where area without a parallel
+      wall lies `NO_WALL` behind its end, divided by the total length. So it is 1 between a part whose walls all
+      have no thickness and a part without walls.
+    - ``fill``: difference of V/VBB; `UNKNOWN_FILL` if only one is known, 0 if none is.
+    - ``length``, ``flatness``: difference of the logarithms of D1/D2 and of D2/D3, in units of the
+      logarithm of `SIDES_RATIO`, 1 at most.
+    - ``slanted``: difference of the shares of area over non-parallel walls.
+    """
+    signatures = np.asarray(signatures, dtype=np.float32).reshape(-1, SIGNATURE_LENGTH)
+    reference = np.asarray(reference, dtype=np.float32)
+    chosen = np.arange(len(signatures))
+    if same_size is not None:
+        with np.errstate(over="ignore"):  # infinity is correctly treated as too different
+            ratio = signatures[:, DIAGONAL] / reference[DIAGONAL]
+        chosen = np.flatnonzero((ratio <= same_size) & (ratio * same_size >= 1.0))
+    distances = np.empty(len(chosen))
+    for start in range(0, len(chosen), _AT_ONCE):
+        rows = chosen[start:start + _AT_ONCE]
+        # A slice is a view; indexing with rows copies.
+        part = signatures[start:start + _AT_ONCE] if same_size is None else signatures[rows]
+        distances[start:start + _AT_ONCE] = _distances(part, reference)
+    best = _least(distances, count)
+    found = chosen[best]
+    return Similarity(found, distances[best], _terms(signatures[found], reference))
+
+
+def score(distance):
+    """Similarity score of a distance, from 100 for the same part down to 0; each `HALF_SCORE` halves it."""
+    return 100.0 * np.exp2(-np.asarray(distance) / HALF_SCORE)
+
+
+def reasons(terms):
+    """Describe the similarity of two parts in words.
+
+    Parameters
+    ----------
+    terms : ndarray of shape (len(TERMS),)
+        A row of `Similarity.terms`.
+
+    Returns
+    -------
+    str
+        Such as "same wall distribution, same fill, longer box, less flat box".
+    """
+    return ", ".join(filter(None, map(_words, TERMS, terms)))
+
+
+def _words(term, value):
+    if math.isnan(value):
+        return term.unknown
+    if abs(value) < NEAR:
+        return term.near
+    if value < 0.0:
+        return term.less if value > -FAR else term.much_less
+    return term.more if value < FAR else term.much_more
+
+
+def _terms(signatures, reference):
+    """Terms of the distance of each row from one signature, ndarray of shape (k, len(TERMS))."""
+    walls = signatures[:, :PARALLEL + 1] - reference[:PARALLEL + 1]
+    np.abs(walls, out=walls)
+    terms = np.empty((len(signatures), len(TERMS)), dtype=np.float32)
+    terms[:, 0] = walls @ _WALL_WEIGHTS
+    terms[:, 1] = signatures[:, FILL] - reference[FILL]
+    length, flatness = _sides(signatures.T)
+    reference_length, reference_flatness = _sides(reference)
+    terms[:, 2] = np.clip(length - reference_length, -1.0, 1.0)
+    terms[:, 3] = np.clip(flatness - reference_flatness, -1.0, 1.0)
+    terms[:, 4] = signatures[:, NONPARALLEL] - reference[NONPARALLEL]
+    return terms
+
+
+def _distances(signatures, reference):
+    squares = np.square(_terms(signatures, reference))
+    unknown, reference_unknown = np.isnan(signatures[:, FILL]), np.isnan(reference[FILL])
+    squares[unknown | reference_unknown, 1] = UNKNOWN_FILL ** 2
+    # A part whose fill is unknown still has distance 0 from itself.
+    squares[unknown & reference_unknown, 1] = 0.0
+    return np.sqrt(squares @ _WEIGHTS)
+
+
+def _least(distances, count):
+    """Indices of the `count` least distances, in ascending order."""
+    count = min(count, len(distances))
+    if count <= 0:
+        return np.empty(0, dtype=np.int64)
+    limit = np.partition(distances, count - 1)[count - 1]
+    among = np.flatnonzero(distances <= limit)
+    return among[np.argsort(distances[among], kind="stable")[:count]]
+
+
+def _sides(signatures):
+    """Logarithms of D1/D2 and D2/D3; the first axis is that of the columns."""
+    middle = np.log(np.maximum(signatures[D2_D1], _LEAST_RATIO))
+    least = np.log(np.maximum(signatures[D3_D1], _LEAST_RATIO))
+    unit = np.float32(math.log(SIDES_RATIO))
+    return -middle / unit, (middle - least) / unit

@@ -1,0 +1,81 @@
+"""The one table of file formats that ThinPart reads."""
+
+import os
+from dataclasses import dataclass
+
+DOCUMENT, SHAPE, MESH = "document", "shape", "mesh"
+"""Kinds of files: FreeCAD documents, exact shapes (B-Rep), and triangles."""
+
+
+@dataclass(frozen=True)
+class FileFormat:
+    """A format.
+
+    Attributes
+    ----------
+    name : str
+        Shown to people; for documents, the name of the program.
+    kind : str
+        `DOCUMENT`, `SHAPE` or `MESH`.
+    endings : tuple of str
+        In lower case, with the dot.
+    has_text : bool
+        Whether some or all files of the format hold numbers as text.
+    is_recent : bool
+        Whether FreeCAD 0.20 cannot read it, only later versions.
+    """
+
+    name: str
+    kind: str
+    endings: tuple
+    has_text: bool = False
+    is_recent: bool = False
+
+    @property
+    def choice(self):
+        """str: the key of `CHOICES` that includes this format; all meshes are one choice."""
+        return "Mesh" if self.kind == MESH else self.name
+
+
+FORMATS = (
+    FileFormat("FreeCAD", DOCUMENT, (".fcstd",)),
+    FileFormat("STEP", SHAPE, (".step", ".stp"), has_text=True),
+    FileFormat("IGES", SHAPE, (".iges", ".igs"), has_text=True),
+    FileFormat("BREP", SHAPE, (".brep", ".brp"), has_text=True),
+    FileFormat("STL", MESH, (".stl",), has_text=True),
+    FileFormat("OBJ", MESH, (".obj",), has_text=True),
+    FileFormat("PLY", MESH, (".ply",), has_text=True),
+    FileFormat("OFF", MESH, (".off",), has_text=True),
+    FileFormat("3MF", MESH, (".3mf",), is_recent=True),
+)
+
+ENDINGS = tuple(ending for file_format in FORMATS for ending in file_format.endings)
+"""Endings of all formats."""
+
+CHOICES = {
+    name: tuple(ending for file_format in FORMATS if file_format.choice == name for ending in file_format.endings)
+    for name in dict.fromkeys(file_format.choice for file_format in FORMATS)}
+"""The formats that a user can choose for a folder, with the file name endings of each choice."""
+
+
+def format_of(path):
+    """Find the format of a file by its name; None where there is none.
+
+    Parameters
+    ----------
+    path : str or Path
+    """
+    name = os.fspath(path).lower()
+    return next((file_format for file_format in FORMATS if name.endswith(file_format.endings)), None)
+
+
+def is_document(path):
+    """Whether a file is a FreeCAD document, by its name."""
+    found = format_of(path)
+    return found is not None and found.kind == DOCUMENT
+
+
+def is_shape(path):
+    """Whether a file has exact shapes, by its name; mesh generators open these as geometry."""
+    found = format_of(path)
+    return found is not None and found.kind == SHAPE

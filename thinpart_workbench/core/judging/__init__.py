@@ -1,0 +1,1 @@
+"""Criteria, categories, verdicts and their reasons. Nothing is measured here."""

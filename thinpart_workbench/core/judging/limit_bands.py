@@ -1,0 +1,58 @@
+"""The ranges of thickness into which limits of the wall divide a map: what fails, what is just above, what passes."""
+
+from dataclasses import dataclass
+
+FAILS, JUST_ABOVE, PASSES, TOO_THICK = BANDS = ("fails", "just_above", "passes", "too_thick")
+
+ABOVE = 0.1
+"""Share of the least wall up to which a wall is just above it: it passes, but a tolerance or wear may use that up."""
+
+AT_LIMIT = 1e-4
+"""Share of a limit within which a wall is as thick as the limit: maps have points in float32."""
+
+
+@dataclass(frozen=True)
+class LimitBand:
+    """A range of thickness.
+
+    Attributes
+    ----------
+    name : str
+        One of `BANDS`.
+    low, high : float, mm
+        From `low` to less than `high`; infinite where nothing limits it.
+    limit : float, mm
+        The limit that it lies beside, 0 for none.
+    """
+
+    name: str
+    low: float
+    high: float
+    limit: float = 0.0
+
+
+def limit_bands(least, most):
+    """Divide all thicknesses by limits.
+
+    Parameters
+    ----------
+    least, most : float, mm
+        0 for no such limit.
+
+    Returns
+    -------
+    list of LimitBand
+        The thinnest first.
+    """
+    end = most * (1.0 + AT_LIMIT) if most > 0.0 else float("inf")
+    bands, low = [], 0.0
+    if least > 0.0:
+        low = least * (1.0 - AT_LIMIT)
+        bands.append(LimitBand(FAILS, 0.0, low, least))
+        above = min(least * (1.0 + ABOVE), end)
+        bands.append(LimitBand(JUST_ABOVE, low, above, least))
+        low = above
+    bands.append(LimitBand(PASSES, low, end))
+    if most > 0.0:
+        bands.append(LimitBand(TOO_THICK, end, float("inf"), most))
+    return bands

@@ -1,0 +1,33 @@
+"""The check of walls on what the index of a library stores of a part."""
+
+import struct
+
+from .wall_check import MeasuredWalls, wall_verdict
+from .wall_limits import WallLimits
+
+
+def packed_walls_pass(thinnest, error, volume, area, diagonal, unmeasured, unmet, wall_bins, wall_area, slanted_bins,
+                      slanted_area, least, most):
+    """Whether the walls of a part lie within limits; see `wall_verdict`.
+
+    Parameters
+    ----------
+    thinnest, error, volume, area, diagonal, unmeasured, unmet : float or None
+        As in `MeasuredWalls`.
+    wall_bins, wall_area, slanted_bins, slanted_area : bytes
+        See `packed_walls`.
+    least, most : float or None, mm
+
+    Returns
+    -------
+    int or None
+        1 or 0; None where it cannot be told.
+    """
+    walls, slanted = (_unpacked(*table) for table in ((wall_bins, wall_area), (slanted_bins, slanted_area)))
+    measured = MeasuredWalls(thinnest, error, volume, area, diagonal, walls, slanted, unmeasured, unmet)
+    *verdicts, _ = wall_verdict(measured, WallLimits("", "", least, most))
+    return 0 if False in verdicts else None if None in verdicts else 1
+
+
+def _unpacked(bins, area):
+    return struct.unpack(f"<{len(bins) // 2}H", bins), struct.unpack(f"<{len(area) // 4}f", area)

@@ -1,0 +1,58 @@
+"""The verdict in a sentence with figures, as an engineer would say it."""
+
+from ..categories import NORMAL
+from ..descriptors.descriptor_table import quantity_named
+from ..descriptors.quantity import MiddleShare
+from ..message import message
+from ..number_text import number, percent
+from .verdict_reasons import deciding_criteria
+
+
+def verdict_sentence(record):
+    """What decided, in figures.
+
+    Parameters
+    ----------
+    record : dict
+        Part record, or a verdict without descriptors, which has no figures.
+
+    Returns
+    -------
+    Message or None
+        None where the profile asks for something that has no such sentence: who shows it has the titles of the criteria.
+    """
+    if "descriptors" not in record:
+        return None
+    rows = deciding_criteria(record)
+    if not rows and record["category"] == NORMAL:
+        rows = [row for row in record["evidence"] if row["holds"] is False]
+    by_walls = [(quantity, condition, row) for row in rows for condition in row["conditions"]
+                for quantity in [quantity_named(condition["quantity"])] if isinstance(quantity, MiddleShare)]
+    if not by_walls:
+        return None
+    # The least bound is the one below which walls are shown as thin.
+    quantity, condition, row = min(by_walls, key=lambda found: found[0].bounds[1])
+    plates = next((each for each in row["conditions"] if each["quantity"] == "plate_share"), None)
+    return _of_walls(record, quantity, condition, plates)
+
+
+def _of_walls(record, quantity, condition, plates):
+    width = record["descriptors"]["box_mm"][1]
+    bound, middle = quantity.bounds[1], number(width)
+    share, limit, part = percent(condition["value"]), number(bound * width), percent(bound)
+    if not condition["value"]:
+        return message(
+            "No walls are thinner than {limit} mm, {part} of the middle side of {middle} mm: mesh it with solids.",
+            limit=limit, part=part, middle=middle)
+    if not condition["holds"]:
+        return message(
+            "Only {share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm: "
+            "mesh it with solids.", share=share, limit=limit, part=part, middle=middle)
+    if plates is not None:
+        return message(
+            "{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm, and "
+            "{plates} over walls that are plates: consider shells.",
+            share=share, limit=limit, part=part, middle=middle, plates=percent(plates["value"]))
+    return message(
+        "{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm: refine "
+        "the mesh there.", share=share, limit=limit, part=part, middle=middle)

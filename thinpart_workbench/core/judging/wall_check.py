@@ -1,0 +1,330 @@
+"""Whether the walls of a part lie within the limits of a process, from its record alone. Nothing is measured here.
+
+Command lines list and check stored parts without numpy, so neither is it imported here.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Optional
+
+from ..descriptors.descriptor_table import STATED_FLOOR
+from ..message import message
+from ..number_text import number, percent
+from ..tolerances import TOLERANCES
+from .wall_limits import WallLimits
+
+BINS = 1000
+"""Bins of the distribution; repeated here because `distribution` imports numpy. A test compares them."""
+
+TOO_COARSE = 0.5
+"""Error of a wall, as a share of the limit, from which on a wall near the limit cannot be told."""
+
+THICK_FROM, THIN_UP_TO = 0.25, 0.05
+"""Share of the volume outside walls of the greatest thickness from which on a part is too thick, and up to which it is not.
+What lies between may be where walls meet: there a ray runs along one of them."""
+
+NEAR = 0.02
+"""Share of the least wall by which the thinnest may be thinner where its error bound allows for that: limits of guides are
+no more precise."""
+
+CLOSE = 0.05
+"""Greatest difference between bounds of a share that is given as one figure."""
+
+
+@dataclass(frozen=True)
+class MeasuredWalls:
+    """What a check needs of a part. Areas are shares of the surface, by bins of x as in `Distribution`.
+
+    Attributes
+    ----------
+    thinnest, error : float or None, mm
+        The thinnest wall of some extent, and the error bound of a thickness.
+    volume, area : float or None, mm3 and mm2
+    diagonal : float, mm
+    walls, slanted : tuple of (sequence of int, sequence of float)
+        Bins and areas of parallel walls and of those at 10 to 60 degrees.
+    unmeasured, unmet : float
+        Shares of the surface without a wall that could be measured, and whose rays met nothing.
+    """
+
+    thinnest: Optional[float]
+    error: float
+    volume: Optional[float]
+    area: float
+    diagonal: float
+    walls: tuple
+    slanted: tuple
+    unmeasured: float
+    unmet: float
+
+    @classmethod
+    def of_record(cls, record):
+        """Those of a part record."""
+        content = record["descriptors"]
+        wall, shares = content["thickness_mm"], content["shares"]
+        walls, slanted = content["distribution"], content["nonparallel"]
+        return cls(wall["min"], wall["error_bound"], content["volume_mm3"], content["area_mm2"], content["diagonal_mm"],
+                   (walls["bins"], walls["area"]), (slanted["bins"], slanted["area"]),
+                   shares["unmeasured"], shares["unmet"])
+
+    def share_under(self, limit):
+        """Least and greatest share of the surface over walls, parallel or not, thinner than a limit in mm: two floats.
+
+        They differ by what lies in the bin that the limit cuts.
+        """
+        cut = self._bin_of(limit)
+        rows = [row for table in (self.walls, self.slanted) for row in zip(*table)]
+        return sum(area for bin_, area in rows if bin_ < cut), sum(area for bin_, area in rows if bin_ <= cut)
+
+    def share_over(self, limit):
+        """Share of the surface over walls, parallel or not, that are surely thicker than a limit in mm: float."""
+        cut = self._bin_of(limit)
+        return sum(area for table in (self.walls, self.slanted) for bin_, area in zip(*table) if bin_ > cut)
+
+    def tapered_under(self, limit):
+        """Share of the surface over walls at 10 to 60 degrees that are surely thinner than a limit in mm: float."""
+        cut = self._bin_of(limit)
+        return sum(area for bin_, area in zip(*self.slanted) if bin_ < cut)
+
+    def volume_outside(self, limit):
+        """Least share of the volume that no wall up to a limit, mm, encloses: float, or None where there is no volume.
+
+        Notes
+        -----
+        A wall of thickness t under an area a on either side holds a t / 2 for each of them. Where all walls up to the
+        limit, taken at the upper ends of their bins, and the surface without a wall, taken at the limit, together hold
+        less than the part, the rest lies deeper than the limit allows.
+        """
+        if not self.volume:
+            return None
+        cut = self._bin_of(limit)
+        reach = self.unmeasured * limit + sum(
+            area * min((bin_ + 1) / BINS * self.diagonal, limit)
+            for table in (self.walls, self.slanted) for bin_, area in zip(*table) if bin_ <= cut)
+        return max(0.0, 1.0 - 0.5 * self.area * reach / self.volume)
+
+    def _bin_of(self, millimetres):
+        return int(math.floor((millimetres / self.diagonal + TOLERANCES.bin_edge) * BINS))
+
+
+@dataclass(frozen=True)
+class WallCheck:
+    """The result of a check.
+
+    Attributes
+    ----------
+    limits : WallLimits
+    holds : bool or None
+        None where it cannot be told.
+    within_tolerance : bool
+        Whether the error bound of the thinnest wall spans the least wall, so that the result might just be the other.
+    thin_holds, thick_holds : bool or None
+        For the least and the greatest wall alone; true where the process has no such limit.
+    thinnest_mm : float or None, mm
+    error_mm : float, mm
+    thinnest_face : str
+        Empty where it is not known.
+    thin_share : tuple of float
+        Least and greatest share of the surface under the least wall.
+    thick_share : float
+        Share of the surface over walls thicker than the greatest.
+    tapered_share : float
+        Share of the surface over tapered walls thinner than the least: they end in edges, and decide nothing.
+    faces : tuple of str
+        Faces with a wall under the least one, the thinnest first.
+    """
+
+    limits: WallLimits
+    holds: Optional[bool]
+    within_tolerance: bool
+    thin_holds: Optional[bool]
+    thick_holds: Optional[bool]
+    thinnest_mm: Optional[float]
+    error_mm: float
+    thinnest_face: str = ""
+    thin_share: tuple = (0.0, 0.0)
+    thick_share: float = 0.0
+    tapered_share: float = 0.0
+    faces: tuple = ()
+
+    def content(self):
+        """dict for JSON."""
+        return {
+            "process": self.limits.name, "min_mm": self.limits.min_mm, "max_mm": self.limits.max_mm,
+            "passes": self.holds, "within_tolerance": self.within_tolerance,
+            "thinnest_mm": self.thinnest_mm, "error_bound_mm": self.error_mm, "thinnest_face": self.thinnest_face or None,
+            "thin_share": [round(share, 9) for share in self.thin_share], "thick_share": round(self.thick_share, 9),
+            "tapered_share": round(self.tapered_share, 9),
+            "faces": list(self.faces), "sentence": check_sentence(self),
+        }
+
+
+def wall_verdict(measured, limits):
+    """Compare the walls of a part with the limits of a process.
+
+    Parameters
+    ----------
+    measured : MeasuredWalls
+    limits : WallLimits
+
+    Returns
+    -------
+    thin_holds, thick_holds : bool or None
+        Whether no wall is thinner, and none thicker, than it may be; None where it cannot be told.
+    within_tolerance : bool
+    """
+    thin_holds, within = _is_thick_enough(measured, limits.min_mm)
+    return thin_holds, _is_thin_enough(measured, limits.max_mm), within
+
+
+def check_walls(record, limits):
+    """Check a part.
+
+    Parameters
+    ----------
+    record : PartRecord
+        It may lack its faces, which make shares of the surface more precise.
+    limits : WallLimits
+
+    Returns
+    -------
+    WallCheck
+
+    Notes
+    -----
+    The least wall is compared with the part's thinnest wall, which has an extent (`thinnest_walls`), so that stray rays
+    decide nothing. Tapered walls end in edges, where they are thinner than any limit: they count in shares of the surface,
+    not in the verdict. For the greatest wall see `MeasuredWalls.volume_outside`: a ray from the edge of a plate
+    runs along it, and would call every plate thick.
+    """
+    measured = MeasuredWalls.of_record(record)
+    thin_holds, thick_holds, within = wall_verdict(measured, limits)
+    holds = False if False in (thin_holds, thick_holds) else None if None in (thin_holds, thick_holds) else True
+    faces = sorted((face["min"], face["face"]) for face in record.get("faces", ()) if face["min"] is not None)
+    failing = thin_holds is False
+    return WallCheck(
+        limits, holds, within, thin_holds, thick_holds, measured.thinnest, measured.error, faces[0][1] if faces else "",
+        _thin_share(record, measured, limits.min_mm) if failing else (0.0, 0.0),
+        0.0 if limits.max_mm is None else measured.share_over(limits.max_mm),
+        0.0 if limits.min_mm is None else measured.tapered_under(limits.min_mm),
+        tuple(face for least, face in faces if failing and least < limits.min_mm),
+    )
+
+
+def check_sentence(check):
+    """The result in a sentence with figures.
+
+    Parameters
+    ----------
+    check : WallCheck
+
+    Returns
+    -------
+    Message
+    """
+    limits, thinnest, error = check.limits, number(check.thinnest_mm), f"{check.error_mm:.2g}"
+    process, least, most = limits.full_title, number(limits.min_mm), number(limits.max_mm)
+    if check.holds is False:
+        return message("{process}: fails: {findings}.", process=process, findings=_findings(check))
+    if check.thin_holds is None and check.thinnest_mm is None:
+        return message("{process}: cannot be told: no wall could be measured.", process=process)
+    if check.thin_holds is None and check.error_mm > TOO_COARSE * limits.min_mm:
+        return message("{process}: cannot be told: the thinnest wall is {thinnest} mm, give or take {error} mm, the limit "
+                       "is {least} mm.", process=process, thinnest=thinnest, error=error, least=least)
+    if check.thin_holds is None:
+        return message("{process}: cannot be told: the surface is open, and there may be walls thinner than the {thinnest} "
+                       "mm that were found.", process=process, thinnest=thinnest)
+    if check.thick_holds is None:
+        return message("{process}: cannot be told: {share} of the surface lies over more than {most} mm, but a ray may run "
+                       "along a wall there: look at the thickness map.",
+                       process=process, share=percent(check.thick_share), most=most)
+    if check.within_tolerance:
+        return message("{process}: passes within tolerance: the thinnest wall is {thinnest} mm, give or take {error} mm, "
+                       "the limit is {least} mm.", process=process, thinnest=thinnest, error=error, least=least)
+    if check.tapered_share > STATED_FLOOR:
+        return message("{process}: passes: the thinnest wall is {thinnest} mm, the limit {least} mm; towards their edges, "
+                       "tapered walls are thinner on {share} of the surface.",
+                       process=process, thinnest=thinnest, least=least, share=percent(check.tapered_share))
+    if limits.min_mm is None:
+        return message("{process}: passes: no wall is over {most} mm.", process=process, most=most)
+    if limits.max_mm is not None:
+        return message("{process}: passes: walls from {thinnest} mm on, the limits are {least} and {most} mm.",
+                       process=process, thinnest=thinnest, least=least, most=most)
+    return message("{process}: passes: the thinnest wall is {thinnest} mm, the limit {least} mm.",
+                   process=process, thinnest=thinnest, least=least)
+
+
+def _findings(check):
+    """What is too thin, what is too thick, or both: Message."""
+    least, most = number(check.limits.min_mm), number(check.limits.max_mm)
+    if check.thin_holds is not False:
+        return message("{share} of the surface lies over walls of more than {most} mm",
+                       share=percent(check.thick_share), most=most)
+    thin, place = _share_text(check.thin_share), _place(check)
+    if check.thick_holds is False:
+        return message("{thin} of the surface is under {least} mm, thinnest {place}, and {thick} over {most} mm",
+                       thin=thin, least=least, place=place, thick=percent(check.thick_share), most=most)
+    return message("{thin} of the surface is under {least} mm, thinnest {place}", thin=thin, least=least, place=place)
+
+
+def _is_thick_enough(measured, least):
+    """Whether no wall is thinner than the least, and whether the error bound spans it; see `wall_verdict`."""
+    if least is None:
+        return True, False
+    if measured.thinnest is None:
+        return None, False
+    off = measured.thinnest - least
+    rounding = TOLERANCES.threshold * least + TOLERANCES.rounding * measured.diagonal
+    near = abs(off) <= max(measured.error, rounding)
+    if near and measured.error > TOO_COARSE * least:
+        return None, False
+    if off < -max(rounding, min(measured.error, NEAR * least)):
+        return False, near
+    if measured.unmet > STATED_FLOOR:
+        return None, False  # nothing is known about the wall there
+    return True, near
+
+
+def _is_thin_enough(measured, most):
+    if most is None or not measured.share_over(most) > STATED_FLOOR:
+        return True if most is None or measured.thinnest is not None else None
+    outside = measured.volume_outside(most)
+    if outside is None or THIN_UP_TO < outside < THICK_FROM:
+        return None
+    return outside <= THIN_UP_TO
+
+
+def _thin_share(record, measured, limit):
+    """Least and greatest share of the surface under a limit: what the distribution and what the faces say, together."""
+    low, high = measured.share_under(limit)
+    faces = record.get("faces", ())
+    total = sum(face["area_mm2"] for face in faces)
+    if not total:
+        return low, high
+    surely = possibly = 0.0
+    for face in faces:
+        own = face["area_mm2"] / total * (1.0 - face["unmeasured_share"])
+        if face["min"] is None:
+            possibly += own
+        elif face["min"] < limit:
+            surely += own * (1.0 if face["max"] < limit else 0.5 if face["median"] < limit else 0.0)
+            possibly += own * (1.0 if face["median"] < limit else 0.5)
+    # Only parallel walls are in the range of a face; all tapered ones may be elsewhere, or all of them thin.
+    tapered = record["descriptors"]["shares"]["nonparallel"]
+    low, high = max(low, surely - tapered), min(high, possibly + tapered)
+    return min(low, high), high
+
+
+def _place(check):
+    """The thinnest wall, its error bound where that matters, and its face where it is known: Message."""
+    thinnest = message("{mm} mm", mm=number(check.thinnest_mm))
+    if check.within_tolerance:
+        thinnest = message("{mm} mm, give or take {error} mm,", mm=number(check.thinnest_mm), error=f"{check.error_mm:.2g}")
+    return message("{wall} on {face}", wall=thinnest, face=check.thinnest_face) if check.thinnest_face else thinnest
+
+
+def _share_text(bounds):
+    low, high = bounds
+    if high - low <= CLOSE:
+        return percent(0.5 * (low + high))
+    return message("{low} to {high}", low=percent(low), high=percent(high))

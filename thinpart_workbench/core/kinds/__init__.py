@@ -1,0 +1,1 @@
+"""Kinds of values in files, and the checks compiled from them."""

@@ -1,0 +1,1 @@
+"""Thickness maps: the thickness field as it is shown, searched and summed up."""

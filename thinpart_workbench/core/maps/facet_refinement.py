@@ -1,0 +1,89 @@
+"""Subdivision of facets along their longer sides, so that each piece can have its own value."""
+
+import numpy as np
+
+from ..columns import corners_of, dot
+
+_CUTS = {
+    # Key: the sides to cut, as bits. Value: the resulting facets; nodes 0 to 2 are the corners, 3 to 5 the
+    # middles of the sides from corners 0, 1 and 2 to the next corner.
+    0: ((0, 1, 2),),
+    1: ((0, 3, 2), (3, 1, 2)),
+    2: ((0, 1, 4), (0, 4, 2)),
+    3: ((3, 1, 4), (0, 3, 4), (0, 4, 2)),
+    4: ((0, 1, 5), (5, 1, 2)),
+    5: ((0, 3, 5), (3, 1, 2), (3, 2, 5)),
+    6: ((4, 2, 5), (0, 1, 4), (0, 4, 5)),
+    7: ((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5)),
+}
+
+
+def side_lengths(points, facets):
+    """Compute the lengths of the sides from each corner to the next.
+
+    Parameters
+    ----------
+    points : ndarray of shape (v, 3), mm
+    facets : ndarray of shape (m, 3), int
+
+    Returns
+    -------
+    ndarray of shape (m, 3), mm
+    """
+    corners = corners_of(np.ascontiguousarray(points.T), facets)
+    lengths = np.empty((3, len(facets)))
+    for corner in range(3):
+        side = corners[:, (corner + 1) % 3] - corners[:, corner]
+        np.sqrt(dot(side, side), out=lengths[corner])
+    return lengths.T
+
+
+def cut_sides(points, facets, cut):
+    """Cut sides of facets at their middle, on both facets that share a side.
+
+    Parameters
+    ----------
+    points : ndarray of shape (v, 3), mm
+    facets : ndarray of shape (m, 3), int64
+    cut : ndarray of shape (m, 3), bool
+        Sides to cut, from each corner to the next. A shared side is cut if either of its two facets marks it.
+
+    Returns
+    -------
+    points : ndarray of shape (w, 3), mm
+        The given points, then the middles of the cut sides.
+    facets : ndarray of shape (k, 3), int64
+        Facets that were not cut come first, in their given order.
+    parent : ndarray of shape (k,), int64
+        Index of the given facet that each one equals or is a piece of.
+    """
+    key = side_keys(facets, len(points))
+    cut_keys = np.unique(key[cut])
+    cut_index = np.minimum(np.searchsorted(cut_keys, key), max(len(cut_keys) - 1, 0))
+    is_cut = cut_keys[cut_index] == key if len(cut_keys) else np.zeros_like(cut)
+    middles = 0.5 * (points[cut_keys // len(points)] + points[cut_keys % len(points)])
+    nodes = np.concatenate([facets, len(points) + cut_index], axis=1)
+    code = is_cut @ np.array([1, 2, 4])
+    pieces, parents = [], []
+    for number, corners in _CUTS.items():
+        which = np.flatnonzero(code == number)
+        pieces.append(nodes[which][:, np.array(corners)].reshape(-1, 3))
+        parents.append(np.repeat(which, len(corners)))
+    return np.concatenate([points, middles]), np.concatenate(pieces), np.concatenate(parents)
+
+
+def side_keys(facets, count):
+    """Compute a key for each side that is the same for the two facets that share it.
+
+    Parameters
+    ----------
+    facets : ndarray of shape (m, 3), int64
+    count : int
+        Number of points.
+
+    Returns
+    -------
+    ndarray of shape (m, 3), int64
+    """
+    ahead = np.roll(facets, -1, axis=1)
+    return np.minimum(facets, ahead) * count + np.maximum(facets, ahead)

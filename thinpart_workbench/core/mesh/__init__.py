@@ -1,0 +1,1 @@
+"""The surface mesh of a part, and what is computed from its triangles only."""

@@ -1,0 +1,1 @@
+"""Rays through a mesh: which triangle each of them meets first."""

@@ -1,0 +1,245 @@
+"""The part record: the result that info files, colours, panels and tables use.
+
+It is a plain dict with the keys of the info file, because it is passed between processes and stored on disk unchanged.
+`part_definition` defines it, `record_types` has the same as types, docs/info-file.md explains the keys.
+"""
+
+import math
+from dataclasses import fields, replace
+
+import numpy as np
+
+from ..descriptors.descriptor_table import Descriptors
+from ..descriptors.distribution import Distribution, MiddleDistribution
+from ..descriptors.precision import Precision
+from ..descriptors.recorded_descriptors import MeasuredPart, recorded_descriptors
+from ..mesh.bounds import OrientedBox
+from ..mesh.resolution import error_to_judge_with, smallest_length
+from .record_types import EvidenceRow, PartRecord, VerdictRecord
+
+SIGNIFICANT_DIGITS = 9
+"""Number of digits that are written. Further ones are rounding errors and differ between processors."""
+
+
+def face_name(number):
+    """FreeCAD's name of a face with a number counted from 0."""
+    return f"Face{number + 1}"
+
+
+def face_number(entry):
+    """Number, from 0, of the face of an entry of a record's ``faces``. Faces without triangles have no entry."""
+    return int(entry["face"][len("Face"):]) - 1
+
+
+def part_record(part, mesh, measurement, classification, paper, faces, error_bound, deflection) -> PartRecord:
+    """Assemble the record of one part.
+
+    Parameters
+    ----------
+    part : object with name, label, instances, warnings
+    mesh : SurfaceMesh
+    measurement : Measurement
+    classification, paper : Classification
+        By the active profile, and by the paper's own thresholds.
+    faces : list of FaceThickness
+    error_bound, deflection : float, mm
+
+    Returns
+    -------
+    PartRecord
+    """
+    return _rounded({
+        "name": part.name,
+        "label": part.label,
+        "instances": part.instances,
+        **verdict(classification),
+        "reason": classification.reason,
+        "evidence": evidence(classification),
+        "paper": {"category": paper.category, "criteria": list(paper.criteria)},
+        "descriptors": recorded_descriptors(MeasuredPart(
+            measurement.descriptors, measurement.wall_range, error_bound, _has_teeth(paper), mesh.watertight)),
+        "thin_limit_mm": classification.thin_limit_x * measurement.descriptors.box.diagonal,
+        "faces": [_face(face) for face in faces],
+        "regions": _regions(measurement.regions),
+        "notes": "",
+        "warnings": [*part.warnings, *mesh.warnings],
+        "triangles": mesh.count,
+        "samples": len(measurement.field.distance),
+        "deflection_mm": deflection,
+        **_probabilities(classification),
+    })
+
+
+def verdict(classification) -> VerdictRecord:
+    """The verdict of a profile on a part, without the evidence: the first keys of its record.
+
+    Parameters
+    ----------
+    classification : Classification
+
+    Returns
+    -------
+    VerdictRecord
+    """
+    return {
+        "category": classification.category,
+        "criteria": list(classification.criteria),
+        "margin": _rounded(classification.margin),
+        "borderline": classification.borderline,
+    }
+
+
+def judge_again(record: PartRecord, classification):
+    """Replace the verdict in a stored record; the measurements stay.
+
+    Parameters
+    ----------
+    record : PartRecord
+        Modified in place.
+    classification : Classification
+    """
+    record.update(verdict(classification))
+    record["reason"] = classification.reason
+    record["evidence"] = _rounded(evidence(classification))
+    record.pop("probabilities", None)
+    record.update(_rounded(_probabilities(classification)))
+
+
+def _probabilities(classification):
+    """The key ``probabilities`` of a record, the most probable category first; empty where there are none."""
+    if classification.probabilities is None:
+        return {}
+    ordered = sorted(classification.probabilities.items(), key=lambda item: -item[1])
+    return {"probabilities": [{"category": category, "probability": share} for category, share in ordered]}
+
+
+def evidence(classification) -> list[EvidenceRow]:
+    """list of EvidenceRow: one row per criterion, with every quantity that it compared."""
+    return [
+        {
+            "criterion": checked.criterion.id,
+            "category": checked.criterion.category,
+            "title": checked.criterion.title,
+            "holds": checked.holds,
+            "margin": checked.margin,
+            "conditions": [
+                {
+                    "quantity": condition.condition.quantity.symbol,
+                    "value": _finite(condition.value),
+                    "comparison": condition.condition.comparison,
+                    "threshold": condition.threshold,
+                    "holds": condition.holds,
+                    "margin": condition.margin,
+                    "error": _finite(condition.error),
+                }
+                for condition in checked.conditions
+            ],
+        }
+        for checked in classification.checked
+    ]
+
+
+def descriptors_of(record: PartRecord):
+    """Restore the `Descriptors` from a record: all that a new verdict needs, without geometry."""
+    content = record["descriptors"]
+    parallel, slanted = content["distribution"], content["nonparallel"]
+    shares = content["shares"]
+    box = OrientedBox(np.array(content["box_mm"], float), np.array(content["box_axes"], float))
+    wall = content["thickness_mm"]
+    measured = Descriptors(
+        content["volume_mm3"], content["area_mm2"], box,
+        Distribution(
+            np.array(parallel["bins"], int), np.array(parallel["area"], float),
+            np.array(slanted["bins"], int), np.array(slanted["angles"], int),
+            np.array(slanted["area"], float),
+            shares["parallel"], shares["nonparallel"], shares["unmeasured"], shares["unmet"],
+            _middle_of(content.get("middle")),
+        ),
+        content["min_nonparallel"],
+        content.get("plate_share"),  # records of earlier versions lack it
+        content.get("regions"),  # and this
+        precision=_precision_of(content.get("precision")),
+    )
+    error = error_to_judge_with(wall["error_bound"], smallest_length(measured, wall["min"]))
+    return replace(measured, length_error=error)
+
+
+def _precision_of(content):
+    """`Precision` of a record's ``precision``; None where the record has none."""
+    return None if content is None else Precision(**{each.name: content[each.name] for each in fields(Precision)})
+
+
+def _middle_of(content):
+    """`MiddleDistribution` of a record's ``middle``; None where the record has none."""
+    if content is None:
+        return None
+    return MiddleDistribution(
+        np.array(content["bins"], int), np.array(content["parallel"], float), np.array(content["nonparallel"], float))
+
+
+def _has_teeth(paper):
+    """The paper's indicator of teeth-like features: whether its non-parallel criterion holds."""
+    return any(
+        checked.holds and any(row.condition.quantity.is_wall_distance for row in checked.conditions)
+        for checked in paper.checked
+    )
+
+
+def _face(face):
+    return {
+        "face": face_name(face.face),
+        "area_mm2": face.area,
+        "min": face.minimum,
+        "median": face.median,
+        "max": face.maximum,
+        "thin_share": face.thin_share,
+        "unmeasured_share": face.unmeasured_share,
+        "witness": _witness(face.witness),
+        "wedge": _witness(face.wedge),
+    }
+
+
+def _regions(regions):
+    return {
+        "listed": [{
+            "kind": region.kind,
+            "area_mm2": region.area,
+            "min": region.least,
+            "median": region.median,
+            "length_mm": region.length,
+            "width_mm": region.width,
+            "volume_share": region.volume_share,
+            "place": region.place.tolist(),
+            "faces": [face_name(face) for face in region.faces],
+            "witness": _witness(region.witness),
+        } for region in regions.listed],
+        "others": regions.others,
+        "others_share": regions.others_share,
+    }
+
+
+def _witness(witness):
+    if witness is None:
+        return None
+    return {
+        "distance": witness.distance,
+        "points": [witness.point.tolist(), witness.opposite.tolist()],
+        "opposite_face": face_name(witness.opposite_face),
+    }
+
+
+def _finite(value):
+    return value if value is None or math.isfinite(value) else None
+
+
+def _rounded(content):
+    """The same content with every float rounded to `SIGNIFICANT_DIGITS`."""
+    if isinstance(content, bool) or content is None:
+        return content
+    if isinstance(content, float):
+        return float(f"{content:.{SIGNIFICANT_DIGITS}g}") + 0.0
+    if isinstance(content, dict):
+        return {key: _rounded(value) for key, value in content.items()}
+    if isinstance(content, list):
+        return [_rounded(value) for value in content]
+    return content

@@ -1,0 +1,125 @@
+"""Wall regions of a part record as people read them: equal ones together."""
+
+from dataclasses import dataclass
+from typing import Optional
+
+from ..descriptors.region_kinds import TAPER, TOOTH
+from .part_record import face_number
+from .region_notes import notes_of_regions
+
+SAME, SAME_TAPER = 0.03, 0.12
+"""Share by which thickness, length and width of equal regions may differ: points stand for the surface, and a taper, such as
+the tooth of a gear, has a share of them everywhere between thin and thick."""
+
+
+@dataclass(frozen=True)
+class RegionGroup:
+    """Equal regions, such as the fins of a heat sink.
+
+    Attributes
+    ----------
+    kind : str
+    count : int
+    least : float, mm
+        Of all of them.
+    median, length, width : float, mm
+        Of the first one.
+    volume_share : float or None
+        Of all together, at most 1.
+    faces : tuple of int
+        Of all together, from 0.
+    area_share : float
+        Of the surface of the part, of all together.
+    walls : tuple of (float, list)
+        Where each of them is thinnest, the thinnest first: thickness, mm, and both ends of the line through the wall, in the
+        coordinates of the document. Records of earlier versions have none.
+    area : float, mm2
+        Of both sides, of all together.
+    regions : tuple of dict
+        Their entries in the record.
+    excluded : str
+        Why people leave them out; empty where they do not.
+    mesh_size : float or None, mm
+        Element size that is wanted there.
+    """
+
+    kind: str
+    count: int
+    least: float
+    median: float
+    length: float
+    width: float
+    volume_share: Optional[float]
+    faces: tuple
+    area_share: float
+    walls: tuple
+    area: float = 0.0
+    regions: tuple = ()
+    excluded: str = ""
+    mesh_size: Optional[float] = None
+
+
+def region_groups(record, notes=None):
+    """Group the regions of a part record; those of which people say something else are apart.
+
+    Parameters
+    ----------
+    record : PartRecord
+    notes : list of dict, optional
+        ``region_notes`` of the part; by default those in the record.
+
+    Returns
+    -------
+    list of RegionGroup
+        In the order of the record, the thinnest first; empty for a record of a version that did not find regions.
+    """
+    groups: list[tuple] = []
+    listed = record.get("regions", {}).get("listed", [])
+    found = notes_of_regions(listed, record.get("region_notes", ()) if notes is None else notes)
+    for region, note in zip(listed, found):
+        said = ((note or {}).get("excluded", ""), (note or {}).get("mesh_size_mm"))
+        equal = next((group for group, other in groups if other == said and _are_equal(group[0], region)), None)
+        if equal is None:
+            groups.append(([region], said))
+        else:
+            equal.append(region)
+    area = record["descriptors"]["area_mm2"]
+    return [_group(regions, area, *said) for regions, said in groups]
+
+
+def features_of(group, record, features):
+    """The features that made the faces of a group, the one with most of their area first: list of str.
+
+    Parameters
+    ----------
+    group : RegionGroup
+    record : PartRecord
+    features : list of str
+        The feature that made each face, by face number; empty where that is not known.
+    """
+    areas = {face_number(face): face["area_mm2"] for face in record["faces"]}
+    found: dict = {}
+    for face in group.faces:
+        if face < len(features) and features[face]:
+            found[features[face]] = found.get(features[face], 0.0) + areas.get(face, 0.0)
+    return sorted(found, key=lambda feature: -found[feature])
+
+
+def _are_equal(one, other):
+    is_taper = one["kind"] in (TAPER, TOOTH)
+    keys = ("median", "length_mm", "width_mm") if is_taper else ("min", "median", "length_mm", "width_mm")
+    same = SAME_TAPER if is_taper else SAME
+    return one["kind"] == other["kind"] and all(
+        abs(one[key] - other[key]) <= same * max(one[key], other[key]) for key in keys)
+
+
+def _group(regions, area, excluded, mesh_size):
+    first, shares = regions[0], [region["volume_share"] for region in regions]
+    return RegionGroup(
+        first["kind"], len(regions), min(region["min"] for region in regions), first["median"],
+        first["length_mm"], first["width_mm"],
+        None if None in shares else min(1.0, sum(shares)),
+        tuple(sorted({face_number({"face": face}) for region in regions for face in region["faces"]})),
+        min(1.0, sum(region["area_mm2"] for region in regions) / area),
+        tuple(sorted((region["min"], region["witness"]["points"]) for region in regions if region.get("witness"))),
+        sum(region["area_mm2"] for region in regions), tuple(regions), excluded, mesh_size)

@@ -1,0 +1,75 @@
+"""Which faces of a part are shown as thin."""
+
+from .part_record import face_number
+
+MOSTLY_THIN_SHARE = 0.5
+"""Thin share of a face's area from which on the face is shown as thin, not as thin in part."""
+
+LEAST_AREA_SHARE = 0.0001
+"""Share of the part's area that thin area on a face must exceed to be shown; less is a stray ray."""
+
+
+def limit_in_millimetres(limit, diagonal):
+    """Convert a limit that a user gave to mm, for a part with a given diagonal.
+
+    Parameters
+    ----------
+    limit : dict
+        ``millimetres``, or ``share`` of the diagonal.
+    diagonal : float, mm
+
+    Returns
+    -------
+    float
+        At most the diagonal: no wall is thicker.
+    """
+    return min(limit.get("millimetres", limit.get("share", 0.0) * diagonal), diagonal)
+
+
+def with_limit(record, limit, thin_shares):
+    """Make a part record for display, with another thin limit than that of the verdict.
+
+    Parameters
+    ----------
+    record : PartRecord
+        Not modified; the verdict stays the same, too.
+    limit : float, mm
+    thin_shares : list of float
+        Thin share of each face, in the order of the record.
+    """
+    faces = [{**face, "thin_share": share} for face, share in zip(record["faces"], thin_shares)]
+    return {**record, "thin_limit_mm": limit, "faces": faces}
+
+
+def thin_face_colours(record, thin, partly):
+    """Choose the colours of the thin faces of a part.
+
+    Parameters
+    ----------
+    record : PartRecord
+    thin, partly : tuple of float
+        Colours of faces that are thin on at least half of their area, and on less than half.
+
+    Returns
+    -------
+    dict
+        One of the two colours by face number, from 0.
+    """
+    least = LEAST_AREA_SHARE * record["descriptors"]["area_mm2"]
+    colours = {}
+    for face in record["faces"]:
+        if face["thin_share"] * face["area_mm2"] <= least:
+            continue
+        number = face_number(face)
+        colours[number] = thin if face["thin_share"] >= MOSTLY_THIN_SHARE else partly
+    return colours
+
+
+def thin_body_colours(record, thin, partly):
+    """Like `thin_face_colours`, for a body that can have one colour only, such as a mesh: as its area is on the whole."""
+    colours = thin_face_colours(record, thin, partly)
+    if not colours:
+        return {}
+    area = sum(face["area_mm2"] for face in record["faces"])
+    share = sum(face["thin_share"] * face["area_mm2"] for face in record["faces"]) / area
+    return {0: thin if share >= MOSTLY_THIN_SHARE else partly}

@@ -1,0 +1,1 @@
+"""Shells: which faces make a wall, the mesh of its middle, and how thick it is there."""

@@ -1,0 +1,111 @@
+"""A shell: triangles on the middle of walls, each with the thickness of its wall."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
+
+from .walls_through import sides_of
+
+ALIKE = 1.02
+"""Ratio of thicknesses up to which elements share a section."""
+
+
+@dataclass(frozen=True)
+class ShellMesh:
+    """Triangles of first or second order.
+
+    Attributes
+    ----------
+    points : ndarray of shape (v, 3), mm
+        In the coordinates of the document; each is used.
+    triangles : ndarray of int64, shape (n, 3) or (n, 6)
+        Rows of the points: corners, then the middles of the sides 0-1, 1-2 and 2-0.
+    wall : ndarray of shape (n,), int64
+        Number of the wall, from 0.
+    thickness : ndarray of shape (n,), mm
+    """
+
+    points: np.ndarray
+    triangles: np.ndarray
+    wall: np.ndarray
+    thickness: np.ndarray
+
+    @property
+    def areas(self):
+        """ndarray of shape (n,), mm2"""
+        a, b, c = self.points[self.triangles[:, :3].T]
+        return 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
+
+    @property
+    def volume(self):
+        """float, mm3: area by thickness; joints count for each wall."""
+        return float(self.areas @ self.thickness)
+
+    @property
+    def pieces(self):
+        """Number of pieces that share no node."""
+        first = np.repeat(self.triangles[:, :1], self.triangles.shape[1] - 1, axis=1).ravel()
+        graph = coo_matrix((np.ones(len(first)), (first, self.triangles[:, 1:].ravel())), shape=(len(self.points),) * 2)
+        return connected_components(graph, directed=False)[0]
+
+    def sections(self):
+        """Elements of about one thickness.
+
+        Returns
+        -------
+        section : ndarray of shape (n,), int64
+        thickness : ndarray of shape (k,), mm
+            Of each section: the mean by area.
+        """
+        order = np.argsort(self.thickness, kind="stable")
+        number, start, section = -1, 0.0, np.empty(len(order), dtype=np.int64)
+        for row in order:
+            if number < 0 or self.thickness[row] > ALIKE * start:
+                number, start = number + 1, self.thickness[row]
+            section[row] = number
+        areas = self.areas
+        return section, np.bincount(section, areas * self.thickness) / np.bincount(section, areas)
+
+
+def shell_mesh(points, triangles, wall, walls, mesh, rays):
+    """Measure the thickness under each triangle of a mid-surface.
+
+    Parameters
+    ----------
+    points, triangles, wall
+        As of `ShellMesh`.
+    walls : list
+        Their ``pairs`` of faces and ``thickness``, by number.
+    mesh : SurfaceMesh
+        Of the solid.
+    rays : InwardRays
+        Of that mesh.
+
+    Returns
+    -------
+    ShellMesh
+
+    Notes
+    -----
+    Where a wall goes through a joint, it has no thickness of its own: such a triangle has that of the nearest one of its
+    wall that lies between its two sides.
+    """
+    used, rows = np.unique(triangles, return_inverse=True)
+    points, triangles = points[used], rows.reshape(triangles.shape)
+    a, b, c = points[triangles[:, :3].T]
+    across = np.cross(b - a, c - a)
+    # The middles of curved sides lie on the surface, its facet does not: six nodes have a better centroid than three.
+    centre = (a + b + c) / 3.0 if triangles.shape[1] == 3 else (4.0 * points[triangles[:, 3:]].sum(axis=1) - a - b - c) / 9.0
+    sides = sides_of(mesh, rays, centre, across / np.linalg.norm(across, axis=1)[:, None])
+    thickness, count = sides.ahead + sides.behind, int(mesh.face_of_triangle.max()) + 1
+    for number, each in enumerate(walls):
+        own = np.flatnonzero(wall == number)
+        known = sides.is_between([pair.faces for pair in each.pairs], count)[own]
+        if not known.all():
+            bare = own[~known]
+            thickness[bare] = (thickness[own[known]][cKDTree(centre[own[known]]).query(centre[bare])[1]]
+                               if known.any() else each.thickness)
+    return ShellMesh(points, triangles, wall, thickness)

@@ -1,0 +1,38 @@
+"""Settings of a shell mesh."""
+
+from dataclasses import dataclass
+from typing import Optional
+
+from ..errors import ThinPartError
+from ..message import message
+
+SHARE_OF_DIAGONAL = 0.1
+"""Greatest element size of a shell, by the diagonal of the part, where none is named."""
+
+
+@dataclass(frozen=True)
+class ShellSettings:
+    """Settings of a shell mesh.
+
+    Attributes
+    ----------
+    size : float or None, mm
+        Greatest element size; None for what the part asks for.
+    order : int
+        Of the elements, 1 or 2. Shells of first order are far too stiff in CalculiX.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``usage`` if a value is out of range.
+    """
+
+    size: Optional[float] = None
+    order: int = 2
+
+    def __post_init__(self):
+        if self.order not in (1, 2):
+            raise ThinPartError(message("The order of elements is 1 or 2, not {value}.", value=self.order), "usage")
+        if self.size is not None and not 0.0 < self.size < float("inf"):
+            raise ThinPartError(message("The element size of a shell is more than 0 mm, not {value:g}.", value=self.size),
+                                "usage")

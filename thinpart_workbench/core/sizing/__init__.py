@@ -1,0 +1,1 @@
+"""Element sizes that follow the thickness of walls."""

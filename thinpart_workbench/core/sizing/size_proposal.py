@@ -1,0 +1,174 @@
+"""A proposal of element sizes for a part: sizes by region, how many elements they give, and what a budget costs."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Optional
+
+import numpy as np
+
+from .element_estimate import elements_by_sample
+from .inner_points import InnerPoints, inner_points
+from .size_field import SizeField
+from .size_sources import SizeSources, regions_of, size_sources
+from .sizing_settings import SizingSettings, layers_of
+
+CLOSE = 0.02
+"""Share of the budget that may be left."""
+
+_MOST_STEPS = 14
+
+
+@dataclass(frozen=True)
+class RegionSize:
+    """What is proposed for one wall region.
+
+    Attributes
+    ----------
+    number : int
+        Of the region among those that are listed, from 0.
+    region : WallRegion
+    size : float, mm
+        Of the elements, the median over the region.
+    layers : float
+        Elements through its median thickness.
+    elements : int
+        Estimated.
+    """
+
+    number: int
+    region: object
+    size: float
+    layers: float
+    elements: int
+
+
+@dataclass(frozen=True)
+class SizeProposal:
+    """Element sizes for a part.
+
+    Attributes
+    ----------
+    settings : SizingSettings
+    thin_limit : float, mm
+        Walls that are thinner have `layers`.
+    global_size : float, mm
+        Greatest size.
+    layers : float
+        Elements through a thin wall: fewer than wanted where the budget does not allow them.
+    sources : SizeSources
+        Without any, the part has no thin wall, and all of it the global size.
+    elements : int
+        Estimated.
+    uniform_elements : int
+        Estimated of a mesh that has the least size everywhere.
+    regions : tuple of RegionSize
+        Those with thin walls, the thinnest first.
+    inner : InnerPoints
+        Of the part.
+    unbounded : SizeProposal or None
+        That without the budget, where it is exceeded.
+    """
+
+    settings: SizingSettings
+    thin_limit: float
+    global_size: float
+    layers: float
+    sources: SizeSources
+    elements: int
+    uniform_elements: int
+    regions: tuple
+    inner: InnerPoints
+    unbounded: Optional["SizeProposal"] = None
+
+    @cached_property
+    def field(self):
+        """SizeField"""
+        return SizeField(self.sources, self.global_size, self.settings.growth)
+
+    @property
+    def least_size(self):
+        """float, mm"""
+        return self.field.least
+
+    @property
+    def is_uniform(self):
+        """bool: whether all of the part has the global size."""
+        return self.sources.count == 0
+
+
+def propose_sizes(measurement, thin_limit, settings, region_sizes=None):
+    """Propose element sizes for a measured part.
+
+    Parameters
+    ----------
+    measurement : Measurement
+    thin_limit : float, mm
+        Walls that are thinner are meshed with layers; see `Classification.thin_limit_x`.
+    settings : SizingSettings
+    region_sizes : dict, optional
+        Sizes that people want on wall regions instead of the proposed ones: see `SizeSources.with_region_sizes`.
+
+    Returns
+    -------
+    SizeProposal
+
+    Notes
+    -----
+    A budget multiplies all sizes alike, up to the global size, until the estimate is within it: so walls keep equal numbers
+    of layers, only fewer.
+    """
+    global_size = settings.global_size(measurement.descriptors.box.diagonal)
+    wanted = size_sources(measurement, thin_limit, settings.divisions).below(global_size)
+    if region_sizes:
+        wanted = wanted.with_region_sizes(region_sizes).below(global_size)
+    inner = inner_points(measurement)
+
+    def proposed(sources, layers, most=global_size):
+        return _proposed(measurement, thin_limit, settings, most, sources, layers, inner)
+
+    proposal = proposed(wanted, settings.wanted_layers)
+    if settings.budget is None or proposal.elements <= settings.budget:
+        return proposal
+    return replace(_within_budget(proposed, settings, global_size, wanted), unbounded=proposal)
+
+
+def _within_budget(proposed, settings, global_size, wanted):
+    low, high = 0.0, np.log(global_size / wanted.sizes.min()) if wanted.count else 0.0
+    best = None
+    for _ in range(_MOST_STEPS):
+        # The number falls with about the square of the size, so halving the logarithm is quick enough.
+        factor = float(np.exp(0.5 * (low + high)))
+        found = proposed(wanted.scaled(factor).below(global_size), layers_of(settings.divisions / factor))
+        if found.elements > settings.budget:
+            low = np.log(factor)
+            continue
+        best, high = found, np.log(factor)
+        if found.elements >= (1.0 - CLOSE) * settings.budget:
+            break
+    if best is not None:
+        return best
+    # Not even the global size is within it: that has to grow.
+    none = wanted.below(0.0)
+    alone = proposed(none, 0.0)
+    return alone if alone.elements <= settings.budget else proposed(
+        none, 0.0, global_size * (alone.elements / settings.budget) ** (1.0 / 3.0))
+
+
+def _proposed(measurement, thin_limit, settings, global_size, sources, layers, inner):
+    size_field, count = SizeField(sources, global_size, settings.growth), len(measurement.field.area)
+    by_sample = elements_by_sample(inner, size_field, count)
+    uniform = elements_by_sample(inner, SizeField(sources.below(0.0), size_field.least, settings.growth), count)
+    return SizeProposal(settings, thin_limit, global_size, layers if sources.count else 0.0, sources,
+                        max(1, round(float(by_sample.sum()))), max(1, round(float(uniform.sum()))),
+                        tuple(_region_sizes(measurement, sources, by_sample)), inner)
+
+
+def _region_sizes(measurement, sources, by_sample):
+    field = measurement.field
+    region_of_sample = regions_of(measurement.regions.listed, field.face, field.distance)
+    for number, region in enumerate(measurement.regions.listed):
+        sizes = sources.sizes[sources.region == number]
+        if len(sizes):
+            size = float(np.median(sizes))
+            elements = max(1, round(float(by_sample[region_of_sample == number].sum())))
+            yield RegionSize(number, region, size, layers_of(region.median / size), elements)

@@ -1,0 +1,220 @@
+"""Places of a part that ask for small elements: thin walls, narrow faces, short edges."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from ..thickness.walls import NONPARALLEL_BELOW
+from .sizing_settings import LEAST_SHARE
+
+NO_REGION = -1
+"""Of sources that are no wall of a listed region."""
+
+CHORD_SHARE = 0.25
+"""Greatest chord error of an element by the thickness of the wall that it is on: two sides that are each off by less
+than half of it cannot cross."""
+
+SPACING = 0.8
+"""Greatest distance from the nearest sample by the root of the area that each stands for: 0.71 of a square grid."""
+
+OF_REGION = 1.5
+"""A thin place of a face belongs to the region of that face whose median thickness is within this factor, or to none."""
+
+NARROW = 0.1
+"""Share of the extent below which a face may be narrow for some size."""
+
+_MOST_ON_SIDE = 64
+
+
+@dataclass(frozen=True)
+class SizeSources:
+    """Points with the element size that each one asks for.
+
+    Attributes
+    ----------
+    points : ndarray of shape (n, 3), mm
+        In the coordinates of the document.
+    sizes : ndarray of shape (n,), mm
+    region : ndarray of shape (n,), int64
+        Number of the listed wall region, or `NO_REGION`.
+    radius : ndarray of shape (n,), mm
+        Around each point the same is asked for: a sample stands for some surface.
+    """
+
+    points: np.ndarray
+    sizes: np.ndarray
+    region: np.ndarray
+    radius: np.ndarray
+
+    @property
+    def count(self):
+        """Number of points."""
+        return len(self.sizes)
+
+    def scaled(self, factor, least=0.0):
+        """Sources whose sizes are multiplied, but stay at least as large as a length, mm."""
+        return replace(self, sizes=np.maximum(self.sizes * factor, least))
+
+    def below(self, size):
+        """Those that ask for less than a size, mm."""
+        chosen = self.sizes < size
+        return SizeSources(*(getattr(self, name)[chosen] for name in self.__dataclass_fields__))
+
+    def with_region_sizes(self, sizes):
+        """Sources of which some wall regions have other sizes.
+
+        Parameters
+        ----------
+        sizes : dict
+            Median size, mm, by number of the region; None for a region that asks for nothing.
+
+        Returns
+        -------
+        SizeSources
+            Within a region, thinner places keep their smaller sizes.
+        """
+        factor, asks = np.ones(self.count), np.ones(self.count, dtype=bool)
+        for number, size in sizes.items():
+            own = self.region == number
+            if size is None:
+                asks[own] = False
+            elif own.any():
+                factor[own] = size / np.median(self.sizes[own])
+        found = replace(self, sizes=self.sizes * factor)
+        return SizeSources(*(getattr(found, name)[asks] for name in self.__dataclass_fields__))
+
+    def followed_by(self, other):
+        """These and other sources."""
+        return SizeSources(*(np.concatenate([getattr(each, name) for each in (self, other)])
+                             for name in self.__dataclass_fields__))
+
+
+def size_sources(measurement, thin_limit, divisions):
+    """Find the sources of a part.
+
+    Parameters
+    ----------
+    measurement : Measurement
+    thin_limit : float, mm
+        Walls that are thinner are thin.
+    divisions : float
+        Thickness of a thin wall by the element size there; see `divisions_of`.
+
+    Returns
+    -------
+    SizeSources
+
+    Notes
+    -----
+    The size on a wall of thickness t is t / divisions, and no more than the chord of a curved side that is a quarter of the
+    wall off: sqrt(2 R t) at a radius of curvature R. Across a taper, the thickness is that between its sides, not along the
+    ray.
+    A narrow face asks for elements as small as it is wide, an edge for as small as it is long: else the mesher makes needles
+    of them, or facets that cross.
+    """
+    walls = _of_walls(measurement, thin_limit, divisions)
+    if not walls.count:
+        return walls
+    mesh, least = measurement.field.mesh, LEAST_SHARE * measurement.descriptors.box.diagonal
+    return walls.followed_by(_of_narrow_faces(mesh)).followed_by(_of_short_edges(mesh)).scaled(1.0, least)
+
+
+def _of_walls(measurement, thin_limit, divisions):
+    field = measurement.field
+    thin = np.flatnonzero((field.area > 0.0) & (field.distance < thin_limit) & (field.wedge_angle < NONPARALLEL_BELOW))
+    if not len(thin):
+        return places(np.empty((0, 3)), np.empty(0))
+    thickness = field.distance[thin] * np.cos(field.wedge_angle[thin])
+    # The edge of a taper has no thickness of its own: no size follows from less than the thinnest wall that counts.
+    known = measurement.descriptors
+    across = known.min_nonparallel and known.min_nonparallel * known.box.diagonal
+    least = min((value for value in (measurement.thinnest_mm, across) if value), default=0.0)
+    sizes = np.maximum(thickness, least) / divisions
+    radius = _radius(field.mesh)[field.samples.triangle[thin]]
+    sizes = np.minimum(sizes, np.sqrt(8.0 * CHORD_SHARE * radius * thickness))
+    here, region = field.samples.points[thin] + field.mesh.origin, regions_of(
+        measurement.regions.listed, field.face[thin], thickness)
+    # Half-way through the wall too, or else the size has grown there before the other side is near.
+    middle = here - 0.5 * field.distance[thin, None] * field.normals[thin]
+    radius = SPACING * np.sqrt(field.area[thin])
+    return SizeSources(np.concatenate([here, middle]), np.tile(sizes, 2), np.tile(region, 2), np.tile(radius, 2))
+
+
+def _radius(mesh):
+    """Radius of curvature of the surface by triangle, mm, inf where it is plane: ndarray of shape (n,)."""
+    corners = mesh.corners
+    longest = np.sqrt(np.max(np.sum((corners - np.roll(corners, 1, axis=1)) ** 2, axis=2), axis=1))
+    # A chord of length c under the angle 2 b, where b is the bend at its ends.
+    bend = np.where(mesh.is_bent, mesh.bend, 0.0)
+    return np.divide(0.5 * longest, np.sin(bend), out=np.full(mesh.count, np.inf), where=bend > 0.0)
+
+
+def regions_of(regions, faces, thickness):
+    """Which wall region places belong to: of those with their face, the one most like them.
+
+    Parameters
+    ----------
+    regions : sequence of WallRegion
+    faces : ndarray of shape (n,), int64
+    thickness : ndarray of shape (n,), mm
+
+    Returns
+    -------
+    ndarray of shape (n,), int64
+        Number of the region, or `NO_REGION`.
+    """
+    best, region = np.full(len(faces), np.log(OF_REGION)), np.full(len(faces), NO_REGION, dtype=np.int64)
+    for number, each in enumerate(regions):
+        away = np.abs(np.log(np.maximum(thickness / each.median, np.finfo(float).tiny)))
+        away[(thickness >= each.least) & (thickness <= each.median)] = 0.0
+        own = np.isin(faces, each.faces) & (away < best)
+        best[own], region[own] = away[own], number
+    return region
+
+
+def _of_narrow_faces(mesh):
+    """Along the outline of each face, its mean width: its area by half of its outline."""
+    first, second = mesh.shared_sides
+    apart = mesh.face_of_triangle[first // 3] != mesh.face_of_triangle[second // 3]
+    sides = np.concatenate([first[apart], second[apart]])
+    start, end = mesh.vertices[mesh.triangles.ravel()[sides]], mesh.vertices[_next_corner(mesh.triangles, sides)]
+    length = np.linalg.norm(end - start, axis=1)
+    face = mesh.face_of_triangle[sides // 3]
+    count = int(mesh.face_of_triangle.max()) + 1
+    outline = np.bincount(face, length, count)
+    area = np.bincount(mesh.face_of_triangle, mesh.areas, count)
+    width = np.divide(2.0 * area, outline, out=np.full(count, np.inf), where=outline > 0.0)[face]
+    narrow = np.flatnonzero(width < NARROW * mesh.extent)
+    pieces = np.clip(np.ceil(length[narrow] / width[narrow]), 1, _MOST_ON_SIDE).astype(np.int64)
+    row = np.repeat(narrow, pieces)
+    step = (np.arange(len(row)) - np.repeat(np.cumsum(pieces) - pieces, pieces) + 0.5) / np.repeat(pieces, pieces)
+    points = start[row] + step[:, None] * (end - start)[row]
+    return places(points + mesh.origin, width[row])
+
+
+def _next_corner(triangles, sides):
+    return triangles[sides // 3, (sides % 3 + 1) % 3]
+
+
+def _of_short_edges(mesh):
+    """At each corner of the part, where three faces meet or more, the distance to the nearest other corner."""
+    vertex, face = mesh.triangles.ravel(), np.repeat(mesh.face_of_triangle, 3)
+    pairs = np.unique(np.column_stack([vertex, face]), axis=0)
+    corner = np.flatnonzero(np.bincount(pairs[:, 0], minlength=len(mesh.vertices)) >= 3)
+    if len(corner) < 2:
+        return places(np.empty((0, 3)), np.empty(0))
+    points = mesh.vertices[corner]
+    distance = cKDTree(points).query(points, k=2)[0][:, 1]
+    return places(points + mesh.origin, distance)
+
+
+def places(points, sizes):
+    """Sources that are points of no region.
+
+    Parameters
+    ----------
+    points : ndarray of shape (n, 3), mm
+    sizes : ndarray of shape (n,), mm
+    """
+    return SizeSources(points, sizes, np.full(len(sizes), NO_REGION, dtype=np.int64), np.zeros(len(sizes)))

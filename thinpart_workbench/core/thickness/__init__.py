@@ -1,0 +1,1 @@
+"""Wall thickness: what each sample of the surface sees through the material, and the results derived from it."""

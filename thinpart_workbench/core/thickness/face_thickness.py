@@ -1,0 +1,156 @@
+"""Thickness per B-Rep face, with the points where it was measured."""
+
+from dataclasses import dataclass, replace
+from typing import Optional
+
+import numpy as np
+
+from ..descriptors.descriptor_table import STATED_FLOOR
+from .thinnest_wall import FACE_FLOOR, first_of_extent
+
+NEARLY = 0.02
+"""Share by which facets may come closer to each other than the part's thinnest wall, which its faces themselves have."""
+
+
+@dataclass(frozen=True)
+class Witness:
+    """Where a wall was measured.
+
+    Attributes
+    ----------
+    distance : float, mm
+    point, opposite : ndarray of shape (3,), mm
+        In the coordinates of the document.
+    face, opposite_face : int
+        Indices of B-Rep faces.
+    """
+
+    distance: float
+    point: np.ndarray
+    opposite: np.ndarray
+    face: int
+    opposite_face: int
+
+
+@dataclass(frozen=True)
+class FaceThickness:
+    """The walls under one B-Rep face.
+
+    Attributes
+    ----------
+    face : int
+        Index of the face, from 0.
+    area : float, mm2
+    minimum, median, maximum : float or None, mm
+        Over parallel walls, the median by area; None where no wall is parallel.
+    thin_share : float
+        Share of the face's area over walls, parallel or not, thinner than the limit.
+    unmeasured_share : float
+    witness : Witness or None
+        Where the parallel minimum was measured.
+    wedge : Witness or None
+        Where the nearest non-parallel wall was measured.
+    """
+
+    face: int
+    area: float
+    minimum: Optional[float]
+    median: Optional[float]
+    maximum: Optional[float]
+    thin_share: float
+    unmeasured_share: float
+    witness: Optional[Witness]
+    wedge: Optional[Witness]
+
+
+def face_thicknesses(field, thin_limit_mm, thinnest=None):
+    """Summarise a thickness field by B-Rep face.
+
+    Parameters
+    ----------
+    field : ThicknessField
+    thin_limit_mm : float, mm
+        Distance under which area counts as thin.
+    thinnest : Witness, optional
+        The thinnest wall of the part: its face has it for its minimum, and no face has a thinner one.
+
+    Returns
+    -------
+    list of FaceThickness
+        One per face that has triangles, by index.
+    """
+    face = field.face
+    order = np.lexsort([field.distance, face])
+    faces, start = np.unique(face[order], return_index=True)
+    return [
+        _face_thickness(field, int(face), rows, float(thin_share), thinnest)
+        for face, rows, thin_share in zip(
+            faces, np.split(order, start[1:]), thin_shares(field, thin_limit_mm))
+    ]
+
+
+def thin_shares(field, thin_limit_mm):
+    """Share of the area of each B-Rep face that lies over walls thinner than a limit.
+
+    Parameters
+    ----------
+    field : ThicknessField
+    thin_limit_mm : float, mm
+
+    Returns
+    -------
+    ndarray of shape (n,)
+        For each face that has triangles, by index, in the order of `face_thicknesses`.
+    """
+    faces, face_row = np.unique(field.face, return_inverse=True)
+    thin = (field.parallel | field.nonparallel) & (field.distance < thin_limit_mm)
+    total = np.bincount(face_row, field.area, len(faces))
+    return np.bincount(face_row[thin], field.area[thin], len(faces)) / total
+
+
+def _face_thickness(field, face, rows, thin_share, thinnest):
+    """Summary of one face; `rows` are its samples by ascending distance."""
+    area = field.area[rows]
+    total = float(area.sum())
+    measured = field.parallel[rows] | field.nonparallel[rows]
+    parallel = rows[field.parallel[rows]]
+    slanted = rows[field.nonparallel[rows]]
+    minimum = median = maximum = None
+    if len(parallel):
+        cumulative = np.cumsum(field.area[parallel])
+        middle = np.searchsorted(cumulative, 0.5 * cumulative[-1])
+        median, maximum = (float(field.distance[parallel[k]]) for k in (middle, -1))
+    witness = _thinnest_under(field, face, parallel, thinnest)
+    if witness is not None:
+        # Facets of round faces are a little closer than the faces themselves.
+        minimum = witness.distance
+        median, maximum = max(median, minimum), max(maximum, minimum)
+    return FaceThickness(
+        face, total, minimum, median, maximum,
+        thin_share, float(area[~measured].sum()) / total,
+        witness,
+        witness_of(field, slanted[0]) if len(slanted) else None,
+    )
+
+
+def _thinnest_under(field, face, parallel, thinnest):
+    """The `Witness` of the thinnest wall under a face, of some extent; None where there is none."""
+    area = float(field.area[parallel].sum())
+    if thinnest is not None:
+        if thinnest.face == face:
+            return thinnest
+        parallel = parallel[field.distance[parallel] >= thinnest.distance * (1.0 - NEARLY)]
+    floor = min(STATED_FLOOR * float(field.area.sum()), FACE_FLOOR * area)
+    sample = first_of_extent(field, parallel, floor)
+    if sample is None:
+        return None
+    witness = witness_of(field, sample)
+    least = 0.0 if thinnest is None else thinnest.distance
+    return witness if witness.distance >= least else replace(witness, distance=least)
+
+
+def witness_of(field, sample):
+    """The `Witness` of one sample."""
+    here, there = field.points(sample)
+    face = int(field.mesh.face_of_triangle[field.samples.triangle[sample]])
+    return Witness(float(field.distance[sample]), here, there, face, field.opposite_face(sample))

@@ -1,0 +1,225 @@
+"""The largest ball inside the material that touches the surface at each sample."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..columns import dot
+from ..mesh.sampling import even_samples, surface_samples
+from ..mesh.smooth_normals import CREASE, normals_at
+from ..progress import report_progress
+from ..rays.ball_descent import boxes_met, least_of_nodes
+from ..rays.closest_points import closest_weights
+from ..rays.inward_rays import InwardRays
+from ..rays.ray_casting import INNER
+
+CLOUD = 3000
+"""Points of the surface, each for the same area, from which balls are guessed before triangles bound them exactly."""
+
+DENSE = 8.0
+"""A ball whose radius is this many distances between points of the cloud is bounded well by the cloud where the surface is
+curved like the ball: there it would nearly touch thousands of triangles."""
+
+AS_CURVED = 0.5
+"""From this curvature on, in radii of the ball, the surface is curved like the ball."""
+
+KEPT = 1.0 - 1e-6
+"""A ball is known to be empty when it is smaller by this share than what was found."""
+
+LEAST_RISE = np.sin(0.5 * CREASE)
+"""Sine of the angle over the tangent plane from which on a point of the surface bounds the ball. Two facets under less than
+`CREASE` are one smooth surface, and near the edge between them each sees the other under half of that."""
+
+_STEPS = 40
+_LIFTS = 4
+_MOST_DEPTH = 0.1
+_SAME = 1e-12
+_CLOUD_AT_ONCE = 128
+_BALLS_AT_ONCE = 2048
+
+
+@dataclass(frozen=True)
+class InscribedBalls:
+    """The largest ball at each sample.
+
+    Attributes
+    ----------
+    diameter : ndarray of shape (m,), mm
+        inf where nothing bounds the ball.
+    bounded_by : ndarray of shape (m,), int64
+        A triangle that the ball touches besides that of the sample; -1 for none.
+    """
+
+    diameter: np.ndarray
+    bounded_by: np.ndarray
+
+
+def inscribed_balls(mesh, samples, rays=None, report=None):
+    """Find the largest balls inside the material that touch the surface at samples.
+
+    Parameters
+    ----------
+    mesh : SurfaceMesh
+    samples : SurfaceSamples
+    rays : InwardRays, optional
+        Rays over the mesh; built if not given.
+    report : callable, optional
+        Called with the fraction done; may raise to stop.
+
+    Returns
+    -------
+    InscribedBalls
+
+    Notes
+    -----
+    A ball that touches the surface at p, with the inward normal m, and passes through q has the radius
+    ``|q - p|^2 / (2 m.(q - p))``. The largest empty one is the least of those over all q. Ma, Bae and Choi (2012,
+    doi:10.1007/s00371-011-0594-7) shrink the ball to the point of a cloud that is nearest to its centre until there is none
+    inside, which is the method of Dinkelbach (1967, doi:10.1287/mnsc.13.7.492) for the least ratio. Here the ray along the
+    normal and a small cloud give a first ball, and then that method is applied to every triangle that reaches into it, so
+    that the ball is exact against triangles. Both points are taken from the curved surface that the facets approximate
+    (`core.mesh.curved_surface`), with its normals: otherwise each facet of a cylinder would be an edge, to which balls
+    shrink.
+    """
+    rays = rays or InwardRays(mesh)
+    return _Balls(mesh, samples, rays).found(report)
+
+
+class _Balls:
+    """Balls in the coordinates of the tree of rays."""
+
+    def __init__(self, mesh, samples, rays):
+        self._mesh, self._rays, self._samples = mesh, rays, samples
+        self._surface = mesh.curved_surface
+        self._facets = rays.normals
+        normals = normals_at(mesh, samples.triangle, samples.points)
+        self._points = self._lifted(samples.triangle, samples.points)
+        self._inward = -rays.turned_directions(normals)
+        self._radius = np.full(samples.count, np.inf)
+        self._bounded_by = np.full(samples.count, -1, dtype=np.int64)
+
+    def found(self, report):
+        """The `InscribedBalls`."""
+        report_progress(report, 0.0)
+        self._bound_by_rays()
+        report_progress(report, 0.2)
+        spacing = self._bound_by_cloud()
+        report_progress(report, 0.4)
+        curvature = least_of_nodes(self._rays.tree, self._surface.least_curvature)
+        for start in range(0, self._samples.count, _BALLS_AT_ONCE):
+            balls = np.arange(start, min(start + _BALLS_AT_ONCE, self._samples.count))
+            self._bound_by_tree(balls, curvature, spacing)
+            report_progress(report, 0.4 + 0.6 * start / self._samples.count)
+        report_progress(report, 1.0)
+        return InscribedBalls(2.0 * self._radius, self._bounded_by)
+
+    def _lifted(self, triangle, points):
+        """Points of the curved surface over points of facets, ndarray of shape (m, 3), as columns."""
+        heights = self._surface.heights(triangle, points.T)
+        return self._rays.turned(points) + np.take(self._facets, triangle, axis=1) * heights
+
+    def _bound_by_rays(self):
+        """Bound balls by what lies opposite along the normals of the facets."""
+        distance, opposite = self._rays.first_hits(self._samples, INNER)
+        met = np.flatnonzero(opposite >= 0)
+        along = self._mesh.normals[self._samples.triangle[met]]
+        there = self._samples.points[met] - distance[met, None] * along
+        self._bound_by_points(met, opposite[met], self._lifted(opposite[met], there))
+
+    def _bound_by_points(self, ball, triangle, points):
+        """Bound balls by a point each, and then by the triangle that it lies on."""
+        away = points - np.take(self._points, ball, axis=1)
+        self._keep_least(ball, triangle, _radius(away, np.take(self._inward, ball, axis=1)))
+        self._bound(ball, triangle)
+
+    def _bound_by_cloud(self):
+        """Bound every ball by the point of a cloud that bounds it most; returns the mean distance of its points, mm."""
+        surface = surface_samples(self._mesh)
+        chosen = np.unique(even_samples(surface.area, CLOUD))
+        triangle = surface.triangle[chosen]
+        exact = self._lifted(triangle, surface.points[chosen])
+        cloud = exact.astype(np.float32)
+        points, inward = self._points.astype(np.float32), self._inward.astype(np.float32)
+        squares = dot(cloud, cloud)
+        best = np.empty(points.shape[1], dtype=np.int64)
+        for start in range(0, len(best), _CLOUD_AT_ONCE):
+            part = slice(start, start + _CLOUD_AT_ONCE)
+            point, direction = points[:, part], inward[:, part]
+            square = np.float32(-2.0) * point.T @ cloud
+            square += squares
+            square += dot(point, point)[:, None]
+            depth = direction.T @ cloud
+            depth -= dot(direction, point)[:, None]
+            flat = depth < np.float32(LEAST_RISE) * np.sqrt(np.maximum(square, np.float32(0.0)))
+            np.maximum(square, np.float32(np.finfo(np.float32).tiny), out=square)
+            depth /= square
+            depth[flat] = 0.0
+            best[part] = depth.argmax(axis=1)
+        self._bound_by_points(np.arange(len(best)), triangle[best], exact[:, best])
+        return float(np.sqrt(surface.area.sum() / CLOUD))
+
+    def _bound_by_tree(self, balls, curvature, spacing):
+        """Bound balls by all triangles that reach into them."""
+        radius = np.minimum(self._radius[balls], self._rays.tree.extent)
+        shrunk = KEPT * radius
+        centres = np.take(self._points, balls, axis=1) + shrunk * np.take(self._inward, balls, axis=1)
+        shrunk += np.minimum(self._surface.depth, _MOST_DEPTH * radius)  # hollow sides reach farther in than facets
+        most = np.where(radius > DENSE * spacing, AS_CURVED / radius, np.inf)
+        ball, leaf = boxes_met(self._rays.tree, centres, shrunk, curvature, most)
+        row = np.take(self._rays.tree.triangle_rows[:4], leaf, axis=1, mode="clip")
+        height = dot(row[:3], np.take(centres, ball, axis=1, mode="clip")) - row[3]
+        near = np.flatnonzero(np.abs(height) < shrunk[ball])
+        ball = balls[ball[near]]
+        self._bound(ball, self._rays.tree.order[leaf[near]])
+
+    def _bound(self, ball, triangle):
+        """Shrink balls to triangles: pairs, ndarrays of shape (k,), int64, of which a ball may have many."""
+        other = np.flatnonzero(triangle != self._samples.triangle[ball])
+        ball, triangle = ball[other], triangle[other]
+        radius = np.minimum(self._radius[ball], self._rays.tree.extent)
+        lift, found = np.zeros(len(ball)), np.zeros(len(ball), dtype=bool)
+        corners, facet = self._rays.corners(triangle).transpose(2, 1, 0), np.take(self._facets, triangle, axis=1)
+        point, inward = np.take(self._points, ball, axis=1), np.take(self._inward, ball, axis=1)
+        active = np.arange(len(ball))
+        for step in range(_STEPS):
+            own, up, start, along = corners[:, :, active], facet[:, active], point[:, active], inward[:, active]
+            # Instead of the facet, the ball is moved by the height that the surface had in the step before.
+            weights = closest_weights(start + radius[active] * along - lift[active] * up, own)
+            height = self._surface.heights_at(triangle[active], weights)
+            there = own[:, 0] * weights[0] + own[:, 1] * weights[1] + own[:, 2] * weights[2] + height * up
+            through = _radius(there - start, along)
+            smaller = through < radius[active] * (1.0 - _SAME)
+            radius[active[smaller]], found[active[smaller]] = through[smaller], True
+            moved = (np.abs(height - lift[active]) > _SAME * self._rays.tree.extent) & (step < _LIFTS)
+            lift[active] = height
+            active = active[smaller | moved]
+            if not len(active):
+                break
+        self._keep_least(ball[found], triangle[found], radius[found])
+
+    def _keep_least(self, ball, triangle, radius):
+        # Largest first, so that the least is written last and remains.
+        order = np.argsort(-radius, kind="stable")
+        ball, triangle, radius = ball[order], triangle[order], radius[order]
+        smaller = radius < self._radius[ball]
+        self._radius[ball[smaller]] = radius[smaller]
+        self._bounded_by[ball[smaller]] = triangle[smaller]
+
+
+def _radius(away, inward):
+    """Radius of the balls that touch the surface at a point and pass another.
+
+    Parameters
+    ----------
+    away : ndarray of shape (3, k), mm
+        From the one to the other.
+    inward : ndarray of shape (3, k)
+
+    Returns
+    -------
+    ndarray of shape (k,), mm
+        inf where the other point is not far enough above the tangent plane; see `LEAST_RISE`.
+    """
+    square, depth = dot(away, away), dot(away, inward)
+    above = (depth > 0.0) & (depth >= LEAST_RISE * np.sqrt(square))
+    return np.where(above, square, np.inf) / np.where(above, 2.0 * depth, 1.0)

@@ -1,0 +1,41 @@
+"""How precisely a part was measured, from its mesh and its samples."""
+
+import numpy as np
+
+from ..descriptors.precision import CORRECTED, OF_AREA, Precision
+
+_CERTAIN = 0.95
+"""Share of the surface whose thicknesses have at most the error that is stated."""
+
+
+def precision_of(measurement, deflections, accuracy):
+    """Estimate the precision of a measurement.
+
+    Parameters
+    ----------
+    measurement : Measurement
+    deflections : ndarray of shape (f,), mm
+        Chord error of each face.
+    accuracy : str
+        One of `ACCURACIES`.
+
+    Returns
+    -------
+    Precision
+    """
+    field = measurement.field
+    mesh = field.mesh
+    chord = deflections[mesh.face_of_triangle] if len(deflections) > 1 else np.full(mesh.count, float(deflections.max()))
+    counted = np.flatnonzero((field.area > 0.0) & (field.opposite >= 0))
+    wall = CORRECTED * (chord[field.samples.triangle[counted]] + chord[field.opposite[counted]])
+    order = np.argsort(wall)
+    reached = np.cumsum(field.area[counted][order])
+    rounding = 2.0 * mesh.rounding * mesh.extent
+    most = float(wall[order[np.searchsorted(reached, _CERTAIN * reached[-1])]]) if len(order) else 0.0
+    area = mesh.areas.sum()
+    return Precision(
+        accuracy, max(1, int(np.count_nonzero(field.area > 0.0))), most + rounding, float(chord.max()) + 0.5 * rounding,
+        float(mesh.areas @ chord / area) + 0.5 * rounding,
+        float(OF_AREA * (mesh.areas @ mesh.bend ** 2) / area) + 2.0 * mesh.rounding,
+        measurement.regions.plate_share_error,
+    )

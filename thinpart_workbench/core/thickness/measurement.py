@@ -1,0 +1,199 @@
+"""Measure everything on a surface mesh."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Optional
+
+import numpy as np
+
+from ..descriptors.descriptor_table import STATED_ANGLES, STATED_FLOOR, Descriptors
+from ..descriptors.distribution import distribution
+from ..mesh.bounds import minimal_box, principal_box
+from ..mesh.dominant_directions import dominant_directions
+from ..mesh.mass_properties import area, volume
+from ..mesh.round_sides import box_of_round_sides
+from ..mesh.sampling import centroid_samples, surface_samples
+from ..progress import portion, report_progress
+from ..rays.inward_rays import InwardRays
+from .face_thickness import Witness, face_thicknesses, witness_of
+from .nonparallel import nonparallel_minimum
+from .pair_rule import measure_pairs
+from .thickness_field import ThicknessField, measure_rays
+from .thinnest_wall import thinnest_walls
+from .wall_regions import WallRegions, wall_regions, with_thinnest
+
+BOX_DONE, TREE_DONE, RAYS_DONE = 0.1, 0.15, 0.85
+"""Progress after the box is found, after the tree is built, and after all rays are cast. The rest is the search for
+slanted walls."""
+
+FLAT_DIRECTIONS = 16
+"""Number of sides of a part that are tried as sides of its box."""
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """What was measured on one part.
+
+    Attributes
+    ----------
+    descriptors : Descriptors
+    field : ThicknessField
+        The thickness under every sample, for colours and per-face summaries.
+    rays : InwardRays or None
+        The rays of the measurement; None if it was made by pairs.
+    thinnest_wall : Witness or None
+        The thinnest wall that covers `STATED_FLOOR` of the surface (see `thinnest_walls`).
+    regions : WallRegions
+    """
+
+    descriptors: Descriptors
+    field: ThicknessField
+    rays: Optional[InwardRays] = None
+    thinnest_wall: Optional[Witness] = None
+    regions: WallRegions = WallRegions()
+
+    def __repr__(self):
+        # The arrays are left out because they would fill a console.
+        return f"Measurement(thinnest_mm={self.thinnest_mm}, box_mm={self.box_mm}, volume_mm3={self.volume_mm3})"
+
+    def with_thinnest_wall(self, wall):
+        """The same measurement with another `Witness` of the thinnest wall, such as that of the exact shape."""
+        regions = with_thinnest(self.regions, wall)
+        return replace(self, thinnest_wall=wall, regions=regions,
+                       descriptors=replace(self.descriptors, regions=regions.counts))
+
+    @property
+    def thinnest_mm(self):
+        """float or None: thickness of the thinnest wall."""
+        return self.wall_range[0]
+
+    @property
+    def volume_mm3(self):
+        """float or None: None where the surface is not watertight."""
+        return self.descriptors.volume
+
+    @property
+    def area_mm2(self):
+        """float: area of the surface."""
+        return self.descriptors.area
+
+    @property
+    def box_mm(self):
+        """tuple of float: sides of the bounding box, longest first."""
+        return tuple(map(float, self.descriptors.box.dimensions))
+
+    @property
+    def is_watertight(self):
+        """Whether the surface bounds a volume."""
+        return self.field.mesh.watertight
+
+    @property
+    def warnings(self):
+        """tuple of str: defects of the triangles, a sentence each."""
+        return self.field.mesh.warnings
+
+    def value(self, quantity):
+        """Value of a quantity, such as ``V/VBB``, ``d2_d3`` or ``F[0;0.25]``; docs/info-file.md lists them.
+
+        Returns
+        -------
+        float or None
+            None where it could not be measured.
+
+        Raises
+        ------
+        ThinPartError
+            kind ``usage`` if there is no such quantity.
+        """
+        return self.descriptors.named_value(quantity)
+
+    def faces(self, thinner_than=None):
+        """Summarise the faces, in the order of their numbers.
+
+        Parameters
+        ----------
+        thinner_than : float, mm, optional
+            Only faces with a parallel wall thinner than this; ``thin_share`` is the share of their area over thinner walls.
+
+        Returns
+        -------
+        list of FaceThickness
+            For triangles that were given without faces, they are smooth patches of the surface.
+        """
+        if thinner_than is None:
+            return face_thicknesses(self.field, 0.0, self.thinnest_wall)
+        return [face for face in face_thicknesses(self.field, thinner_than, self.thinnest_wall)
+                if face.minimum is not None and face.minimum < thinner_than]
+
+    @cached_property
+    def wall_range(self):
+        """Thinnest wall, median by area, and greatest distance between parallel walls, mm, or None."""
+        thinnest = None if self.thinnest_wall is None else self.thinnest_wall.distance
+        walls = self.field.distance[self.field.parallel]
+        if not len(walls):
+            return None, None, None
+        order = np.argsort(walls, kind="stable")
+        cumulative = np.cumsum(self.field.area[self.field.parallel][order])
+        middle = order[np.searchsorted(cumulative, 0.5 * cumulative[-1])]
+        least = 0.0 if thinnest is None else thinnest
+        return thinnest, max(float(walls[middle]), least), max(float(walls[order[-1]]), least)
+
+
+def measure(mesh, settings, report=None, is_fine_enough=None):
+    """Measure a part.
+
+    Parameters
+    ----------
+    mesh : SurfaceMesh
+    settings : AnalysisSettings
+    report : callable, optional
+        Called with the fraction done; may raise to stop.
+    is_fine_enough : callable, optional
+        Called with the `Descriptors` that are known once the thickness is, and the thinnest wall, mm or None. Where it
+        returns False, the mesh will give way to a finer one, and nothing more is measured.
+
+    Returns
+    -------
+    Measurement or None
+        None where the mesh is not fine enough.
+
+    Raises
+    ------
+    MeshError
+        kind ``zero_volume`` if a closed surface encloses nothing.
+    """
+    report_progress(report, 0.0)
+    enclosed = volume(mesh)
+    box = _box(mesh, settings.box, portion(report, 0.0, BOX_DONE))
+    rays = None
+    if settings.measure == "pairs":
+        pairs_report = portion(report, BOX_DONE, 1.0)
+        field, shares = measure_pairs(mesh, centroid_samples(mesh), box.diagonal, pairs_report)
+    else:
+        report_progress(report, BOX_DONE)
+        rays = InwardRays(mesh)
+        report_progress(report, TREE_DONE)
+        samples = surface_samples(mesh, settings.minimum_samples)
+        field = measure_rays(mesh, samples, portion(report, TREE_DONE, RAYS_DONE), rays)
+        shares = distribution(field, box.diagonal, float(box.dimensions[1]))
+    thinnest = thinnest_walls(field)
+    wall = witness_of(field, thinnest[0]) if len(thinnest) else None
+    known = Descriptors(enclosed, area(mesh), box, shares, None)
+    if is_fine_enough is not None and not is_fine_enough(known, None if wall is None else wall.distance):
+        return None
+    if settings.measure == "pairs":
+        least = shares.nonparallel_minimum(STATED_FLOOR, *STATED_ANGLES)
+    else:
+        least = nonparallel_minimum(mesh, rays, field, box.diagonal, portion(report, RAYS_DONE, 1.0))
+    report_progress(report, 1.0)
+    regions = wall_regions(field, enclosed, wall)
+    descriptors = replace(known, min_nonparallel=least, plate_share=regions.plate_share, regions=regions.counts)
+    return Measurement(descriptors, field, rays, wall, regions)
+
+
+def _box(mesh, kind, report=None):
+    if kind == "principal":
+        return principal_box(mesh.vertices)
+    flat = dominant_directions(mesh.normals, mesh.areas, FLAT_DIRECTIONS)
+    box = minimal_box(mesh.vertices, flat, report)
+    return box_of_round_sides(mesh, box) if mesh.has_faces else box

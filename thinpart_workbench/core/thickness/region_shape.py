@@ -1,0 +1,264 @@
+"""Measures of one wall region, and which kind of wall it is."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse.csgraph import connected_components, dijkstra
+from scipy.spatial import cKDTree
+
+from ..descriptors.region_kinds import BAR, BLOCK, PLATE, TAPER, TOOTH, TUBE
+from ..mesh.bounds import spread_directions
+from ..mesh.dominant_directions import dominant_directions
+from .walls import is_parallel
+
+SLANTED, VARIED = 0.5, 1.5
+"""Share of a region over walls at more than 10 degrees, and ratio of its thickness at 95 percent of its points to that at 5
+percent, from which it is a taper. The crest of a thread faces a flank, and yet a screw is a bar."""
+
+STUBBY = 3.0
+"""A taper on a body whose developed width is under so many thicknesses is a tooth: one of a gear has one to two."""
+
+PLATE_FROM = 2.2
+"""Developed width by thickness from which a wall is a plate: 2 of a square bar, all of whose sides count, 1.6 of a round
+one; 2.4 of a washer M10."""
+
+BAR_FROM = 2.2
+"""Length by the larger side of its section from which what is no plate is a bar, not a block."""
+
+TUBE_AXIS = 0.2
+"""Greatest mean squared cosine between a tube's normals and its axis: 0 of a cylinder, 0.2 of a cone with 53 degrees
+between its sides."""
+
+TUBE_SECTORS, TUBE_LENGTHS, TUBE_COVERED = 36, 8, 0.9
+"""Sectors around its axis and slices along it that a tube's wall has to be in, seen from inside and outside: a slit or
+windows of up to a tenth of it are allowed."""
+
+HOLLOW = 0.6
+"""Least distance of a tube's walls from its axis, in thicknesses: of a round one, 0.5 is a bar."""
+
+LONG_TUBE = 0.7
+"""Length of a bent tube by its way round, from which it is one: an elbow is, a closed box is not."""
+
+BENT = 1.2
+"""Way along a region by the diagonal of its box from which it is bent and measured along the way."""
+
+RING_FROM = 8.0
+"""Length by width from which what goes round a hole is a ring, as long as its way round; 9.4 of a washer twice as wide as
+its hole, while a disc with a bore is a disc."""
+
+BAND = (0.4, 0.6)
+"""Share of the way along a region at which it is looked at across."""
+
+LEAST_ARM = 0.25
+"""Least share of that band on either side of a hole that a region goes round."""
+
+_DOMINANT = 3
+_DIRECTIONS = spread_directions(150).astype(np.float32)
+_ANGLES = np.radians(np.arange(0.0, 90.0, 1.0))
+_TURNED = np.concatenate([np.column_stack([np.cos(_ANGLES), np.sin(_ANGLES)]),
+                          np.column_stack([-np.sin(_ANGLES), np.cos(_ANGLES)])])
+_PROBED, _AMONG, _FEWEST_IN_CELL = 40, 1500, 8
+_ROUND = 1.0
+"""Radius, in thicknesses, in which the sides of a bar are looked at."""
+
+
+@dataclass(frozen=True)
+class RegionShape:
+    """Measures of a region.
+
+    Attributes
+    ----------
+    kind : str
+        One of `REGION_KINDS`.
+    length : float, mm
+        Along a bent region and round a ring; along the axis of a tube.
+    width : float, mm
+        Developed: half of the area by the length.
+    volume : float, mm3
+    """
+
+    kind: str
+    length: float
+    width: float
+    volume: float
+
+
+def region_shape(points, links, volume, closer_links=None):
+    """Measure a region.
+
+    Parameters
+    ----------
+    points : WallPoints
+        Of the region.
+    links : csr_array of shape (n, n)
+        Between them, see `wall_links`.
+    volume : float or None, mm3
+        Of the part.
+    closer_links : callable, optional
+        Finds links of `WallPoints` without others among them, by which ways are straighter. Called where the region seems
+        to be bent or a ring.
+
+    Returns
+    -------
+    RegionShape
+    """
+    area, thickness = float(points.area.sum()), area_median(points.thickness, points.area)
+    length, is_tube = _length(points, links, area, thickness, closer_links)
+    width = area / (2.0 * length)
+    # Across a wedge, the way along one of its normals is longer than the wedge is thick.
+    enclosed = 0.5 * float(np.sum(points.area * points.thickness * np.cos(points.wedge_angle)))
+    slanted = ~is_parallel(points.wedge_angle)
+    thinner, thicker = np.quantile(points.thickness, [0.05, 0.95])
+    if points.area[slanted].sum() > SLANTED * area and thicker > VARIED * thinner:
+        is_tooth = volume is not None and enclosed < 0.5 * volume and width < STUBBY * thickness
+        return RegionShape(TOOTH if is_tooth else TAPER, length, width, enclosed)
+    if is_tube:
+        return RegionShape(TUBE, length, width, enclosed)
+    if min(width, length) >= PLATE_FROM * thickness:
+        return RegionShape(PLATE, length, width, enclosed)
+    sides = _sides(points)
+    kind = BAR if length >= BAR_FROM * max(thickness, width * sides) else BLOCK
+    return RegionShape(kind, length, width, enclosed * sides)
+
+
+def area_median(value, area):
+    """float: the value that half of an area has at most."""
+    order = np.argsort(value, kind="stable")
+    covered = np.cumsum(area[order])
+    return float(value[order[np.searchsorted(covered, 0.5 * covered[-1])]])
+
+
+def _sides(points):
+    """By how much material under the surface is that of other sides too: 1 of a plate, 1/2 of a bar, 1/3 of a ball.
+
+    A plate has half of its thickness for each of two sides, a round or square bar a quarter for all around, a ball or
+    cube a sixth: half of the sum of squared shares of the three directions that normals near by have.
+    """
+    points = points.chosen(_spread(len(points.sample), _AMONG))
+    probed = _spread(len(points.sample), _PROBED)
+    tree = cKDTree(points.points)
+    around = tree.query_ball_point(points.middle[probed], _ROUND * points.thickness[probed])
+    shares = []
+    for near in around:
+        normals, area = points.normals[near], points.area[near]
+        tensor = np.einsum("i,ij,ik->jk", area, normals, normals)
+        shares.append(np.sum(tensor * tensor) / np.trace(tensor) ** 2 if len(near) else 1.0)
+    return float(np.average(shares, weights=points.area[probed]))
+
+
+def _spread(count, most):
+    return np.unique(np.linspace(0, count - 1, min(count, most)).astype(np.int64))
+
+
+def _length(points, links, area, thickness, closer_links):
+    """Length of a region, mm, and whether it is a tube."""
+    # Of evenly spread points, the outermost are less far apart than what they are spread over.
+    count = len(points.sample)
+    axis = _tube_axis(points)
+    if axis is not None:
+        axial = float(np.ptp(points.points @ axis) * (count + 1) / (count - 1))
+        if axial >= PLATE_FROM * thickness:
+            return axial, True
+    size = _box(points) * (count + 1) / (count - 1)
+    bent = _bent_length(points, links, area, size)
+    if bent is not None and closer_links is not None:
+        bent = _bent_length(points, closer_links(points), area, size)
+    return bent or (float(size[0]), False)
+
+
+def _bent_length(points, links, area, size):
+    """Length of a region along its bends, mm, and whether it is a tube; None where it is straight."""
+    way = _way_along(points, links)
+    along = float(way.max() + np.median(points.spacing))
+    band = np.flatnonzero((way > BAND[0] * way.max()) & (way < BAND[1] * way.max()))
+    ring = _way_round(points, links, band, along)
+    if ring is not None and ring >= RING_FROM * area / (2.0 * ring):
+        return ring, False
+    if along <= BENT * np.linalg.norm(size):
+        return None
+    # From end to end of a tube, and half-way round.
+    axial = float(np.sqrt(0.5 * (along**2 + np.sqrt(max(along**4 - 0.25 * area**2, 0.0)))))
+    if axial >= LONG_TUBE * area / (2.0 * axial) and _tube_axis(points.chosen(band)) is not None:
+        return axial, True
+    # The longest way over a developed strip is its diagonal.
+    return float(np.sqrt(0.5 * (along**2 + np.sqrt(max(along**4 - area**2, 0.0))))), False
+
+
+def _box(points):
+    """Sides of a small box around the points, mm, longest first: ndarray of shape (3,)."""
+    reach = _DIRECTIONS @ (points.points - points.points[0]).T.astype(np.float32)
+    corners = points.points[np.unique([np.argmin(reach, axis=1), np.argmax(reach, axis=1)])]
+    centred = points.points - np.average(points.points, axis=0, weights=points.area)
+    tensors = [np.einsum("i,ij,ik->jk", points.area, rows, rows) for rows in (centred, points.normals)]
+    axes = np.concatenate([*(np.linalg.eigh(tensor)[1].T for tensor in tensors),
+                           dominant_directions(points.normals, points.area, _DOMINANT)])
+    # About each axis, the sides at all angles; those across them come a right angle later.
+    around = np.concatenate([(_TURNED @ np.stack(_across(axis))) for axis in axes])
+    sides = np.ptp(around @ corners.T, axis=1).reshape(len(axes), 2, len(_ANGLES))
+    floor, height = sides[:, 0] * sides[:, 1], np.ptp(axes @ corners.T, axis=1)
+    angle = np.argmin(floor, axis=1)
+    best = np.argmin(floor[np.arange(len(axes)), angle] * height)
+    return np.sort([*sides[best, :, angle[best]], height[best]])[::-1]
+
+
+def _across(axis):
+    """Two directions across an axis and each other."""
+    first = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
+    first /= np.linalg.norm(first)
+    return first, np.cross(axis, first)
+
+
+def _tube_axis(points):
+    """Axis of a tube, ndarray of shape (3,); None where the region is none."""
+    if len(points.sample) < TUBE_SECTORS:
+        return None  # not even one in each sector; between the parts of a region that has a gap, there may be none at all
+    area = points.area / points.area.sum()
+    shares, axes = np.linalg.eigh(np.einsum("i,ij,ik->jk", area, points.normals, points.normals))
+    if shares[0] > TUBE_AXIS:
+        return None
+    flat = np.column_stack(_across(axes[:, 0]))
+    middle = points.middle @ flat
+    middle -= area @ middle
+    radius = np.linalg.norm(middle, axis=1)
+    if np.quantile(radius, 0.02) < HOLLOW * area_median(points.thickness, points.area):
+        return None
+    sector = ((np.arctan2(middle[:, 1], middle[:, 0]) / (2.0 * np.pi) + 0.5) * TUBE_SECTORS).astype(int) % TUBE_SECTORS
+    inward = np.einsum("ij,ij->i", points.normals @ flat, middle) < 0.0
+    along = points.points @ axes[:, 0]
+    slices = int(np.clip(len(along) / (2 * TUBE_SECTORS * _FEWEST_IN_CELL), 1, TUBE_LENGTHS))
+    cell = np.minimum((along - along.min()) / np.ptp(along) * slices, slices - 1).astype(int) * TUBE_SECTORS + sector
+    covered = [len(np.unique(cell[side])) for side in (inward, ~inward)]
+    return axes[:, 0] if min(covered) >= TUBE_COVERED * TUBE_SECTORS * slices else None
+
+
+def _way_along(points, links):
+    """Way through the wall from one of the places farthest from each other, mm: ndarray of shape (n,)."""
+    start = int(np.argmax(np.linalg.norm(points.middle - points.middle.mean(axis=0), axis=1)))
+    return _ways_from(links, int(np.argmax(_ways_from(links, start))))
+
+
+def _ways_from(links, start):
+    way = dijkstra(links, directed=False, indices=start)
+    return np.where(np.isfinite(way), way, 0.0)
+
+
+def _way_round(points, links, band, along):
+    """Way round the hole of a ring, mm; None where half-way along the region there is one way on, not two."""
+    if len(band) < 4:
+        return None
+    _, arm = connected_components(links[band][:, band], directed=False)
+    shares = np.sort(np.bincount(arm, points.area[band]))[::-1] / points.area[band].sum()
+    if len(shares) < 2 or shares[1] < LEAST_ARM:
+        return None
+    centred = points.middle - np.average(points.middle, axis=0, weights=points.area)
+    axes = np.linalg.eigh(np.einsum("i,ij,ik->jk", points.area, centred, centred))[1]
+    angle = np.arctan2(centred @ axes[:, 1], centred @ axes[:, 2])
+    sector = ((angle / (2.0 * np.pi) + 0.5) * TUBE_SECTORS).astype(int) % TUBE_SECTORS
+    # By radius, not by area, of which there is more outside.
+    by_radius = points.area / np.maximum(np.linalg.norm(centred @ axes[:, 1:], axis=1), 1e-9 * along)
+    weight = np.bincount(sector, by_radius, TUBE_SECTORS)
+    if not weight.all():
+        return 2.0 * along
+    corners = np.stack([np.bincount(sector, by_radius * centred[:, k], TUBE_SECTORS) for k in range(3)], axis=1)
+    corners /= weight[:, None]
+    return float(np.linalg.norm(corners - np.roll(corners, 1, axis=0), axis=1).sum())

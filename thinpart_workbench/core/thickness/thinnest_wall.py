@@ -1,0 +1,104 @@
+"""Where a part is thinnest: a wall of some extent, not a stray ray."""
+
+import numpy as np
+
+from ..descriptors.descriptor_table import STATED_FLOOR
+
+ALIKE = 1.25
+"""Thicknesses up to this ratio belong to one wall when its extent is added up."""
+
+TOUCHING = 1e-3
+"""Share of the median wall under which what a ray finds is no wall: there surfaces touch, or cross."""
+
+FACE_FLOOR = 0.1
+"""Share of a face's walls that its thinnest one needs where that is less than the floor."""
+
+
+def thinnest_walls(field):
+    """Samples over the thinnest walls, the thinnest first.
+
+    Parameters
+    ----------
+    field : ThicknessField
+
+    Returns
+    -------
+    ndarray of shape (k,), int64
+        At most one for each pair of faces that enclose a wall, and one for the whole surface. Empty where no parallel
+        walls cover `STATED_FLOOR` of the surface.
+
+    Notes
+    -----
+    The least distance of all rays is noise on real parts: beside an edge, in a run-out of a fillet, on a sliver. A wall has
+    an extent. Of each pair of faces, and of all together since a wall may have many small faces, the sample counts from
+    which on walls that are no more than a quarter thicker cover the floor.
+    """
+    parallel = np.flatnonzero(field.parallel & (field.distance > _touching_below(field)))
+    floor = STATED_FLOOR * field.area.sum()
+    found = [first_of_extent(field, parallel, floor)]
+    faces = field.mesh.face_of_triangle
+    key = faces[field.samples.triangle[parallel]] * (int(faces.max()) + 1) + faces[field.opposite[parallel]]
+    order = np.argsort(key, kind="stable")
+    _, start = np.unique(key[order], return_index=True)
+    found += [first_of_extent(field, parallel[group], floor) for group in np.split(order, start[1:])]
+    samples = np.unique([sample for sample in found if sample is not None]).astype(np.int64)
+    return samples[np.argsort(field.distance[samples], kind="stable")]
+
+
+def first_of_extent(field, samples, floor):
+    """Of some samples, the one over the thinnest wall that covers an area; None where there is none.
+
+    Parameters
+    ----------
+    field : ThicknessField
+    samples : ndarray of shape (m,), int64
+    floor : float, mm2
+        Area that walls up to `ALIKE` times as thick have to cover.
+
+    Returns
+    -------
+    int or None
+    """
+    order = samples[np.argsort(field.distance[samples], kind="stable")]
+    thickness = field.distance[order]
+    covered = np.concatenate([[0.0], np.cumsum(_even_area(field, order))])
+    last = np.searchsorted(thickness, ALIKE * thickness, side="right")
+    enough = np.flatnonzero(covered[last] - covered[:-1] >= floor)
+    return int(order[enough[0]]) if len(enough) else None
+
+
+def _even_area(field, samples):
+    """Area, mm2, that samples represent and over which their walls change by `ALIKE` at most: ndarray of shape (m,).
+
+    On a taper that is only a strip of what a sample represents, and beside its edge a narrow one.
+    """
+    area, slope = field.area[samples], np.tan(field.wedge_angle[samples])
+    strip = (ALIKE - 1.0) * field.distance[samples] / np.maximum(slope, np.finfo(float).eps)
+    return np.minimum(area, np.sqrt(area) * strip)
+
+
+def touching_sample(field):
+    """A sample where surfaces touch or cross over some area; None where they do not.
+
+    Parameters
+    ----------
+    field : ThicknessField
+
+    Returns
+    -------
+    int or None
+    """
+    near = np.flatnonzero(field.parallel & (field.distance <= _touching_below(field)))
+    if field.area[near].sum() < STATED_FLOOR * field.area.sum():
+        return None
+    return int(near[np.argmax(field.area[near])])
+
+
+def _touching_below(field):
+    """Distance, mm, up to which surfaces touch rather than enclose a wall."""
+    walls = np.flatnonzero(field.parallel)
+    if not len(walls):
+        return 0.0
+    order = walls[np.argsort(field.distance[walls], kind="stable")]
+    covered = np.cumsum(field.area[order])
+    return TOUCHING * float(field.distance[order[np.searchsorted(covered, 0.5 * covered[-1])]])

@@ -1,0 +1,1 @@
+"""Find the feature of a document that made a face."""

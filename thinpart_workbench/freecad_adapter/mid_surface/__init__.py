@@ -1,0 +1,1 @@
+"""The mid-surface of a solid, as faces that are made of its own and trimmed by it."""

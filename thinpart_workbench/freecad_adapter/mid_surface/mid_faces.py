@@ -1,0 +1,253 @@
+"""The mid-surface of a solid: a face half-way through each wall, trimmed by the solid and by the faces that it meets."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ...core.errors import ThinPartError
+from ...core.message import message
+from ...core.shells.walls_through import sides_of
+from ..bootstrap import load_freecad
+from .mid_shapes import MidPlane, mid_shape
+from .smooth_cuts import smooth_cuts
+
+LEAST_SQUARES, LEAST_WIDTH = 5.0, 1.7
+"""Area of one side by the squared thickness, and width by thickness, from which on a wall is a shell."""
+
+ONE_WALL = 0.45
+"""Distance between the middles of two walls, by the lesser thickness, up to which they have one mid-surface: a step."""
+
+ALIKE = 2.0
+"""Ratio of the thickness of two walls up to which they may have one mid-surface."""
+
+LEANING = np.cos(np.radians(6.0))
+"""Cosine of the greatest angle between the mid-surfaces of two walls that have one."""
+
+BEYOND = 2.5
+"""Thicknesses by which a face reaches beyond its wall at first, to meet others."""
+
+SUPPORTED = 0.3
+"""Share of a piece that lies between the sides of its wall, from which on it stays."""
+
+WELD = 1e-3
+"""By the thickness of the thinnest wall: edges that are nearer to each other are one."""
+
+ON_SURFACE = 0.1
+"""Distance from a mid-surface by the thickness up to which a face lies on it: facets of a round one are off a little."""
+
+_SAMPLES = 60
+
+
+@dataclass
+class MidWall:
+    """Walls with one mid-surface.
+
+    Attributes
+    ----------
+    shape : MidPlane or MidRound
+    pairs : list of FacingFaces
+    """
+
+    shape: object
+    pairs: list = field(default_factory=list)
+
+    @property
+    def area(self):
+        """float, mm2: of one side."""
+        return sum(pair.area for pair in self.pairs)
+
+    @property
+    def thickness(self):
+        """float, mm: of its largest pair."""
+        return max(self.pairs, key=lambda pair: pair.area).thickness
+
+    @property
+    def middles(self):
+        """ndarray of shape (k, 3), mm"""
+        return np.concatenate([pair.middles for pair in self.pairs])
+
+    @property
+    def faces(self):
+        """set of int: indices of B-Rep faces."""
+        return {face for pair in self.pairs for face in pair.faces}
+
+    @property
+    def is_flat(self):
+        """bool"""
+        return isinstance(self.shape, MidPlane)
+
+    @property
+    def width(self):
+        """float, mm: the lesser extent along the mid-surface."""
+        return self.shape.extents(self.middles)[1]
+
+    def takes(self, pair, shape):
+        """Whether the wall of another pair has this mid-surface."""
+        if type(shape) is not type(self.shape):
+            return False
+        least = min(self.thickness, pair.thickness)
+        if max(self.thickness, pair.thickness) > ALIKE * least:
+            return False
+        off = np.median(np.abs(self.shape.distances(pair.middles)))
+        normals = np.abs(np.einsum("ij,ij->i", self.shape.normals(pair.middles), shape.normals(pair.middles)))
+        if off > ONE_WALL * least or np.quantile(normals, 0.1) < LEANING:
+            return False
+        return self.is_flat or off < 0.1 * least
+
+    @property
+    def is_shell(self):
+        """bool: whether it is wide enough."""
+        if self.area < LEAST_SQUARES * self.thickness ** 2:
+            return False
+        return self.width >= LEAST_WIDTH * self.thickness
+
+
+@dataclass(frozen=True)
+class MidSurface:
+    """The mid-surface of a solid.
+
+    Attributes
+    ----------
+    shape : Part.Shape
+        Its faces; those that meet share their edges.
+    walls : list of MidWall
+    wall_of_face : list of int
+        Number of the wall that each face belongs to.
+    """
+
+    shape: object
+    walls: list
+    wall_of_face: list
+
+
+def mid_walls(shape, pairs):
+    """The walls of a solid that are shells.
+
+    Parameters
+    ----------
+    shape : Part.Shape
+    pairs : list of FacingFaces
+
+    Returns
+    -------
+    list of MidWall
+    """
+    faces, walls = shape.Faces, []
+    for pair in sorted(pairs, key=lambda each: -each.area):
+        found = mid_shape(faces[pair.faces[0]], faces[pair.faces[1]], pair)
+        if found is None:
+            continue
+        own = next((wall for wall in walls if wall.takes(pair, found)), None)
+        if own is None:
+            walls.append(MidWall(found, [pair]))
+        else:
+            own.pairs.append(pair)
+    return [wall for wall in walls if wall.is_shell]
+
+
+def mid_surface(shape, pairs, mesh, rays):
+    """Make the mid-surface of a solid.
+
+    Parameters
+    ----------
+    shape : Part.Shape
+        One solid.
+    pairs : list of FacingFaces
+        From `facing_faces`.
+    mesh : SurfaceMesh
+    rays : InwardRays
+
+    Returns
+    -------
+    MidSurface
+
+    Raises
+    ------
+    ThinPartError
+        kind ``no_shell`` where no wall is a shell, or OCC cannot cut the faces.
+
+    Notes
+    -----
+    The surface half-way between the two sides of a wall is as exact as they are. It is cut to what lies within the solid, so
+    it ends where the wall ends, and holes stay. Along smooth edges, as at the ends of a bend, it is cut across the wall.
+    Faces of all walls then cut each other, and what stands out beyond a joint is left out: it does not lie between the sides
+    of its wall.
+    """
+    load_freecad()
+    walls = mid_walls(shape, pairs)
+    if not walls:
+        raise ThinPartError(message("No wall is wide and thin enough for a shell."), "no_shell")
+    test = _Support(mesh, rays, len(shape.Faces))
+    try:
+        return _welded(_trimmed(shape, walls, test), walls, test)
+    except ThinPartError:
+        raise
+    except Exception as error:  # OCC's errors have several classes, which differ between versions of FreeCAD
+        raise ThinPartError(message("The mid-faces of the walls could not be cut to each other ({problem}).",
+                                    problem=error), "no_shell") from None
+
+
+class _Support:
+    """Says how much of a piece lies between the two sides of its wall."""
+
+    def __init__(self, mesh, rays, count):
+        self._mesh, self._rays, self._count = mesh, rays, count
+
+    def share(self, face, wall):
+        """float: share of the area of a face; 0 where it does not lie on the mid-surface of the wall."""
+        points, area = _spread(face, wall.thickness)
+        if np.abs(wall.shape.distances(points)).max() > ON_SURFACE * wall.thickness:
+            return 0.0
+        sides = sides_of(self._mesh, self._rays, points, wall.shape.normals(points))
+        known = sides.is_between([pair.faces for pair in wall.pairs], self._count)
+        return float(area[known].sum() / area.sum())
+
+
+def _spread(face, thickness):
+    """Points spread over a face, and the area of each: ndarrays of shape (k, 3) and (k,)."""
+    points, triangles = face.tessellate(max(0.05 * thickness, 1e-4))
+    corners = np.array([tuple(point) for point in points])[np.array(triangles)]
+    areas = 0.5 * np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    counts = np.maximum(1, np.ceil(_SAMPLES * areas / max(areas.sum(), 1e-300))).astype(int)
+    row = np.repeat(np.arange(len(areas)), counts)
+    step = np.arange(len(row)) - np.repeat(np.cumsum(counts) - counts, counts) + 0.5
+    # A low-discrepancy sequence, folded into the triangle.
+    u, v = np.mod(0.5 + 0.754877666 * step, 1.0), np.mod(0.5 + 0.569840296 * step, 1.0)
+    over = u + v > 1.0
+    u[over], v[over] = 1.0 - u[over], 1.0 - v[over]
+    a, b, c = corners[row].transpose(1, 0, 2)
+    return a + u[:, None] * (b - a) + v[:, None] * (c - a), (areas / counts)[row]
+
+
+def _trimmed(shape, walls, test):
+    """Faces on the mid-surfaces, within the solid: list of Part.Face."""
+    cuts = smooth_cuts(shape, walls)
+    found = []
+    for number, wall in enumerate(walls):
+        margin = BEYOND * max(max(each.thickness for each in walls if each.faces & wall.faces or each is wall),
+                              wall.thickness)
+        for patch in wall.shape.patches(wall.middles, margin):
+            for piece in patch.common(shape).Faces:
+                pieces = piece.generalFuse(cuts[number])[0].Faces if cuts[number] else [piece]
+                found += [face for face in pieces if test.share(face, wall) > 0.02]
+    return found
+
+
+def _welded(faces, walls, test):
+    """All faces, cut where they meet, without what stands out."""
+    import Part
+
+    if not faces:
+        raise ThinPartError(message("No wall is wide and thin enough for a shell."), "no_shell")
+    # What OCC says of which piece comes of which face is incomplete, so each is asked for its wall again.
+    cut = faces[0].generalFuse(faces[1:], WELD * min(wall.thickness for wall in walls))[0].Faces if len(faces) > 1 else faces
+    kept, numbers = [], []
+    for piece in cut:
+        shares = [test.share(piece, wall) for wall in walls]
+        best = int(np.argmax(shares))
+        if shares[best] >= SUPPORTED:
+            kept.append(piece)
+            numbers.append(best)
+    if not kept:
+        raise ThinPartError(message("No wall is wide and thin enough for a shell."), "no_shell")
+    return MidSurface(Part.makeCompound(kept), walls, numbers)

@@ -1,0 +1,1 @@
+"""From parts to their occurrences in a document and back."""

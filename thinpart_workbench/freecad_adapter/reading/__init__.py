@@ -1,0 +1,1 @@
+"""Read files and documents, and reject unsafe or damaged ones."""

@@ -1,0 +1,31 @@
+"""What an instance is called in the tree."""
+
+import re
+
+from ..occurrence import objects_along
+
+_NO_NAME = re.compile(
+    r"(none|solid|shell|compound|unnamed|unknown|=>\[.*\]|open\scascade\sstep\stranslator.*)?[\s_]*\d*", re.IGNORECASE)
+"""What STEP files and FreeCAD's import call what nobody named, with the number that FreeCAD adds."""
+
+
+def telling_label(top, path, leaf):
+    """The label of the object at a path; where nobody named it, that of the nearest instance or assembly around it.
+
+    Parameters
+    ----------
+    top : App.DocumentObject
+    path : str
+        Below the top object.
+    leaf : App.DocumentObject
+        The one at its end.
+
+    Returns
+    -------
+    str
+        Such as ``Bracket`` for the solid ``NONE001`` of an imported product ``Bracket``.
+    """
+    for candidate in (leaf, *reversed(objects_along(top, path))):
+        if not _NO_NAME.fullmatch(candidate.Label.strip()):
+            return candidate.Label
+    return leaf.Label

@@ -1,0 +1,1 @@
+"""Parts as solids: their shapes, comparing them, and their placements."""

@@ -1,0 +1,71 @@
+"""Get closed solids from the shape of an exchange file."""
+
+from ...core.message import message
+
+SEWING_TOLERANCES = (1e-6, 1e-5, 1e-4)
+"""Gaps between loose faces that sewing closes, as shares of the diagonal; tried from tight to loose."""
+
+
+def solids_of(shape, whose=message("The file")):
+    """Solids of a shape; loose faces are sewn together.
+
+    Parameters
+    ----------
+    shape : Part.Shape
+    whose : str, optional
+        Owner of the shape, as the start of a sentence.
+
+    Returns
+    -------
+    solids : list of Part.Shape
+        Empty if the surfaces do not close.
+    warnings : tuple of str
+
+    Notes
+    -----
+    IGES files hold faces without solids, which have to be sewn first.
+    """
+    if shape.Solids:
+        warning = loose_faces_warning(shape, whose)
+        return shape.Solids, (warning,) if warning else ()
+    if not shape.Faces:
+        return [], ()
+    diagonal = shape.BoundBox.DiagonalLength
+    for tolerance in SEWING_TOLERANCES:
+        sewn = shape.copy()
+        sewn.sewShape(tolerance * diagonal)
+        solids = _closed_solids(sewn)
+        if solids:
+            return solids, (
+                message("It came as {faces} loose faces, which were sewn together.", faces=len(shape.Faces)),
+            )
+    return [], ()
+
+
+def _closed_solids(shape):
+    import Part
+
+    return [Part.Solid(shell) for shell in shape.Shells if shell.isClosed()]
+
+
+def loose_faces_warning(shape, whose):
+    """A warning about faces that belong to no solid of a shape; None if there are none.
+
+    Parameters
+    ----------
+    shape : Part.Shape
+        With solids.
+    whose : str
+        Owner of the shape, as the start of the sentence.
+    """
+    import Part
+
+    # Neighbouring solids may share a face, so adding up their numbers of faces would count it twice.
+    loose = len(shape.Faces) - len(Part.Compound(shape.Solids).Faces)
+    if loose <= 0:
+        return None
+    if loose == 1:
+        return message("{whose} holds 1 face beside its solids, which was left out: close or thicken it if it is a "
+                       "part.", whose=whose)
+    return message("{whose} holds {faces} faces beside its solids, which were left out: close or thicken them if "
+                   "they are a part.", whose=whose, faces=loose)

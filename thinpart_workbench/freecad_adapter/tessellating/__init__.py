@@ -1,0 +1,1 @@
+"""Tessellate B-Rep solids."""

@@ -1,0 +1,28 @@
+"""On which kinds of surfaces the faces of a solid lie."""
+
+PLANE = "Part::GeomPlane"
+
+FREE_FORM = ("Part::GeomBSplineSurface", "Part::GeomBezierSurface", "Part::GeomToroid", "Part::GeomOffsetSurface",
+             "Part::GeomSurfaceOfRevolution", "Part::GeomSurfaceOfExtrusion")
+"""Surfaces on which OCC's mesher is slow or fails. Rods of cylinders and planes take it no time."""
+
+
+def surface_types(shape):
+    """FreeCAD's name of the type of each face's surface; None for a surface without a Python class.
+
+    Parameters
+    ----------
+    shape : Part.Shape
+
+    Returns
+    -------
+    list of str or None
+    """
+    return [_surface_type(face) for face in shape.Faces]
+
+
+def _surface_type(face):
+    try:
+        return face.Surface.TypeId
+    except (TypeError, RuntimeError):  # the exception differs between versions of FreeCAD
+        return None

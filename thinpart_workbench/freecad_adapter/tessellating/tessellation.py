@@ -1,0 +1,162 @@
+"""Tessellate a B-Rep solid."""
+
+import math
+from dataclasses import dataclass
+from itertools import chain
+
+import numpy as np
+
+from ...core.errors import MeshError
+from ...core.message import message
+from ..bootstrap import load_freecad
+
+COMFORTABLE_TRIANGLES = 100_000
+"""Triangles of a wire or coil above which facets may meet at greater angles. The chord error does not change."""
+
+WIDEST_ANGLE_AT_FIRST = 6.0
+"""Greatest angle between facets of a wire with few triangles, degrees."""
+
+WIDEST_ANGLE = math.radians(8.0)
+"""Greatest angle between facets around a wire, radians. Its opposite sides appear tilted by this angle, and walls
+within 10 degrees count as parallel."""
+
+WIDEST_ANGLE_ALONG = math.radians(30.0)
+"""Greatest angle between facets along a wire, where both sides turn alike, radians."""
+
+_DEFLECTION_SHARE = 0.8
+"""Share of the requested deflection that grids are made for, because twisted grids deviate a little more."""
+
+
+@dataclass(frozen=True)
+class Tessellation:
+    """Triangles of a shape.
+
+    Attributes
+    ----------
+    points : ndarray of shape (v, 3), mm
+    triangles : ndarray of shape (n, 3), int64
+    face_of_triangle : ndarray of shape (n,), int64
+        Index into ``shape.Faces``.
+    linear_deflection : float, mm
+    """
+
+    points: np.ndarray
+    triangles: np.ndarray
+    face_of_triangle: np.ndarray
+    linear_deflection: float
+
+
+def tessellate(shape, linear_deflection, angular_deflection):
+    """Tessellate a solid.
+
+    Parameters
+    ----------
+    shape : Part.Shape
+    linear_deflection : float
+        Chord error as a share of the diagonal of the bounding box.
+    angular_deflection : float, degrees
+
+    Returns
+    -------
+    Tessellation
+
+    Raises
+    ------
+    MeshError
+        kind ``zero_volume`` or ``unreadable``.
+
+    Notes
+    -----
+    FreeCAD's meshes are float32, so a shape far from the origin is moved there first; otherwise rounding would
+    destroy its walls. The copy is made without triangulation, because FreeCAD would use a finer triangulation that
+    the shape already has instead of the requested one.
+    """
+    load_freecad()
+    import MeshPart
+
+    bounds = shape.BoundBox
+    diagonal = bounds.DiagonalLength
+    if not math.isfinite(diagonal) or diagonal <= 0.0:
+        raise MeshError(message("Its bounding box is empty or not finite."), "zero_volume")
+    centre = bounds.Center
+    local = shape.copy(True, False)
+    local.translate(centre * -1.0)
+    deflection = linear_deflection * diagonal
+    try:
+        mesh = MeshPart.meshFromShape(
+            Shape=local, LinearDeflection=deflection,
+            AngularDeflection=math.radians(angular_deflection), Relative=False, Segments=True,
+        )
+    except Exception as error:  # FreeCAD raises its own classes, which differ between versions
+        raise MeshError(message("FreeCAD could not tessellate it ({problem}).", problem=error)) from None
+    if mesh.CountFacets == 0:
+        raise MeshError(message("FreeCAD could not tessellate any of its faces."))
+    points, triangles = _arrays(mesh)
+    points += (centre.x, centre.y, centre.z)
+    return Tessellation(points, triangles, _face_of_triangle(mesh, local.countElement("Face")), deflection)
+
+
+def tessellate_mapped(faces, diagonal, linear_deflection, angular_deflection):
+    """Tessellate a solid on grids; see the module `mapped_faces`.
+
+    Parameters
+    ----------
+    faces : MappedFaces
+    diagonal : float, mm
+        Of the solid's bounding box.
+    linear_deflection : float
+        Chord error as a share of that diagonal.
+    angular_deflection : float, degrees
+        Widened if there would be too many triangles, as far as the chord error allows.
+
+    Returns
+    -------
+    Tessellation
+
+    Raises
+    ------
+    NotMapped
+    """
+    deflection = linear_deflection * diagonal
+    pieces, _ = mapped_division(faces, deflection, angular_deflection)
+    return Tessellation(*faces.surface(pieces), deflection)
+
+
+def mapped_division(faces, deflection, angular_deflection):
+    """Division of the edges of `MappedFaces`, and the estimated number of triangles.
+
+    Parameters
+    ----------
+    faces : MappedFaces
+    deflection : float, mm
+    angular_deflection : float, degrees
+    """
+    around = along = math.radians(min(angular_deflection, WIDEST_ANGLE_AT_FIRST))
+    while True:
+        pieces, triangles = faces.divided(_DEFLECTION_SHARE * deflection, around, along)
+        if triangles <= COMFORTABLE_TRIANGLES or along >= WIDEST_ANGLE_ALONG:
+            return pieces, triangles
+        along = min(1.3 * along, WIDEST_ANGLE_ALONG)
+        around = max(around, min(along, WIDEST_ANGLE))
+
+
+def _arrays(mesh):
+    """Points and triangles of a Mesh.Mesh.
+
+    `Mesh.write` to a stream would need no Python object for each point, but loses bytes that are no text; FreeCAD 1.1
+    refuses to write to a file in memory. A file in a folder takes as long as this with few triangles.
+    """
+    points, triangles = mesh.Topology
+    return (np.fromiter(chain.from_iterable(points), np.float64, 3 * len(points)).reshape(-1, 3),
+            np.fromiter(chain.from_iterable(triangles), np.int64, 3 * len(triangles)).reshape(-1, 3))
+
+
+def _face_of_triangle(mesh, faces):
+    """The face of each triangle. The mesh has one segment per face in the same order, including empty ones."""
+    if mesh.countSegments() != faces:
+        raise MeshError(message("FreeCAD did not say which triangle belongs to which face."))
+    segments = [mesh.getSegment(face) for face in range(faces)]
+    sizes = [len(segment) for segment in segments]
+    face_of_triangle = np.zeros(mesh.CountFacets, dtype=np.int64)
+    face_of_triangle[np.fromiter(chain.from_iterable(segments), np.int64, sum(sizes))] = np.repeat(np.arange(faces), sizes)
+    return face_of_triangle

@@ -1,0 +1,1 @@
+"""Used by every module of the GUI: Qt, translation, theme, units, fault handling and application-wide objects."""

@@ -1,0 +1,19 @@
+"""Numbers as text with the decimal mark of the input fields beside them."""
+
+from ...core import number_text
+from .qt import QtCore
+
+
+def decimal_mark():
+    """str: the one that FreeCAD's input fields have, a point or a comma."""
+    return str(QtCore.QLocale().decimalPoint())
+
+
+def number(value):
+    """See `number_text.number`."""
+    return number_text.with_decimal_mark(number_text.number(value), decimal_mark())
+
+
+def percent(share):
+    """See `number_text.percent`."""
+    return number_text.with_decimal_mark(number_text.percent(share), decimal_mark())

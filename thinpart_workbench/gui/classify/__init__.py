@@ -1,0 +1,1 @@
+"""The command 'Classify part' and its panel."""

@@ -1,0 +1,99 @@
+"""The panel of a classification: progress, a result or a message, and the info file."""
+
+from pathlib import Path
+
+from ..application.qt import QtGui, QtWidgets, Signal, translate
+from ..record.measuring_progress import MeasuringProgress
+from ..record.parts_table import PartsTable
+from ..record.record_view import RecordView, show_text, text_line
+
+ICON = Path(__file__).resolve().parents[3] / "resources" / "icons" / "ThinPart_Classify.svg"
+
+
+class ClassifyPanel(QtWidgets.QWidget):
+    """The widgets of the panel, without logic: the controller fills them and handles their signals.
+
+    Signals
+    -------
+    cancelled, save_requested, repeat_requested
+        The corresponding button was pressed.
+    """
+
+    cancelled = Signal()
+    save_requested = Signal()
+    repeat_requested = Signal()
+
+    def __init__(self):
+        super().__init__()
+        self.setObjectName("ThinPart_Panel")
+        self.setWindowTitle(translate("ThinPart", "Classify part"))
+        self.setWindowIcon(QtGui.QIcon(str(ICON)))
+        column = QtWidgets.QVBoxLayout(self)
+        # The task view is narrow and has its own margins.
+        column.setContentsMargins(6, 6, 6, 6)
+        self.message = text_line(self, column, "ThinPart_Message")
+        self._progress = MeasuringProgress(self)
+        self._progress.cancelled.connect(self.cancelled)
+        column.addWidget(self._progress)
+        self.parts = PartsTable(self)
+        column.addWidget(self.parts)
+        self.result = RecordView(self)
+        column.addWidget(self.result)
+        self.info_text = text_line(self, column, "ThinPart_InfoText")
+        self.save_button = self._button(
+            column, "ThinPart_SaveButton", translate("ThinPart", "Save and write info file"),
+            self.save_requested)
+        self.again_button = self._button(
+            column, "ThinPart_AgainButton", translate("ThinPart", "Classify again"),
+            self.repeat_requested)
+        column.addStretch(1)
+        self.show_message("")
+
+    def show_message(self, sentence):
+        """Show only a message."""
+        show_text(self.message, sentence)
+        self._progress.hide()
+        self.parts.hide()
+        self.result.hide()
+        self.show_info("")
+
+    def show_running(self, label):
+        """Show that a part is being measured."""
+        self.show_message("")
+        self._progress.begin(label)
+
+    def show_progress(self, fraction, stage):
+        """Show the completed fraction and the current stage."""
+        self._progress.show_progress(fraction, stage)
+
+    def show_result(self, record, profile, unit):
+        """Show a part record, with lengths in a unit; progress stays visible while other parts are measured."""
+        show_text(self.message, "")
+        self.result.show_record(record, profile, unit)
+        self.result.show()
+
+    def show_part(self, record, profile, failure, unit):
+        """Show the record of a part, or why there is none, without affecting the progress."""
+        show_text(self.message, failure)
+        self.result.setVisible(record is not None)
+        if record is not None:
+            self.result.show_record(record, profile, unit)
+
+    def show_ended(self, sentence=""):
+        """Hide the progress; show a message if measuring did not end normally."""
+        self._progress.hide()
+        show_text(self.message, sentence)
+
+    def show_info(self, sentence, can_save=False, can_repeat=False, tool_tip=""):
+        """Show the state of the info file and the actions available for it."""
+        show_text(self.info_text, sentence)
+        self.info_text.setToolTip(tool_tip)
+        self.save_button.setVisible(can_save)
+        self.again_button.setVisible(can_repeat)
+
+    def _button(self, layout, name, text, signal):
+        button = QtWidgets.QPushButton(text, self)
+        button.setObjectName(name)
+        button.clicked.connect(signal)
+        layout.addWidget(button)
+        return button

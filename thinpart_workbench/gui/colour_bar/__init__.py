@@ -1,0 +1,1 @@
+"""The colours of thickness maps, and the colour bar."""

@@ -1,0 +1,121 @@
+"""How a thickness map is currently coloured: its scale, its threshold and its highlighted range or faces."""
+
+from dataclasses import dataclass
+from typing import Optional
+
+import numpy as np
+
+from ...core.analysis_settings import RAY
+from ...core.judging.limit_bands import FAILS, JUST_ABOVE, PASSES, TOO_THICK, limit_bands
+from ...core.maps.map_summary import are_between
+from ...core.rendering.colour_scale import ColourScale
+from ...freecad_adapter.objects.thickness_object import OWN_CHECK, scale_of
+
+NEUTRAL = (205, 205, 205)
+"""Walls that are not thin, where only thin walls are coloured."""
+
+BAND_COLOURS = {FAILS: (214, 38, 31), JUST_ABOVE: (250, 203, 60), PASSES: (122, 178, 226), TOO_THICK: (116, 66, 148)}
+"""Walls by the limits that are checked, distinct for the colour-blind too: by `limit_bands`."""
+
+GREYED = (214, 214, 214)
+"""Facets outside the highlight; also the colour towards which an outdated map fades."""
+
+_FADED = 0.65
+
+
+@dataclass(frozen=True)
+class ThicknessColours:
+    """Colours of both the facets and the colour bar, so that the two always agree.
+
+    Attributes
+    ----------
+    scale : ColourScale
+    thin_below : float or None, mm
+        Set where only thin walls are coloured.
+    checked : tuple of float or None, mm
+        Least and greatest wall of the process that is checked, 0 for any; colours are those of `limit_bands` then.
+        None where balls are shown and the limits are those of a process, which are of the wall across.
+    stale : bool
+        Whether the colours are faded.
+    between : tuple of float or None, mm
+        The highlighted range.
+    faces : dict or None
+        Sets of highlighted B-Rep faces, by part number.
+    """
+
+    scale: ColourScale
+    thin_below: Optional[float] = None
+    checked: Optional[tuple] = None
+    stale: bool = False
+    between: Optional[tuple] = None
+    faces: Optional[dict] = None
+
+    @classmethod
+    def of(cls, thickness, between=None, faces=None):
+        """The colours of a thickness object."""
+        return cls(scale_of(thickness), thickness.Threshold if thickness.ThinOnly else None,
+                   (thickness.Threshold, thickness.CheckMost) if thickness.Check and (
+                       thickness.Measure == RAY or thickness.Check == OWN_CHECK) else None,
+                   bool(thickness.Stale), between, faces)
+
+    @property
+    def bands(self):
+        """list of LimitBand: those of the limits that are checked; empty where none are."""
+        return [] if self.checked is None else limit_bands(*self.checked)
+
+    def of_values(self, values):
+        """Colours of thicknesses in mm, nan where unmeasured: ndarray of shape (m, 3), uint8."""
+        values = np.asarray(values, dtype=np.float64)
+        colours = self.scale.colours(values)
+        if self.checked is not None:
+            for band in self.bands:
+                colours[are_between(values, band.low, band.high)] = BAND_COLOURS[band.name]
+        elif self.thin_below is not None:
+            colours[are_between(values, self.thin_below, np.inf)] = NEUTRAL
+        if self.between is not None:
+            colours[~are_between(values, *self.between)] = GREYED
+        return self._faded(colours)
+
+    @property
+    def _is_smooth(self):
+        """Whether colours change gradually with the thickness, without steps."""
+        return self.checked is None and self.thin_below is None and self.between is None and self.scale.bands == 0
+
+    def of_corners(self, number, shown):
+        """Colours of the corners of the facets of a part's map: ndarray of shape (m, 3, 3), uint8.
+
+        Where colours have steps, the corners of a facet have one colour: between two of them, others would be invented.
+        """
+        if self._is_smooth:
+            colours = self.of_values(shown.corner_thickness.ravel()).reshape(-1, 3, 3)
+        else:
+            colours = np.repeat(self.of_values(shown.thickness)[:, None], 3, axis=1)
+        if self.faces is not None:
+            chosen = np.fromiter(self.faces.get(number, ()), dtype=np.int64)
+            colours[~np.isin(shown.face, chosen)] = GREYED
+        return colours
+
+    def of_section(self, number, shown, cut):
+        """Colours of the ends of the lines where a plane cuts a part's map: ndarray of shape (k, 2, 3), uint8.
+
+        Parameters
+        ----------
+        number : int
+            Of the part.
+        shown : ThicknessMap
+        cut : MapSection
+        """
+        if self._is_smooth:
+            colours = self.of_values(cut.thickness.ravel()).reshape(-1, 2, 3)
+        else:
+            colours = np.repeat(self.of_values(shown.thickness[cut.facet])[:, None], 2, axis=1)
+        if self.faces is not None:
+            chosen = np.fromiter(self.faces.get(number, ()), dtype=np.int64)
+            colours[~np.isin(shown.face[cut.facet], chosen)] = GREYED
+        return colours
+
+    def _faded(self, colours):
+        if not self.stale:
+            return colours
+        faded = (1.0 - _FADED) * colours + _FADED * np.array(GREYED)
+        return np.round(faded).astype(np.uint8)

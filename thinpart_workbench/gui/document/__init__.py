@@ -1,0 +1,1 @@
+"""The open documents: observers, selection, measurement and the open task panel."""

@@ -1,0 +1,95 @@
+"""Inserts a part of a library into the active document."""
+
+import importlib
+import os
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from ...core.errors import ThinPartError
+from ...core.file_formats import is_document
+from ...freecad_adapter.reading.document_safety import check_document
+from ..application.qt import translate
+from .open_part import check_kind
+
+
+def insert_part(file, name=None):
+    """Insert a file into the active document.
+
+    Parameters
+    ----------
+    file : str
+    name : str, optional
+        The part's unique name in a FreeCAD document.
+
+    Returns
+    -------
+    str
+        One sentence about what was inserted, and how.
+
+    Raises
+    ------
+    ThinPartError
+        Where there is no active document, no file, FreeCAD cannot read it, or it would write outside its own
+        folder.
+    """
+    document = App.ActiveDocument
+    if document is None:
+        raise ThinPartError(translate(
+            "ThinPart", "There is no document to insert into: open or create one first."), "usage")
+    if not os.path.isfile(file):
+        raise ThinPartError(translate("ThinPart", "The file {} no longer exists.").format(file), "missing")
+    check_kind(file)
+    check_document(file)
+    document.openTransaction(translate("ThinPart", "Insert part"))
+    try:
+        template = _insert(document, file, name)
+    except Exception as error:  # each importer of FreeCAD raises its own exceptions
+        document.abortTransaction()
+        raise ThinPartError(translate("ThinPart", "FreeCAD cannot insert {} ({}).").format(
+            os.path.basename(file), error), "unreadable") from None
+    document.recompute()
+    document.commitTransaction()
+    App.setActiveDocument(document.Name)
+    Gui.SendMsgToActiveView("ViewFit")
+    return template.format(os.path.basename(file), document.Label)
+
+
+def _insert(document, file, name):
+    if not is_document(file):
+        _importer(file).insert(file, document.Name)
+        return translate("ThinPart", "{} was imported into {}.")
+    if document.FileName and os.path.samefile(document.FileName, file):
+        raise ValueError(translate("ThinPart", "it is the active document itself"))
+    if document.FileName:
+        _link(document, file, name)
+        return translate("ThinPart", "A link to {} was put into {}.")
+    # Links between documents are stored by file name, and this document has none yet.
+    document.mergeProject(file)
+    return translate("ThinPart", "The content of {} was copied into {}: a link needs a saved document.")
+
+
+def _importer(file):
+    modules = App.getImportType(os.path.splitext(file)[1][1:])
+    if not modules:
+        raise ValueError(translate("ThinPart", "there is no importer for such files"))
+    # Of several importers, prefer the GUI's own, which keeps names and colours.
+    names = sorted(modules, key=lambda module: (module != "ImportGui", module != "Part"))
+    return importlib.import_module(names[0])
+
+
+def _link(document, file, name):
+    open_documents = {other.FileName: other for other in App.listDocuments().values() if other.FileName}
+    source = next((other for path, other in open_documents.items() if os.path.samefile(path, file)), None)
+    if source is None:
+        source = App.openDocument(file, hidden=True)
+        App.setActiveDocument(document.Name)
+    target = source.getObject(name) if name else None
+    if target is None:
+        roots = [root for root in source.RootObjects if root.isDerivedFrom("App::GeoFeature")]
+        if not roots:
+            raise ValueError(translate("ThinPart", "it holds nothing to link to"))
+        target = roots[0]
+    link = document.addObject("App::Link", target.Name)
+    link.LinkedObject = target
+    link.Label = target.Label

@@ -1,0 +1,94 @@
+"""Opens a classified file in FreeCAD and selects one of its parts."""
+
+import os
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from ...core.errors import ThinPartError
+from ...core.file_formats import ENDINGS, is_document
+from ...freecad_adapter.reading.document_safety import check_document
+from ..application.qt import QtWidgets, translate
+from ..widgets.confirmation import is_confirmed
+
+DANGEROUS = ("crash", "memory", "timeout")
+"""Kinds of failures that could hit FreeCAD itself if it read the file."""
+
+_imported = {}  # document name by imported file
+
+
+def open_part(file, name=None):
+    """Open a file, or activate its document where it is open already, and select a part.
+
+    Parameters
+    ----------
+    file : str
+    name : str, optional
+        The part's unique name.
+
+    Raises
+    ------
+    ThinPartError
+        When the file no longer exists, FreeCAD cannot read it, or it would write outside its own folder.
+    """
+    if not os.path.isfile(file):
+        raise ThinPartError(translate(
+            "ThinPart", "The file {} no longer exists.").format(file), "missing")
+    check_kind(file)
+    check_document(file)
+    try:
+        document = _document(file)
+    except Exception as error:  # each importer of FreeCAD raises its own exceptions
+        raise ThinPartError(translate(
+            "ThinPart", "FreeCAD cannot open {} ({}).").format(os.path.basename(file), error),
+            "unreadable") from None
+    App.setActiveDocument(document.Name)
+    Gui.Selection.clearSelection()
+    part = document.getObject(name) if name else None
+    if part is not None:
+        Gui.Selection.addSelection(document.Name, part.Name)
+
+
+def check_kind(file):
+    """Refuse files that are not CAD files: FreeCAD would run a macro, and an info file may name any file.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``unsafe``.
+    """
+    if not file.lower().endswith(ENDINGS):
+        raise ThinPartError(translate(
+            "ThinPart", "{} was not opened: it is not a CAD file that ThinPart reads.").format(file), "unsafe")
+
+
+def confirm_dangerous_open(sentence, parent):
+    """Ask the user whether to open a file that failed in one of the `DANGEROUS` ways.
+
+    Parameters
+    ----------
+    sentence : str
+        What happened when it was classified.
+    parent : QWidget
+    """
+    return is_confirmed(
+        parent, "ThinPart_FolderDare", QtWidgets.QMessageBox.Warning, sentence,
+        translate("ThinPart", "FreeCAD may crash in the same way when it opens the file: save your documents first. "
+                              "Open it anyway?"),
+        QtWidgets.QMessageBox.Open)
+
+
+def _document(file):
+    if is_document(file):
+        return App.openDocument(file)
+    imported = App.listDocuments().get(_imported.get(file))
+    if imported is not None:
+        return imported
+    before = set(App.listDocuments())
+    App.loadFile(file)
+    new = [name for name in App.listDocuments() if name not in before]
+    if not new or not App.getDocument(new[0]).Objects:
+        raise ValueError(translate("ThinPart", "nothing came in"))
+    _imported[file] = new[0]
+    Gui.SendMsgToActiveView("ViewFit")
+    return App.getDocument(new[0])

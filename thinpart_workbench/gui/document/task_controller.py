@@ -1,0 +1,20 @@
+"""What the controllers of task panels that measure a document have in common."""
+
+from ..application.qt import QtCore
+
+
+class TaskController(QtCore.QObject):
+    """Controls a task panel about a document that is measured.
+
+    Subclasses have ``measured``, the `DocumentMeasurement`.
+    """
+
+    @property
+    def document_name(self):
+        """Name of the document, or None."""
+        return self.measured.name
+
+    @property
+    def is_running(self):
+        """Whether a measurement is running."""
+        return self.measured.is_running

@@ -1,0 +1,89 @@
+"""Adapter for panels in FreeCAD's task view."""
+
+import FreeCADGui as Gui
+
+from ...freecad_adapter.guard import guarded_methods
+from ..application.qt import QtCore, QtWidgets, Signal, flags_as_int
+from ..widgets.controls import prepare_controls
+
+
+@guarded_methods(reject=True)
+class TaskDialog(QtCore.QObject):
+    """The task dialog object that FreeCAD's task view expects.
+
+    Parameters
+    ----------
+    form : QWidget or list of QWidget
+        Each becomes a box of the task view.
+
+    Signals
+    -------
+    closed
+        The panel was closed, by FreeCAD or by ThinPart.
+
+    Notes
+    -----
+    FreeCAD calls methods with certain names itself, such as ``open``, ``accept`` and ``clicked``.
+    """
+
+    closed = Signal()
+
+    def __init__(self, form):
+        super().__init__()
+        self.form = form
+        self._is_open = False
+
+    @property
+    def is_open(self):
+        """Whether the panel is in the task view."""
+        return self._is_open
+
+    def show(self):
+        """Show the panel.
+
+        Raises
+        ------
+        RuntimeError
+            When another task is open.
+        """
+        self.prepare()
+        Gui.Control.showDialog(self)
+        self._is_open = True
+        first = self.form[0] if isinstance(self.form, list) else self.form
+        first.destroyed.connect(self._on_gone)
+
+    def prepare(self):
+        """Prepare the controls, also those that were added since."""
+        prepare_controls(self.form, Gui.getMainWindow())
+
+    def hide(self):
+        """Close the panel."""
+        if self._is_open:
+            self._on_gone()
+            Gui.Control.closeDialog()
+
+    def reject(self):
+        """Called by FreeCAD for the Close button and Esc."""
+        self.hide()
+        return True
+
+    def getStandardButtons(self):
+        """Only Close, since there is nothing to accept."""
+        return flags_as_int(QtWidgets.QDialogButtonBox.Close)
+
+    def isAllowedAlterSelection(self):
+        """True, so that the user can go on working while the panel is open."""
+        return True
+
+    def isAllowedAlterView(self):
+        """See `isAllowedAlterSelection`."""
+        return True
+
+    def isAllowedAlterDocument(self):
+        """See `isAllowedAlterSelection`."""
+        return True
+
+    def _on_gone(self, *_):
+        if self._is_open:
+            self._is_open = False
+            self.closed.emit()

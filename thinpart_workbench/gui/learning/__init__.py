@@ -1,0 +1,1 @@
+"""The dialog that learns thresholds from labels."""

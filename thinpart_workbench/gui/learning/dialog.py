@@ -1,0 +1,250 @@
+"""The dialog that learns thresholds from labels."""
+
+import os
+from pathlib import Path
+
+from ...freecad_adapter.additional_packages import has_package, install_folder
+from ...freecad_adapter.preferences import set_preference
+from ..application import lifelong
+from ..application.qt import QtCore, QtGui, QtWidgets, execute, grouped, translate
+from ..application.sentences import translated
+from ..processes.conversation import Conversation
+from ..processes.package_installation import PackageInstallation
+from ..record.record_view import show_text, text_line
+from ..widgets.push_button import add_button
+from .form import LearnForm
+from .result_view import LearnedView
+
+_PACKAGE, _MODULE = "scikit-learn", "sklearn"
+"""Fits the probabilities of a profile; FreeCAD bundles do not include it."""
+
+_LINES_WITH_RESULT = 50
+"""Height of the dialog with a result, in lines of text."""
+
+ICON = Path(__file__).resolve().parents[3] / "resources" / "icons" / "ThinPart_LearnThresholds.svg"
+
+
+class LearnDialog(QtWidgets.QDialog):
+    """Non-modal dialog: what is learned from, the progress, the result, and what becomes of it."""
+
+    def __init__(self, parent):
+        super().__init__(parent)
+        self.setObjectName("ThinPart_LearnDialog")
+        self.setWindowTitle(translate("ThinPart", "Learn thresholds"))
+        self.setWindowIcon(QtGui.QIcon(str(ICON)))
+        self.setWindowFlags(QtCore.Qt.Window)
+        self._learned = self._saved = None
+        self._is_working = self._use_when_saved = False
+        self._process = Conversation("learn_worker", self)
+        self._process.received.connect(self._on_message)
+        self._process.finished.connect(self._on_process_ended)
+        self._installation = PackageInstallation(self)
+        self._installation.ended.connect(self._on_installed)
+        column = QtWidgets.QVBoxLayout(self)
+        self._intro = text_line(self, column, "ThinPart_LearnIntro")
+        self._intro.setText(translate(
+            "ThinPart", "Chooses the thresholds that agree most often with what people say of parts: by 'Not right?' beside "
+                        "a verdict, or in tables. Folders that were left out show how good they are."))
+        self._form = LearnForm(self)
+        column.addWidget(self._form)
+        self._add_run_row(column)
+        self._message = text_line(self, column, "ThinPart_LearnMessage")
+        self._result = LearnedView(self)
+        column.addWidget(self._result, 1)
+        column.addStretch(0)
+        self._add_last_row(column)
+        self._result.hide()
+        self._show_message("")
+        self._show_state()
+        letter = self.fontMetrics().averageCharWidth()
+        # Room for a message of two lines.
+        self.resize(120 * letter, self.sizeHint().height() + 4 * self.fontMetrics().height())
+
+    @property
+    def is_running(self):
+        """Whether something is being learned, saved or installed."""
+        return self._is_working or self._installation.is_running
+
+    def start(self):
+        """Learn from the chosen labels."""
+        arguments = self._form.arguments()
+        problem = "" if arguments["library"] else translate("ThinPart", "Choose the folder with the labelled parts.")
+        problem = problem or _missing_package()
+        if problem:
+            self._show_message(problem)
+            self._show_state()
+            return
+        self._learned = self._saved = None
+        self._result.hide()
+        self._ask(translate("ThinPart", "Reading the labels\u2026"), learn=arguments)
+
+    def cancel(self):
+        """Stop: nothing was written."""
+        if self._installation.is_running:
+            self._installation.stop()
+        self._process.detach(kill=True)
+        self._is_working = False
+        self._show_message(translate("ThinPart", "Cancelled. Nothing was written."))
+        self._show_state()
+
+    def install(self):
+        """Install the required package, then learn."""
+        self._show_message(self._installation.start(_PACKAGE))
+        self._show_state()
+
+    def save(self):
+        """Ask for a file and write the learned profile to it."""
+        dialog = QtWidgets.QFileDialog(
+            self, translate("ThinPart", "Save the learned profile"), self._form.arguments()["library"],
+            translate("ThinPart", "Thresholds (*.json)"))
+        dialog.setObjectName("ThinPart_LearnSaveDialog")
+        dialog.setAcceptMode(QtWidgets.QFileDialog.AcceptSave)
+        dialog.setDefaultSuffix("json")
+        dialog.selectFile("house.json")
+        chosen = dialog.selectedFiles() if execute(dialog) else []
+        dialog.deleteLater()
+        if chosen:
+            self.save_as(chosen[0])
+        else:
+            self._use_when_saved = False
+
+    def save_as(self, file):
+        """Write the learned profile to a file."""
+        self._ask(translate("ThinPart", "Writing {}\u2026").format(file),
+                  save={"content": self._learned["content"], "output": file})
+
+    def use(self):
+        """Make the learned profile the preferred one; it is saved before."""
+        if self._saved is None:
+            self._use_when_saved = True
+            self.save()
+            return
+        set_preference("Profile", self._saved)
+        self._show_message(translate(
+            "ThinPart", "From now on parts are judged by {}. 'Reclassify' in the panel 'Find parts' judges stored parts by "
+                        "it.").format(os.path.basename(self._saved)))
+        self._show_state()
+
+    def end(self):
+        """Stop at once and delete the dialog, without asking the user."""
+        self._installation.stop()
+        self._process.detach(kill=True)
+        lifelong.running_jobs.end("learning")
+        self.hide()
+        self.deleteLater()
+
+    def showEvent(self, event):
+        """Offer libraries and profiles that were chosen meanwhile."""
+        super().showEvent(event)
+        if not self.is_running:
+            self._form.show_preferences()
+
+    def _ask(self, sentence, **request):
+        problem = self._process.ensure_started()
+        if problem:
+            self._show_message(problem)
+            return
+        self._is_working = True
+        self._process.send(**request)
+        self._bar.setRange(0, 0)
+        self._show_message(sentence)
+        self._show_state()
+
+    def _on_message(self, content):
+        if "progress" in content:
+            self._show_progress(**content["progress"])
+            return
+        self._is_working = False
+        if "learned" in content:
+            self._learned = content["learned"]
+            self._result.show_learned(self._learned)
+            self._result.show()
+            self._make_room()
+            self._show_message("")
+        elif "saved" in content:
+            self._saved = content["saved"]
+            self._show_message(translate("ThinPart", "The learned profile was written to {}.").format(self._saved))
+        else:
+            self._show_message("\u26a0 " + translated(content["refused"]))
+        if "saved" in content and self._use_when_saved:
+            self.use()
+        self._use_when_saved = False
+        self._show_state()
+
+    def _make_room(self):
+        """Make the dialog so high that the first page of the result fits, where the screen is."""
+        line = self.fontMetrics().height()
+        height = min(_LINES_WITH_RESULT * line, self.screen().availableGeometry().height() - 3 * line)
+        if self.height() < height:
+            top = max(self.screen().availableGeometry().top() + line, self.y() - (height - self.height()) // 2)
+            self.resize(self.width(), height)
+            self.move(self.x(), top)
+
+    def _show_progress(self, stage, done, total):
+        self._bar.setRange(0, max(total, 1) if done else 0)
+        self._bar.setValue(done)
+        if stage == "read":
+            self._show_message(translate("ThinPart", "Reading info files: {} of {}").format(grouped(done), grouped(total)))
+        else:
+            self._show_message(translate("ThinPart", "Learning profile {} of {}").format(done + 1, total))
+
+    def _on_process_ended(self, sentence):
+        if self._is_working:
+            self._is_working = self._use_when_saved = False
+            self._show_message("\u26a0 " + (sentence or translate("ThinPart", "The worker process ended unexpectedly.")))
+        self._show_state()
+
+    def _on_installed(self, problem):
+        if problem:
+            self._show_message(problem)
+            self._show_state()
+        else:
+            self.start()
+
+    def _show_message(self, text):
+        show_text(self._message, text)
+
+    def _show_state(self):
+        running = self.is_running
+        if running:
+            lifelong.running_jobs.show("learning", translate("ThinPart", "Learning thresholds"), self)
+        else:
+            lifelong.running_jobs.end("learning")
+        self._form.setEnabled(not running)
+        self._start.setEnabled(not running)
+        self._cancel.setEnabled(running)
+        self._bar.setVisible(running)
+        self._install.setVisible(not running and bool(_missing_package()))
+        for button in (self._save, self._use):
+            button.setEnabled(not running and self._learned is not None)
+
+    def _add_run_row(self, column):
+        row = QtWidgets.QHBoxLayout()
+        self._start = add_button(row, self, "ThinPart_LearnStart", translate("ThinPart", "&Learn"), self.start)
+        self._start.setDefault(True)
+        self._cancel = add_button(row, self, "ThinPart_LearnCancel", translate("ThinPart", "&Cancel"), self.cancel)
+        self._install = add_button(
+            row, self, "ThinPart_LearnInstall", translate("ThinPart", "&Install {}").format(_PACKAGE), self.install)
+        self._bar = QtWidgets.QProgressBar(self)
+        self._bar.setObjectName("ThinPart_LearnProgress")
+        row.addWidget(self._bar, 1)
+        row.addStretch(0)
+        column.addLayout(row)
+
+    def _add_last_row(self, column):
+        row = QtWidgets.QHBoxLayout()
+        self._save = add_button(row, self, "ThinPart_LearnSave", translate("ThinPart", "&Save as\u2026"), self.save)
+        self._use = add_button(row, self, "ThinPart_LearnUse", translate("ThinPart", "&Use as my profile"), self.use)
+        row.addStretch(1)
+        close = add_button(row, self, "ThinPart_LearnClose", translate("ThinPart", "Close"), self.close)
+        for button in (self._save, self._use, close):
+            button.setAutoDefault(False)
+        column.addLayout(row)
+
+
+def _missing_package():
+    """Message about a missing package; empty if nothing is missing."""
+    if has_package(_MODULE):
+        return ""
+    return translate("ThinPart", "Learning needs the Python package {}, which this FreeCAD does not have: install "
+                                 "it from the internet into {}?").format(_PACKAGE, install_folder())

@@ -1,0 +1,1 @@
+"""The dock that finds parts in libraries."""

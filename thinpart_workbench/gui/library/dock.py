@@ -1,0 +1,385 @@
+"""The dock that finds parts in libraries."""
+
+from pathlib import Path
+from types import SimpleNamespace
+
+from ...core.errors import ThinPartError
+from ...core.judging.criteria import load_profile
+from ...freecad_adapter.preferences import preference
+from ...system.file_paths import is_below
+from ..application import lifelong
+from ..application.length_unit import length_unit
+from ..application.qt import QtCore, QtGui, QtWidgets, grouped, translate
+from ..application.sentences import translated
+from ..record.record_view import show_text, text_line
+from ..widgets.flow_layout import FlowLayout
+from ..widgets.folder_field import contains
+from ..widgets.push_button import add_button
+from .active_record import active_record, not_classified
+from .details import PartDetails
+from .filters_page import FiltersPage
+from .libraries_page import LibrariesPage
+from .reclassify_page import ReclassifyPage
+from .results_model import FILE, SCORE, FoundPartsModel
+from .results_view import FoundPartsView
+from .search_client import SearchClient
+from .thumbnails import Thumbnails
+
+ICON = Path(__file__).resolve().parents[3] / "resources" / "icons" / "ThinPart_FindParts.svg"
+
+SAME_SIZE = 1.25
+"""Maximum ratio of diagonals for parts of similar size."""
+
+_TYPING_DELAY = 250
+"""Milliseconds after the last key press before the search starts."""
+
+_SHARES = (0.27, 0.46, 0.27)
+"""Initial shares of the splitter: filters, list, details."""
+
+FILTERS, LIBRARIES, RECLASSIFY = range(3)
+
+
+class FindDock(QtWidgets.QDockWidget):
+    """Libraries and filters, the found parts, and the details of one part.
+
+    The three are stacked in a narrow dock, and side by side in a wide one.
+    """
+
+    def __init__(self, parent):
+        super().__init__(translate("ThinPart", "Find parts"), parent)
+        self.setObjectName("ThinPart_FindParts")
+        self.setWindowIcon(QtGui.QIcon(str(ICON)))
+        self._profile = _profile()
+        self._reference, self._orientation = None, None
+        self._search = SearchClient(self)
+        self._pictures = Thumbnails(self)
+        form = QtWidgets.QWidget(self)
+        column = QtWidgets.QVBoxLayout(form)
+        column.setContentsMargins(4, 4, 4, 4)
+        self._add_words(column)
+        self._message = text_line(form, column, "ThinPart_FindMessage")
+        self._splitter = QtWidgets.QSplitter(QtCore.Qt.Vertical, form)
+        column.addWidget(self._splitter, 1)
+        self._add_choices()
+        self._add_results()
+        self._details = PartDetails(self._pictures, self)
+        self._splitter.addWidget(self._details)
+        for index, stretch in enumerate((1, 2, 1)):
+            self._splitter.setStretchFactor(index, stretch)
+        self._splitter.setCollapsible(1, False)
+        self.setWidget(form)
+        self._connect()
+        # Before the worker processes end with FreeCAD; they still complete pending requests.
+        QtWidgets.QApplication.instance().aboutToQuit.connect(self._details.notes.save)
+        self._show_message("")
+
+    @property
+    def is_waiting(self):
+        """Whether a request is pending."""
+        return self._typing_timer.isActive() or self._search.is_waiting
+
+    @property
+    def is_refreshing(self):
+        """Whether libraries are being refreshed."""
+        return self._search.is_refreshing
+
+    def begin(self):
+        """Open the libraries for searching."""
+        self._open()
+        self._choices.setCurrentIndex(FILTERS if self._libraries.roots else LIBRARIES)
+
+    def find_like_active(self):
+        """Find the parts most similar to the active part."""
+        try:
+            active = active_record()
+        except ThinPartError as error:
+            self._show_message(translated(error))
+            return
+        if active is None:
+            return
+        if active.info_file is None:
+            self._find_like(active.label, active.shown, None)
+        else:
+            self._pending_active = active
+            self._search.request_record(active)
+
+    def show_part(self, info_file, name):
+        """Clear the filters and select a part of one of the libraries.
+
+        Parameters
+        ----------
+        info_file, name : str
+        """
+        self._clear_filters()
+        if self._reference is not None:
+            self._end_like()
+        self._choices.setCurrentIndex(FILTERS)
+        root = next((root for root in self._libraries.roots if contains(root, info_file)), "")
+        self._search.find_again(SimpleNamespace(root=root, info_file=info_file, name=name))
+
+    def show_reclassify(self, profile_name):
+        """Show the page that reclassifies the libraries, with a profile chosen."""
+        self._choices.setCurrentIndex(RECLASSIFY)
+        self._reclassify.choose(profile_name)
+
+    def end(self):
+        """Stop all work, after saving the notes."""
+        self._details.notes.save()
+        self._typing_timer.stop()
+        self._reclassify.end()
+        self._search.end()
+        self._show_job("libraries", False)
+
+    def closeEvent(self, event):
+        """Stop all work when the dock is closed."""
+        self.end()
+        super().closeEvent(event)
+
+    def showEvent(self, event):
+        """Open the libraries when the dock is shown."""
+        super().showEvent(event)
+        self._show_unit()
+        if not self._search.is_open:
+            self.begin()
+
+    def resizeEvent(self, event):
+        """Choose the orientation of the splitter by the shape of the dock."""
+        super().resizeEvent(event)
+        wide = event.size().width() > 1.3 * event.size().height()
+        orientation = QtCore.Qt.Horizontal if wide else QtCore.Qt.Vertical
+        if orientation != self._orientation:
+            self._orientation = orientation
+            self._splitter.setOrientation(orientation)
+            length = event.size().width() if wide else event.size().height()
+            self._splitter.setSizes([round(share * length) for share in _SHARES])
+
+    def _add_words(self, column):
+        row = QtWidgets.QHBoxLayout()
+        self._words = QtWidgets.QLineEdit(self)
+        self._words.setObjectName("ThinPart_FindWords")
+        self._words.setPlaceholderText(translate("ThinPart", "Words in names, paths, notes, links"))
+        self._words.setClearButtonEnabled(True)
+        row.addWidget(self._words, 1)
+        self._clear = add_button(
+            row, self, "ThinPart_ClearFilters", translate("ThinPart", "Clear filters"), self._clear_filters)
+        column.addLayout(row)
+        container = QtWidgets.QWidget(self)
+        row = FlowLayout(container)
+        add_button(
+            row, self, "ThinPart_LikeActive", translate("ThinPart", "Parts like the active one"),
+            self.find_like_active)
+        self._same_size = QtWidgets.QCheckBox(translate("ThinPart", "Similar size"), self)
+        self._same_size.setObjectName("ThinPart_SameSize")
+        row.addWidget(self._same_size)
+        self._all = add_button(
+            row, self, "ThinPart_EndLike", translate("ThinPart", "All parts"), self._end_like)
+        column.addWidget(container)
+        self._typing_timer = QtCore.QTimer(self, singleShot=True, interval=_TYPING_DELAY)
+
+    def _add_choices(self):
+        self._choices = QtWidgets.QTabWidget(self)
+        self._choices.setObjectName("ThinPart_FindChoices")
+        self._filters = FiltersPage(self._profile, self)
+        self._libraries = LibrariesPage(self)
+        self._reclassify = ReclassifyPage(preference("Profile"), self)
+        for page, title in ((self._filters, translate("ThinPart", "Filters")),
+                            (self._libraries, translate("ThinPart", "Libraries")),
+                            (self._reclassify, translate("ThinPart", "Reclassify"))):
+            area = QtWidgets.QScrollArea(self)
+            area.setWidgetResizable(True)
+            area.setFrameShape(QtWidgets.QFrame.NoFrame)
+            area.setWidget(page)
+            self._choices.addTab(area, title)
+        self._splitter.addWidget(self._choices)
+
+    def _add_results(self):
+        container = QtWidgets.QWidget(self)
+        column = QtWidgets.QVBoxLayout(container)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(2)
+        self._table = FoundPartsModel(self._profile, self._pictures, self)
+        self._view = FoundPartsView(self._table, self)
+        column.addWidget(self._view, 1)
+        self._status = text_line(container, column, "ThinPart_FindStatus")
+        self._splitter.addWidget(container)
+
+    def _connect(self):
+        search, view = self._search, self._view
+        search.found.connect(self._show_result)
+        search.rows_received.connect(self._table.set_rows)
+        search.libraries_changed.connect(self._show_libraries)
+        search.progressed.connect(self._libraries.show_progress)
+        search.progressed.connect(lambda _: self._show_job("libraries", True))
+        search.libraries_changed.connect(lambda _: self._show_job("libraries", search.is_refreshing))
+        search.failed.connect(lambda _: self._show_job("libraries", False))
+        search.record_received.connect(self._on_record_received)
+        search.annotation_saved.connect(self._on_annotation_saved)
+        search.failed.connect(self._show_failed)
+        self._words.textChanged.connect(lambda _: self._typing_timer.start())
+        self._typing_timer.timeout.connect(self._start_search)
+        self._filters.changed.connect(self._start_search)
+        self._same_size.toggled.connect(lambda _: self._start_search())
+        self._libraries.changed.connect(self._open)
+        self._libraries.refresh_requested.connect(self._refresh)
+        self._libraries.stop_requested.connect(search.stop_refreshing)
+        self._reclassify.written.connect(self._refresh)
+        self._reclassify.working_changed.connect(lambda is_working: self._show_job("reclassify", is_working))
+        self._table.rows_requested.connect(search.request_rows)
+        self._table.sort_requested.connect(lambda key, descending: search.update_query(sort=key, descending=descending))
+        view.current_changed.connect(self._show_part)
+        view.message.connect(self._show_message)
+        view.notes_requested.connect(lambda _: self._details.edit_notes())
+        view.similar_requested.connect(self._find_like_part)
+        self._details.notes.save_requested.connect(search.save_annotation)
+        self._details.notes.message.connect(self._show_message)
+        self._details.labelled.connect(self._label)
+        lifelong.label_keeper.kept.connect(self._on_label_kept)
+        lifelong.units.changed.connect(self._show_unit)
+        self._show_like()
+
+    def _open(self):
+        roots = self._libraries.roots
+        self._search.open(roots)
+        self._reclassify.set_roots(roots)
+
+    def _show_job(self, name, is_running):
+        """Name what runs in the background in FreeCAD's status bar, with a click to this panel."""
+        if not is_running:
+            lifelong.running_jobs.end(name)
+            return
+        lifelong.running_jobs.show(name, translate("ThinPart", "Refreshing the libraries") if name == "libraries" else
+                                   translate("ThinPart", "Classifying again by another profile"), self)
+
+    def _refresh(self):
+        self._show_message("")
+        self._pictures.clear()
+        self._search.refresh()
+
+    def _start_search(self):
+        query = self._filters.query()
+        if self._words.text().strip():
+            query["words"] = self._words.text().strip()
+        like = None
+        if self._reference is not None:
+            like = {**self._reference["like"], "same_size": SAME_SIZE if self._same_size.isChecked() else None}
+        self._search.update_query(query=query, like=like)
+
+    def _clear_filters(self):
+        self._words.clear()
+        self._typing_timer.stop()
+        self._filters.clear()
+
+    def _find_like_part(self, part):
+        self._pending_like = part.info_file, part.name
+        self._search.request_record(part)
+
+    _pending_like = None
+    _pending_active = None
+
+    def _find_like(self, name, record, info_file):
+        self._reference = {"name": name, "record": record, "like": {
+            "record": record, "excluding": [info_file, record["name"]] if info_file else None}}
+        self._details.compare_with(name, record)
+        self._show_like()
+        self._search.update_query(sort="score", descending=False)
+        self._view.show_sorted_by(SCORE, False)
+        self._start_search()
+
+    def _end_like(self):
+        self._reference = None
+        self._details.compare_with("", None)
+        self._show_like()
+        self._search.update_query(sort="file", descending=False)
+        self._view.show_sorted_by(FILE, False)
+        self._start_search()
+
+    def _show_unit(self):
+        """Show lengths in the unit of the active document; parts of a library have no unit of their own."""
+        unit = length_unit()
+        self._filters.show_unit(unit)
+        self._table.show_unit(unit)
+        self._details.show_unit()
+
+    def _show_like(self):
+        self._same_size.setVisible(self._reference is not None)
+        self._all.setVisible(self._reference is not None)
+
+    def _show_result(self, result):
+        self._filters.show_result(result)
+        self._view.show_result(result, self._search.like is not None)
+        if self._reference is not None:
+            text = translate("ThinPart", "The {} parts most like {}, among {} of {}").format(
+                grouped(result["count"]), self._reference["name"], grouped(result["matching"]),
+                grouped(result["total"]))
+        else:
+            text = translate("ThinPart", "{} of {} parts").format(
+                grouped(result["count"]), grouped(result["total"]))
+        if not self._libraries.roots:
+            text = translate("ThinPart", "Add a folder with classified parts under 'Libraries'.")
+        show_text(self._status, text)
+
+    def _show_part(self, part):
+        shown = self._details.part
+        self._search.set_current_part(part)
+        if part is not None and shown is not None and (
+                (part.info_file, part.name) == (shown.info_file, shown.name)):
+            return  # the list has changed, but not the selected part
+        self._details.show_part(part)
+        if part is not None and not part.error_kind:
+            self._search.request_record(part)
+
+    def _on_record_received(self, response):
+        key = response["info_file"], response["name"]
+        if self._pending_like == key:
+            self._pending_like = None
+            if "record" in response:
+                self._find_like(response["record"]["label"], response["record"], response["info_file"])
+            else:
+                self._show_message(translated(response["sentence"]))
+        active = self._pending_active
+        if active is not None and key == (active.info_file, active.name):
+            self._pending_active = None
+            self._on_active_record(active, response)
+        self._details.show_record(response)
+
+    def _on_active_record(self, active, response):
+        self._show_message("")
+        if "record" in response:
+            self._find_like(active.label, response["record"], active.info_file)
+        elif active.shown is not None:
+            self._find_like(active.label, active.shown, None)  # the record is not stored
+        else:
+            self._show_message(not_classified(active))
+
+    def _on_annotation_saved(self, result):
+        self._details.notes.show_save_result(result)
+
+    def _label(self, part, category, is_sure):
+        lifelong.label_keeper.keep(part.info_file, part.name, category, is_sure)
+
+    def _on_label_kept(self, kept):
+        self._details.show_kept_label(kept)
+        if self._search.is_open and not kept["sentence"]:
+            self._search.refresh([root for root in self._libraries.roots if is_below(kept["path"], root)])
+
+    def _show_libraries(self, libraries):
+        self._libraries.show_libraries(libraries)
+        self._choices.setTabText(LIBRARIES, translate("ThinPart", "Libraries") + (
+            " \u26a0" if any(library["problems"] for library in libraries) else ""))
+        problems = [problem for library in libraries for problem in library["problems"]]
+        if problems and self._choices.currentIndex() != LIBRARIES:
+            self._show_message(translated(problems[0]))
+
+    def _show_failed(self, sentence):
+        self._libraries.show_failed(sentence)
+        self._show_message(sentence)
+
+    def _show_message(self, sentence):
+        show_text(self._message, sentence)
+
+
+def _profile():
+    try:
+        return load_profile(preference("Profile"))
+    except ThinPartError:
+        return load_profile()  # the error is reported when the profile is used

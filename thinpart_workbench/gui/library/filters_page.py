@@ -1,0 +1,198 @@
+"""The filters of the part search, with the number of matching parts for each choice."""
+
+from datetime import datetime, timedelta, timezone
+
+from ...core.categories import NORMAL, UNKNOWN
+from ...storage.index.part_query import FAILED
+from ..application.qt import QtCore, QtWidgets, Signal, grouped, translate
+from ..application.sentences import translated
+from ..record.category_marks import colour_icon, group_title
+from ..record.record_view import show_text, text_line
+from ..record.verdict_text import category_colour
+from ..widgets.flow_layout import FlowLayout
+from ..widgets.range_filter import RangeFilter
+from ..widgets.wheel import ignore_wheel_unless_focused
+
+_TYPING_DELAY = 300
+"""Milliseconds after the last key press before the filter is applied."""
+
+_BOUNDS = {"thinnest_mm": ("least_thickness", "most_thickness"), "d1_mm": ("least_size", "most_size"),
+           "volume_ratio": ("least_ratio", "most_ratio")}
+
+
+class FiltersPage(QtWidgets.QWidget):
+    """Edits the filters of a query.
+
+    Parameters
+    ----------
+    profile : Profile
+        Provides the titles of categories and criteria.
+
+    Signals
+    -------
+    changed
+        `query` has changed.
+    """
+
+    changed = Signal()
+
+    def __init__(self, profile, parent=None):
+        super().__init__(parent)
+        self._profile = profile
+        self._titles = {str(criterion.id): translated(criterion.title) for criterion in profile.criteria}
+        self._categories, self._criteria = {}, {}
+        self._typing_timer = QtCore.QTimer(self, singleShot=True, interval=_TYPING_DELAY)
+        self._typing_timer.timeout.connect(self.changed)
+        column = QtWidgets.QVBoxLayout(self)
+        column.setContentsMargins(4, 4, 4, 4)
+        self._category_flow = self._flow(column, translate("ThinPart", "Categories (none chosen: any)"))
+        self._criterion_flow = self._flow(
+            column, translate("ThinPart", "Criteria that hold (none chosen: any)"))
+        for name in [category.name for category in profile.categories] + [NORMAL, UNKNOWN, FAILED]:
+            self._category_box(name)
+        for name in self._titles:
+            self._criterion_box(name)
+        self._ranges = {
+            "thinnest_mm": RangeFilter("Thinnest", translate("ThinPart", "Thinnest wall, {}"), self),
+            "d1_mm": RangeFilter("Size", translate("ThinPart", "Longest side, {}"), self),
+            "volume_ratio": RangeFilter("Ratio", translate("ThinPart", "V/VBB"), self),
+        }
+        for range_filter in self._ranges.values():
+            range_filter.changed.connect(self.changed)
+            column.addWidget(range_filter)
+        self._add_conditions(column)
+        self._add_flags(column)
+        column.addStretch(1)
+
+    def query(self):
+        """dict: the ``query`` of a search request, without the words."""
+        query = {}
+        for key, boxes in (("categories", self._categories), ("criteria", self._criteria)):
+            chosen = [name for name, (box, _) in boxes.items() if box.isChecked()]
+            if chosen:
+                query[key] = chosen
+        for name, fields in _BOUNDS.items():
+            query.update({field: value for field, value in zip(fields, self._ranges[name].bounds)
+                          if value is not None})
+        for name, (box, _) in self._flags.items():
+            if box.isChecked():
+                query[name] = True
+        if self._conditions.text().strip():
+            query["conditions"] = self._conditions.text().strip()
+        days = self._since.currentData()
+        if days:
+            # Rounded to the minute, so that an unchanged query compares equal.
+            now = datetime.now(timezone.utc).replace(second=0, microsecond=0)
+            query["changed_since"] = (now - timedelta(days=days)).isoformat()
+        return query
+
+    def clear(self):
+        """Reset all filters and emit `changed` once."""
+        self.blockSignals(True)
+        for boxes in (self._categories, self._criteria, self._flags):
+            for box, _ in boxes.values():
+                box.setChecked(False)
+        for range_filter in self._ranges.values():
+            range_filter.clear()
+        self._conditions.clear()
+        self._typing_timer.stop()
+        self._since.setCurrentIndex(0)
+        self.blockSignals(False)
+        self.show_refusal("")
+        self.changed.emit()
+
+    def show_result(self, result):
+        """Show the counts of a search result."""
+        for name in result["categories"]:
+            if name not in self._categories:
+                self._category_box(name)
+        for name in result["criteria"]:
+            if name not in self._criteria:
+                self._criterion_box(name)
+        for boxes, counts in ((self._categories, result["categories"]), (self._criteria, result["criteria"]),
+                              (self._flags, result["flags"])):
+            for name, (box, title) in boxes.items():
+                _show_count(box, title, counts.get(name, 0))
+        for name, range_filter in self._ranges.items():
+            range_filter.show_histogram(result["scales"][name], result["histograms"][name])
+        self.show_refusal(translated(result["refusal"]))
+
+    def show_unit(self, unit):
+        """Show and accept lengths in a LengthUnit; the query stays the same."""
+        for name in ("thinnest_mm", "d1_mm"):
+            self._ranges[name].show_unit(unit)
+
+    def show_refusal(self, sentence):
+        """Show why the conditions are invalid."""
+        show_text(self._refusal, "\u26a0 " + sentence if sentence else "")
+
+    def _flow(self, column, title):
+        label = QtWidgets.QLabel(title, self)
+        label.setWordWrap(True)
+        column.addWidget(label)
+        container = QtWidgets.QWidget(self)
+        column.addWidget(container)
+        return FlowLayout(container)
+
+    def _category_box(self, name):
+        box = self._box(f"ThinPart_Category_{name}")
+        if name != FAILED:
+            box.setIcon(colour_icon(category_colour(name)))
+        self._category_flow.addWidget(box)
+        self._categories[name] = box, group_title(name, self._profile)
+
+    def _criterion_box(self, name):
+        box = self._box(f"ThinPart_Criterion_{name}")
+        box.setToolTip(self._titles.get(name, ""))
+        self._criterion_flow.addWidget(box)
+        self._criteria[name] = box, name
+
+    def _add_conditions(self, column):
+        row = QtWidgets.QHBoxLayout()
+        label = QtWidgets.QLabel(translate("ThinPart", "Condition"), self)
+        row.addWidget(label)
+        self._conditions = QtWidgets.QLineEdit(self)
+        self._conditions.setObjectName("ThinPart_FindConditions")
+        self._conditions.setPlaceholderText("D2/D3 > 6 and F[0;0.05] >= 0.5")
+        self._conditions.setClearButtonEnabled(True)
+        self._conditions.textChanged.connect(lambda _: self._typing_timer.start())
+        label.setBuddy(self._conditions)
+        row.addWidget(self._conditions, 1)
+        column.addLayout(row)
+        self._refusal = text_line(self, column, "ThinPart_FindRefusal")
+        show_text(self._refusal, "")
+
+    def _add_flags(self, column):
+        container = QtWidgets.QWidget(self)
+        flow = FlowLayout(container)
+        self._flags = {
+            "borderline": (self._box("ThinPart_FindBorderline"), translate("ThinPart", "Only unsure")),
+            "has_notes": (self._box("ThinPart_FindNotes"), translate("ThinPart", "Only with notes")),
+            "labelled": (self._box("ThinPart_FindLabelled"), translate("ThinPart", "Only labelled")),
+            "disputed": (self._box("ThinPart_FindDisputed"), translate("ThinPart", "Only labelled otherwise")),
+        }
+        for box, _ in self._flags.values():
+            flow.addWidget(box)
+        self._since = QtWidgets.QComboBox(self)
+        self._since.setObjectName("ThinPart_FindSince")
+        ignore_wheel_unless_focused(self._since)
+        for title, days in ((translate("ThinPart", "Changed at any time"), 0),
+                            (translate("ThinPart", "Changed in the last day"), 1),
+                            (translate("ThinPart", "Changed in the last week"), 7),
+                            (translate("ThinPart", "Changed in the last month"), 30)):
+            self._since.addItem(title, days)
+        self._since.currentIndexChanged.connect(lambda _: self.changed.emit())
+        flow.addWidget(self._since)
+        column.addWidget(container)
+
+    def _box(self, name):
+        box = QtWidgets.QCheckBox(self)
+        box.setObjectName(name)
+        box.toggled.connect(lambda _: self.changed.emit())
+        return box
+
+
+def _show_count(box, title, count):
+    text = f"{title} ({grouped(count)})"
+    if box.text() != text:
+        box.setText(text)

@@ -1,0 +1,100 @@
+"""Loads thumbnails of parts on demand and caches them."""
+
+import time
+from collections import OrderedDict
+
+from ..application.qt import QtCore, QtGui, Signal, colour
+from ..record.category_marks import FAILED_COLOUR
+from ..record.verdict_text import category_colour
+
+CACHE_SIZE = 600
+SLICE_SECONDS = 0.01
+"""Maximum time for loading pictures before returning to the event loop."""
+
+
+class Thumbnails(QtCore.QObject):
+    """Cache of pictures by file path.
+
+    Signals
+    -------
+    loaded
+        Requested pictures have been loaded.
+    """
+
+    loaded = Signal()
+
+    def __init__(self, parent=None):
+        super().__init__(parent)
+        self._cache, self._requested = OrderedDict(), OrderedDict()
+        self._load_timer = QtCore.QTimer(self, singleShot=True, interval=0)
+        self._load_timer.timeout.connect(self._load)
+
+    def picture(self, part):
+        """The picture of a part: QPixmap, or None if there is none or it is not loaded yet.
+
+        Parameters
+        ----------
+        part : object
+            With attribute ``thumbnail`` if it may have a picture.
+        """
+        path = getattr(part, "thumbnail", None)
+        if path is None:
+            return None
+        if path in self._cache:
+            self._cache.move_to_end(path)
+            return self._cache[path]
+        self._requested[path] = None
+        self._load_timer.start()
+        return None
+
+    def clear(self):
+        """Clear the cache."""
+        self._cache.clear()
+
+    def _load(self):
+        end = time.monotonic() + SLICE_SECONDS
+        while self._requested and time.monotonic() < end:
+            # The latest requests are the rows that are visible now.
+            path, _ = self._requested.popitem()
+            picture = QtGui.QPixmap(path)
+            self._cache[path] = None if picture.isNull() else picture
+            if len(self._cache) > CACHE_SIZE:
+                self._cache.popitem(last=False)
+        while len(self._requested) > CACHE_SIZE // 4:
+            self._requested.popitem(last=False)  # no longer visible
+        if self._requested:
+            self._load_timer.start()
+        self.loaded.emit()
+
+
+def neutral_picture(part, size, ratio):
+    """Placeholder for a part without a picture: a solid in the colour of its category.
+
+    Parameters
+    ----------
+    part : object
+        With attributes ``category`` and ``error_kind``.
+    size : QSize
+    ratio : float
+        Device pixel ratio.
+    """
+    picture = QtGui.QPixmap(size * ratio)
+    picture.setDevicePixelRatio(ratio)
+    picture.fill(QtCore.Qt.transparent)
+    painter = QtGui.QPainter(picture)
+    painter.setRenderHint(QtGui.QPainter.Antialiasing)
+    rgb = FAILED_COLOUR if part.error_kind else category_colour(part.category)
+    line = colour(rgb)
+    fill = QtGui.QColor(line)
+    fill.setAlpha(45)
+    painter.setPen(QtGui.QPen(line, 1.2))
+    painter.setBrush(fill)
+    x, y, half = size.width() / 2.0, size.height() / 2.0, 0.36 * size.height()
+    corners = [QtCore.QPointF(x + half * a, y + half * b) for a, b in (
+        (0, -1), (0.9, -0.5), (0.9, 0.5), (0, 1), (-0.9, 0.5), (-0.9, -0.5))]
+    painter.drawPolygon(QtGui.QPolygonF(corners))
+    centre = QtCore.QPointF(x, y)
+    for corner in corners[1::2]:
+        painter.drawLine(centre, corner)
+    painter.end()
+    return picture

@@ -1,0 +1,1 @@
+"""Export of thickness maps: pictures, and triangles with values."""

@@ -1,0 +1,123 @@
+"""Asks where and as what a thickness map is to be written, and writes it."""
+
+import os
+
+import FreeCADGui as Gui
+
+from ...api.document_maps import parts_of
+from ...core.errors import ThinPartError
+from ...storage.exchange.map_export import PLY, VTP, write_ply, write_vtp
+from ..application.qt import QtWidgets, execute, translate
+from ..application.sentences import translated
+from ..colour_bar.colours import ThicknessColours
+
+PNG = ".png"
+
+WIDTH, HEIGHT = 1600, 1200
+"""Size of a picture that is offered at first, pixels."""
+
+_MOST_PIXELS = 16_000
+
+
+class ExportDialog(QtWidgets.QFileDialog):
+    """File dialog with the formats, and the size of a picture.
+
+    Parameters
+    ----------
+    thickness : FreeCAD.DocumentObject
+        The map.
+    parent : QWidget, optional
+    """
+
+    def __init__(self, thickness, parent=None):
+        super().__init__(parent, translate("ThinPart", "Export thickness map"))
+        self._thickness = thickness
+        self.setObjectName("ThinPart_ExportMap")
+        # The system's own dialog has no place for the size.
+        self.setOption(QtWidgets.QFileDialog.DontUseNativeDialog, True)
+        self.setAcceptMode(QtWidgets.QFileDialog.AcceptSave)
+        self._endings = {
+            translate("ThinPart", "Picture of the view (*.png)"): PNG,
+            translate("ThinPart", "VTK PolyData with thickness (*.vtp)"): VTP,
+            translate("ThinPart", "PLY with thickness and colours (*.ply)"): PLY,
+        }
+        self.setNameFilters(list(self._endings))
+        self.filterSelected.connect(self._on_filter)
+        file = thickness.Document.FileName
+        if file:
+            self.setDirectory(os.path.dirname(file))
+        self.selectFile(f"{os.path.splitext(os.path.basename(file))[0] or thickness.Document.Label}-thickness")
+        row = QtWidgets.QHBoxLayout()
+        self._size = QtWidgets.QWidget(self)
+        self._size.setLayout(row)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.addWidget(QtWidgets.QLabel(translate("ThinPart", "Size"), self._size))
+        self.width_field, self.height_field = (self._pixels(row, name, value) for name, value in (
+            ("ThinPart_PictureWidth", WIDTH), ("ThinPart_PictureHeight", HEIGHT)))
+        row.addWidget(QtWidgets.QLabel(translate("ThinPart", "pixels"), self._size))
+        row.addStretch(1)
+        self.layout().addWidget(self._size, self.layout().rowCount(), 1)
+        self._on_filter(self.selectedNameFilter())
+
+    @property
+    def ending(self):
+        """str: of the chosen format."""
+        return self._endings.get(self.selectedNameFilter(), PNG)
+
+    def write(self, path):
+        """Write the map to a file.
+
+        Raises
+        ------
+        ThinPartError
+            kind ``failed``, with a sentence.
+        """
+        try:
+            if self.ending == PNG:
+                self._save_picture(path)
+            elif self.ending == VTP:
+                write_vtp(path, parts_of(self._thickness))
+            else:
+                write_ply(path, parts_of(self._thickness), ThicknessColours.of(self._thickness).of_values)
+        except OSError as error:
+            raise ThinPartError(translate("ThinPart", "{} cannot be written ({}): choose another place.").format(
+                path, error.strerror or error), "failed") from None
+
+    def _save_picture(self, path):
+        view = Gui.getDocument(self._thickness.Document.Name).activeView()
+        beside = f"{path}.part{PNG}"
+        try:
+            view.saveImage(beside, self.width_field.value(), self.height_field.value(), "Current")
+            if not os.path.exists(beside):
+                raise OSError(translate("ThinPart", "the view cannot be drawn at this size"))
+            os.replace(beside, path)
+        finally:
+            if os.path.exists(beside):
+                os.remove(beside)
+
+    def _pixels(self, row, name, value):
+        field = QtWidgets.QSpinBox(self._size)
+        field.setObjectName(name)
+        field.setRange(16, _MOST_PIXELS)
+        field.setValue(value)
+        row.addWidget(field)
+        return field
+
+    def _on_filter(self, _):
+        self.setDefaultSuffix(self.ending[1:])
+        self._size.setVisible(self.ending == PNG)
+
+
+def export_map(thickness, parent):
+    """Ask for a file and write a map; return what to say: str, empty where the user cancelled."""
+    dialog = ExportDialog(thickness, parent)
+    try:
+        if execute(dialog) != QtWidgets.QDialog.Accepted:
+            return ""
+        path = dialog.selectedFiles()[0]
+        dialog.write(path)
+    except ThinPartError as error:
+        return translated(error)
+    finally:
+        dialog.deleteLater()
+    return translate("ThinPart", "Written: {}").format(os.path.basename(path))

@@ -1,0 +1,1 @@
+"""The command 'Prepare mesh': element sizes for a part, and its FEM mesh."""

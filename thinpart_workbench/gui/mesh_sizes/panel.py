@@ -1,0 +1,197 @@
+"""The panel that prepares a mesh: settings, walls with their sizes, the estimate, and what Gmsh makes of them."""
+
+from pathlib import Path
+
+from ...core.number_text import percent
+from ...core.sizing.sizing_settings import SizingSettings
+from ..application.length_unit import MILLIMETRE
+from ..application.qt import QtGui, QtWidgets, Signal, grouped, translate
+from ..application.sentences import translated
+from ..record.measuring_progress import MeasuringProgress
+from ..record.record_view import show_text, text_line
+from ..widgets.exact_field import ExactField
+from ..widgets.push_button import add_button
+from .quality_chart import QualityChart
+from .wall_table import WallTable
+
+ICON = Path(__file__).resolve().parents[3] / "resources" / "icons" / "ThinPart_MeshSizes.svg"
+
+
+class MeshSizesPanel(QtWidgets.QWidget):
+    """The widgets, without logic.
+
+    Signals
+    -------
+    changed
+        A setting was changed.
+    mesh_requested, cancelled, shown_changed
+        A button was pressed; what the view is to show was changed.
+    """
+
+    changed = Signal()
+    mesh_requested = Signal()
+    cancelled = Signal()
+    shown_changed = Signal()
+
+    def __init__(self):
+        super().__init__()
+        self.setObjectName("ThinPart_MeshSizesPanel")
+        self.setWindowTitle(translate("ThinPart", "Prepare mesh"))
+        self.setWindowIcon(QtGui.QIcon(str(ICON)))
+        self._unit, self._global = MILLIMETRE, None
+        column = QtWidgets.QVBoxLayout(self)
+        column.setContentsMargins(6, 6, 6, 6)
+        self._part = text_line(self, column, "ThinPart_MeshPart")
+        self.message = text_line(self, column, "ThinPart_Message")
+        self._progress = MeasuringProgress(self)
+        self._progress.cancelled.connect(self.cancelled)
+        column.addWidget(self._progress)
+        self._content = QtWidgets.QWidget(self)
+        column.addWidget(self._content)
+        rows = QtWidgets.QVBoxLayout(self._content)
+        rows.setContentsMargins(0, 0, 0, 0)
+        self._add_settings(rows)
+        self.walls = WallTable(self)
+        rows.addWidget(self.walls)
+        self._estimate = text_line(self, rows, "ThinPart_MeshEstimate")
+        self.preview = self._check(rows, "ThinPart_SizePreview", translate("ThinPart", "Show sizes on the part"), True)
+        self._legend = text_line(self, rows, "ThinPart_SizeLegend")
+        self._mesh = add_button(rows, self, "ThinPart_MeshButton", translate("ThinPart", "Mesh and compare"),
+                                self.mesh_requested.emit)
+        self._figures = text_line(self, rows, "ThinPart_MeshFigures")
+        self.chart = QualityChart(self)
+        rows.addWidget(self.chart)
+        self.poor = self._check(rows, "ThinPart_PoorElements", "", True)
+        column.addStretch(1)
+        self.show_message("")
+        self.show_check(None)
+        self._content.hide()
+        self._progress.hide()
+
+    def settings(self):
+        """The fields as arguments of `SizingSettings`: dict."""
+        size, budget = self._size.exact(), self._budget.value()
+        return {"order": 1 + self._order.currentIndex(), "layers": self._layers.exact(), "growth": self._growth.exact(),
+                "size": size if size > 0.0 else None, "budget": budget or None}
+
+    def show_part(self, label, unit):
+        """Show which part it is about, and in which unit lengths are."""
+        show_text(self._part, label)
+        self._unit = unit
+        self._size.set_form(1.0 / unit.millimetres, "\u00a0" + unit.symbol, unit.decimals, 0.0)
+
+    def show_message(self, sentence):
+        """Show a sentence."""
+        show_text(self.message, sentence)
+
+    def show_running(self, stage, fraction=0.0):
+        """Show what is being done."""
+        self._progress.show()
+        self._progress.show_progress(fraction, stage)
+        self._content.setEnabled(False)  # what is meshed is what the fields say
+        self._mesh.setEnabled(False)
+
+    def show_idle(self, can_mesh):
+        """Show that nothing is being done."""
+        self._progress.hide()
+        self._content.setEnabled(True)
+        self._mesh.setEnabled(can_mesh)
+
+    def show_proposal(self, found, colours):
+        """Show what is proposed: see `PartSizing.proposed`; with a colour for each row."""
+        unit = self._unit
+        self._content.show()
+        self.walls.show_rows(found["regions"], unit, colours)
+        self.walls.setVisible(bool(found["regions"]))
+        if not self._size.exact():
+            self._size.setSpecialValueText(translate("ThinPart", "automatic: {}").format(unit.text(found["global_size"])))
+        lines = [translate("ThinPart", "About {} elements, of {} to {}.").format(
+            grouped(_rounded(found["elements"])), unit.number(found["least_size"]), unit.text(found["global_size"]))]
+        if not found["regions"]:
+            lines = [translate("ThinPart", "No thin walls: one size is enough. About {} elements of {}.").format(
+                grouped(_rounded(found["elements"])), unit.text(found["global_size"]))]
+        elif found["least_size"] < found["global_size"]:
+            lines.append(translate("ThinPart", "The smallest size everywhere would take {}.").format(
+                grouped(_rounded(found["uniform_elements"]))))
+        if found["unbounded_elements"] is not None:
+            lines.append(translate(
+                "ThinPart", "The limit costs layers: {} instead of {}, which would take about {} elements.").format(
+                    f"{found['layers']:.2g}", f"{found['wanted_layers']:.2g}",
+                    grouped(_rounded(found["unbounded_elements"]))))
+        show_text(self._estimate, " ".join(lines))
+        is_even = found["least_size"] >= found["global_size"]
+        show_text(self._legend, "" if is_even else translate("ThinPart", "Red: elements of {}, light blue: of {}").format(
+            unit.text(found["least_size"]), unit.text(found["global_size"])))
+
+    def show_check(self, found):
+        """Show what Gmsh made, see `PartSizing.mesh`; None for nothing."""
+        self.chart.setVisible(found is not None)
+        self.poor.setVisible(found is not None and found["poor_count"] > 0)
+        if found is None:
+            show_text(self._figures, "")
+            return
+        show_text(self._figures, "\n".join([
+            translate("ThinPart", "One size: {}").format(_figures(found["default"])),
+            translate("ThinPart", "As proposed: {}").format(_figures(found["proposed"]))]))
+        self.chart.show_histograms(found["default"]["histogram"], found["proposed"]["histogram"])
+        self.poor.setText(translate("ThinPart", "Show poor elements ({})").format(grouped(found["poor_count"])))
+
+    def _add_settings(self, rows):
+        form = QtWidgets.QFormLayout()
+        rows.addLayout(form)
+        self._order = QtWidgets.QComboBox(self)
+        self._order.setObjectName("ThinPart_MeshOrder")
+        self._order.addItems([translate("ThinPart", "linear (first order)"),
+                              translate("ThinPart", "quadratic (second order)")])
+        self._layers = self._field("ThinPart_MeshLayers", 2.0, 0.1, 20.0)
+        self._size = self._field("ThinPart_MeshSize", 0.0, 0.0, 1e6)
+        self._growth = self._field("ThinPart_MeshGrowth", SizingSettings.growth, 1.05, 3.0)
+        self._budget = QtWidgets.QSpinBox(self)
+        self._budget.setObjectName("ThinPart_MeshBudget")
+        self._budget.setRange(0, 100_000_000)
+        self._budget.setSingleStep(10_000)
+        self._budget.setKeyboardTracking(False)
+        self._budget.setSpecialValueText(translate("ThinPart", "no limit"))
+        for text, field in ((translate("ThinPart", "Elements"), self._order),
+                            (translate("ThinPart", "Layers in thin walls"), self._layers),
+                            (translate("ThinPart", "Largest size"), self._size),
+                            (translate("ThinPart", "Growth"), self._growth),
+                            (translate("ThinPart", "Most elements"), self._budget)):
+            form.addRow(text, field)
+        self._order.currentIndexChanged.connect(self._on_order)
+        self._budget.valueChanged.connect(lambda *_: self.changed.emit())
+
+    def _on_order(self, *_):
+        # One quadratic element through a wall bends as well as two linear ones.
+        self._layers.show_exact((2.0, 1.0)[self._order.currentIndex()])
+        self.changed.emit()
+
+    def _field(self, name, value, least, most):
+        field = ExactField(name, self)
+        field.set_form(least=least, most=most)
+        field.show_exact(value)
+        field.setKeyboardTracking(False)
+        field.changed.connect(self.changed)
+        return field
+
+    def _check(self, rows, name, text, is_on):
+        box = QtWidgets.QCheckBox(text, self)
+        box.setObjectName(name)
+        box.setChecked(is_on)
+        box.toggled.connect(lambda *_: self.shown_changed.emit())
+        rows.addWidget(box)
+        return box
+
+
+def _figures(figures):
+    if not figures["elements"]:
+        return translate("ThinPart", "no mesh ({})").format(translated(figures["reason"]))
+    text = translate("ThinPart", "{} elements, {} poor, worst {}").format(
+        grouped(figures["elements"]), f"{100.0 * figures['poor_share']:.2g}\u00a0%", f"{figures['gamma_least']:.2g}")
+    if figures["layers_share"] is not None:
+        text += translate("ThinPart", ", layers in {} of the thin walls").format(percent(figures["layers_share"]))
+    return text
+
+
+def _rounded(count):
+    return int(float(f"{count:.3g}"))

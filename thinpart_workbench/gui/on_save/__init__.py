@@ -1,0 +1,1 @@
+"""Automatic classification of documents when they are saved."""

@@ -1,0 +1,253 @@
+"""Classifies documents in the background whenever they are saved."""
+
+import os
+from dataclasses import dataclass
+
+import FreeCAD as App
+
+from ...freecad_adapter.guard import guarded_methods
+from ...freecad_adapter.preferences import GROUP, preference, preferred_analysis
+from ..application import lifelong
+from ..application.length_unit import length_unit
+from ..application.qt import QtCore, call_later, translate
+from ..application.sentences import translated
+from ..document.active_task import open_session
+from ..processes.one_shot_job import OneShotJob
+from .status_button import StatusButton
+from .verdict_changes_text import headline, reasons, warnings
+
+PREFERENCE = "AutomaticClassification"
+
+_LOOKUP_DELAY = 200
+"""Milliseconds for which a document has to be active before its info file is read."""
+
+
+@dataclass
+class _State:
+    """Text and tool tip of the status button for a document."""
+
+    text: str
+    reason: str = ""
+
+
+@guarded_methods("onChange")
+class AutoClassifier(QtCore.QObject):
+    """Classifies saved documents one after the other, and shows the verdict of the active one.
+
+    Parameters
+    ----------
+    observer : DocumentObserver
+    measurement_signals : MeasurementSignals
+        Emitted by the panels.
+
+    Notes
+    -----
+    The document itself is never touched: a process reads the saved file. A panel that measures the same document
+    takes precedence. As long as it measures the document as it was saved, nothing is measured here: the panel
+    writes the info file and announces the verdict.
+    """
+
+    def __init__(self, observer, measurement_signals):
+        super().__init__()
+        self._observer, self._measurement_signals = observer, measurement_signals
+        self._states = {}
+        self._queue = {}  # whether to measure, by document name
+        self._delegated = set()  # names of documents that the panel measures
+        self._running, self._measures = None, False
+        self._group = App.ParamGet(GROUP)  # it drops its observers once Python no longer references it
+        self._process = OneShotJob("saved_document_worker", self)
+        self._process.answered.connect(self._on_answer)
+        self._button = StatusButton()
+        self._lookup_timer = QtCore.QTimer(self, singleShot=True, interval=_LOOKUP_DELAY)
+        self._lookup_timer.timeout.connect(self._look_up)
+        self._refresh_timer = QtCore.QTimer(self, singleShot=True, interval=0)
+        self._refresh_timer.timeout.connect(self._refresh)
+
+    @property
+    def is_on(self):
+        """Whether the preference is switched on."""
+        return preference(PREFERENCE)
+
+    @property
+    def is_busy(self):
+        """Whether a document is being classified or queued."""
+        return self._process.is_waiting or bool(self._queue)
+
+    def begin(self):
+        """Start observing documents, panels and the preference; called once, when FreeCAD starts."""
+        self._observer.saved.add(self._on_saved)
+        self._observer.closed.add(self._on_closed)
+        self._observer.activated.add(self._refresh_timer.start)
+        self._measurement_signals.begun.connect(self._on_panel_begun)
+        self._measurement_signals.info_file_abandoned.connect(self._on_panel_abandoned)
+        self._measurement_signals.written.connect(self._on_panel_written)
+        self._measurement_signals.not_written.connect(self._on_panel_failed)
+        self._group.Attach(self)
+        self._refresh_timer.start()
+
+    @property
+    def clicked(self):
+        """Hook: the verdict in the status bar was clicked."""
+        return self._button.clicked
+
+    def onChange(self, _group, name):
+        """Called by FreeCAD when a preference has changed."""
+        if name == PREFERENCE:
+            self._refresh_timer.start()
+
+    def end(self):
+        """Cancel all jobs and forget all verdicts."""
+        self._queue.clear()
+        self._cancel(self._running)
+        self._delegated.clear()
+        self._states.clear()
+        self._refresh_timer.start()
+
+    def _on_panel_begun(self, name):
+        """Cancel the own job: the Classify panel measures this document now."""
+        if self._cancel(name):
+            self._delegated.add(name)
+
+    def _on_panel_abandoned(self, name):
+        """Classify the document here: the panel was closed or cancelled before it wrote the info file."""
+        if name in self._delegated:
+            self._delegated.discard(name)
+            # Later, because FreeCAD may be closing the document, which closes the panel too.
+            call_later(self, lambda: self._classify(name))
+
+    def _on_panel_written(self, name, before, now):
+        """Show the verdicts of an info file that the panel has written."""
+        self._delegated.discard(name)
+        if self.is_on:
+            self._show_verdicts(name, before, now)
+
+    def _on_panel_failed(self, name, sentence):
+        """Show that the panel could not write the info file; the panel has reported it."""
+        if name in self._delegated:
+            self._delegated.discard(name)
+            self._set_state(name, translate("ThinPart", "failed"), sentence)
+
+    def _on_saved(self, name):
+        if self.is_on:
+            # Saving has finished once the event loop runs again.
+            call_later(self, lambda: self._classify(name))
+
+    def _on_closed(self, name):
+        self._cancel(name)
+        self._delegated.discard(name)
+        self._states.pop(name, None)
+        self._refresh_timer.start()
+
+    def _classify(self, name):
+        document = App.listDocuments().get(name)
+        if not self.is_on or document is None:
+            return
+        self._cancel(name)  # it reads the previous version of the file
+        session = open_session()
+        if (session is not None and session.document_name == name and session.measured.is_up_to_date
+                and not self._observer.differs_from_file(document)):
+            self._delegated.add(name)
+            session.measured.write_info_file_if_measured()
+        else:
+            self._enqueue(name, measure=True)
+        self._set_state(name, translate("ThinPart", "measuring\u2026"))
+
+    def _look_up(self):
+        """Read the active document's verdict from its info file, where none is known yet."""
+        document = App.ActiveDocument
+        if self.is_on and document is not None and document.FileName and (
+                document.Name not in self._states and document.Name not in self._delegated):
+            self._enqueue(document.Name, measure=False)
+
+    def _enqueue(self, name, measure):
+        self._queue[name] = measure
+        self._run_next()
+
+    def _run_next(self):
+        # One at a time: many documents may be saved at once, and each may use up to the memory limit.
+        while self._queue and not self._process.is_waiting:
+            name = next(iter(self._queue))
+            measure = self._queue.pop(name)
+            document = App.listDocuments().get(name)
+            if document is not None and document.FileName:
+                self._running, self._measures = name, measure
+                self._process.ask(
+                    document=document.FileName, folder=preference("InfoFolder"),
+                    settings=preferred_analysis().content(), profile=preference("Profile"),
+                    seconds=preference("Seconds"), megabytes=preference("MemoryMegabytes"),
+                    measure=measure)
+
+    def _cancel(self, name):
+        """Cancel the job of a document and return whether it was going to be measured."""
+        measure = self._queue.pop(name, False)
+        if name is not None and name == self._running:
+            measure = measure or self._measures
+            self._running = None
+            self._process.end()
+            self._run_next()
+        return measure
+
+    def _on_answer(self, answer):
+        name, self._running = self._running, None
+        try:
+            self._show_answer(name, answer)
+        finally:
+            self._run_next()
+
+    def _show_answer(self, name, answer):
+        failures = [translated(failure) for failure in (
+            [answer["failure"]] if "failure" in answer else answer["failures"])]
+        if not self._measures:
+            if answer.get("current"):
+                self._set_state(name, headline(answer["verdicts"]), reasons(answer["verdicts"]))
+            else:
+                self._set_state(name, translate("ThinPart", "not classified"), "\n".join(failures))
+            return
+        if answer.get("verdicts"):
+            before = answer["verdicts"] if answer["current"] else answer["before"]
+            self._show_verdicts(name, before, answer["verdicts"])
+        elif answer.get("no_part"):
+            self._set_state(name, "\u2013", translated(answer["no_part"]))
+            return
+        else:
+            self._set_state(name, translate("ThinPart", "failed"), failures[0])
+        if failures:
+            lifelong.notifications.show_failure(_failure_text(_display_name(name), failures), App.getDocument(name).Label)
+
+    def _show_verdicts(self, name, before, now):
+        self._set_state(name, headline(now), reasons(now))
+        lifelong.notifications.show_message(f"ThinPart: {_display_name(name)}: {headline(now)}")
+        for sentence in warnings(_display_name(name), before, now, preference("WarnOfCategory"),
+                                 preference("WarnWallUnder"), length_unit(App.getDocument(name))):
+            lifelong.notifications.warn(sentence, App.getDocument(name).Label)
+
+    def _set_state(self, name, text, reason=""):
+        self._states[name] = _State(text, reason)
+        self._refresh()
+
+    def _refresh(self):
+        """Update the status button."""
+        if not self.is_on:
+            if self._states or self.is_busy:
+                self.end()
+            self._button.hide()
+            return
+        active = App.ActiveDocument
+        state = self._states.get(active.Name) if active is not None else None
+        if state is None:
+            self._button.show("\u2013")
+            self._lookup_timer.start()
+        else:
+            self._button.show(state.text, state.reason)
+
+
+def _display_name(name):
+    document = App.getDocument(name)
+    return os.path.basename(document.FileName) or document.Label
+
+
+def _failure_text(document, failures):
+    first = failures[0] if failures[0].startswith(document) else f"{document}: {failures[0]}"
+    if len(failures) == 1:
+        return first
+    return translate("ThinPart", "{} There are {} more failures.").format(first, len(failures) - 1)

@@ -1,0 +1,1 @@
+"""ThinPart's pages in FreeCAD's preferences."""

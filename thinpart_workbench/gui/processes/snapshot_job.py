@@ -1,0 +1,163 @@
+"""Measures a document in another process, which works on a snapshot of it."""
+
+import shutil
+import tempfile
+
+import FreeCAD as App
+
+from ...core.errors import ThinPartError
+from ...freecad_adapter.objects.snapshot import write_snapshot
+from ...system.exit_cause import ExitCause
+from ..application import lifelong
+from ..application.qt import QtCore, Signal, call_later, translate
+from ..application.sentences import translated
+
+
+class SnapshotJob(QtCore.QObject):
+    """Measures the parts of a `DocumentAnalysis` in another process, so that FreeCAD stays responsive.
+
+    Parameters
+    ----------
+    analysis : DocumentAnalysis
+    megabytes : int
+        Limit of the address space.
+    parent : QObject, optional
+    report : dict, optional
+        The parameters of `OpenDocumentReport` besides those of the snapshot: a report is written instead of maps.
+
+    Signals
+    -------
+    progressed(object)
+        The worker's ``progress`` entry.
+    measured(str)
+        Name of a part whose record or failure is now in the analysis.
+    mapped(str, str)
+        Name of a part and the path of its thickness map, a temporary file that exists only while the slots run.
+    ended(str)
+        Empty on success, else one sentence. Not emitted after `stop`.
+    """
+
+    progressed = Signal(object)
+    measured = Signal(str)
+    mapped = Signal(str, str)
+    ended = Signal(str)
+
+    def __init__(self, analysis, megabytes, parent=None, report=None):
+        super().__init__(parent)
+        self._analysis = analysis
+        self._megabytes = megabytes
+        self._request = {"megabytes": megabytes, **({} if report is None else {"report": report})}
+        self._folder = None
+        self._process = self._failure = None
+        self._pending_shapes = iter(())
+
+    @property
+    def is_running(self):
+        """Whether the process is running."""
+        return self._process is not None
+
+    def start(self):
+        """Write the snapshot and start the process.
+
+        Raises
+        ------
+        ThinPartError
+            When the snapshot cannot be written or there is no Python.
+        """
+        process = lifelong.standby_worker.take()
+        try:
+            self._folder = tempfile.mkdtemp(prefix="thinpart-")
+            self._pending_shapes = write_snapshot(
+                self._analysis.measuring_order, self._folder, self._analysis.settings,
+                self._analysis.profile_content, self._analysis.thin_limit, self._analysis.maps)
+        except Exception as error:  # FreeCAD raises its own exception classes where a disk is full
+            process.end_now()
+            process.deleteLater()
+            self._remove_folder()
+            raise ThinPartError(_disk_full_text(error), "failed") from None
+        if not process.is_running:
+            self._remove_folder()
+            raise ThinPartError(_not_started_text(), "failed")
+        process.setParent(self)
+        process.received.connect(self._on_message)
+        process.ended.connect(self._on_ended)
+        process.failed_to_start.connect(lambda: self.ended.emit(_not_started_text()))
+        process.released.connect(self._on_released)
+        self._process = process
+        process.send(folder=self._folder, **self._request)
+        call_later(self, self._write_next_shape)
+
+    def _write_next_shape(self):
+        """Write one shape of the snapshot, then let the event loop run before the next one."""
+        if self._process is None:
+            return
+        try:
+            next(self._pending_shapes)
+        except StopIteration:
+            self._process.close_input()
+        except Exception as error:  # FreeCAD raises its own exception classes where a disk is full
+            self.stop()
+            self.ended.emit(_disk_full_text(error))
+        else:
+            call_later(self, self._write_next_shape)
+
+    def stop(self):
+        """End the process, if it is running, and remove its snapshot."""
+        if self._process is not None:
+            self._process.end_now()
+
+    def _on_message(self, message):
+        kind = self._analysis.on_message(message)
+        if kind == "progress":
+            self.progressed.emit(message["progress"])
+        elif kind == "map":
+            self.mapped.emit(message["map"]["part"], message["map"]["file"])
+        elif kind == "done":
+            # No further message comes; do not wait until the process has freed its memory.
+            self._process.detach(kill=True)
+            self.ended.emit("")
+        else:
+            name = message["record"]["name"] if kind == "record" else message["failure"]["part"]
+            self.measured.emit(name)
+
+    def _on_ended(self, end):
+        App.Console.PrintLog(end.text + "\n")
+        self.ended.emit(self._reason(end))
+
+    def _on_released(self):
+        """Clean up after the process, and prepare the next one."""
+        process, self._process = self._process, None
+        self._failure = process.failure
+        process.deleteLater()
+        self._pending_shapes = iter(())
+        self._remove_folder()
+        lifelong.standby_worker.prepare_next()
+
+    def _reason(self, end):
+        failure = self._failure or {}
+        if failure.get("kind") == "memory" or end.cause(is_done=False) is ExitCause.OUT_OF_MEMORY:
+            return translate(
+                "ThinPart", "Measuring needs more than {} MB of memory: raise the limit in the "
+                "preferences.",
+            ).format(self._megabytes)
+        if failure:
+            return translated(failure["message"])
+        return translate(
+            "ThinPart", "The measuring process ended unexpectedly; the document is unharmed. Check the part with "
+                        "'Check geometry' of the Part workbench.",
+        )
+
+    def _remove_folder(self):
+        if self._folder is not None:
+            shutil.rmtree(self._folder, ignore_errors=True)
+            self._folder = None
+
+
+def _not_started_text():
+    return translate("ThinPart", "The measuring process could not be started.")
+
+
+def _disk_full_text(error):
+    return translate(
+        "ThinPart", "Temporary files cannot be written ({}): free some disk space. Nothing was measured."
+    ).format(getattr(error, "strerror", None) or error)

@@ -1,0 +1,85 @@
+"""A worker process that loads everything needed for measuring in advance."""
+
+import tempfile
+
+from ...core.errors import ThinPartError
+from ...freecad_adapter.python_beside_freecad import python_environment
+from ..application.qt import QtCore, QtWidgets
+from .freecad_python import python_program
+from .json_client import JsonClient
+
+WORKER = "snapshot_worker"
+
+_DELAY = 300
+"""Milliseconds from the last job to starting the next process, which leaves the GUI time to update."""
+
+
+class StandbyWorker:
+    """Keeps one such process ready: loading FreeCAD and scipy takes longer than measuring a small part.
+
+    The process ends by itself when FreeCAD ends, even by a crash, and after some minutes without a job.
+    """
+
+    def __init__(self):
+        self._process = self._environment = self._delay = None
+
+    @property
+    def process_id(self):
+        """Id of the waiting process; None where there is none."""
+        return self._process.process_id if self._process is not None else None
+
+    def take(self):
+        """Hand over a process that waits for a job on its standard input.
+
+        Returns
+        -------
+        JsonClient
+            Started, with no signals connected. The caller becomes its owner.
+
+        Raises
+        ------
+        ThinPartError
+            Where there is no Python.
+        """
+        if self._delay is not None:
+            self._delay.stop()
+        # A process started with another Python or other environment variables cannot be used any more.
+        if self.process_id is None or self._environment != _current_environment():
+            self.end()
+            self._start_process()
+        process, self._process = self._process, None
+        return process
+
+    def prepare_next(self):
+        """Start the next process after a short delay."""
+        if self._delay is None:
+            self._delay = QtCore.QTimer(QtWidgets.QApplication.instance(), singleShot=True, interval=_DELAY)
+            self._delay.timeout.connect(self._start_if_needed)
+        self._delay.start()
+
+    def end(self):
+        """End the waiting process, if there is one."""
+        if self._delay is not None:
+            self._delay.stop()
+        process, self._process = self._process, None
+        if process is not None:
+            process.end_now()  # Qt warns if a running QProcess is deleted
+            process.deleteLater()
+
+    def _start_if_needed(self):
+        if self.process_id is not None:
+            return
+        self.end()  # clean up a process that has ended by itself
+        try:
+            self._start_process()
+        except ThinPartError:
+            return  # reported when a process is needed
+
+    def _start_process(self):
+        self._environment = _current_environment()
+        self._process = JsonClient(WORKER, QtWidgets.QApplication.instance(), patience=0.0)
+        self._process.start(folder=tempfile.gettempdir())
+
+
+def _current_environment():
+    return python_program(), python_environment()

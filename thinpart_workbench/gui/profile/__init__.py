@@ -1,0 +1,1 @@
+"""The editor of profiles and of limits of the wall."""

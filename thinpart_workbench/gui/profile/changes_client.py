@@ -1,0 +1,90 @@
+"""Client of the process that counts what an edited profile would change."""
+
+from ..application.qt import QtCore, Signal
+from ..processes.conversation import Conversation
+
+_TYPING_DELAY = 250
+"""Milliseconds after the last change before the profile is judged by."""
+
+
+class ChangesClient(QtCore.QObject):
+    """Sends profiles and folders to ``profile_worker``, and drops answers to outdated requests.
+
+    Signals
+    -------
+    counted(object)
+        The ``counted`` answer to the last profile.
+    parts_received(object)
+        A ``parts`` answer.
+    failed(str)
+        The process could not be started or has failed; one sentence.
+    """
+
+    counted = Signal(object)
+    parts_received = Signal(object)
+    failed = Signal(str)
+
+    def __init__(self, parent=None):
+        super().__init__(parent)
+        self._roots, self._profile, self._serial, self._is_complete = [], None, 0, True
+        self._process = Conversation("profile_worker", self)
+        self._process.received.connect(self._on_message)
+        self._process.finished.connect(self._on_finished)
+        self._typing_timer = QtCore.QTimer(self, singleShot=True, interval=_TYPING_DELAY)
+        self._typing_timer.timeout.connect(self._send)
+
+    @property
+    def is_waiting(self):
+        """Whether the counts of the last profile are not complete yet."""
+        return self._typing_timer.isActive() or not self._is_complete
+
+    def open(self, roots):
+        """Count in other folders, list of str; what was read before is read again."""
+        self._roots = list(roots)
+        if self._process.is_running:
+            self._process.send(ask="open", roots=self._roots)
+        self._typing_timer.start()
+
+    def judge(self, content):
+        """Count soon what a profile would change, unless another one comes before; None stops counting."""
+        self._profile = content
+        self._serial += 1  # answers that are on their way are outdated
+        if content is None:
+            self._typing_timer.stop()
+            self._is_complete = True
+        else:
+            self._typing_timer.start()
+
+    def request_parts(self, before, after):
+        """Ask for the parts of a change of the last counts."""
+        self._process.send(ask="parts", serial=self._serial, before=before, after=after)
+
+    def end(self):
+        """End the process; it writes nothing."""
+        self._typing_timer.stop()
+        self._is_complete = True
+        self._process.detach(kill=True)
+
+    def _send(self):
+        if self._profile is None or not self._roots:
+            return
+        if not self._process.is_running:
+            sentence = self._process.ensure_started()
+            if sentence:
+                self.failed.emit(sentence)
+                return
+            self._process.send(ask="open", roots=self._roots)
+        self._is_complete = False
+        self._process.send(ask="judge", serial=self._serial, profile=self._profile)
+
+    def _on_message(self, content):
+        counted, parts = content.get("counted"), content.get("parts")
+        if counted is not None and counted["serial"] == self._serial:
+            self._is_complete = counted["read"] == counted["total"]
+            self.counted.emit(counted)
+        elif parts is not None and parts["serial"] == self._serial:
+            self.parts_received.emit(parts)
+
+    def _on_finished(self, sentence):
+        self._is_complete = True
+        self.failed.emit(sentence)

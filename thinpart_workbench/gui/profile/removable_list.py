@@ -1,0 +1,32 @@
+"""Widgets below each other, each of which can be removed."""
+
+from ..application.qt import QtWidgets
+
+
+class RemovableList(QtWidgets.QVBoxLayout):
+    """Editors of the items of a list.
+
+    Parameters
+    ----------
+    on_change : callable
+        Called when an item has changed, and after one was removed.
+    """
+
+    def __init__(self, on_change):
+        super().__init__()
+        self.editors = []
+        self._on_change = on_change
+
+    def append(self, editor):
+        """Add a widget with the signals ``changed`` and ``removed``."""
+        editor.changed.connect(self._on_change)
+        editor.removed.connect(lambda: self._remove(editor))
+        self.editors.append(editor)
+        self.addWidget(editor)
+
+    def _remove(self, editor):
+        self.editors.remove(editor)
+        self.removeWidget(editor)
+        editor.hide()
+        editor.deleteLater()
+        self._on_change()

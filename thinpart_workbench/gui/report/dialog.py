@@ -1,0 +1,250 @@
+"""The dialog that writes a report about a document."""
+
+import os
+from pathlib import Path
+
+import FreeCAD as App
+
+from ...api.report_folder import OVERVIEW
+from ...core.analysis_settings import RAY
+from ...core.errors import ThinPartError
+from ...core.judging.criteria import load_profile
+from ...freecad_adapter.additional_packages import has_package, install_folder
+from ...freecad_adapter.preferences import preference, preferred_analysis
+from ...freecad_adapter.reading.document_parts import document_content
+from ..application import lifelong
+from ..application.qt import QtCore, QtGui, QtWidgets, translate
+from ..application.sentences import translated
+from ..processes.document_analysis import DocumentAnalysis
+from ..processes.package_installation import PackageInstallation
+from ..processes.snapshot_job import SnapshotJob
+from ..record.record_view import show_text, text_line
+from ..widgets.push_button import add_button
+
+_PACKAGE = "Jinja2"
+"""Template engine of the report pages; FreeCAD bundles do not include it."""
+
+ICON = Path(__file__).resolve().parents[3] / "resources" / "icons" / "ThinPart_Report.svg"
+
+
+def proposed_folder(document):
+    """Default folder of a report: beside the document, or among the user's documents where it has no file yet."""
+    if document.FileName:
+        return str(Path(document.FileName).with_suffix("")) + "-report"
+    name = "".join(each if each.isalnum() or each in "-_ " else "-" for each in document.Label)
+    return os.path.join(_user_documents(), f"{name}-report")
+
+
+def _user_documents():
+    return QtCore.QStandardPaths.writableLocation(QtCore.QStandardPaths.DocumentsLocation)
+
+
+class ReportDialog(QtWidgets.QDialog):
+    """Non-modal dialog with the report folder, the progress, and whether to open the report."""
+
+    def __init__(self, parent):
+        super().__init__(parent)
+        self.setObjectName("ThinPart_ReportDialog")
+        self.setWindowTitle(translate("ThinPart", "Report"))
+        self.setWindowIcon(QtGui.QIcon(str(ICON)))
+        self._document = None
+        self._output = ""
+        self._job = self._analysis = None
+        self._is_writing = False
+        self._installation = PackageInstallation(self)
+        self._installation.ended.connect(self._show_installed)
+        column = QtWidgets.QVBoxLayout(self)
+        self._subject = text_line(self, column, "ThinPart_ReportSubject")
+        self._add_folder(column)
+        self._open_when_done = QtWidgets.QCheckBox(
+            translate("ThinPart", "&Open it in the browser when it is ready"), self)
+        self._open_when_done.setObjectName("ThinPart_ReportOpen")
+        self._open_when_done.setChecked(True)
+        column.addWidget(self._open_when_done)
+        self._bar = QtWidgets.QProgressBar(self)
+        self._bar.setObjectName("ThinPart_ReportProgress")
+        self._bar.setRange(0, 1000)
+        column.addWidget(self._bar)
+        self._message = text_line(self, column, "ThinPart_ReportMessage")
+        self._add_buttons(column)
+        self._show_state()
+
+    def show_document(self, document):
+        """Switch to a document, unless a report is being written."""
+        if self._is_busy or document is None:
+            return
+        self._document = document.Name
+        show_text(self._subject, translate(
+            "ThinPart", "Report about all parts of '{}'").format(document.Label))
+        self._folder.setText(proposed_folder(document))
+        self._show_message(self._problem() or self._missing_package())
+        self._show_state()
+
+    def start(self):
+        """Write the report about the document as it is open now."""
+        problem = self._problem() or self._missing_package()
+        if problem:
+            self._show_message(problem)
+            self._show_state()
+            return
+        document = App.getDocument(self._document)
+        output = self._folder.text().strip() or proposed_folder(document)
+        self._folder.setText(output)
+        self._output = os.path.abspath(os.path.join(os.path.dirname(document.FileName) or _user_documents(), output))
+        try:
+            self._write(document)
+        except ThinPartError as error:
+            self._show_message(translated(error))
+        else:
+            self._is_writing = True
+            self._bar.setValue(0)
+            self._show_message(translate("ThinPart", "Measuring and drawing\u2026"))
+        self._show_state()
+
+    def _write(self, document):
+        content = document_content(document)
+        file = os.path.abspath(document.FileName) if document.FileName else ""
+        self._analysis = DocumentAnalysis(
+            content.parts, content.parts[0], preferred_analysis(), load_profile(preference("Profile")).content,
+            content.broken, maps=RAY)
+        self._job = SnapshotJob(self._analysis, preference("MemoryMegabytes"), self, {
+            "output": self._output, "document": file, "label": document.Label,
+            "is_saved": bool(file) and os.path.exists(file) and not lifelong.observer.differs_from_file(document),
+            "info_folder": preference("InfoFolder"), "checks": preference("Checks"),
+            "failures": [part.failure() for part in content.broken]})
+        self._job.progressed.connect(self._show_progress)
+        self._job.ended.connect(self._show_end)
+        self._job.start()
+
+    def install(self):
+        """Install the required package, then write the report."""
+        self._show_message(self._installation.start(_PACKAGE))
+        self._show_state()
+
+    def cancel(self):
+        """Stop; pages already written stay."""
+        if self._installation.is_running:
+            self._installation.stop()
+            self._show_message(translate("ThinPart", "Stopped on request before the end."))
+            self._show_state()
+            return
+        self._job.stop()
+        self._is_writing = False
+        self._show_message(translate("ThinPart", "Stopped on request before the end."))
+        self._show_state()
+
+    def open_report(self):
+        """Open the report in the browser."""
+        QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(os.path.join(self._output, OVERVIEW)))
+
+    def end(self):
+        """Stop at once and delete the dialog, without asking the user."""
+        self._installation.stop()
+        if self._job is not None:
+            self._job.stop()
+        lifelong.running_jobs.end("report")
+        self.hide()
+        self.deleteLater()
+
+    def _problem(self):
+        """Message why no report can be written; empty if it can."""
+        if self._document not in App.listDocuments():
+            return translate("ThinPart", "The document is closed: open it again for a report about it.")
+        return ""
+
+    @property
+    def _is_busy(self):
+        return self._is_writing or self._installation.is_running
+
+    @staticmethod
+    def _missing_package():
+        """Message about a missing package; empty if nothing is missing."""
+        if has_package(_PACKAGE.lower()):
+            return ""
+        return translate("ThinPart", "Reports need the Python package {}, which this FreeCAD does not have: install "
+                                     "it from the internet into {}?").format(_PACKAGE, install_folder())
+
+    def _show_installed(self, problem):
+        if problem:
+            self._show_message(problem)
+            self._show_state()
+        else:
+            lifelong.standby_worker.end()  # it was started without the package
+            self.start()
+
+    def _show_progress(self, progress):
+        self._bar.setValue(int(1000 * self._analysis.share_done(progress)))
+
+    def _show_end(self, sentence):
+        self._is_writing = False
+        self._show_state()
+        if sentence:
+            self._show_message(sentence)
+            return
+        self._show_message(self._summary())
+        self._open_button.setEnabled(True)
+        if self._open_when_done.isChecked():
+            self.open_report()
+
+    def _summary(self):
+        ready = translate("ThinPart", "The report is in {}.").format(self._output)
+        failures = [*self._analysis.failures.values(), *(part.failure() for part in self._analysis.broken)]
+        if not failures:
+            return ready
+        failed = translate("ThinPart", "Not measured: {}").format(
+            " ".join(translated(each["message"]) for each in failures[:3]))
+        return f"{ready} {failed}"
+
+    def _show_message(self, text):
+        show_text(self._message, text)
+
+    def _show_state(self):
+        running = self._is_busy
+        if running:
+            lifelong.running_jobs.show("report", translate("ThinPart", "Writing a report"), self)
+        else:
+            lifelong.running_jobs.end("report")
+        self._bar.setVisible(running)
+        self._start.setEnabled(not running)
+        self._cancel.setEnabled(running)
+        self._install.setVisible(not running and bool(self._missing_package()))
+        for widget in (self._folder, self._browse):
+            widget.setEnabled(not running)
+        self._open_button.setEnabled(False)
+
+    def _choose(self):
+        folder = QtWidgets.QFileDialog.getExistingDirectory(
+            self, translate("ThinPart", "Folder of the report"), os.path.dirname(self._folder.text()))
+        if folder:
+            self._folder.setText(folder)
+
+    def _add_folder(self, column):
+        row = QtWidgets.QHBoxLayout()
+        label = QtWidgets.QLabel(translate("ThinPart", "&Folder:"), self)
+        self._folder = QtWidgets.QLineEdit(self)
+        self._folder.setObjectName("ThinPart_ReportFolder")
+        self._folder.setMinimumWidth(380)
+        label.setBuddy(self._folder)
+        row.addWidget(label)
+        row.addWidget(self._folder)
+        self._browse = add_button(
+            row, self, "ThinPart_ReportBrowse", translate("ThinPart", "&Browse\u2026"), self._choose)
+        column.addLayout(row)
+
+    def _add_buttons(self, column):
+        row = QtWidgets.QHBoxLayout()
+
+        def add(name, text, callback):
+            button = add_button(row, self, name, text, callback)
+            button.setAutoDefault(False)
+            return button
+
+        self._install = add(
+            "ThinPart_ReportInstall", translate("ThinPart", "&Install {}").format(_PACKAGE), self.install)
+        row.addStretch(1)
+        self._start = add("ThinPart_ReportStart", translate("ThinPart", "&Write report"), self.start)
+        self._start.setDefault(True)
+        self._cancel = add("ThinPart_ReportCancel", translate("ThinPart", "&Cancel"), self.cancel)
+        self._open_button = add("ThinPart_ReportLook", translate("ThinPart", "&Open report"), self.open_report)
+        add("ThinPart_ReportClose", translate("ThinPart", "Close"), self.close)
+        column.addLayout(row)

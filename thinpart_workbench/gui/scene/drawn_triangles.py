@@ -1,0 +1,68 @@
+"""The triangles that a 3D view draws, of all objects that are shown."""
+
+import numpy as np
+from pivy import coin
+
+from .coin_arrays import numbers_of, points_of
+
+
+def drawn_triangles(root):
+    """Collect the triangles of a scene graph.
+
+    Parameters
+    ----------
+    root : pivy.coin.SoNode
+
+    Returns
+    -------
+    ndarray of shape (n, 3, 3), mm
+        Triangle, corner, coordinate, in the coordinates of the document.
+
+    Notes
+    -----
+    Hidden objects and the sources of a visible map are switched off, so they are not drawn. Links and instances share
+    their nodes, each under its own transform.
+    """
+    found, current, cache = [], [None], {}
+
+    def on_points(_data, _action, node):
+        current[0] = node
+        return coin.SoCallbackAction.CONTINUE
+
+    def on_facets(_data, action, node):
+        if current[0] is not None:
+            found.append((current[0], node, np.array(action.getModelMatrix().getValue(), dtype=float)))
+        return coin.SoCallbackAction.PRUNE  # or Coin would make every triangle one by one
+
+    action = coin.SoCallbackAction()
+    action.addPreCallback(coin.SoCoordinate3.getClassTypeId(), on_points, None)
+    action.addPreCallback(coin.SoIndexedFaceSet.getClassTypeId(), on_facets, None)
+    action.apply(root)
+    triangles = []
+    for points, facets, matrix in found:
+        key = int(points.this), int(facets.this)
+        if key not in cache:
+            # The facets of a map are many nodes that share one set of points.
+            if key[0] not in cache:
+                cache[key[0]] = points_of(points.getField("point"))
+            rows = _triangles(numbers_of(facets.getField("coordIndex")))
+            known = cache[key[0]]
+            cache[key] = known[rows[(rows < len(known)).all(axis=1)]]
+        # Coin's matrices are for row vectors.
+        triangles.append(cache[key] @ matrix[:3, :3] + matrix[3, :3])
+    return np.concatenate(triangles) if triangles else np.empty((0, 3, 3))
+
+
+def _triangles(indices):
+    """Split polygons, whose ends are marked by -1, into fans of triangles: ndarray of shape (n, 3)."""
+    if len(indices) % 4 == 0 and (indices[3::4] < 0).all() and (indices.reshape(-1, 4)[:, :3] >= 0).all():
+        return indices.reshape(-1, 4)[:, :3]
+    if len(indices) and indices[-1] >= 0:
+        indices = np.append(indices, -1)
+    ends = np.flatnonzero(indices < 0)
+    first = np.concatenate([[0], ends[:-1] + 1])[:len(ends)]
+    row = np.arange(len(indices))
+    polygon = np.searchsorted(ends, row)
+    is_third = (row >= first[np.minimum(polygon, len(ends) - 1)] + 2) & (indices >= 0) if len(ends) else row < 0
+    third = row[is_third]
+    return np.column_stack([indices[first[polygon[third]]], indices[third - 1], indices[third]]).astype(np.int64)

@@ -1,0 +1,1 @@
+"""The section plane of a thickness map."""

@@ -1,0 +1,119 @@
+"""Scene graph nodes of a section: what is cut off, the coloured edge of the cut, and the hatched material."""
+
+import numpy as np
+from pivy import coin
+
+from ...core.maps.map_section import map_section
+from ...core.rigid_transform import inverse, transform_points
+from ..scene.coin_arrays import fill_numbers, fill_points
+
+_MATERIAL = (0.86, 0.86, 0.87)
+_HATCHES = 14
+"""Lines of the hatch across the part."""
+
+_SIZE = 64
+_EDGE_WIDTH = 5.0
+
+
+class SectionNodes:
+    """Cuts the facets and edges of a map, and draws what is seen in the cut.
+
+    Attributes
+    ----------
+    clips : list of pivy.coin.SoClipPlane
+        To be put before the facets and before the edges.
+    root : pivy.coin.SoSwitch
+        The cut itself, which the plane does not cut, in the coordinates of the document.
+    """
+
+    def __init__(self):
+        self.clips = [coin.SoClipPlane(), coin.SoClipPlane()]
+        self.root = coin.SoSwitch()
+        content = coin.SoSeparator()
+        light = coin.SoLightModel()
+        light.model = coin.SoLightModel.BASE_COLOR
+        self._edge_points, self._edge_colours = coin.SoCoordinate3(), coin.SoPackedColor()
+        self._edges, self._pieces = coin.SoIndexedLineSet(), coin.SoIndexedFaceSet()
+        self._points, self._places = coin.SoCoordinate3(), coin.SoTextureCoordinate2()
+        edges, material = coin.SoSeparator(), coin.SoSeparator()
+        width, binding = coin.SoDrawStyle(), coin.SoMaterialBinding()
+        width.lineWidth = _EDGE_WIDTH
+        binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
+        for node in (width, binding, self._edge_points, self._edge_colours, self._edges):
+            edges.addChild(node)
+        behind, grey, hatch = coin.SoPolygonOffset(), coin.SoBaseColor(), coin.SoTexture2()
+        behind.factor, behind.units = 1.0, 1.0  # the edge stays visible
+        grey.rgb = _MATERIAL
+        hatch.model = coin.SoTexture2.MODULATE
+        hatch.image.setValue(coin.SbVec2s(_SIZE, _SIZE), 1, _hatch().tobytes())
+        for node in (behind, grey, hatch, self._points, self._places, self._pieces):
+            material.addChild(node)
+        for node in (light, material, edges):
+            content.addChild(node)
+        self.root.addChild(content)
+        self.hide()
+
+    def hide(self):
+        """Draw the map whole."""
+        self.root.whichChild = coin.SO_SWITCH_NONE
+        for clip in self.clips:
+            clip.on = False
+
+    def show(self, plane, parts, moved, colours, faces=None):
+        """Cut the parts.
+
+        Parameters
+        ----------
+        plane : SectionPlane
+            In the coordinates of the document.
+        parts : list of MappedPart
+        moved : ndarray of shape (4, 4)
+            From where the parts were measured to where they are.
+        colours : ThicknessColours
+        faces : dict or None
+            The B-Rep faces that are drawn, as `FacetNodes.isolate` has them; material is not filled then.
+        """
+        ends, edge_colours, material = [], [], []
+        for number, part in enumerate(parts):
+            drawn = None if faces is None else np.isin(part.map.face, np.fromiter(faces.get(number, ()), dtype=np.int64))
+            for matrix in part.matrices:
+                stands = moved @ matrix
+                cut = map_section(part.map, plane.moved(inverse(stands)), drawn)
+                ends.append(transform_points(stands, cut.ends.reshape(-1, 3)))
+                edge_colours.append(colours.of_section(number, part.map, cut).reshape(-1, 3))
+                if faces is None:
+                    material.append(transform_points(stands, cut.material.reshape(-1, 3)))
+        self._show_edges(np.concatenate(ends), np.concatenate(edge_colours).astype(np.uint32))
+        self._show_material(np.concatenate(material or [np.empty((0, 3))]), np.array(plane.normal))
+        for clip in self.clips:
+            clip.plane = coin.SbPlane(coin.SbVec3f(*(-float(part) for part in plane.normal)), -float(plane.offset))
+            clip.on = True
+        self.root.whichChild = coin.SO_SWITCH_ALL
+
+    def _show_edges(self, points, colours):
+        fill_points(self._edge_points.point, points)
+        red, green, blue = colours.reshape(-1, 3).T
+        fill_numbers(self._edge_colours.orderedRGBA, red << 24 | green << 16 | blue << 8 | 255, np.uint32)
+        rows = np.full((len(points) // 2, 3), -1, dtype=np.int32)
+        rows[:, :2] = np.arange(len(points)).reshape(-1, 2)
+        fill_numbers(self._edges.coordIndex, rows.ravel())
+
+    def _show_material(self, points, normal):
+        across = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
+        across /= np.linalg.norm(across)
+        flat = np.stack([points @ across, points @ np.cross(normal, across)], axis=1)
+        size = max(float(np.ptp(flat, axis=0).max()), 1e-9) if len(flat) else 1.0
+        fill_points(self._points.point, points)
+        places = (flat - (flat.min(axis=0) if len(flat) else 0.0)) * (_HATCHES / size)
+        self._places.point.setNum(0)
+        if len(places):
+            self._places.point.setValues(0, len(places), places.tolist())
+        rows = np.full((len(points) // 4, 5), -1, dtype=np.int32)
+        rows[:, :4] = np.arange(len(points)).reshape(-1, 4)
+        fill_numbers(self._pieces.coordIndex, rows.ravel())
+
+
+def _hatch():
+    """One square of a hatch at 45 degrees: ndarray of shape (n, n), uint8."""
+    row, column = np.mgrid[:_SIZE, :_SIZE]
+    return np.where((row + column) % _SIZE < _SIZE // 6, 150, 255).astype(np.uint8)

@@ -1,0 +1,1 @@
+"""The command 'Show thickness' and the boxes of its panel."""

@@ -1,0 +1,88 @@
+"""The check of a thickness map: its limits, and the result for some of its parts in words."""
+
+from ...core.analysis_settings import RAY
+from ...core.judging.limit_bands import FAILS, JUST_ABOVE, PASSES
+from ...core.judging.wall_check import check_walls
+from ...core.judging.wall_limits import WallLimits
+from ...core.maps.map_summary import share_between
+from ...freecad_adapter.objects.thickness_object import OWN_CHECK
+from ..application.numbers import percent
+from ..application.qt import translate
+from ..colour_bar.colours import BAND_COLOURS
+from ..record.wall_checks import check_line
+from ..widgets.process_field import offered_limits
+
+
+def checked_limits(thickness):
+    """The limits that a map is checked against: WallLimits, or None."""
+    name, least, most = thickness.Check, thickness.Threshold or None, thickness.CheckMost or None
+    if not name or least is most is None:
+        return None
+    known = offered_limits().get(name)
+    if known is not None and (known.min_mm, known.max_mm) == (least, most):
+        return known
+    # An own limit, or one of a process that has other limits by now than when it was chosen.
+    return WallLimits(name, translate("ThinPart", "Own limit") if name == OWN_CHECK else name, least, most)
+
+
+def map_check_text(records, limits, unit, measure):
+    """The result of a check of parts.
+
+    Parameters
+    ----------
+    records : list of PartRecord
+    limits : WallLimits or None
+    unit : LengthUnit
+    measure : str
+        One of `SHOWN_MEASURES`: what the colours of the map show.
+
+    Returns
+    -------
+    str
+        A sentence for one part, how many fail for several; empty without limits. Checks are always by rays, so where
+        the colours show something else, another sentence says so.
+    """
+    if limits is None:
+        return ""
+    checks = [check_walls(record, limits) for record in records]
+    if len(checks) == 1:
+        result = check_line(checks[0], unit)
+    else:
+        failed = sum(check.holds is False for check in checks)
+        result = translate("ThinPart", "{} of {} parts fail").format(failed, len(checks))
+    if measure == RAY:
+        return result
+    if limits.name == OWN_CHECK:
+        return f"{result}\n" + translate(
+            "ThinPart", "Colours and shares are of the largest balls inside, which shrink to nothing towards sharp edges; "
+            "the line above is of the thickness across the wall.")
+    return f"{result}\n" + translate(
+        "ThinPart", "Checks use the thickness across the wall: choose it under 'Colours show' to see where the limits are "
+        "broken.")
+
+
+def band_shares(parts, bands):
+    """The share of the surface in each colour of a check.
+
+    Parameters
+    ----------
+    parts : list of MappedPart
+    bands : list of LimitBand
+
+    Returns
+    -------
+    list of (tuple, str)
+        Colour of each band, red, green and blue from 0 to 255, and its share of all area in words.
+    """
+    return [(BAND_COLOURS[band.name], _band_words(band.name).format(percent(share_between(parts, band.low, band.high))))
+            for band in bands]
+
+
+def _band_words(name):
+    if name == FAILS:
+        return translate("ThinPart", "{} fails")
+    if name == JUST_ABOVE:
+        return translate("ThinPart", "{} just above")
+    if name == PASSES:
+        return translate("ThinPart", "{} passes")
+    return translate("ThinPart", "{} too thick")

@@ -1,0 +1,167 @@
+"""Measures parts of a document and makes or refreshes their thickness map."""
+
+from ...api.document_maps import new_thickness_object, set_parts
+from ...core.analysis_settings import RAY
+from ...core.errors import ThinPartError
+from ...core.maps.mapped_part import MappedPart
+from ...freecad_adapter.objects.thickness_object import thickness_objects
+from ...freecad_adapter.occurrences.active_part import selected_parts
+from ...freecad_adapter.occurrences.occurrences import occurrence_matrices, sources_of
+from ...storage.map_file import read_maps
+from ..application.qt import QtCore, Signal, translate
+from ..application.sentences import translated
+from ..document.document_measurement import DocumentMeasurement
+from ..document.selection import selected_paths
+from ..document.transaction import transaction
+from ..view3d.view_provider import ThicknessView
+
+
+class ThicknessMeasurement(QtCore.QObject):
+    """Measures parts in the background and makes or refreshes their map.
+
+    Parameters
+    ----------
+    document : FreeCAD.Document or None
+
+    Attributes
+    ----------
+    measured : DocumentMeasurement
+
+    Signals
+    -------
+    ended(object, str)
+        The map or None, and a message if anything failed. Not emitted after `stop`.
+    """
+
+    ended = Signal(object, str)
+
+    def __init__(self, document, parent=None):
+        super().__init__(parent)
+        self.measured = DocumentMeasurement(document, self)
+        self.measured.mapped.connect(self._on_mapped)
+        self.measured.ended.connect(self._finish)
+        self._maps = {}
+        self._unreadable = ""
+        self._old = None  # name of the map to refresh, if known
+
+    @property
+    def first_label(self):
+        """Label of the first part to be measured."""
+        return self.measured.analysis.first_part.label
+
+    def start_selected(self, shown_measure=RAY):
+        """Measure the selected parts, or all parts if nothing is selected, by one of `SHOWN_MEASURES`.
+
+        Raises
+        ------
+        ThinPartError
+        """
+        document, content = self.measured.document, self.measured.content()
+        parts = selected_parts(document, content.parts, selected_paths(document))
+        self._start(parts, content, None, shown_measure)
+
+    def start_again(self, thickness, shown_measure=None):
+        """Measure the sources of a map again, by another of `SHOWN_MEASURES` if one is given.
+
+        Raises
+        ------
+        ThinPartError
+        """
+        document, content = self.measured.document, self.measured.content()
+        sources = _names(thickness)
+        parts = [part for part in content.parts
+                 if any(source.Name in sources for source in sources_of(document, [part]))]
+        if not parts:
+            raise ThinPartError(translate(
+                "ThinPart", "'{}' no longer has a part that can be measured.").format(thickness.Label),
+                "empty")
+        self._start(parts, content, thickness.Name, shown_measure or thickness.Measure)
+
+    def stop(self):
+        """Stop measuring; the document stays unchanged."""
+        self.measured.stop()
+
+    def leave(self):
+        """Abandon the measurement; an info file in progress is still completed."""
+        self.measured.leave()
+
+    def _start(self, parts, content, old, shown_measure):
+        is_complete = len(parts) == len(content.parts)
+        self._maps, self._unreadable, self._old = {}, "", old
+        self.measured.measure(self.measured.analysis_of(
+            parts, parts[0], content.broken if is_complete else (), shown_measure), is_complete)
+
+    def _on_mapped(self, name, file):
+        try:
+            self._maps[name] = read_maps(file)[0]
+        except ThinPartError as error:
+            self._unreadable = translated(error)
+
+    def _finish(self, sentence):
+        analysis = self.measured.analysis
+        sentences = [text for text in (sentence, self._unreadable) if text]
+        sentences += [translate("ThinPart", "{}: {}").format(
+            failure["label"], translated(failure["message"]))
+            for failure in analysis.failures.values()]
+        now = self.measured.current_parts() if analysis.records else None
+        thickness = None
+        if now is not None:
+            # Before the map is added to the document, which then differs from its file.
+            self.measured.write_info_file(now)
+        elif analysis.records:
+            self.measured.abandon_info_file()
+            sentences.append(translate(
+                "ThinPart", "The document has changed while it was measured: measure it again."))
+        if now is not None and self._maps:
+            try:
+                thickness, dropped = self._show(now)
+            except OSError as error:
+                sentences.append(translate(
+                    "ThinPart", "The thickness map cannot be written ({}): free some disk space. Nothing "
+                                "was changed.").format(
+                        error.strerror))
+            else:
+                sentences += _dropped_probe_sentences(dropped)
+        self.ended.emit(thickness, "\n".join(sentences))
+
+    def _show(self, now):
+        """Make or refresh the map of the current parts; return it and the number of dropped probes."""
+        document, parts = self.measured.document, []
+        before = {part.name: part for part in self.measured.analysis.parts}
+        for part in now:
+            mapped = self._maps.get(part.name)
+            if mapped is not None:
+                places = occurrence_matrices(document, part, before[part.name])
+                parts.append(MappedPart(mapped.record, mapped.map, mapped.features, places))
+        sources = sources_of(document, [part for part in now if part.name in self._maps])
+        with transaction(document, translate("ThinPart", "Show thickness")):
+            thickness = self._existing(document, sources)
+            if thickness is not None:
+                dropped = set_parts(thickness, sources, parts)
+            else:
+                thickness, dropped = new_thickness_object(document, sources, parts), 0
+                thickness.Label = translate("ThinPart", "Thickness")
+                ThicknessView(thickness.ViewObject)
+        thickness.ViewObject.Proxy.show_in_batches()
+        return thickness, dropped
+
+    def _existing(self, document, sources):
+        if self._old is not None and document.getObject(self._old) is not None:
+            return document.getObject(self._old)
+        names = {source.Name for source in sources}
+        return next((existing for existing in thickness_objects(document) if _names(existing) == names), None)
+
+
+def _dropped_probe_sentences(probes):
+    """Messages about probes that no longer lie on the surface: list of str."""
+    if not probes:
+        return []
+    if probes == 1:
+        return [translate("ThinPart", "1 probe was removed: the surface is no longer at its position.")]
+    return [translate("ThinPart", "{} probes were removed: the surface is no longer at their positions.").format(
+        probes)]
+
+
+def _names(thickness):
+    """Names of the source objects of a map: set of str."""
+    return {source.Name for source in thickness.Sources if source is not None}

@@ -1,0 +1,98 @@
+"""Presents the wall regions of a map: what the mouse is over, what is isolated, and what people say of them."""
+
+from ..application import lifelong
+from ..application.length_unit import length_unit
+from ..application.qt import QtCore, disconnect, translate
+
+
+class RegionPresenter(QtCore.QObject):
+    """Connects the box of wall regions with the view of the map and with the info file.
+
+    Parameters
+    ----------
+    thickness : FreeCAD.DocumentObject
+    box : RegionBox
+    """
+
+    def __init__(self, thickness, box, parent=None):
+        super().__init__(parent)
+        self._thickness, self._box = thickness, box
+        self._number = self._part = None  # the part whose regions are shown
+        # By part name; None while there is no info file.
+        self._notes = lifelong.region_notes.known(thickness.Document.FileName)
+        self._former = None  # what was highlighted before the mouse was over a region
+        self._connections = [
+            (box.hovered, self._hover), (box.isolated, self._isolate), (box.said, self._keep),
+            (lifelong.region_notes.answered, self._on_answered),
+        ]
+        for signal, slot in self._connections:
+            signal.connect(slot)
+        box.show_isolated(False)
+        box.show_message("")
+        self.read_notes()
+
+    def leave(self):
+        """Disconnect everything."""
+        for signal, slot in self._connections:
+            disconnect(signal, slot)  # FreeCAD may already have deleted the box
+
+    def show(self, number, part):
+        """Show the regions of a part: its number, and MappedPart; None for both where several parts are shown."""
+        self._number, self._part = number, part
+        if part is None:
+            self._box.show_no_part()
+            return
+        notes = (self._notes or {}).get(part.record["name"], ())
+        self._box.show_regions(part.record, length_unit(self._thickness.Document), part.features, notes, self._refusal())
+
+    def show_whole(self):
+        """The map was replaced, and is drawn whole."""
+        self._box.show_isolated(False)
+
+    def keep_highlight(self):
+        """What is highlighted now stays when the mouse leaves the table."""
+        self._former = None
+
+    def read_notes(self):
+        """Read what people say of regions, in another process."""
+        if self._thickness.Document.FileName:
+            lifelong.region_notes.read(self._thickness.Document.FileName)
+
+    @property
+    def _view(self):
+        return self._thickness.ViewObject.Proxy
+
+    def _hover(self, group):
+        """Highlight what the mouse is over; afterwards the former highlight is back."""
+        if group is None:
+            former, self._former = self._former, None
+            if former is not None:
+                self._view.restore_highlight(former)
+            return
+        if self._former is None:
+            self._former = self._view.highlighting
+        self._view.highlight_faces({self._number: set(group.faces)})
+
+    def _isolate(self, faces):
+        self._view.isolate(None if faces is None else {self._number: set(faces)})
+        self._box.show_isolated(faces is not None)
+
+    def _refusal(self):
+        """Why nothing can be kept of regions, in a sentence; empty if it can."""
+        if self._notes is not None:
+            return ""
+        return translate("ThinPart", "There is no info file to keep this in: press 'Save and write info file' above, or "
+                                     "classify the document.")
+
+    def _keep(self, regions, said):
+        self._box.show_message("")
+        lifelong.region_notes.keep(self._thickness.Document.FileName, self._part.record["name"], regions, **said)
+
+    def _on_answered(self, answer):
+        if answer["document"] != self._thickness.Document.FileName:
+            return
+        self._box.show_message(answer["sentence"])
+        if not answer["sentence"]:
+            self._notes = answer["notes"]
+            self._hover(None)
+            self.show(self._number, self._part)

@@ -1,0 +1,208 @@
+"""Edits the colour scale of a thickness map: range, colours and bands."""
+
+from ...core.rendering.colour_scale import colour_table
+from ...freecad_adapter.objects.thickness_object import MILLIMETRES, SHARE
+from ...freecad_adapter.preferences import PREFERENCES
+from ..application.length_unit import MILLIMETRE
+from ..application.qt import QtCore, QtGui, QtWidgets, Signal, colour, translate, translated_mark
+from ..widgets.wheel import ignore_wheel_unless_focused
+
+
+class ScaleBox(QtWidgets.QWidget):
+    """Fields for the properties of the colour scale.
+
+    Signals
+    -------
+    changed(object)
+        Properties of the map that the user has changed: dict by name.
+    typical_requested
+        The user wants the range that most of the surface has.
+    """
+
+    changed = Signal(object)
+    typical_requested = Signal()
+
+    def __init__(self, parent=None):
+        super().__init__(parent)
+        self.setObjectName("ThinPart_ScaleBox")
+        self._is_updating, self._length = False, MILLIMETRE
+        form = new_form(self)
+        self._add_range(form)
+        self._add_colours(form)
+
+    def show_properties(self, values, unit):
+        """Show properties of a map.
+
+        Parameters
+        ----------
+        values : dict
+            By name: AutomaticRange, Low, High, RangeUnit, ColourMap, Reversed, Bands, UnmeasuredColour,
+            Logarithmic, Shaded.
+        unit : LengthUnit
+            Unit of Low and High if they are lengths; the properties are in mm.
+        """
+        self._is_updating, self._length = True, unit
+        try:
+            self._automatic.setChecked(values["AutomaticRange"])
+            self._unit.setItemText(self._unit.findData(MILLIMETRES), unit.symbol)
+            self._unit.setCurrentIndex(max(0, self._unit.findData(values["RangeUnit"])))
+            for field, name in ((self._low, "Low"), (self._high, "High")):
+                value = values[name] / self._unit_length
+                field.setDecimals(4 if values["RangeUnit"] == SHARE else unit.decimals)
+                if not field.hasFocus() or abs(field.value() - value) > 10.0 ** -field.decimals():
+                    field.setValue(value)
+                field.setEnabled(not values["AutomaticRange"])
+            self._map.setCurrentIndex(self._map.findData(values["ColourMap"]))
+            self._reversed.setChecked(values["Reversed"])
+            self._bands.setValue(values["Bands"])
+            self._logarithmic.setChecked(values["Logarithmic"])
+            self._shaded.setChecked(values["Shaded"])
+            self._unmeasured = tuple(values["UnmeasuredColour"][:3])
+            self._paint_button()
+        finally:
+            self._is_updating = False
+
+    def _add_range(self, form):
+        self._automatic = QtWidgets.QCheckBox(translate("ThinPart", "&Whole range"), self)
+        self._automatic.setObjectName("ThinPart_AutomaticRange")
+        self._automatic.setToolTip(translate("ThinPart", "From the thinnest to the thickest wall"))
+        self._automatic.toggled.connect(lambda on: self._emit_changed(AutomaticRange=on))
+        self._typical = QtWidgets.QPushButton(translate("ThinPart", "Range of &most walls"), self)
+        self._typical.setObjectName("ThinPart_TypicalRange")
+        self._typical.setToolTip(translate(
+            "ThinPart", "From the thinnest confirmed wall to the thickness below which 98\u00a0% of the surface lies, "
+            "without rims, whose rays run along the wall"))
+        self._typical.clicked.connect(lambda: self.typical_requested.emit())
+        form.addRow(self._automatic, self._typical)
+        row = QtWidgets.QHBoxLayout()
+        self._low, self._high = (self._length_field(f"ThinPart_{end}") for end in ("Low", "High"))
+        self._low.valueChanged.connect(lambda value: self._emit_changed(Low=value * self._unit_length))
+        self._high.valueChanged.connect(lambda value: self._emit_changed(High=value * self._unit_length))
+        row.addWidget(self._low, 1)
+        row.addWidget(QtWidgets.QLabel("\u2013", self))
+        row.addWidget(self._high, 1)
+        form.addRow(translate("ThinPart", "Range"), row)
+        self._unit = narrow_combo(self, "ThinPart_RangeUnit")
+        self._unit.addItem(self._length.symbol, MILLIMETRES)
+        self._unit.addItem(translate("ThinPart", "share of the diagonal"), SHARE)
+        self._unit.currentIndexChanged.connect(lambda _: self._emit_changed(RangeUnit=self._unit.currentData()))
+        form.addRow(translate("ThinPart", "in"), self._unit)
+
+    @property
+    def _unit_length(self):
+        """Value of the property, in mm or as a share, that 1 in the field stands for."""
+        return 1.0 if self._unit.currentData() == SHARE else self._length.millimetres
+
+    def _add_colours(self, form):
+        self._map = narrow_combo(self, "ThinPart_ColourMap")
+        self._map.setIconSize(QtCore.QSize(48, 12))
+        for name, title in PREFERENCES["HeatMapColours"].choices:
+            self._map.addItem(_colour_map_icon(name), translated_mark(title), name)
+        self._map.currentIndexChanged.connect(lambda _: self._emit_changed(ColourMap=self._map.currentData()))
+        form.addRow(translate("ThinPart", "Colours"), self._map)
+        self._reversed = QtWidgets.QCheckBox(translate("ThinPart", "Reversed"), self)
+        self._reversed.setObjectName("ThinPart_Reversed")
+        self._reversed.toggled.connect(lambda on: self._emit_changed(Reversed=on))
+        form.addRow("", self._reversed)
+        self._logarithmic = self._check(form, "Logarithmic", translate("ThinPart", "&Logarithmic"), translate(
+            "ThinPart", "Equal ratios of thickness are equally far apart, so that thin walls get more of the colours"))
+        self._shaded = self._check(form, "Shaded", translate("ThinPart", "&Shaded"), translate(
+            "ThinPart", "The map is lit, so that its shape is seen: colours get darker away from the light. Off: flat "
+            "colours, exactly those of the colour bar"))
+        self._bands = QtWidgets.QSpinBox(self)
+        self._bands.setObjectName("ThinPart_Bands")
+        ignore_wheel_unless_focused(self._bands)
+        self._bands.setRange(0, PREFERENCES["HeatMapBands"].range[1])
+        self._bands.setSpecialValueText(translate("ThinPart", "smooth"))
+        self._bands.valueChanged.connect(lambda value: self._emit_changed(Bands=value))
+        form.addRow(translate("ThinPart", "Bands"), self._bands)
+        self._button = QtWidgets.QPushButton(self)
+        self._button.setObjectName("ThinPart_UnmeasuredColour")
+        self._button.setToolTip(translate("ThinPart", "Colour where no wall could be measured"))
+        self._button.clicked.connect(self._ask_colour)
+        form.addRow(translate("ThinPart", "Unmeasured"), self._button)
+
+    def _check(self, form, name, title, meaning):
+        """A check box for a property of this name, in a row of its own."""
+        box = QtWidgets.QCheckBox(title, self)
+        box.setObjectName(f"ThinPart_{name}")
+        box.setToolTip(meaning)
+        box.toggled.connect(lambda on: self._emit_changed(**{name: on}))
+        form.addRow("", box)
+        return box
+
+    def _length_field(self, name):
+        field = LengthSpinBox(self)
+        field.setObjectName(name)
+        return field
+
+    def _ask_colour(self):
+        chosen = QtWidgets.QColorDialog.getColor(
+            colour(self._unmeasured), self, translate("ThinPart", "Unmeasured"))
+        if chosen.isValid():
+            self._emit_changed(UnmeasuredColour=chosen.getRgbF()[:3])
+
+    def _paint_button(self):
+        square = QtGui.QPixmap(32, 12)
+        square.fill(colour(self._unmeasured))
+        self._button.setIcon(QtGui.QIcon(square))
+        self._button.setIconSize(square.size())
+
+    def _emit_changed(self, **values):
+        if not self._is_updating:
+            self.changed.emit(values)
+
+
+class LengthSpinBox(QtWidgets.QDoubleSpinBox):
+    """A compact spin box that reports a typed number only when editing is finished."""
+
+    def __init__(self, parent=None):
+        super().__init__(parent)
+        self.setRange(0.0, 1e6)
+        self.setDecimals(3)
+        self.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
+        self.setKeyboardTracking(False)
+        ignore_wheel_unless_focused(self)
+
+    def minimumSizeHint(self):
+        """Width for a few digits instead of the maximum with all decimals."""
+        hint = super().minimumSizeHint()
+        return QtCore.QSize(min(hint.width(), 11 * self.fontMetrics().averageCharWidth() + 20), hint.height())
+
+    def sizeHint(self):
+        """See `minimumSizeHint`."""
+        return self.minimumSizeHint()
+
+    def textFromValue(self, value):
+        """Format a value without trailing zeros."""
+        text = super().textFromValue(value)
+        point = self.locale().decimalPoint()
+        return text.rstrip("0").rstrip(point) if point in text else text
+
+
+def new_form(parent):
+    """A form that wraps fields below their titles if it is narrow."""
+    form = QtWidgets.QFormLayout(parent)
+    form.setContentsMargins(6, 6, 6, 6)
+    form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
+    form.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
+    return form
+
+
+def narrow_combo(parent, name):
+    """A combo box that may be narrower than its longest text."""
+    combo = QtWidgets.QComboBox(parent)
+    combo.setObjectName(name)
+    combo.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+    combo.setMinimumContentsLength(6)
+    ignore_wheel_unless_focused(combo)
+    return combo
+
+
+def _colour_map_icon(name):
+    table = colour_table(name)
+    image = QtGui.QImage(48, 1, QtGui.QImage.Format_RGB32)
+    for x in range(48):
+        rgb = table[round(x / 47 * (len(table) - 1))]
+        image.setPixel(x, 0, QtGui.QColor(*map(int, rgb)).rgb())
+    return QtGui.QIcon(QtGui.QPixmap.fromImage(image.scaled(48, 12)))

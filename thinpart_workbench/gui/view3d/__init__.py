@@ -1,0 +1,1 @@
+"""Thickness maps in the 3D view."""

@@ -1,0 +1,53 @@
+"""Events about thickness maps: refresh, measurement and panel requests. The handlers register themselves."""
+
+import sys
+
+from ...core.hook import Hook
+from ...freecad_adapter.guard import report_fault
+from ..application.qt import QtCore
+
+_MAPS = "thinpart_workbench.freecad_adapter.objects.thickness_object"
+
+
+class MapEvents:
+    """Schedules a refresh of all maps after any change, and forwards requests for single maps.
+
+    Attributes
+    ----------
+    refresh_due : Hook
+        Called when the maps should be refreshed.
+    measure_requested : Hook
+        Called with the document name and object name of a map to be measured again.
+    panel_requested : Hook
+        Called with a map whose panel should be opened.
+    """
+
+    def __init__(self):
+        self.refresh_due, self.measure_requested, self.panel_requested = [Hook(report_fault) for _ in range(3)]
+        self._soon = QtCore.QTimer(singleShot=True, interval=0)
+        self._soon.timeout.connect(lambda: self.refresh_due())
+
+    def refresh_soon(self):
+        """Refresh the maps when FreeCAD returns to the event loop; does nothing if there are no maps."""
+        # FreeCAD imports this module with the first map; the import also loads numpy.
+        if _MAPS in sys.modules:
+            self._soon.start()
+
+    def request_measurement(self, thickness):
+        """Request that a map be measured again when FreeCAD returns to the event loop."""
+        document, name = thickness.Document.Name, thickness.Name
+        # The object may be deleted by then, so handlers get names.
+        QtCore.QTimer.singleShot(0, lambda: self.measure_requested(document, name))
+
+    def request_panel(self, thickness):
+        """Request the panel of a map."""
+        self.panel_requested(thickness)
+
+    def recomputed(self, thickness, is_to_be_measured):
+        """Move the view of a recomputed map with its sources, and request a measurement if one is due."""
+        view = getattr(getattr(thickness, "ViewObject", None), "Proxy", None)
+        if not hasattr(view, "move"):
+            return  # saved without a window, and not refreshed yet
+        view.move()
+        if is_to_be_measured:
+            self.request_measurement(thickness)

@@ -1,0 +1,84 @@
+"""Flights of the camera to a wall: it is looked at from where nothing stands before it, and is marked with its thickness."""
+
+from dataclasses import dataclass
+
+from ...core.rays.line_of_sight import Scene, best_sight
+from ...freecad_adapter.objects.thickness_probes import Probe
+from ..application.qt import translate
+from ..scene.camera_flight import fly_to, look_direction, view_of, visible_height
+from ..scene.drawn_triangles import drawn_triangles
+from .probe_nodes import ProbeNodes
+
+
+@dataclass(frozen=True)
+class Wall:
+    """A wall that can be flown to.
+
+    Attributes
+    ----------
+    value : float, mm
+        Its thickness, as the mark tells it.
+    places : list of pairs of array_like of shape (3,), mm
+        Both ends of the line through it, wherever the part stands, in the coordinates of the document.
+    """
+
+    value: float
+    places: list
+
+
+class WallFlight:
+    """Flies to one wall after the other; only the last one is marked.
+
+    Attributes
+    ----------
+    target : ndarray of shape (3,), mm, or None
+        The end of the wall that is looked at.
+
+    Notes
+    -----
+    The mark is a node of the view's own scene graph: it is neither saved nor picked, and there need not be a map.
+    """
+
+    def __init__(self):
+        self._nodes = self._root = self.target = None
+
+    def fly(self, document, wall, diagonal, unit):
+        """Fly to a wall and mark it.
+
+        Parameters
+        ----------
+        document : FreeCAD.Document
+        wall : Wall
+        diagonal : float, mm
+            Of the part.
+        unit : LengthUnit
+
+        Returns
+        -------
+        bool
+            False if something stands before the wall from wherever one looks. True also without a 3D view.
+        """
+        self.clear()
+        view = view_of(document)
+        if view is None:
+            return True
+        root = view.getSceneGraph()
+        sight = best_sight(Scene(drawn_triangles(root)), wall.places, look_direction(view))
+        self._nodes, self._root = ProbeNodes(), root
+        self._nodes.show([Probe(tuple(map(float, sight.target)), tuple(map(float, sight.other)), wall.value)], unit)
+        root.addChild(self._nodes.root)
+        fly_to(view, sight.target, sight.direction, visible_height(wall.value, diagonal))
+        self.target = sight.target
+        return sight.is_free
+
+    def clear(self):
+        """Remove the mark."""
+        nodes, root, self._nodes, self._root, self.target = self._nodes, self._root, None, None, None
+        if nodes is not None and root.findChild(nodes.root) >= 0:
+            root.removeChild(nodes.root)
+
+
+def hidden_sentence():
+    """What people read where a wall is seen from nowhere."""
+    return translate("ThinPart", "Something stands before this wall from every side: the mark shows where it is. Hide what "
+                                 "covers it, or cut the view open with the clipping plane of the View menu.")

@@ -1,0 +1,139 @@
+"""Makes the controls of a window usable by keyboard, and safe from the mouse wheel, in every language."""
+
+from functools import partial
+
+from ..application.qt import QtCore, QtWidgets
+from .wheel import ignore_wheel_unless_focused
+
+_TURNED = (QtWidgets.QComboBox, QtWidgets.QAbstractSpinBox, QtWidgets.QAbstractSlider)
+
+
+def prepare_controls(roots, window=None):
+    """Give each control below some widgets a letter of its own to press with Alt, and keep the wheel for scrolling.
+
+    Parameters
+    ----------
+    roots : QWidget or list of QWidget
+        A panel, a page or a dialog, about to be shown; the boxes of one panel share the letters.
+    window : QMainWindow, optional
+        The window that will hold it: letters of its menus are not used.
+
+    Notes
+    -----
+    Letters that the texts name (``&Folder``) stay where they are free. A translation cannot know which letters the
+    menus of FreeCAD have in that language, so all others are chosen here. Pages of which one is seen at a time may use
+    the same letters.
+    """
+    roots = roots if isinstance(roots, list) else [roots]
+    for field in (field for root in roots for kind in _TURNED for field in root.findChildren(kind)):
+        if not isinstance(field, QtWidgets.QScrollBar) and not field.property("ThinPart_KeepsWheel"):
+            field.setProperty("ThinPart_KeepsWheel", True)
+            ignore_wheel_unless_focused(field)
+    taken = menu_letters(window) if window is not None else set()
+    _give([entry for root in roots for entry in controls(root)], taken)
+    if roots[0].findChild(_Keeper) is None:
+        _Keeper(roots, window)
+
+
+class _Keeper(QtCore.QObject):
+    """Prepares controls again once their texts have changed, or others were added."""
+
+    def __init__(self, roots, window):
+        super().__init__(roots[0])
+        self._timer = QtCore.QTimer(self, singleShot=True, interval=0)
+        self._timer.timeout.connect(lambda: prepare_controls(roots, window))
+        for root in roots:
+            root.installEventFilter(self)
+            # The request to lay out what scrolls ends there.
+            for area in root.findChildren(QtWidgets.QScrollArea):
+                if area.widget() is not None:
+                    area.widget().installEventFilter(self)
+
+    def eventFilter(self, _root, event):
+        if event.type() == QtCore.QEvent.LayoutRequest:
+            self._timer.start()
+        return False
+
+
+def menu_letters(window):
+    """The letters of a main window's menus, and of the button below its tasks: set of str."""
+    closing = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.Close)  # of the task view
+    texts = [action.text() for action in window.menuBar().actions() if action.isVisible()]
+    return {mnemonic(text) for text in (*texts, closing.buttons()[0].text())} - {""}
+
+
+def mnemonic(text):
+    """The letter after the single ``&`` of a text, in lower case, or an empty text."""
+    _, mark, rest = text.replace("&&", "").partition("&")
+    return rest[:1].lower() if mark else ""
+
+
+def controls(root):
+    """What a letter can press below a widget: list of (page or None, text, function that sets the text).
+
+    The page is one of those of which one is seen at a time.
+    """
+    widgets = [label for label in root.findChildren(QtWidgets.QLabel) if label.buddy() is not None]
+    widgets += [button for button in root.findChildren(QtWidgets.QAbstractButton) if len(plain(button.text())) > 1]
+    found = [(_page_of(widget, root), widget.text(), widget.setText) for widget in widgets]
+    for bar in root.findChildren(QtWidgets.QTabBar):
+        found += [(_page_of(bar, root), bar.tabText(tab), partial(bar.setTabText, tab)) for tab in range(bar.count())]
+    return found
+
+
+def plain(text):
+    """A text as it is seen: without the mark of its letter."""
+    return text.replace("&&", "\0").replace("&", "").replace("\0", "&")
+
+
+def _page_of(widget, root):
+    """The outermost page between a widget and a root; only the root's own widgets are asked."""
+    page = None
+    while widget is not root:
+        parent = widget.parentWidget()
+        if isinstance(parent, QtWidgets.QStackedWidget):
+            page = widget
+        widget = parent
+    return page
+
+
+def _give(found, taken):
+    """Give letters to controls: first to those outside of pages, since they are seen beside each page."""
+    taken, pages = set(taken), {}
+    for page, text, set_text in found:
+        pages.setdefault(page, []).append((text, set_text))
+    outside = pages.pop(None, [])
+    named = {mnemonic(text) for page in pages.values() for text, _ in page}
+    used = _give_letters(outside, taken, named)
+    for page in pages.values():
+        _give_letters(page, used, set())
+
+
+def _give_letters(entries, taken, avoided):
+    """Give letters to controls that are seen together; return all that are taken then."""
+    taken, without = set(taken), []
+    for text, set_text in entries:
+        letter = mnemonic(text)
+        if letter and letter not in taken:
+            taken.add(letter)
+        else:
+            without.append((plain(text), text, set_text))
+    # Controls with few letters choose first.
+    for text, old, set_text in sorted(without, key=lambda entry: len(set(entry[0]))):
+        place = _place(text, taken | avoided)
+        if place is None:
+            place = _place(text, taken)
+        marked = text.replace("&", "&&") if place is None else (
+            text[:place].replace("&", "&&") + "&" + text[place:].replace("&", "&&"))
+        if place is not None:
+            taken.add(text[place].lower())
+        if marked != old:
+            set_text(marked)
+    return taken
+
+
+def _place(text, taken):
+    """Where the best free letter of a text is: the first of a word, or else any; None where all are taken."""
+    free = [place for place, letter in enumerate(text) if letter.isalpha() and letter.lower() not in taken
+            and letter.isascii()]
+    return min(free, key=lambda place: (place > 0 and text[place - 1].isalnum(), place), default=None)

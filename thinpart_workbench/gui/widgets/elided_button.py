@@ -1,0 +1,46 @@
+"""A flat button for the status bar that elides its text instead of widening the window."""
+
+from ..application.qt import QtCore, QtWidgets
+
+
+class ElidedButton(QtWidgets.QToolButton):
+    """Shows as much of its text as fits; the caller sets the tool tip.
+
+    Parameters
+    ----------
+    name : str
+        The button's object name.
+    max_characters : int
+        Greatest width, in average characters.
+    """
+
+    def __init__(self, name, max_characters, parent=None):
+        super().__init__(parent)
+        self.setObjectName(name)
+        self._max_characters = max_characters
+        self.setAutoRaise(True)
+        self.setToolButtonStyle(QtCore.Qt.ToolButtonTextOnly)
+        self.setSizePolicy(QtWidgets.QSizePolicy.Preferred, QtWidgets.QSizePolicy.Fixed)
+
+    def sizeHint(self):
+        """Wide enough for all of the text, up to the greatest width."""
+        hint = super().sizeHint()
+        return QtCore.QSize(min(hint.width(), self._width(self._max_characters)), hint.height())
+
+    def minimumSizeHint(self):
+        """At most 16 characters wide."""
+        hint = self.sizeHint()
+        return QtCore.QSize(min(hint.width(), self._width(16)), hint.height())
+
+    def paintEvent(self, _event):
+        """Draw the button with elided text."""
+        option = QtWidgets.QStyleOptionToolButton()
+        self.initStyleOption(option)
+        available = self.width() - self.fontMetrics().averageCharWidth() * 2
+        option.text = self.fontMetrics().elidedText(self.text(), QtCore.Qt.ElideRight, available)
+        painter = QtWidgets.QStylePainter(self)
+        painter.drawComplexControl(QtWidgets.QStyle.CC_ToolButton, option)
+        painter.end()
+
+    def _width(self, characters):
+        return characters * self.fontMetrics().averageCharWidth()

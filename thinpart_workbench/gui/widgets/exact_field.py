@@ -1,0 +1,96 @@
+"""A spin box that gives a value back exactly as it was shown, unless the user has changed it."""
+
+import math
+
+from ..application.qt import QtCore, QtGui, QtWidgets, Signal
+from .wheel import ignore_wheel_unless_focused
+
+_MOST = 1e12
+
+
+class ExactField(QtWidgets.QDoubleSpinBox):
+    """Shows a value times a factor, with a unit. Point and comma are both the decimal point, whatever the language.
+
+    Parameters
+    ----------
+    name : str
+        Object name.
+    parent : QWidget
+
+    Signals
+    -------
+    changed
+        The value has changed.
+    """
+
+    changed = Signal()
+
+    def __init__(self, name, parent):
+        super().__init__(parent)
+        self._factor, self._first_step, self._shown = 1.0, 1.0, None
+        self.setObjectName(name)
+        locale = QtCore.QLocale(self.locale())
+        # Otherwise Germans who paste 0.7 would get 7.
+        locale.setNumberOptions(QtCore.QLocale.OmitGroupSeparator | QtCore.QLocale.RejectGroupSeparator)
+        self.setLocale(locale)
+        ignore_wheel_unless_focused(self)
+        self.valueChanged.connect(lambda *_: self.changed.emit())
+
+    def set_form(self, factor=1.0, suffix="", decimals=4, least=-_MOST, most=_MOST, first_step=1.0):
+        """Choose how a value is shown.
+
+        Parameters
+        ----------
+        factor : float
+            What the value is multiplied by: 100 for percent.
+        suffix : str
+        decimals : int
+            Most decimals; zeros at the end are left out.
+        least, most : float
+            Of the value itself.
+        first_step : float
+            The change by an arrow, as shown, where the value is 0; elsewhere it is the second digit.
+        """
+        value = None if self._shown is None else self.exact()
+        blocked = self.blockSignals(True)
+        self._factor, self._first_step = factor, first_step
+        self.setDecimals(decimals)
+        self.setSuffix(suffix)
+        self.setRange(max(least * factor, -_MOST), min(most * factor, _MOST))
+        self.blockSignals(blocked)
+        if value is not None:
+            self.show_exact(value)
+
+    def exact(self):
+        """float: the value that was shown, or the one that the user has entered since."""
+        value = self.value()
+        return self._shown[0] if self._shown is not None and value == self._shown[1] else self._rounded(value)
+
+    def show_exact(self, value):
+        """Show a value."""
+        blocked = self.blockSignals(True)
+        self.setValue(value * self._factor)
+        self.blockSignals(blocked)
+        self._shown = value, self.value()
+
+    def stepBy(self, steps):
+        """Change the value by its second digit."""
+        size = abs(self.value())
+        step = 10.0 ** (math.floor(math.log10(size) + 1e-9) - 1) if size else self._first_step
+        self.setValue(self.value() + steps * max(step, 10.0 ** -self.decimals()))
+
+    def textFromValue(self, value):
+        """Format a value without trailing zeros."""
+        text = super().textFromValue(value)
+        point = str(self.locale().decimalPoint())
+        return text.rstrip("0").rstrip(point) if point in text else text
+
+    def keyPressEvent(self, event):
+        """Take a point or comma for the decimal point."""
+        if event.text() in (".", ","):
+            event = QtGui.QKeyEvent(event.type(), event.key(), event.modifiers(), str(self.locale().decimalPoint()))
+        super().keyPressEvent(event)
+
+    def _rounded(self, shown):
+        """The value of what is shown, without the digits that dividing adds."""
+        return float(f"{shown / self._factor:.12g}")

@@ -1,0 +1,66 @@
+"""An input field for a folder, with a button to choose one."""
+
+import os
+
+from ..application.qt import QtWidgets, Signal, translate
+
+
+class FolderField(QtWidgets.QWidget):
+    """A line edit for a folder, which may stay empty, and a button.
+
+    Parameters
+    ----------
+    name : str
+        Object name of the line edit; ``Choose`` is appended for the button.
+    when_empty : str
+        Placeholder: what an empty field means.
+
+    Signals
+    -------
+    changed
+        The text has changed.
+    """
+
+    changed = Signal()
+
+    def __init__(self, name, when_empty, parent=None):
+        super().__init__(parent)
+        row = QtWidgets.QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        self._line = QtWidgets.QLineEdit(self)
+        self._line.setObjectName(name)
+        self._line.setPlaceholderText(when_empty)
+        self._line.setClearButtonEnabled(True)
+        self._line.textChanged.connect(lambda _: self.changed.emit())
+        self.setFocusProxy(self._line)
+        button = QtWidgets.QPushButton(translate("ThinPart", "Choose\u2026"), self)
+        button.setObjectName(f"{name}Choose")
+        button.setAutoDefault(False)
+        button.clicked.connect(lambda *_: self._choose())
+        row.addWidget(self._line, 1)
+        row.addWidget(button)
+
+    def value(self):
+        """The absolute path, or an empty string."""
+        return absolute(self._line.text())
+
+    def show_value(self, folder):
+        """Set the folder."""
+        self._line.setText(folder)
+
+    def _choose(self):
+        folder = QtWidgets.QFileDialog.getExistingDirectory(
+            self, translate("ThinPart", "Choose a folder"), self._line.text())
+        if folder:
+            self._line.setText(folder)
+
+
+def absolute(text):
+    """The absolute path of what the user has entered, with ``~`` expanded; empty for an empty text."""
+    return os.path.abspath(os.path.expanduser(text.strip())) if text.strip() else ""
+
+
+def contains(outer, inner):
+    """Whether a folder is another one or contains it, or a file, through links too."""
+    outer, inner = os.path.realpath(outer), os.path.realpath(inner)
+    return inner == outer or inner.startswith(os.path.join(outer, ""))

@@ -1,0 +1,104 @@
+"""An input field for processes whose limits of the wall are checked, with a menu of those that are known."""
+
+from ...core.errors import ThinPartError
+from ...core.judging.wall_limits import shipped_limits
+from ...storage.user_limits import known_limits, new_user_limits, user_limits_file
+from ..application.qt import QtCore, QtGui, QtWidgets, Signal, translate
+from ..application.sentences import translated
+
+
+class ProcessField(QtWidgets.QWidget):
+    """A line edit for names of processes with commas between them, which may stay empty, and a button.
+
+    Parameters
+    ----------
+    name : str
+        Object name of the line edit; ``Choose`` is appended for the button.
+
+    Signals
+    -------
+    changed
+        The text has changed.
+    """
+
+    changed = Signal()
+
+    def __init__(self, name, parent=None):
+        super().__init__(parent)
+        row = QtWidgets.QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        self._line = QtWidgets.QLineEdit(self)
+        self._line.setObjectName(name)
+        self._line.setPlaceholderText(translate("ThinPart", "none, or such as: FDM, die_casting:zinc"))
+        self._line.setClearButtonEnabled(True)
+        self._line.textChanged.connect(lambda _: self.changed.emit())
+        self.setFocusProxy(self._line)
+        button = QtWidgets.QPushButton(translate("ThinPart", "Choose\u2026"), self)
+        button.setObjectName(f"{name}Choose")
+        button.setAutoDefault(False)
+        self._menu = QtWidgets.QMenu(button)
+        self._menu.aboutToShow.connect(self._fill_menu)
+        button.setMenu(self._menu)
+        row.addWidget(self._line, 1)
+        row.addWidget(button)
+
+    def value(self):
+        """The names as typed, without spaces around them: str."""
+        return ", ".join(self._names())
+
+    def show_value(self, names):
+        """Set the names."""
+        self._line.setText(names)
+
+    def _names(self):
+        return [name.strip() for name in self._line.text().split(",") if name.strip()]
+
+    def _fill_menu(self):
+        """A line for each process, with its materials below it."""
+        self._menu.clear()
+        chosen, submenu = {name.casefold() for name in self._names()}, self._menu
+        known = offered_limits()
+        for name, limits in known.items():
+            has_materials = any(each.startswith(f"{name}:") for each in known)
+            if ":" not in name:
+                submenu = self._menu.addMenu(translated(limits.full_title)) if has_materials else self._menu
+            title = translate("ThinPart", "any material") if has_materials else (
+                translated(limits.material) if limits.material else translated(limits.full_title))
+            action = submenu.addAction(f"{title}, {_range_text(limits)}")
+            action.setCheckable(True)
+            action.setChecked(name.casefold() in chosen)
+            action.setToolTip("\n".join(filter(None, (limits.note, limits.source))))
+            action.toggled.connect(lambda on, name=name: self._choose(name, on))
+        self._menu.addSeparator()
+        action = self._menu.addAction(translate("ThinPart", "Edit your own limits\u2026"))
+        action.setToolTip(str(user_limits_file()))
+        action.triggered.connect(lambda *_: self._edit_own())
+
+    def _edit_own(self):
+        """Open the user's own limits in the desktop's editor; first they are a copy of the shipped ones."""
+        try:
+            file = new_user_limits()
+        except ThinPartError as error:
+            QtWidgets.QMessageBox.warning(self, translate("ThinPart", "Own limits"), translated(error))
+            return
+        QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(str(file)))
+
+    def _choose(self, name, is_on):
+        names = [each for each in self._names() if each.casefold() != name.casefold()]
+        self.show_value(", ".join([*names, name] if is_on else names))
+
+
+def offered_limits():
+    """Limits to choose from: those that are known, or the shipped ones where the user's file cannot be used."""
+    try:
+        return known_limits()
+    except ThinPartError:
+        return shipped_limits()  # the error is reported when they are used
+
+
+def _range_text(limits):
+    if limits.max_mm is None:
+        return translate("ThinPart", "from {} mm on").format(f"{limits.min_mm:g}")
+    if limits.min_mm is None:
+        return translate("ThinPart", "up to {} mm").format(f"{limits.max_mm:g}")
+    return translate("ThinPart", "{} to {} mm").format(f"{limits.min_mm:g}", f"{limits.max_mm:g}")

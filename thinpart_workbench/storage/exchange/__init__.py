@@ -1,0 +1,1 @@
+"""Files of other programs: Gmsh scripts and meshes, VTK and PLY."""

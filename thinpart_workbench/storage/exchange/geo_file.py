@@ -1,0 +1,54 @@
+"""Writes element sizes as a script for Gmsh."""
+
+import io
+import json
+
+import numpy as np
+
+from ..atomic_file import write_atomically
+
+
+def geo_text(global_size, boxes, part_file=None, order=1):
+    """The script: the geometry, if Gmsh can open it, a background field, and the settings that belong to it.
+
+    Parameters
+    ----------
+    global_size : float, mm
+    boxes : SizeBoxes or None
+        None for a uniform size.
+    part_file : str, optional
+        Path of the geometry, as the script says it.
+    order : int
+        Of the elements.
+
+    Returns
+    -------
+    str
+
+    Notes
+    -----
+    Gmsh reference manual, 1.4.8 and 6.3.2: sizes of the background field alone count where those of points, of curvature
+    and of the boundary are switched off.
+    """
+    text = io.StringIO()
+    text.write("// Element sizes in mm, by ThinPart: open this file in Gmsh.\n")
+    if part_file is None:
+        text.write("// Open the part first, in mm, and then merge this file.\n")
+    else:
+        text.write(f"Merge {json.dumps(str(part_file), ensure_ascii=False)};\n")
+    if boxes is not None:
+        text.write('View "element size, mm" {\n')
+        rows = np.concatenate([boxes.corners.reshape(-1, 24), boxes.sizes], axis=1)
+        form = "SH(" + ",".join(["%.9g"] * 24) + "){" + ",".join(["%.5g"] * 8) + "};"
+        np.savetxt(text, rows, fmt=form)
+        text.write("};\nView[PostProcessing.NbViews - 1].Visible = 0;\n")
+        text.write("Field[1] = PostView;\nField[1].ViewIndex = PostProcessing.NbViews - 1;\nBackground Field = 1;\n")
+        for name in ("FromPoints", "FromCurvature", "ExtendFromBoundary"):
+            text.write(f"Mesh.MeshSize{name} = 0;\n")
+    text.write(f"Mesh.MeshSizeMax = {global_size:.9g};\nMesh.ElementOrder = {order};\n")
+    return text.getvalue()
+
+
+def write_geo(path, global_size, boxes, part_file=None, order=1):
+    """Write the script; an OSError leaves what was there."""
+    write_atomically(path, geo_text(global_size, boxes, part_file, order).encode())

@@ -1,0 +1,101 @@
+"""Writes thickness maps for other programs: VTK PolyData (.vtp) and Stanford PLY, both with the values."""
+
+import base64
+import struct
+
+import numpy as np
+
+from ...core.file_formats import FORMATS
+from ..atomic_file import write_atomically
+
+VTP = ".vtp"
+PLY, = next(each.endings for each in FORMATS if each.name == "PLY")
+"""Endings of the formats."""
+
+
+def write_vtp(path, parts):
+    """Write maps as VTK PolyData, with the thickness at points and cells, face and part of each cell.
+
+    Parameters
+    ----------
+    path : str
+    parts : list of MappedPart
+        In all of their occurrences, in mm, in the coordinates of the document.
+
+    Raises
+    ------
+    OSError
+        What was there stays.
+
+    Notes
+    -----
+    VTK File Formats, XML PolyData, inline binary (base64) data. Facets share no points: the thickness may jump between them.
+    """
+    corners, at_corners, of_facet, face, part = _joined(parts)
+    count = len(of_facet)
+    offsets = 3 * np.arange(1, count + 1, dtype=np.int32)
+    text = "\n".join([
+        '<?xml version="1.0"?>',
+        '<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian" header_type="UInt32">',
+        "<PolyData>",
+        f'<Piece NumberOfPoints="{3 * count}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" '
+        f'NumberOfPolys="{count}">',
+        '<PointData Scalars="thickness_mm">', _array("thickness_mm", at_corners.ravel()), "</PointData>",
+        "<CellData>", _array("thickness_mm", of_facet), _array("face", face), _array("part", part), "</CellData>",
+        "<Points>", _array("Points", corners.reshape(-1, 3), 3), "</Points>",
+        "<Polys>", _array("connectivity", np.arange(3 * count, dtype=np.int32)), _array("offsets", offsets), "</Polys>",
+        "</Piece>", "</PolyData>", "</VTKFile>", ""])
+    write_atomically(path, text.encode("ascii"))
+
+
+def write_ply(path, parts, colours):
+    """Write maps as binary PLY, with thickness and colour at vertices.
+
+    Parameters
+    ----------
+    path : str
+    parts : list of MappedPart
+    colours : callable
+        Maps thicknesses in mm, ndarray of shape (n,), to ndarray of shape (n, 3), uint8.
+
+    Raises
+    ------
+    OSError
+        What was there stays.
+
+    Notes
+    -----
+    G. Turk, The PLY Polygon File Format, 1994. The thickness is nan where nothing was measured.
+    """
+    corners, at_corners, _, _, _ = _joined(parts)
+    count = len(corners)
+    vertices = np.empty(3 * count, dtype=[("point", "<f4", 3), ("colour", "u1", 3), ("thickness", "<f4")])
+    vertices["point"], vertices["thickness"] = corners.reshape(-1, 3), at_corners.ravel()
+    vertices["colour"] = colours(at_corners.ravel())
+    faces = np.empty(count, dtype=[("number", "u1"), ("corners", "<i4", 3)])
+    faces["number"], faces["corners"] = 3, np.arange(3 * count).reshape(-1, 3)
+    head = "\n".join([
+        "ply", "format binary_little_endian 1.0", "comment wall thickness in mm, by ThinPart", f"element vertex {3 * count}",
+        *(f"property float {axis}" for axis in "xyz"), *(f"property uchar {name}" for name in ("red", "green", "blue")),
+        "property float thickness", f"element face {count}", "property list uchar int vertex_indices", "end_header", ""])
+    write_atomically(path, head.encode("ascii") + vertices.tobytes() + faces.tobytes())
+
+
+def _joined(parts):
+    """Corners, thickness at corners, of facets, face from 1 and part from 1, of all occurrences."""
+    columns = []
+    for number, part in enumerate(parts):
+        shown = part.map
+        corners = shown.corners + shown.origin
+        for matrix in part.matrices:
+            placed = corners @ matrix[:3, :3].T + matrix[:3, 3]
+            columns.append((placed.astype("<f4"), shown.corner_thickness.astype("<f4"), shown.thickness.astype("<f4"),
+                            shown.face.astype("<i4") + 1, np.full(shown.count, number + 1, dtype="<i4")))
+    return tuple(np.concatenate(column) for column in zip(*columns))
+
+
+def _array(name, values, components=1):
+    kind = {"f": "Float32", "i": "Int32"}[values.dtype.kind]
+    content = np.ascontiguousarray(values).tobytes()
+    data = base64.b64encode(struct.pack("<I", len(content)) + content).decode("ascii")
+    return f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{components}" format="binary">{data}</DataArray>'

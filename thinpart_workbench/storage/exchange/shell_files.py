@@ -1,0 +1,120 @@
+"""Writes shells for other programs: CalculiX and Abaqus (.inp), Gmsh (.msh) and I-DEAS universal files (.unv)."""
+
+import io
+import os
+
+import numpy as np
+
+from ..atomic_file import write_atomically
+
+_UNV_ORDER = {3: (0, 1, 2), 6: (0, 3, 1, 4, 2, 5)}
+"""Nodes of a triangle as universal files have them: along its outline."""
+
+
+def write_shell(path, shell, label):
+    """Write a shell, in the format that the ending of the path says.
+
+    Parameters
+    ----------
+    path : str or Path
+        With one of the endings of `SHELL_FORMATS`.
+    shell : ShellMesh
+    label : str
+        Of the part, for the head of the file.
+
+    Raises
+    ------
+    OSError
+        What was there stays.
+    """
+    about = " ".join(f"Mid-surface of {label} with the thickness of its walls, by ThinPart".split())
+    text = SHELL_FORMATS[os.path.splitext(os.fspath(path))[1].lower()](shell, about)
+    write_atomically(path, text.encode())
+
+
+def inp_text(shell, about):
+    """Nodes, elements S3 or S6, and a section for each thickness, str.
+
+    Notes
+    -----
+    CalculiX CrunchiX user's manual 2.20, *NODE, *ELEMENT, *SHELL SECTION. Sections refer to a material that stands for any:
+    steel, in mm, N and tonnes.
+    """
+    text, (section, thickness) = io.StringIO(), shell.sections()
+    text.write(f"** {about}\n** mm, N, t. The material is steel: replace it by that of the part.\n*NODE, NSET=SHELL\n")
+    np.savetxt(text, np.column_stack([np.arange(1, len(shell.points) + 1), shell.points]), fmt="%d,%.9g,%.9g,%.9g")
+    width = shell.triangles.shape[1]
+    for number in range(len(thickness)):
+        rows = np.flatnonzero(section == number)
+        text.write(f"*ELEMENT, TYPE=S{width}, ELSET=SECTION{number + 1}\n")
+        np.savetxt(text, np.column_stack([rows + 1, shell.triangles[rows] + 1]), fmt="%d", delimiter=",")
+    for number in np.unique(shell.wall):
+        text.write(f"*ELSET, ELSET=WALL{number + 1}\n")
+        np.savetxt(text, np.flatnonzero(shell.wall == number) + 1, fmt="%d,")
+    text.write("*MATERIAL, NAME=STEEL\n*ELASTIC\n210000,0.3\n*DENSITY\n7.85e-9\n")
+    for number, value in enumerate(thickness):
+        text.write(f"*SHELL SECTION, ELSET=SECTION{number + 1}, MATERIAL=STEEL\n{value:.6g}\n")
+    return text.getvalue()
+
+
+def msh_text(shell, about):
+    """Nodes and elements with a physical group for each wall, and the thickness as element data, str.
+
+    Notes
+    -----
+    Gmsh reference manual, 10.2: MSH file format version 2, as text.
+    """
+    text, count = io.StringIO(), len(shell.triangles)
+    walls = np.unique(shell.wall)
+    text.write(f"$Comments\n{about}\n$EndComments\n$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n{len(walls)}\n")
+    text.write("".join(f'2 {number + 1} "wall {number + 1}"\n' for number in walls))
+    text.write(f"$EndPhysicalNames\n$Nodes\n{len(shell.points)}\n")
+    np.savetxt(text, np.column_stack([np.arange(1, len(shell.points) + 1), shell.points]), fmt="%d %.12g %.12g %.12g")
+    text.write(f"$EndNodes\n$Elements\n{count}\n")
+    kind = {3: 2, 6: 9}[shell.triangles.shape[1]]
+    numbers = np.arange(1, count + 1)
+    np.savetxt(text, np.column_stack([numbers, np.full(count, kind), np.full(count, 2), shell.wall + 1, shell.wall + 1,
+                                      shell.triangles + 1]), fmt="%d")
+    text.write(f'$EndElements\n$ElementData\n1\n"thickness, mm"\n1\n0\n3\n0\n1\n{count}\n')
+    np.savetxt(text, np.column_stack([numbers, shell.thickness]), fmt="%d %.6g")
+    text.write("$EndElementData\n")
+    return text.getvalue()
+
+
+def unv_text(shell, about):
+    """Units, nodes, thin shell elements, and a group for each thickness that is named after it, str.
+
+    Notes
+    -----
+    I-DEAS universal file datasets 164, 2411, 2412 (91: linear, 92: parabolic thin shell triangle) and 2467, as the SDRC
+    documents of the University of Cincinnati describe them. The number of an element's physical property is that of its
+    group, since there is no common dataset for the thickness.
+    """
+    text, (section, thickness) = io.StringIO(), shell.sections()
+    text.write("    -1\n   151\n" + about[:80] + "\n\n\n\n\n\n\n    -1\n")
+    text.write("    -1\n   164\n         5mm (milli-newton)           2\n" + "".join(
+        f"{value:25.17E}" for value in (1000.0, 1.0, 1.0)).replace("E", "D") + f"\n{273.15:25.17E}\n".replace("E", "D")
+        + "    -1\n")
+    text.write("    -1\n  2411\n")
+    for number, point in enumerate(shell.points):
+        text.write(f"{number + 1:10d}{1:10d}{1:10d}{11:10d}\n" + "".join(f"{value:25.16E}" for value in point).replace(
+            "E", "D") + "\n")
+    text.write("    -1\n    -1\n  2412\n")
+    width = shell.triangles.shape[1]
+    kind, ordered = {3: 91, 6: 92}[width], shell.triangles[:, _UNV_ORDER[width]] + 1
+    for number, (own, nodes) in enumerate(zip(section, ordered)):
+        text.write("".join(f"{value:10d}" for value in (number + 1, kind, own + 1, 1, 7, width)) + "\n"
+                   + "".join(f"{node:10d}" for node in nodes) + "\n")
+    text.write("    -1\n    -1\n  2467\n")
+    for number, value in enumerate(thickness):
+        rows = np.flatnonzero(section == number) + 1
+        text.write("".join(f"{each:10d}" for each in (number + 1, 0, 0, 0, 0, 0, 0, len(rows))) + "\n"
+                   + f"thickness_{value:.4g}_mm\n")
+        entries = [f"{8:10d}{row:10d}{0:10d}{0:10d}" for row in rows]
+        text.write("\n".join("".join(entries[start:start + 2]) for start in range(0, len(entries), 2)) + "\n")
+    text.write("    -1\n")
+    return text.getvalue()
+
+
+SHELL_FORMATS = {".inp": inp_text, ".msh": msh_text, ".unv": unv_text}
+"""What writes each format, by the ending."""

@@ -1,0 +1,25 @@
+"""Check whether a file is a FreeCAD document."""
+
+import zipfile
+import zlib
+
+DOCUMENT_XML = "Document.xml"
+
+
+def is_fcstd(file):
+    """Whether an open file is a FreeCAD document: a ZIP archive that contains Document.xml, whatever its name.
+
+    Parameters
+    ----------
+    file : binary file
+        Its position afterwards is undefined.
+
+    Raises
+    ------
+    OSError
+    """
+    try:
+        with zipfile.ZipFile(file) as archive:
+            return DOCUMENT_XML in archive.namelist()
+    except (zipfile.BadZipFile, zlib.error, EOFError, ValueError, RuntimeError, KeyError):
+        return False

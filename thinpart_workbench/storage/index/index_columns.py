@@ -1,0 +1,36 @@
+"""The values that the search index stores for a part, in the types of SQLite."""
+
+from typing import Callable
+
+from ...core.descriptors.packed_distribution import packed_middle, packed_slanted, packed_walls
+from ...core.descriptors.similarity import signature
+from ..record_columns import INDEXED
+
+LARGE_COLUMNS = ("wall_bins", "wall_area", "slanted_bins", "slanted_angles", "slanted_area", "middle_bins",
+                 "middle_parallel", "middle_nonparallel", "signature")
+"""Blobs, stored in a table of their own: most queries do not need them."""
+
+
+def stored_text(text):
+    """A text that SQLite accepts: bytes of a file name that are not valid text become question marks."""
+    return text if text.isascii() else text.encode("utf-8", "replace").decode()
+
+
+_CONVERTERS: dict[str, Callable] = {"TEXT": stored_text, "INTEGER": int, "REAL": float}
+
+
+def small_values(part):
+    """Values of `INDEXED` for a part record."""
+    measured = part["descriptors"]
+    return [_stored_value(column, column.value(part, measured)) for column in INDEXED]
+
+
+def large_values(part):
+    """Values of `LARGE_COLUMNS` for a part record."""
+    measured = part["descriptors"]
+    walls, slanted = packed_walls(measured["distribution"]), packed_slanted(measured["nonparallel"])
+    return (*walls, *slanted, *packed_middle(measured.get("middle")), signature(part).tobytes())
+
+
+def _stored_value(column, value):
+    return column.absent if value is None else _CONVERTERS[column.type](value)

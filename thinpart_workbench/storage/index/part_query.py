@@ -1,0 +1,183 @@
+"""Queries to a library: the conditions that parts must meet."""
+
+from dataclasses import dataclass, fields
+from datetime import datetime
+from typing import Optional
+
+from ...core.descriptors.descriptor_table import STATED_ANGLES, STATED_FLOOR
+from ...core.descriptors.quantity import MiddleShare
+from ..record_columns import INDEXED
+
+FAILED = "failed"
+"""The category that stands for documents and parts that could not be analysed."""
+
+LABELLED = "(labels IS NOT NULL)"
+DISPUTED = "(labels IS NOT NULL AND said != ',' || category || ',')"
+"""In SQL: whether people say what a part is, and whether somebody says otherwise than the verdict."""
+
+_COLUMNS = {column.name for column in INDEXED}
+
+
+@dataclass(frozen=True)
+class PartQuery:
+    """The conditions that parts must meet; all that are set must hold.
+
+    Attributes
+    ----------
+    categories, criteria : tuple of str
+        One match is enough; `FAILED` among the categories selects failures.
+    least_thickness, most_thickness : float or None, mm
+        Of the thinnest wall.
+    least_size, most_size : float or None, mm
+        Of the longest side of the box.
+    least_ratio, most_ratio : float or None
+        Of V/VBB.
+    conditions : tuple of SearchCondition
+    words : str
+        Each word must occur in the path, name, label, notes, mesh settings or link.
+    has_notes : bool or None
+        Whether the part has an annotation: notes, mesh settings or a link.
+    said : tuple of str
+        Somebody says that the part has one of these categories.
+    labelled : bool or None
+        Whether anybody says what category the part has.
+    disputed : bool or None
+        Whether somebody says another category than the verdict.
+    passes, fails : tuple of WallLimits
+        Processes whose limits of the wall the part keeps, and does not keep.
+    borderline : bool or None
+    failed : bool or None
+        True for failures only, False for parts only, None for both.
+    changed_since : datetime or None
+        The document was changed then or later.
+    """
+
+    categories: tuple = ()
+    criteria: tuple = ()
+    least_thickness: Optional[float] = None
+    most_thickness: Optional[float] = None
+    least_size: Optional[float] = None
+    most_size: Optional[float] = None
+    least_ratio: Optional[float] = None
+    most_ratio: Optional[float] = None
+    conditions: tuple = ()
+    passes: tuple = ()
+    fails: tuple = ()
+    words: str = ""
+    has_notes: Optional[bool] = None
+    said: tuple = ()
+    labelled: Optional[bool] = None
+    disputed: Optional[bool] = None
+    borderline: Optional[bool] = None
+    failed: Optional[bool] = False
+    changed_since: Optional[datetime] = None
+
+    def where(self):
+        """The condition in SQL, and the values for its placeholders.
+
+        Returns
+        -------
+        sql : str
+        values : list
+        """
+        terms = [term for field in fields(self) for term in _TERMS[field.name](getattr(self, field.name))]
+        return " AND ".join(sql for sql, _ in terms) or "1", [value for _, values in terms for value in values]
+
+
+def _at_least(column):
+    return lambda value: [] if value is None else [(f"{column} >= ?", [value])]
+
+
+def _at_most(column):
+    return lambda value: [] if value is None else [(f"{column} <= ?", [value])]
+
+
+def _is(true, false):
+    def term(value):
+        return [] if value is None else [(true if value else false, [])]
+
+    return term
+
+
+def _categories(names):
+    if names:
+        failed = " OR error_kind IS NOT NULL" if FAILED in names else ""
+        yield f"(category IN ({', '.join('?' * len(names))}){failed})", list(names)
+
+
+def _criteria(names):
+    if names:
+        condition = "criteria LIKE '%,' || ? || ',%'"
+        yield f"({' OR '.join([condition] * len(names))})", list(map(str, names))
+
+
+def _said(names):
+    if names:
+        yield f"({' OR '.join(['instr(said, ?)'] * len(names))})", [f",{name}," for name in names]
+
+
+def _words(text):
+    for word in text.casefold().split():
+        yield "(instr(text, ?) OR instr(files.words, ?))", [word, word]
+
+
+def _changed_since(moment):
+    if moment is not None:
+        yield "files.modified >= ?", [moment.isoformat()]
+
+
+def _conditions(conditions):
+    for condition in conditions:
+        expression, values = _expression(condition.quantity)
+        yield f"{expression} {condition.comparison} ?", [*values, condition.value]
+
+
+def _walls_pass(passes):
+    large = ("(SELECT walls_pass(thinnest_mm, error_bound_mm, volume_mm3, area_mm2, diagonal_mm, unmeasured, unmet, "
+             "wall_bins, wall_area, slanted_bins, slanted_area, ?, ?) FROM distributions WHERE distributions.id = parts.id)")
+
+    def terms(limits):
+        for each in limits:
+            yield f"{large} = {int(passes)}", [each.min_mm, each.max_mm]
+
+    return terms
+
+
+def _expression(quantity):
+    """A quantity as an SQL expression, and the values for its placeholders."""
+    if quantity.name in _COLUMNS and quantity.bounds in ((), STATED_ANGLES):
+        return quantity.name, []
+    large = "(SELECT {} FROM distributions WHERE distributions.id = parts.id)"
+    if isinstance(quantity, MiddleShare):
+        call = ("middle_share(wall_bins, wall_area, slanted_bins, slanted_angles, slanted_area, middle_bins, "
+                "middle_parallel, middle_nonparallel, d2_mm / diagonal_mm, ?, ?, ?)")
+        return large.format(call), [*quantity.bounds, quantity.slanted]
+    if quantity.is_area_share:
+        return large.format("wall_share(wall_bins, wall_area, ?, ?)"), list(quantity.bounds)
+    call = "least_slanted(slanted_bins, slanted_angles, slanted_area, ?, ?, ?)"
+    return large.format(call), [STATED_FLOOR, *quantity.bounds]
+
+
+_TERMS = {
+    "categories": _categories,
+    "criteria": _criteria,
+    "least_thickness": _at_least("thinnest_mm"),
+    "most_thickness": _at_most("thinnest_mm"),
+    "least_size": _at_least("d1_mm"),
+    "most_size": _at_most("d1_mm"),
+    "least_ratio": _at_least("volume_ratio"),
+    "most_ratio": _at_most("volume_ratio"),
+    "conditions": _conditions,
+    "passes": _walls_pass(True),
+    "fails": _walls_pass(False),
+    "words": _words,
+    "has_notes": _is("(notes != '' OR mesh IS NOT NULL OR link IS NOT NULL)",
+                     "(notes = '' AND mesh IS NULL AND link IS NULL)"),
+    "said": _said,
+    "labelled": _is(LABELLED, f"NOT {LABELLED}"),
+    "disputed": _is(DISPUTED, f"NOT {DISPUTED}"),
+    "borderline": _is("borderline = 1", "borderline = 0"),
+    "failed": _is("error_kind IS NOT NULL", "error_kind IS NULL"),
+    "changed_since": _changed_since,
+}
+"""By field of a query: a function from its value to SQL terms, each with the values for its placeholders."""

@@ -1,0 +1,1 @@
+"""Info files: their definition, reading and writing, and the annotations in them."""

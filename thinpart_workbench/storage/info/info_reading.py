@@ -1,0 +1,128 @@
+"""Reading and checking info files. All readers use this module and need not check the content again."""
+
+import json
+import os
+from functools import cache
+from pathlib import Path
+
+from ...core.errors import ThinPartError
+from ...core.kinds.value_checker import checker, is_plain
+from ...core.kinds.value_kinds import shown
+from ...core.message import Message, message, restored
+from ..regular_file import open_regular
+from .info_definition import FORMAT, INFO_FILE, VERSION
+
+LARGEST = 256 * 1024 * 1024
+"""Size in bytes above which a file is not accepted as an info file."""
+
+
+class DamagedInfoFile(ThinPartError):
+    """An info file of this version that violates `INFO_FILE`. It may contain notes, so nothing overwrites it."""
+
+    kind = "info_file"
+
+
+def read_info(path):
+    """Read and check an info file.
+
+    Returns
+    -------
+    dict
+        Matches `info_definition.INFO_FILE`: callers need not check it again. Sentences whose template the file
+        contains are Message objects.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``info_file``.
+    """
+    path = Path(path)
+    try:
+        with open_regular(path) as file:
+            return read_open_info(file, path.name)
+    except OSError as error:
+        raise ThinPartError(message("The info file {info_file} cannot be read ({problem}).",
+                                    info_file=path.name, problem=error.strerror),
+                            "info_file") from None
+
+
+def read_open_info(file, name):
+    """As `read_info`, from an open file.
+
+    Parameters
+    ----------
+    file : binary file
+    name : str
+        Name of the file for messages.
+
+    Raises
+    ------
+    ThinPartError
+    OSError
+    """
+    size = os.fstat(file.fileno()).st_size
+    if size > LARGEST:
+        raise ThinPartError(message("{info_file} is too large for an info file.", info_file=name), "info_file")
+    data = file.read(size + 1)  # without a limit, a growing file could fill the memory
+    content = _parsed(data, name)
+    if not isinstance(content, dict) or content.get("format") != FORMAT:
+        raise ThinPartError(message("{info_file} is not a ThinPart info file.", info_file=name), "info_file")
+    if content.get("version") != VERSION:
+        raise ThinPartError(
+            message("{info_file} has version {version}; this ThinPart reads version {known}: use a newer one.",
+                    info_file=name, version=shown(content.get("version")), known=VERSION), "info_file",
+        )
+    fault = fault_of(content, is_plain(data))
+    if fault is not None:
+        raise DamagedInfoFile(
+            message("The info file {info_file} is damaged ({problem}): move it away and classify its document again.",
+                    info_file=name, problem=fault))
+    return restored(content)
+
+
+def fault_of(content, plain=False):
+    """The first reason why content is not that of an info file.
+
+    Parameters
+    ----------
+    content
+        Parsed JSON.
+    plain : bool
+        `is_plain` of the bytes that it was parsed from.
+
+    Returns
+    -------
+    str or None
+        Such as "parts[0].label is 7, not a text that can be written".
+    """
+    return None if _checker(plain)(content) else INFO_FILE.fault(content, "")
+
+
+def _parsed(data, name):
+    try:
+        return _DECODE(str(data, json.detect_encoding(data)))
+    except RecursionError:
+        problem = message("it is nested too deeply")
+    except (json.JSONDecodeError, UnicodeDecodeError) as error:
+        problem = str(error)
+    except ValueError as error:
+        # For a number of thousands of digits Python adds how to raise its limit.
+        problem = str(error)
+        if not isinstance(problem, Message):
+            problem = problem.partition(":")[0]
+    raise ThinPartError(message("The info file {info_file} cannot be read ({problem}).",
+                                info_file=name, problem=problem), "info_file")
+
+
+def _refuse_constant(constant):
+    """Refuse NaN and Infinity, which Python would accept."""
+    raise ValueError(message("{constant} is not a JSON number", constant=constant))
+
+
+_DECODE = json.JSONDecoder(parse_constant=_refuse_constant).decode
+
+
+@cache
+def _checker(plain):
+    """The checker, built when the first info file is read: that takes some milliseconds."""
+    return checker(INFO_FILE, plain)

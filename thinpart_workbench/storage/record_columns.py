@@ -1,0 +1,123 @@
+"""The table of columns that the search index and the CSV table take from a part record.
+
+Every quantity of `core/descriptors/descriptor_table` that a record contains is a column here. This module must not
+import numpy: the command line writes tables without it.
+"""
+
+import json
+from collections import namedtuple
+from typing import Any, Callable, NamedTuple, Optional
+
+from ..core.descriptors.descriptor_table import QUANTITIES, STATED_FLOOR
+from ..core.message import joined
+
+
+class Column(NamedTuple):
+    """A column.
+
+    Attributes
+    ----------
+    name : str
+    type : str or None
+        SQL type in the index; None if the index does not have the column.
+    value : callable
+        Function of a part record and its ``descriptors``; returns the value, or None if there is none.
+    title : str or None
+        Title in the CSV table; None if the table does not have the column.
+    cell : callable or None
+        Function for the cell of the CSV table, if that differs from the value.
+    absent : float or None
+        Value that the index stores for None.
+    """
+
+    name: str
+    type: Optional[str]
+    value: Callable
+    title: Optional[str] = None
+    cell: Optional[Callable] = None
+    absent: Optional[float] = None
+
+
+def _text(part, measured):
+    """The text in which words are searched, besides the path."""
+    return "\n".join(str(part.get(key) or "") for key in ("name", "label", "notes", "link", "mesh")).casefold()
+
+
+def _mesh(part, measured):
+    mesh = part.get("mesh")
+    return None if mesh is None else json.dumps(mesh, ensure_ascii=False)
+
+
+def _labels(part, measured):
+    labels = part.get("labels")
+    return json.dumps(labels, ensure_ascii=False) if labels else None
+
+
+def _said(part, measured):
+    """The categories that people say the part has, for searches."""
+    return "".join(f",{category}" for category in sorted({label["category"] for label in part.get("labels", ())})) + ","
+
+
+def labels_text(labels):
+    """What people say of a part, in a line: "thin (Anna); normal (Bert, unsure)".
+
+    Parameters
+    ----------
+    labels : list of dict
+        As in a part record.
+    """
+    return "; ".join(f"{label['category']} ({label['person']}{'' if label['sure'] else ', unsure'})" for label in labels)
+
+
+def _quantity_column(quantity):
+    def value(part, measured):
+        try:
+            return quantity.recorded(measured)
+        except KeyError:
+            # An earlier version wrote the record: compute the missing quantity from the others.
+            from ..core.record.part_record import descriptors_of
+
+            return quantity.evaluate(descriptors_of(part), STATED_FLOOR)
+
+    return Column(quantity.name, "REAL", value, quantity.name if quantity.in_table else None,
+                  absent=quantity.absent_means)
+
+
+def _is_no_length(quantity):
+    return quantity.unit != "mm"
+
+
+COLUMNS = (
+    Column("name", "TEXT", lambda part, measured: part["name"], "part"),
+    Column("label", "TEXT", lambda part, measured: part["label"], "label"),
+    Column("instances", "INTEGER", lambda part, measured: part["instances"], "instances"),
+    Column("category", "TEXT", lambda part, measured: part["category"], "category"),
+    Column("criteria", "TEXT", lambda part, measured: f",{','.join(map(str, part['criteria']))},", "criteria",
+           lambda part, measured: " ".join(map(str, part["criteria"]))),
+    Column("margin", "REAL", lambda part, measured: part["margin"], "margin"),
+    Column("borderline", "INTEGER", lambda part, measured: int(part["borderline"]), "borderline"),
+    *(_quantity_column(quantity) for quantity in sorted(QUANTITIES, key=_is_no_length) if quantity.keys),
+    Column("thinnest_mm", "REAL", lambda part, measured: measured["thickness_mm"]["min"], "thinnest_mm"),
+    Column("median_mm", "REAL", lambda part, measured: measured["thickness_mm"]["median"], "median_mm"),
+    Column("error_bound_mm", "REAL", lambda part, measured: measured["thickness_mm"]["error_bound"], "error_bound_mm"),
+    Column("triangles", "INTEGER", lambda part, measured: part["triangles"], "triangles"),
+    Column("warnings", None, lambda part, measured: joined(part["warnings"]), "warnings"),
+    Column("notes", "TEXT", lambda part, measured: part.get("notes") or ""),
+    Column("mesh", "TEXT", _mesh),
+    Column("link", "TEXT", lambda part, measured: part.get("link")),
+    Column("labels", "TEXT", _labels, "labels", lambda part, measured: labels_text(part.get("labels", ()))),
+    Column("said", "TEXT", _said),
+    Column("text", "TEXT", _text),
+)
+
+
+def row_class(name, fields) -> Any:
+    """A named tuple class to derive from. Its fields come from a table, so its type is Any for type checkers."""
+    return namedtuple(name, fields)
+
+
+INDEXED = tuple(column for column in COLUMNS if column.type)
+"""Columns of the search index."""
+
+TITLED = tuple(column for column in COLUMNS if column.title)
+"""Columns of the CSV table, in their order."""

@@ -1,0 +1,91 @@
+"""Confine a process that reads foreign files: it can write into one folder only and has no network."""
+
+import os
+
+from .bubblewrap import bubblewrap, has_bubblewrap
+from .landlock import landlock_version, write_only_below
+from .system_call_filter import install_system_call_filter
+
+VARIABLE = "THINPART_CONFINEMENT"
+"""Environment variable that selects the confinement: ``landlock``, ``bubblewrap`` or ``none``."""
+
+LANDLOCK, BUBBLEWRAP, SECCOMP, NONE = "landlock", "bubblewrap", "seccomp", "none"
+
+UNCONFINED = {"files": NONE, "network": NONE}
+
+
+def chosen_confinement():
+    """The kind of confinement that is used here.
+
+    Returns
+    -------
+    str
+        ``landlock`` if the kernel has it, else ``bubblewrap`` if it is installed, else ``none``.
+    """
+    chosen = os.environ.get(VARIABLE)
+    if chosen != BUBBLEWRAP and chosen != NONE and landlock_version():
+        return LANDLOCK
+    if chosen != LANDLOCK and chosen != NONE and has_bubblewrap():
+        return BUBBLEWRAP
+    return NONE
+
+
+def confined_command(command, confinement, folder):
+    """The command that starts a confined process, list of str.
+
+    Parameters
+    ----------
+    command : list of str
+    confinement : str
+        From `chosen_confinement`.
+    folder : str
+        The folder that it may write to.
+    """
+    return [*bubblewrap(folder), *command] if confinement == BUBBLEWRAP else command
+
+
+def confine(confinement, *folders):
+    """Confine this process permanently. Call this first, before the process has a second thread.
+
+    Parameters
+    ----------
+    confinement, folders
+        The same as for the command that started the process; only where it was not started as a confined one, several.
+
+    Returns
+    -------
+    dict
+        The confinement in effect: ``files`` is ``landlock``, ``bubblewrap`` or ``none``; ``network`` is
+        ``seccomp``, ``bubblewrap`` or ``none``.
+    """
+    if confinement == NONE:
+        return UNCONFINED
+    holds = {"files": confinement, "network": confinement}
+    if confinement == LANDLOCK:
+        try:
+            write_only_below(list(folders))
+        except OSError:
+            holds["files"] = NONE
+        holds["network"] = NONE
+    try:
+        install_system_call_filter()
+        holds["network"] = SECCOMP if confinement == LANDLOCK else confinement
+    except OSError:
+        pass  # bubblewrap may have taken the network away already
+    return holds
+
+
+def confine_running_process(*folders):
+    """Confine this process if it was not started as a confined one, as far as possible.
+
+    Parameters
+    ----------
+    *folders : str
+        The folders that it may write to.
+
+    Returns
+    -------
+    dict
+        As `confine`.
+    """
+    return confine(LANDLOCK, *folders) if chosen_confinement() == LANDLOCK else UNCONFINED

@@ -1,0 +1,1 @@
+"""The processes that the window starts: each takes requests as JSON lines and has them done by `api`."""

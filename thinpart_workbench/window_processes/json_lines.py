@@ -1,0 +1,69 @@
+"""Communication with the parent process: one JSON object per line on stdin and stdout."""
+
+import json
+import os
+import queue
+import sys
+import threading
+from contextlib import contextmanager
+
+from ..api.classified_parts import PartFailure
+from ..core.message import restored, with_messages
+
+
+class JsonLines:
+    """The messages from and to the parent process.
+
+    Attributes
+    ----------
+    incoming : queue.Queue
+        Received messages (dict), and None when the parent has closed the pipe or has ended.
+    """
+
+    def __init__(self):
+        self.incoming: queue.Queue = queue.Queue()
+        # Output that other code prints to stdout must not mix with the lines.
+        pipe = os.dup(1)
+        os.dup2(2, 1)
+        self._out = os.fdopen(pipe, "w", encoding="utf-8")
+        self._lock = threading.Lock()
+        threading.Thread(target=self._read_lines, daemon=True).start()
+
+    def send(self, **content):
+        """Send a message to the parent, with the templates and fields of its `Message` texts; thread-safe.
+
+        JSON escapes preserve file names that are not valid text.
+        """
+        line = json.dumps(with_messages(content)) + "\n"
+        with self._lock:
+            self._out.write(line)
+            self._out.flush()
+
+    @contextmanager
+    def reporting_failures(self):
+        """For a ``with`` block: send an exception as ``failure`` and end the process."""
+        try:
+            yield
+        except Exception as error:  # the parent is waiting for an answer
+            self.send(failure=failure_line(error))
+            self.end(1)
+
+    def end(self, status=0):
+        """End the process at once, without waiting for its other threads."""
+        with self._lock:
+            self._out.flush()
+        sys.stderr.flush()
+        os._exit(status)
+
+    def _read_lines(self):
+        # Not sys.stdin: a forked child closes it, and would wait for the lock that this thread holds on it.
+        with os.fdopen(os.dup(0), "rb") as lines:
+            for line in lines:
+                self.incoming.put(restored(json.loads(line)))
+        self.incoming.put(None)
+
+
+def failure_line(error):
+    """The ``failure`` of a process that could not do its job: ``kind`` and ``message`` of an exception."""
+    failure = PartFailure.of_exception(error)
+    return {"kind": failure.kind, "message": failure.message}

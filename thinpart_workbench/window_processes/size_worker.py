@@ -1,0 +1,78 @@
+"""The process that proposes element sizes for one part and meshes it.
+
+The first line on standard input is ``{"folder", "megabytes", "gmsh"}``: the folder of a snapshot with one part, the limit of
+the address space, a path of Gmsh to look at first. It prints ``{"progress": fraction}`` and ``{"measured": {"record",
+"gmsh"}}``, where ``gmsh`` is a sentence if nothing can be meshed. Each further line is a request: ``{"number", "settings",
+"sizes_wanted"}``, with ``"mesh": true`` to mesh; see `PartSizes`. It is answered by ``{"proposed": dict, "number"}`` or
+``{"meshed": dict, "number"}``, or where it cannot be done by ``{"refused": sentence, "number"}``.
+
+The parent stops it by killing it. The shapes may come from an untrusted file, so it can only write into the snapshot's
+folder.
+"""
+
+import json
+import os
+import sys
+
+from ..core.errors import ThinPartError
+from ..core.message import message, restored, with_messages
+from ..system.confinement import confine_running_process
+from ..system.process_limits import limit_memory
+from .json_lines import failure_line
+
+
+def main():
+    """Answer requests until the parent closes the pipe."""
+    descriptor = os.dup(1)
+    os.dup2(2, 1)  # what FreeCAD prints must not mix with the lines
+    pipe = os.fdopen(descriptor, "w", encoding="utf-8", errors="surrogateescape")
+
+    def send(**line):
+        pipe.write(json.dumps(with_messages(line)) + "\n")
+        pipe.flush()
+
+    try:
+        _serve(send)
+    except Exception as error:  # reported to the parent, whatever its class
+        send(failure=failure_line(error))
+        sys.exit(1)
+
+
+def _serve(send):
+    job = _next_request()
+    if job is None:
+        return
+    from ..freecad_adapter.bootstrap import load_meshing
+
+    load_meshing()
+    from ..api.mesh_sizes import PartSizes, missing_gmsh
+
+    os.chdir(job["folder"])
+    confine_running_process(job["folder"])
+    limit_memory(job["megabytes"] * 1024 * 1024)
+    sizes = PartSizes(job["folder"], lambda fraction: send(progress=round(fraction, 3)))
+    send(measured={"record": sizes.record, "gmsh": missing_gmsh(job["gmsh"])})
+    while (request := _next_request()) is not None:
+        _answer(send, sizes, job["gmsh"], **request)
+
+
+def _answer(send, sizes, gmsh, number, settings, sizes_wanted, mesh=False):
+    try:
+        if mesh:
+            send(meshed=sizes.mesh(settings, sizes_wanted, gmsh), number=number)
+        else:
+            send(proposed=sizes.proposed(settings, sizes_wanted), number=number)
+    except ThinPartError as error:
+        send(refused=error.args[0], number=number)
+    except OSError as error:
+        send(refused=message("Temporary files cannot be written ({problem}): free some disk space. Nothing was meshed.",
+                             problem=error.strerror or error), number=number)
+
+
+def _next_request():
+    line = sys.stdin.readline()
+    return restored(json.loads(line)) if line else None
+
+
+if __name__ == "__main__":
+    main()

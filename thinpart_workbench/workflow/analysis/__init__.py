@@ -1,0 +1,1 @@
+"""The flow for one file, and runs over many files."""

@@ -1,0 +1,109 @@
+"""Read one file and analyse its parts. Runs in a worker process, which writes nothing: see `result_files`."""
+
+import time
+from dataclasses import dataclass, field
+from typing import Optional
+
+from ...core.analysis_settings import AnalysisSettings
+from ...core.errors import ThinPartError
+from ...core.judging.criteria import load_profile, profile_from
+from ...storage.info.info_file import is_current, new_source, stored_info
+from ..report.report_pages import PageMaker, ReportPages
+from .drawn_part import DrawnPart
+
+
+@dataclass(frozen=True)
+class FileTask:
+    """The task of a worker: one file. Contains only plain values, so that it can be pickled.
+
+    Attributes
+    ----------
+    file : str
+    info_file : str or None
+        Path of the info file for the result; None to write none.
+    settings : AnalysisSettings
+    profile : dict
+        Content of the profile.
+    force : bool
+        Measure even if the info file is current.
+    thumbnails : bool
+        Write thumbnails of all measured parts to the user's cache.
+    """
+
+    file: str
+    info_file: Optional[str] = None
+    settings: AnalysisSettings = field(default_factory=AnalysisSettings)
+    profile: dict = field(default_factory=lambda: load_profile().content)
+    force: bool = False
+    thumbnails: bool = False
+    pages: Optional[ReportPages] = None
+
+
+def analyse_file(task, report=None):
+    """Analyse every part of a file, or take the results from a current info file.
+
+    Parameters
+    ----------
+    task : FileTask
+    report : callable, optional
+        See `analyse_part`.
+
+    Returns
+    -------
+    dict
+        ``file``, ``parts`` (part records), ``failures`` (``{"part", "label", "kind",
+        "message"}``), ``reused`` (bool), ``seconds``; with pages also ``faces``, lines for the table of faces
+        by part. If something was measured, ``unwritten``: the data for `result_files.write_results`.
+
+    Raises
+    ------
+    ThinPartError
+        If nothing in the file could be analysed, for a single reason.
+    """
+    started = time.perf_counter()
+    stored = stored_info(task.info_file) if task.info_file is not None else None
+    if stored is not None and not task.force and is_current(
+        stored, task.file, task.settings.content(), task.profile, task.info_file
+    ):
+        return _outcome(task, stored["parts"], stored.get("failures", []), True, started)
+    # Imported here since the adapter loads FreeCAD, which unchanged files do not need.
+    from ...freecad_adapter.reading.linked_files import linked_files
+    from ...freecad_adapter.reading.part_files import read_parts
+
+    source = new_source(task.file, linked_files(task.file), task.info_file)
+    found = read_parts(task.file)
+    read_seconds = time.perf_counter() - started
+    pages = task.pages and PageMaker(task.pages, source, task.settings.content(), task.profile)
+    records, failures, drawn = _analyse_parts(found.parts, task, read_seconds, pages, report)
+    failures += [broken.failure() for broken in found.broken]
+    if not records and len(failures) == 1:
+        raise ThinPartError(failures[0]["message"], failures[0]["kind"])
+    outcome = _outcome(task, records, failures, False, started)
+    outcome["unwritten"] = {"source": source, "drawn": drawn}
+    if pages is not None:
+        outcome["faces"] = pages.faces
+    return outcome
+
+
+def _analyse_parts(parts, task, read_seconds, pages, report):
+    from .analyse_part import analyse_parts
+
+    drawn = {}
+
+    def on_part(part, measurement, record):
+        pictures = DrawnPart()
+        if task.thumbnails:
+            pictures.draw_thumbnail(measurement.field.mesh, record)
+        if pages is not None:
+            pictures.page, pictures.picture = pages.make(part, measurement, record)
+        drawn[record["name"]] = pictures.content()
+
+    records, failures = analyse_parts(parts, task.settings, profile_from(task.profile), read_seconds, report, on_part)
+    return records, failures, drawn
+
+
+def _outcome(task, records, failures, reused, started):
+    return {
+        "file": task.file, "parts": records, "failures": failures, "reused": reused,
+        "seconds": round(time.perf_counter() - started, 4),
+    }

@@ -1,0 +1,256 @@
+"""The flow: part -> surface mesh -> descriptors -> classification -> part record."""
+
+import time
+from dataclasses import replace
+
+from ...core.analysis_settings import MOST_TRIANGLES, PAIRS
+from ...core.descriptors.descriptor_table import body_thickness
+from ...core.errors import MeshError, ThinPartError
+from ...core.judging.classification import classify
+from ...core.judging.criteria import PAPER, load_profile
+from ...core.mesh.mass_properties import area, volume
+from ...core.mesh.resolution import Resolution, error_to_judge_with, is_turned_too_far, smallest_length
+from ...core.message import message
+from ...core.record.part_record import part_record
+from ...core.record.record_types import SecondsRecord
+from ...core.thickness.face_thickness import face_thicknesses, witness_of
+from ...core.thickness.measured_precision import precision_of
+from ...core.thickness.measurement import measure
+from ...core.thickness.thinnest_wall import thinnest_walls, touching_sample
+
+MOST_TRIED = 12
+"""Walls that are looked for in the part's own geometry, from the thinnest on."""
+
+DOUBTFUL = 4.0
+"""Error bounds within which a wall that the geometry does not confirm is taken for an artefact of facets."""
+
+
+def analyse_part(part, settings, profile, report=None, on_result=None):
+    """Analyse one part.
+
+    Parameters
+    ----------
+    part : SolidPart or MeshedPart
+    settings : AnalysisSettings
+    profile : Profile
+    report : callable, optional
+        Called with a stage and its completed fraction; may raise to stop.
+    on_result : callable, optional
+        Called at the end with the `Measurement` and the record.
+
+    Returns
+    -------
+    PartRecord
+
+    Raises
+    ------
+    ThinPartError
+    """
+    seconds: SecondsRecord = {"read": 0.0, "tessellate": 0.0, "measure": 0.0}
+    meshes: dict = {}
+    while True:
+        mesh, resolution, measurement, warnings = _measure(part, settings, meshes, seconds, report)
+        classification = classify(measurement.descriptors, profile)
+        finer = None if classification.is_certain else _finer_settings(part, settings, measurement, profile)
+        if finer is None:
+            break
+        settings = finer
+    measurement = _confirmed(part, measurement, resolution.error)
+    classification = classify(measurement.descriptors, profile)
+    paper_classification = classify(measurement.descriptors, load_profile(PAPER))
+    diagonal = measurement.descriptors.box.diagonal
+    thin_limit_mm = classification.thin_limit_x * diagonal
+    faces = face_thicknesses(measurement.field, thin_limit_mm, measurement.thinnest_wall)
+    record = part_record(
+        part, mesh, measurement, classification, paper_classification, faces, resolution.error, resolution.deflection
+    )
+    record["warnings"] += warnings + _plausibility_warnings(part, mesh, measurement.field, diagonal)
+    record["seconds"] = seconds
+    if on_result is not None:
+        on_result(measurement, record)
+    return record
+
+
+def analyse_parts(parts, settings, profile, read_seconds=0.0, report=None, on_result=None):
+    """Analyse the parts of one document; if one fails, the others are still analysed.
+
+    Parameters
+    ----------
+    parts : list of SolidPart or MeshedPart
+    settings : AnalysisSettings
+    profile : Profile
+    read_seconds : float, optional
+        Seconds that reading all of them took.
+    report : callable, optional
+        Called with a stage and the completed fraction of all parts; may raise to stop.
+    on_result : callable, optional
+        Called with every part, its `Measurement` and its record.
+
+    Returns
+    -------
+    records : list of PartRecord
+    failures : list of FailureRecord
+
+    Raises
+    ------
+    Cancelled
+        From `report`.
+    """
+    records, failures = [], []
+    for number, part in enumerate(parts):
+        def part_report(stage, fraction, number=number):
+            report(stage, (number + fraction) / len(parts))
+
+        def part_on_result(measurement, record, part=part):
+            on_result(part, measurement, record)
+
+        try:
+            record = analyse_part(part, settings, profile, report and part_report, on_result and part_on_result)
+        except ThinPartError as error:
+            if error.kind == "cancelled":
+                raise
+            failures.append({"part": part.name, "label": part.label, "kind": error.kind,
+                             "message": message("{about}: {sentence}", about=part.label, sentence=error)})
+            continue
+        record["seconds"]["read"] = read_seconds / len(parts)
+        record["seconds"] = {key: round(value, 4) for key, value in record["seconds"].items()}
+        records.append(record)
+    return records, failures
+
+
+def _finer_settings(part, settings, measurement, profile):
+    """The settings to try next where the verdict is within the error of what was measured; None after the finest."""
+    finer = settings.finer
+    if finer is None or settings.measure == PAIRS:
+        return None
+    more_samples = replace(
+        finer, linear_deflection=settings.linear_deflection, angular_deflection=settings.angular_deflection)
+    known = measurement.descriptors
+    sampled = replace(known, precision=replace(known.precision, samples=finer.minimum_samples))
+    expected = measurement.field.mesh.count * (settings.angular_deflection / finer.angular_deflection) ** 2
+    if not part.can_be_finer or expected > MOST_TRIANGLES or classify(sampled, profile).is_certain:
+        return more_samples
+    return finer
+
+
+def _measure(part, settings, meshes, seconds, report):
+    """Tessellate and measure, with finer meshes as long as the chord error is too large for the part.
+
+    Adds to `seconds`, and keeps in `meshes` what was tessellated, by linear and angular deflection.
+    """
+    linear = settings.linear_deflection
+    while True:
+        started = time.perf_counter()
+        if report is not None:
+            report("tessellate", 0.0)
+        fineness = linear, settings.angular_deflection
+        if fineness not in meshes:
+            meshes[fineness] = part.surface_mesh(settings, linear)
+        mesh, deflections = meshes[fineness]
+        resolution = Resolution(float(deflections.max()), mesh.extent, mesh.rounding, settings.wall_deflection)
+        # If the mesh is too coarse for the body itself, such as a thin rod, measuring walls is pointless.
+        body = body_thickness(_volume(mesh), area(mesh))
+        finer = _finer_deflection(part, settings, mesh, deflections, resolution, linear, body)
+        tessellated = time.perf_counter()
+        seconds["tessellate"] += tessellated - started
+        if finer is not None:
+            linear = finer
+            continue
+        measurement, finer = _measured(part, settings, mesh, deflections, resolution, linear, report)
+        seconds["measure"] += time.perf_counter() - tessellated
+        if finer is None:
+            break
+        linear = finer
+    smallest = smallest_length(measurement.descriptors, measurement.thinnest_mm)
+    error = error_to_judge_with(resolution.error, smallest)
+    precision = precision_of(measurement, deflections, settings.accuracy)
+    measurement = replace(
+        measurement, descriptors=replace(measurement.descriptors, length_error=error, precision=precision))
+    warnings = [] if resolution.is_enough_for(smallest) else [_resolution_warning(measurement, resolution)]
+    return mesh, resolution, measurement, warnings
+
+
+def _measured(part, settings, mesh, deflections, resolution, linear, report):
+    """The measurement, and the linear deflection that it asks for: one of them is None."""
+    finer = None
+
+    def is_fine_enough(known, thinnest):
+        nonlocal finer
+        finer = _finer_deflection(part, settings, mesh, deflections, resolution, linear, smallest_length(known, thinnest))
+        return finer is None
+
+    measurement = measure(mesh, settings, report and (lambda done: report("measure", done)), is_fine_enough)
+    return measurement, finer
+
+
+def _confirmed(part, measurement, error):
+    """The measurement with its thinnest wall taken from the part's own geometry.
+
+    A wall that the geometry does not have, because facets came too close to each other, gives way to the next. One that is
+    thicker than facets may be off stays as the rays found it: there are surfaces that OCC cannot cut.
+    """
+    for sample in thinnest_walls(measurement.field)[:MOST_TRIED]:
+        found = witness_of(measurement.field, sample)
+        wall = part.exact_wall(found, error)
+        if wall is not None or found.distance > DOUBTFUL * error:
+            return measurement.with_thinnest_wall(wall or found)
+    return measurement
+
+
+def _finer_deflection(part, settings, mesh, deflections, resolution, linear, length):
+    """The next linear deflection as a share of the diagonal; None if `length` is resolved or cannot be resolved."""
+    if not part.can_be_finer or length is None:
+        return None
+    if resolution.is_enough_for(length) and not is_turned_too_far(mesh, settings.angular_deflection):
+        return None
+    finest = part.finest_deflection(settings, resolution.required_deflection(length), mesh, deflections)
+    return finest if finest is not None and finest < linear else None
+
+
+def _volume(mesh):
+    """Volume of a mesh, mm3; None if a coarse mesh encloses none: a finer one may do so."""
+    try:
+        return volume(mesh)
+    except MeshError:
+        return None
+
+
+def _resolution_warning(measurement, resolution):
+    """A warning that the mesh limits the accuracy of the result: str."""
+    wall, error = measurement.thinnest_mm, resolution.error
+    if resolution.is_enough_for(wall):
+        return message("The part is slender: its lengths are accurate to {error:.2g} mm only, a finer mesh would be "
+                       "too large.", error=error)
+    if wall < error:
+        return message("The thinnest wall, {wall:.3g} mm, is below what the mesh resolves ({error:.2g} mm).",
+                       wall=wall, error=error)
+    return message("The thinnest wall is {wall:.3g} mm ± {error:.2g} mm: a finer mesh would be too large.",
+                   wall=wall, error=error)
+
+
+def _plausibility_warnings(part, mesh, field, diagonal):
+    """Warnings about parts that can be measured but are probably not as intended."""
+    warnings = []
+    if len(field.entered) and mesh.watertight:
+        position = ", ".join(f"{value:.3g}" for value in field.points(field.entered[0])[0])
+        warnings.append(
+            message("The surface intersects itself, for example below ({place}): repair it, its thickness and volume "
+                    "are not certain.", place=position)
+        )
+    touching = touching_sample(field)
+    if touching is not None:
+        warnings.append(message(
+            "Surfaces touch or cross at ({place}): what lies between them is not counted as a wall.",
+            place=", ".join(f"{value:.3g}" for value in field.points(touching)[0])))
+    missing = part.missing_faces(mesh)
+    first_faces = ", ".join(missing[:5])
+    if len(missing) > 5:
+        warnings.append(message("FreeCAD could not tessellate {faces} and {count} more.",
+                                faces=first_faces, count=len(missing) - 5))
+    elif missing:
+        warnings.append(message("FreeCAD could not tessellate {faces}.", faces=first_faces))
+    if diagonal < 0.1 or diagonal > 1e5:
+        warnings.append(
+            message("The part is {mm:.3g} mm across: check that the file's unit is millimetres.", mm=diagonal)
+        )
+    return warnings

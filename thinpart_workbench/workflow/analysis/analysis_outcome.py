@@ -1,0 +1,73 @@
+"""The definition of the outcome of a file. Responses of workers are checked against it: a malicious file may
+control its worker."""
+
+from functools import cache
+from pathlib import Path
+
+from ...core.errors import KINDS
+from ...core.kinds.compound_kinds import Anything, ListOf, MapOf, Record
+from ...core.kinds.value_checker import checker
+from ...core.kinds.value_kinds import Flag, Number, OneOf, OrNull, Text
+from ...core.message import message
+from ...core.record.part_definition import FAILURE, PART
+from ...storage.info.info_definition import SOURCE
+
+_SECONDS = Number(0.0)
+
+_LONGEST_PAGE = 100_000_000
+"""Greatest number of characters of a page or a table: a page contains its pictures, a table has a row per face."""
+
+_DRAWN = MapOf(Anything(_LONGEST_PAGE))  # pictures that cannot be used do not lose the measurement
+
+_CONFINEMENT = Record({"files": Text(), "network": Text()})
+
+_FAILED = Record({"file": Text(), "error": Record({"kind": OneOf(tuple(KINDS)), "message": Text()})},
+                 {"seconds": _SECONDS, "confinement": OrNull(_CONFINEMENT)})
+
+_ANALYSED = Record(
+    {"file": Text(), "parts": ListOf(PART, most=1_000_000, distinct="name"), "failures": ListOf(FAILURE, most=1_000_000),
+     "reused": Flag(), "seconds": _SECONDS},
+    {"faces": MapOf(Text(_LONGEST_PAGE)), "unwritten": Record({"source": SOURCE, "drawn": _DRAWN}),
+     "confinement": OrNull(_CONFINEMENT)})
+
+
+def failure(file, kind, message):
+    """The outcome of a file that could not be analysed."""
+    return {"file": file, "error": {"kind": kind, "message": message}}
+
+
+def checked_outcome(task, outcome):
+    """The outcome that a worker returned, or a failure if it is invalid.
+
+    Parameters
+    ----------
+    task : FileTask
+    outcome : object
+        Any JSON value.
+
+    Returns
+    -------
+    dict
+        Its ``file`` is that of the task, whichever file the worker has named.
+    """
+    fault = outcome_fault(outcome)
+    if fault is not None:
+        return failure(task.file, "failed", message("{file} failed: its result cannot be stored ({problem}).",
+                                                    file=Path(task.file).name, problem=fault))
+    return {**outcome, "file": task.file}
+
+
+def outcome_fault(outcome):
+    """The reason why an object is no valid outcome, in a few words; None if it is valid."""
+    kind = _FAILED if isinstance(outcome, dict) and "error" in outcome else _ANALYSED
+    return None if _checker(kind)(outcome) else kind.fault(outcome, "")
+
+
+def failure_fault(outcome):
+    """The reason why an object is no valid `failure`, in a few words; None if it is one."""
+    return None if _checker(_FAILED)(outcome) else _FAILED.fault(outcome, "")
+
+
+@cache
+def _checker(kind):
+    return checker(kind)

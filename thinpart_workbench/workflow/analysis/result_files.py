@@ -1,0 +1,77 @@
+"""Write the results of a measured document; runs in the parent process of the worker.
+
+The worker has read an untrusted file and may write nothing. The task alone determines the paths.
+"""
+
+import os
+from contextlib import suppress
+from pathlib import Path
+
+from ...core.errors import ThinPartError
+from ...core.message import message
+from ...storage.info.info_file import info_content, source_is_unchanged, write_info
+from ...storage.thumbnails import write_thumbnail
+from .analysis_outcome import failure
+from .drawn_part import DrawnPart
+
+
+def prepare_to_write():
+    """Import what writing pictures takes, while there is nothing else to do."""
+    from ...core.rendering import picture  # noqa: F401
+
+
+def write_results(task, outcome):
+    """Write info file, pictures and pages of a document.
+
+    Parameters
+    ----------
+    task : FileTask
+    outcome : dict
+        From `analyse_file`.
+
+    Returns
+    -------
+    dict
+        The outcome without ``unwritten``, with a failure for every file that could not be written; its parts have
+        their annotations. If the document has changed meanwhile or is gone, a failure.
+    """
+    unwritten = outcome.get("unwritten")
+    if unwritten is None:
+        return outcome
+    if not source_is_unchanged(unwritten["source"], task.file):
+        # If the share was unmounted, the info file would be written into the empty mount point.
+        name = Path(task.file).name
+        changed = failure(task.file, "unreadable", message("{file} changed while it was read: classify it again.",
+                                                           file=name))
+        gone = failure(task.file, "missing", message("The file {file} no longer exists.", file=task.file))
+        return {**(changed if os.path.lexists(task.file) else gone), "confinement": outcome.get("confinement")}
+    outcome = {key: value for key, value in outcome.items() if key != "unwritten"}
+    records, failures = outcome["parts"], list(outcome["failures"])
+    for record in records:
+        drawn = _drawn(unwritten["drawn"].get(record["name"]))
+        if drawn.thumbnail is not None:
+            # A failed picture must not lose the measurement; it can be drawn again.
+            with suppress(OSError, ValueError):
+                write_thumbnail(unwritten["source"]["sha256"], record["name"], drawn.thumbnail_pixels())
+        if drawn.page is not None:
+            failures += _failures(task.pages.write, drawn, record)
+    if task.info_file is not None and records:
+        content = info_content(unwritten["source"], task.settings.content(), task.profile, records, outcome["failures"])
+        is_beside = os.path.dirname(task.info_file) == os.path.dirname(task.file)
+        failures += _failures(write_info, task.info_file, content, task.file if is_beside else None)
+    return {**outcome, "failures": failures}
+
+
+def _drawn(content):
+    try:
+        return DrawnPart.from_content(content)
+    except ValueError:  # a faulty worker may return anything
+        return DrawnPart()
+
+
+def _failures(write, *arguments):
+    try:
+        write(*arguments)
+    except ThinPartError as error:
+        return [{"part": None, "label": None, "kind": error.kind, "message": str(error)}]
+    return []

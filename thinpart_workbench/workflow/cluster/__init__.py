@@ -1,0 +1,1 @@
+"""Files analysed on a Dask cluster."""

@@ -1,0 +1,1 @@
+"""Libraries of classified parts: search, similar parts, annotations, judging again."""

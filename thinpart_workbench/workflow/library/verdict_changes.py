@@ -1,0 +1,163 @@
+"""What one profile after another would change in a library; its info files are read once."""
+
+import os
+import time
+from collections import Counter
+from typing import NamedTuple
+
+import numpy as np
+
+from ...core.categories import MEASURE_AGAIN, UNKNOWN
+from ...core.descriptors.descriptor_table import QUANTITIES
+from ...core.errors import ThinPartError
+from ...core.judging.verdict_table import VerdictTable
+from ...core.message import message
+from ...core.record.part_record import descriptors_of
+from ...storage.info.info_file import read_info
+from .reclassify import described_document
+
+MOST_ERRORS = 20
+"""Sentences about info files that are kept; further ones are only counted."""
+
+_FILES_AT_ONCE = 20
+
+
+class StoredPart(NamedTuple):
+    """A part of an info file: paths of that and of the document, the part's name and label."""
+
+    info_file: str
+    file: str
+    name: str
+    label: str
+
+
+class ChangeCounts(NamedTuple):
+    """What a profile would change.
+
+    Attributes
+    ----------
+    parts : int
+        Judged so far.
+    changes : list of (str, str, int)
+        The category in the record, the new one or `MEASURE_AGAIN`, and the number of parts; those that differ, most parts
+        first.
+    after : dict of str to int
+        Parts of every category that some part would have.
+    """
+
+    parts: int
+    changes: list
+    after: dict
+
+
+class VerdictChanges:
+    """The parts of info files with their recorded categories and descriptors.
+
+    Parameters
+    ----------
+    info_files : list of str
+    problems : list of str
+        Sentences about folders that could not be listed.
+
+    Attributes
+    ----------
+    total, read, failed : int
+        Info files: all, those read so far, and those of them that cannot be read.
+    problems : list of str
+        The sentences given, and the first `MOST_ERRORS` about info files.
+    """
+
+    def __init__(self, info_files, problems=()):
+        self._info_files, self.problems = list(info_files), list(problems)
+        self.total, self.read, self.failed = len(self._info_files), 0, 0
+        self._table = VerdictTable()
+        self._parts: list[StoredPart] = []
+        self._before: list[str] = []
+        self._missing: list[frozenset] = []
+        self._judged: tuple = [], np.zeros(0, int)
+
+    @property
+    def is_complete(self):
+        """Whether all info files were read."""
+        return self.read == self.total
+
+    def read_for(self, seconds):
+        """Read info files for about some seconds, float."""
+        end = time.monotonic() + seconds
+        while not self.is_complete and time.monotonic() < end:
+            for info_file in self._info_files[self.read:self.read + _FILES_AT_ONCE]:
+                self._read(info_file)
+                self.read += 1
+
+    def count(self, profile, check=lambda: None):
+        """Judge all parts read so far.
+
+        Parameters
+        ----------
+        profile : Profile
+        check : callable, optional
+            Called every few milliseconds; may raise to stop.
+
+        Returns
+        -------
+        ChangeCounts
+        """
+        names, numbers, undecided = self._table.categories(profile, check)
+        names = [*names, MEASURE_AGAIN]
+        again = np.zeros(len(numbers), bool)
+        for condition, parts in undecided.items():
+            name = condition.quantity.name
+            again |= parts & np.fromiter((name in each for each in self._missing), bool, len(self._missing))
+        numbers = np.where(again & (numbers == names.index(UNKNOWN)), names.index(MEASURE_AGAIN), numbers)
+        self._judged = names, numbers
+        pairs = Counter(zip(self._before, numbers.tolist()))
+        changes = [(before, names[number], count) for (before, number), count in pairs.most_common()
+                   if before != names[number]]
+        after = Counter(numbers.tolist())
+        return ChangeCounts(len(numbers), changes, {names[number]: count for number, count in sorted(after.items())})
+
+    def parts(self, before, after, most):
+        """The first parts of a change that was counted last: list of StoredPart.
+
+        Parameters
+        ----------
+        before, after : str
+        most : int
+        """
+        names, numbers = self._judged
+        if after not in names:
+            return []
+        places = (place for place in np.flatnonzero(numbers == names.index(after)) if self._before[place] == before)
+        return [self._parts[place] for place, _ in zip(places, range(most))]
+
+    def _read(self, info_file):
+        try:
+            content = read_info(info_file)
+        except ThinPartError as error:
+            self._fail(str(error))
+            return
+        except MemoryError:
+            self._fail(message("The info file {info_file} needs more memory than the limit allows.",
+                               info_file=os.path.basename(info_file)))
+            return
+        document = described_document(info_file, content)
+        for part in content["parts"]:
+            self._table.add([descriptors_of(part)])
+            self._parts.append(StoredPart(info_file, document, part["name"], part["label"]))
+            self._before.append(part["category"])
+            self._missing.append(_missing_quantities(frozenset(part["descriptors"])))
+
+    def _fail(self, sentence):
+        self.failed += 1
+        if self.failed <= MOST_ERRORS:
+            self.problems.append(sentence)
+
+
+def _missing_quantities(keys):
+    """Names of the quantities that a record with these keys lacks: frozenset of str."""
+    return _NOTHING if _KEYS <= keys else frozenset(
+        quantity.name for quantity in QUANTITIES if quantity.keys and quantity.keys[0] not in keys)
+
+
+_NOTHING: frozenset = frozenset()
+_KEYS = frozenset(quantity.keys[0] for quantity in QUANTITIES if quantity.keys)

@@ -1,0 +1,142 @@
+"""Gmsh as a program: where it is, and how it ends."""
+
+import os
+import re
+import shutil
+import sys
+
+from ...core.errors import ThinPartError
+from ...core.message import message
+from ...system.exit_cause import ExitCause
+from ...system.process_limits import run_limited
+
+PROGRAM = "gmsh"
+
+CRASHED, TIMEOUT = message("Gmsh crashed"), message("Gmsh took too long")
+MEMORY = message("Gmsh needed too much memory")
+"""Reasons why there is no mesh, beside those that Gmsh states."""
+
+_ERROR_LINE = re.compile(r"^Error\s*:\s*(.+?)\s*$", re.MULTILINE)
+
+
+def gmsh_program(preferred=""):
+    """Path of Gmsh and its version.
+
+    Parameters
+    ----------
+    preferred : str, optional
+        A path that is looked at first.
+
+    Returns
+    -------
+    program, version : str
+
+    Raises
+    ------
+    ThinPartError
+        kind ``unsupported`` if it is not installed.
+    """
+    # Beside Python too, as in FreeCAD's bundles.
+    program = (preferred and shutil.which(preferred) or shutil.which(PROGRAM)
+               or shutil.which(PROGRAM, path=os.path.dirname(sys.executable)))
+    if program is not None:
+        try:
+            end = run_limited([program, "--version"], 20, os.getcwd())
+        except OSError:
+            end = None
+        words = end.text.split() if end is not None and end.code == 0 else []
+        if words:
+            return program, words[-1]
+    raise ThinPartError(message("Meshing needs Gmsh: install it (Debian: 'apt-get install gmsh', elsewhere: "
+                                "https://gmsh.info), and see that 'gmsh --version' runs."), "unsupported")
+
+
+def mesh_volume(program, inputs, output, seconds, folder, options=()):
+    """Mesh a volume with Gmsh, one thread, into a binary file of the format MSH 2.2.
+
+    Parameters
+    ----------
+    program : str
+        Path of Gmsh.
+    inputs : list of str
+        Files of geometry and scripts, in their order.
+    output : str
+    seconds : float
+        Limit.
+    folder : str
+        Working directory.
+    options : sequence of str, optional
+        Further ones of Gmsh.
+
+    Returns
+    -------
+    reason : str
+        Why there is no mesh; empty if there may be one.
+    stated : str
+        All that Gmsh printed.
+    """
+    return _meshed(program, inputs, output, seconds, folder, ("-3", *options))
+
+
+def mesh_surface(program, file, output, seconds, folder, size, around, order):
+    """Mesh faces with triangles, as `mesh_volume` does a volume.
+
+    Parameters
+    ----------
+    program, output, seconds, folder
+        As there.
+    file : str
+        BREP file.
+    size : float, mm
+        Greatest element size.
+    around : int
+        Elements around a circle.
+    order : int
+        Of the elements.
+
+    Returns
+    -------
+    reason, stated : str
+        As there.
+    """
+    return _meshed(program, [file], output, seconds, folder, (
+        "-2", "-clmax", repr(float(size)), "-clcurv", str(around), "-order", str(order)))
+
+
+def _meshed(program, inputs, output, seconds, folder, options):
+    end = run_limited([program, *inputs, *options, "-format", "msh2", "-bin", "-nt", "1", "-v", "2", "-o", output],
+                      seconds, folder)
+    reason = _reason(end)
+    if not reason and not os.path.exists(output):
+        reason = message("Gmsh wrote no mesh")
+    return reason, end.text
+
+
+def convert_mesh(program, mesh, output, seconds, folder):
+    """Convert a mesh to another format, that of the ending of the output, with all its elements.
+
+    Returns
+    -------
+    str
+        Why that failed; empty if it did not.
+    """
+    end = run_limited([program, mesh, "-save", "-save_all", "-v", "2", "-o", output], seconds, folder)
+    return _reason(end) or ("" if os.path.exists(output) else message("Gmsh wrote no mesh"))
+
+
+def _reason(end):
+    """Why a run of Gmsh gave no mesh; empty where it may have given one."""
+    if end.timed_out:
+        return TIMEOUT
+    cause = end.cause()
+    if cause is ExitCause.OUT_OF_MEMORY:
+        return MEMORY
+    if cause in (ExitCause.CRASHED, ExitCause.KILLED):
+        return CRASHED
+    return "" if cause is ExitCause.WELL else stated_error(end.text) or CRASHED
+
+
+def stated_error(output):
+    """The first error that Gmsh states."""
+    found = _ERROR_LINE.search(output)
+    return "" if found is None else found[1][:200]

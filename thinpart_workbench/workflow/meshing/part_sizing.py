@@ -1,0 +1,158 @@
+"""Element sizes of one part that people change, and meshes with them: the part is measured once."""
+
+import os
+from contextlib import suppress
+
+import numpy as np
+
+from ...core.maps.facet_refinement import cut_sides, side_lengths
+from ...core.mesh.tetrahedra import POOR, radius_ratios
+from ...core.message import message
+from ...core.sizing.size_proposal import propose_sizes
+from ...core.sizing.size_sources import size_sources
+from .gmsh_program import convert_mesh
+from .mesh_check import MESH, checked_sizes
+
+BINS = 20
+"""Bins of the histogram of gamma, from 0 to 1."""
+
+MOST_POOR = 20_000
+"""Poor elements that are shown at most, the worst."""
+
+FACETS = 20_000
+"""Facets into which the surface is cut, about, to show sizes on it."""
+
+_MOST_CUTS = 8
+
+
+class PartSizing:
+    """Proposals for one measured part.
+
+    Parameters
+    ----------
+    measurement : Measurement
+    thin_limit : float, mm
+    """
+
+    def __init__(self, measurement, thin_limit):
+        self._measurement, self._thin_limit = measurement, thin_limit
+        self._default = None  # (what it depends on, figures, histogram) of the last mesh at the global size
+        self._points = np.empty((0, 3, 3))
+
+    def proposed(self, settings, region_sizes):
+        """What is proposed, of plain values, all lengths in mm.
+
+        Parameters
+        ----------
+        settings : SizingSettings
+        region_sizes : dict
+            See `propose_sizes`.
+
+        Returns
+        -------
+        dict
+        """
+        proposal = self._proposal(settings, region_sizes)
+        unbounded = proposal.unbounded
+        return {
+            "elements": proposal.elements, "uniform_elements": proposal.uniform_elements, "layers": proposal.layers,
+            "wanted_layers": settings.wanted_layers, "global_size": proposal.global_size,
+            "least_size": proposal.least_size, "order": settings.order, "growth": settings.growth,
+            "unbounded_elements": None if unbounded is None else unbounded.elements,
+            "regions": self._rows(proposal, settings),
+        }
+
+    def facets(self):
+        """The surface, cut into facets on which sizes can be shown: ndarray of shape (m, 3, 3), float32, mm."""
+        mesh = self._measurement.field.mesh
+        points, facets = mesh.vertices, mesh.triangles
+        longest = 1.6 * np.sqrt(4.0 / np.sqrt(3.0) * mesh.areas.sum() / FACETS)
+        for _ in range(_MOST_CUTS):
+            cut = side_lengths(points, facets) > longest
+            if not cut.any() or len(facets) > 3 * FACETS:
+                break
+            points, facets, _ = cut_sides(points, facets, cut)
+        self._points = (points + mesh.origin)[facets]
+        return self._points.astype(np.float32)
+
+    def sizes_on_facets(self, settings, region_sizes):
+        """Size at each corner of `facets`: ndarray of shape (m, 3), float32, mm."""
+        field = self._proposal(settings, region_sizes).field
+        return field.at(self._points.reshape(-1, 3)).reshape(-1, 3).astype(np.float32)
+
+    def mesh(self, program, shape, settings, region_sizes, seconds, folder):
+        """Mesh the part with Gmsh, at the global size and as proposed.
+
+        Parameters
+        ----------
+        program : str
+            Path of Gmsh.
+        shape : str
+            BREP file of the part.
+        settings : SizingSettings
+        region_sizes : dict
+        seconds : float
+            Limit for each mesh.
+        folder : str
+            Working directory.
+
+        Returns
+        -------
+        dict
+            ``default`` and ``proposed``: figures as of `checked_sizes`, with ``histogram``, the share of the elements in
+            each of `BINS`; ``mesh``, a UNV file, empty where there is none; ``poor``, an ndarray of shape (k, 4, 3), mm: the
+            corners of poor elements of the last mesh; ``poor_count``, of all of them.
+        """
+        proposal, known = self._proposal(settings, region_sizes), self._default
+        depends = proposal.global_size, settings.order
+        histograms: dict = {}
+        poor: list = [np.empty((0, 4, 3)), 0]
+        if known is None or known[0] != depends or proposal.is_uniform:
+            known = None
+
+        def on_mesh(name, points, tetrahedra):
+            gamma = radius_ratios(points, tetrahedra)
+            histograms[name] = (np.histogram(gamma, BINS, (0.0, 1.0))[0] / len(gamma)).tolist()
+            worst = np.argsort(gamma)[:np.count_nonzero(gamma < POOR)]
+            poor[:] = points[tetrahedra[worst[:MOST_POOR]]], len(worst)
+
+        check, _ = checked_sizes(program, shape, self._measurement, proposal, seconds, folder,
+                                 None if known is None else known[1], on_mesh)
+        if known is not None:
+            histograms["default"] = known[2]
+        self._default = depends, check["default"], histograms.get("default", [])
+        found: dict = {name: {**figures, "histogram": histograms.get("default" if proposal.is_uniform else name, [])}
+                       for name, figures in check.items()}
+        found.update(mesh="", poor=poor[0] if check["proposed"]["elements"] else np.empty((0, 4, 3)),
+                     poor_count=poor[1] if check["proposed"]["elements"] else 0)
+        if check["proposed"]["elements"]:
+            output = os.path.join(folder, "part.unv")
+            with suppress(FileNotFoundError):
+                os.remove(output)
+            reason = convert_mesh(program, os.path.join(folder, MESH), output, seconds, folder)
+            if reason:
+                found["proposed"] = {**found["proposed"], "elements": 0,
+                                     "reason": message("the mesh was not written ({problem})", problem=reason)}
+            else:
+                found["mesh"] = output
+        return found
+
+    def _proposal(self, settings, region_sizes):
+        return propose_sizes(self._measurement, self._thin_limit, settings, region_sizes)
+
+    def _rows(self, proposal, settings):
+        """A row for each region that asks for sizes, also for those that people have switched off."""
+        proposed = {each.number: each for each in proposal.regions}
+        sources = size_sources(self._measurement, self._thin_limit, settings.divisions).below(
+            settings.global_size(self._measurement.descriptors.box.diagonal))
+        rows = []
+        for number, region in enumerate(self._measurement.regions.listed):
+            own = sources.sizes[sources.region == number]
+            if len(own):
+                now = proposed.get(number)
+                rows.append({
+                    "region": number, "kind": region.kind, "thickness": float(region.median),
+                    "thinnest": float(region.least), "faces": [int(face) for face in region.faces],
+                    "proposed_size": float(np.median(own)), "size": now and now.size, "layers": now and now.layers,
+                    "elements": now and now.elements})
+        return rows

@@ -1,0 +1,192 @@
+"""The mid-surface of a part as a mesh of triangles: faces by FreeCAD, triangles by Gmsh, thickness by rays."""
+
+import os
+import tempfile
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...core.errors import ThinPartError
+from ...core.message import message
+from ...core.shells.facing_faces import facing_faces
+from ...core.shells.open_ends import open_ends
+from ...core.shells.shell_mesh import ShellMesh, shell_mesh
+from ...core.shells.shell_settings import SHARE_OF_DIAGONAL, ShellSettings
+from ...storage.exchange.msh_file import read_triangles
+from .gmsh_program import mesh_surface
+
+ACROSS = 2.0
+"""Elements across the narrowest flat wall; of a round one, its curvature says more."""
+
+THINNEST_ELEMENT = 2.0
+"""Least default element size by the thickness of the thinnest wall: a shell knows nothing smaller."""
+
+AROUND = 6
+"""Elements around a circle."""
+
+LEAST_VOLUME, MOST_VOLUME = 0.6, 1.3
+"""Share of the part's volume that a shell must have to be one: joints count for each wall, what is left solid does not."""
+
+TOLD_INSIDE, MOST_INSIDE = 0.02, 0.5
+"""Share of the free edges of a shell that may end inside the material: without a warning, and at all."""
+
+LEFT_SHARE = 0.002
+"""Share of the surface from which on faces that no wall has are left solid."""
+
+
+@dataclass(frozen=True)
+class PartShell:
+    """A part as a shell.
+
+    Attributes
+    ----------
+    mesh : ShellMesh
+    size : float, mm
+        Of the elements.
+    volume_share : float
+        Area by thickness of the shell, by the volume of the part; joints count for each wall.
+    walls : list of dict
+        ``thickness``, ``area`` of one side, mm and mm2, and ``faces``: names.
+    left_solid : list of dict
+        Walls that are no shell: ``kind``, ``thickness``, ``volume_share`` and ``faces`` of the wall region.
+    warnings : list of str
+    """
+
+    mesh: ShellMesh
+    size: float
+    volume_share: float
+    walls: list
+    left_solid: list
+    warnings: list
+
+
+def shell_of_part(part, measurement, program, seconds, settings=None):
+    """Make the shell of a measured part.
+
+    Parameters
+    ----------
+    part : SolidPart
+    measurement : Measurement
+    program : str
+        Path of Gmsh.
+    seconds : float
+        Limit for meshing.
+    settings : ShellSettings, optional
+
+    Returns
+    -------
+    PartShell
+
+    Raises
+    ------
+    ThinPartError
+        kind ``no_shell`` where the part is not thin enough, or its mid-surface cannot be made; ``no_solid`` for triangles.
+    """
+    # Imported here since the adapter loads FreeCAD.
+    from ...freecad_adapter.mid_surface.mid_faces import mid_surface
+
+    if not hasattr(part, "shape"):
+        raise ThinPartError(message("{part} is made of triangles: a shell needs the faces of a solid, as STEP files have "
+                                    "them.", part=part.label), "no_solid")
+    if measurement.rays is None or measurement.volume_mm3 is None:
+        raise ThinPartError(message("{part} is not closed, or was measured by pairs: a shell needs a closed solid that "
+                                    "was measured by rays.", part=part.label), "no_shell")
+    surface, rays = measurement.field.mesh, measurement.rays
+    middle = mid_surface(part.shape, facing_faces(measurement.field), surface, rays)
+    settings = settings or ShellSettings()
+    size, order = settings.size or _default_size(middle, measurement), settings.order
+    with tempfile.TemporaryDirectory(prefix="thinpart-shell-") as folder:
+        file, output = os.path.join(folder, "middle.brep"), os.path.join(folder, "middle.msh")
+        middle.shape.exportBrep(file)
+        reason, _ = mesh_surface(program, file, output, seconds, folder, size, AROUND, order)
+        if reason:
+            raise ThinPartError(message("The mid-surface of {part} could not be meshed ({problem}): name another element "
+                                        "size.", part=part.label, problem=reason), "no_shell")
+        points, triangles, number = read_triangles(output, order)
+    if not len(triangles):
+        raise ThinPartError(message("The mid-surface of {part} could not be meshed ({problem}): name another element "
+                                    "size.", part=part.label, problem=message("it has no triangles")), "no_shell")
+    wall = np.array(middle.wall_of_face)[number - 1]
+    mesh = shell_mesh(points, triangles, wall, middle.walls, surface, rays)
+    share = mesh.volume / measurement.volume_mm3
+    left = _left_solid(measurement, middle)
+    warnings = _checked(part, mesh, share, left, *open_ends(mesh, surface, rays))
+    areas = np.bincount(wall, mesh.areas, len(middle.walls))
+    walls = [{"wall": row + 1, "thickness": each.thickness, "area": float(areas[row]),
+              "faces": [f"Face{face + 1}" for face in sorted(each.faces)]} for row, each in enumerate(middle.walls)
+             if areas[row] > 0.0]
+    return PartShell(mesh, size, share, walls, left, warnings)
+
+
+def _default_size(middle, measurement):
+    """Element size: the narrowest wall has some elements across, the part has enough in all."""
+    width = min((wall.width for wall in middle.walls if wall.is_flat), default=np.inf)
+    least = THINNEST_ELEMENT * min(wall.thickness for wall in middle.walls)
+    return max(least, min(SHARE_OF_DIAGONAL * measurement.descriptors.box.diagonal, width / ACROSS))
+
+
+def _left_solid(measurement, middle):
+    """Wall regions most of whose surface is on no side of a wall that became a shell."""
+    field = measurement.field
+    pairs = {pair.faces for wall in middle.walls for pair in wall.pairs}
+    far = np.append(field.mesh.face_of_triangle, -1)[field.opposite]
+    covered = np.array([(min(one, other), max(one, other)) in pairs for one, other in zip(field.face, far)], dtype=bool)
+    found = []
+    for region in measurement.regions.listed:
+        own = np.isin(field.face, region.faces) & (field.distance < 1.5 * region.median) & (
+            field.distance > region.median / 1.5)
+        area = field.area[own].sum()
+        if region.area >= LEFT_SHARE * field.area.sum() and area > 0.0 and field.area[own & covered].sum() < 0.5 * area:
+            found.append({"kind": region.kind, "thickness": region.median, "volume_share": region.volume_share,
+                          "faces": [f"Face{face + 1}" for face in region.faces]})
+    return found
+
+
+def _checked(part, mesh, share, left, inside, free):
+    """Warnings about a shell; a ThinPartError where it does not stand for the part."""
+    if not LEAST_VOLUME <= share <= MOST_VOLUME:
+        raise ThinPartError(message(
+            "{part} has no shell: walls of even thickness account for {share:.0f} % of its volume. Mesh it as a solid.",
+            part=part.label, share=100.0 * share), "no_shell")
+    warnings = []
+    if mesh.pieces > 1:
+        if not left:
+            raise ThinPartError(message(
+                "The mid-surface of {part} falls into {count} pieces that do not meet: mesh it as a solid.",
+                part=part.label, count=mesh.pieces), "no_shell")
+        warnings.append(message("The shell is in {count} pieces: what is left solid lies between them.", count=mesh.pieces))
+    if inside > MOST_INSIDE * free:
+        raise ThinPartError(message(
+            "The walls of {part} do not meet: {inside:.3g} mm of the {free:.3g} mm of free edges of its mid-surface lie "
+            "inside the material. Mesh it as a solid.", part=part.label, inside=inside, free=free), "no_shell")
+    if inside > TOLD_INSIDE * free:
+        warnings.append(message(
+            "{inside:.3g} mm of the {free:.3g} mm of free edges lie inside the material: there, walls do not meet, or go "
+            "over into what is left solid. Close these gaps before solving.", inside=inside, free=free))
+    if share < 0.9:
+        warnings.append(message("The shell has {share:.0f} % of the part's volume: the rest is not in the file.",
+                                share=100.0 * share))
+    return warnings
+
+
+def shell_record(shell):
+    """A shell as plain values, dict: all lengths in mm; nodes from 0."""
+    mesh = shell.mesh
+    return {"size": float(f"{shell.size:.6g}"), "nodes": len(mesh.points), "elements": len(mesh.triangles),
+            "volume_share": float(f"{shell.volume_share:.6g}"), "walls": shell.walls, "left_solid": shell.left_solid,
+            "warnings": [str(each) for each in shell.warnings], "reason": "",
+            "points": mesh.points.tolist(), "triangles": mesh.triangles.tolist(), "wall": mesh.wall.tolist(),
+            "thickness": mesh.thickness.tolist()}
+
+
+def mesh_of_record(record):
+    """The `ShellMesh` of such a dict."""
+    return ShellMesh(np.array(record["points"], dtype=np.float64).reshape(-1, 3),
+                     np.array(record["triangles"], dtype=np.int64), np.array(record["wall"], dtype=np.int64),
+                     np.array(record["thickness"], dtype=np.float64))
+
+
+def no_shell_record(reason):
+    """The same dict where there is no shell, and why."""
+    return {"size": 0.0, "nodes": 0, "elements": 0, "volume_share": 0.0, "walls": [], "left_solid": [], "warnings": [],
+            "reason": str(reason), "points": [], "triangles": [], "wall": [], "thickness": []}

@@ -1,0 +1,71 @@
+"""The definition of what a worker proposes for a document. It is checked, since a malicious file may control its worker."""
+
+from functools import cache
+
+from ...core.descriptors.region_kinds import REGION_KINDS
+from ...core.kinds.compound_kinds import ListOf, Record
+from ...core.kinds.value_checker import checker
+from ...core.kinds.value_kinds import Number, OneOf, OrNull, Text, Whole
+from ...core.record.part_definition import FAILURE
+from ...storage.info.info_definition import SOURCE
+
+_LENGTH, _COUNT, _SHARE = Number(0.0, 1e15), Whole(0, 10**15), Number(0.0, 1.0 + 1e-9)
+_POINT = ListOf(Number(), 3, 3)
+
+MESH_FIGURES = Record({
+    "reason": Text(), "elements": _COUNT, "gamma_least": OrNull(Number(0, 2)), "gamma_1_percent": OrNull(Number(0, 2)),
+    "gamma_mean": OrNull(Number(0, 2)), "poor_share": OrNull(_SHARE), "sicn_least": OrNull(Number(-2, 2)),
+    "layers_share": OrNull(_SHARE), "seconds": Number(0.0), "attempts": Whole(1, 100),
+})
+"""Kind of the figures of one mesh; without one, the reason, no elements and nulls."""
+
+_REGION = Record({
+    "region": Whole(1), "kind": OneOf(REGION_KINDS), "thickness": _LENGTH, "thinnest": _LENGTH, "area": _LENGTH,
+    "length": _LENGTH, "width": _LENGTH, "faces": ListOf(Text(), most=1_000_000), "size": _LENGTH, "layers": Number(0.0),
+    "elements": _COUNT,
+})
+
+_IDEALISATION = Record({
+    "advice": OneOf(("shell", "mixed", "solid")), "plate_volume_share": OrNull(_SHARE), "plate_area_share": _SHARE,
+    "width_to_thickness": OrNull(Number(0.0)), "solid_elements": _COUNT, "shell_elements": _COUNT,
+})
+
+_MOST_NODES = 3_000_000
+
+SHELL = Record({
+    "size": _LENGTH, "nodes": _COUNT, "elements": _COUNT, "volume_share": Number(0.0), "reason": Text(),
+    "walls": ListOf(Record({"wall": Whole(1), "thickness": _LENGTH, "area": _LENGTH,
+                            "faces": ListOf(Text(), most=1_000_000)}), most=100_000),
+    "left_solid": ListOf(Record({"kind": OneOf(REGION_KINDS), "thickness": _LENGTH, "volume_share": OrNull(_SHARE),
+                                 "faces": ListOf(Text(), most=1_000_000)}), most=10_000),
+    "warnings": ListOf(Text(), most=100), "points": ListOf(_POINT, most=_MOST_NODES),
+    "triangles": ListOf(ListOf(Whole(0, _MOST_NODES), 3, 6), most=_MOST_NODES),
+    "wall": ListOf(Whole(0, 100_000), most=_MOST_NODES), "thickness": ListOf(_LENGTH, most=_MOST_NODES),
+})
+"""Kind of a shell; without one, the reason."""
+
+PART_SIZES = Record({
+    "name": Text(), "label": Text(), "category": Text(), "diagonal": _LENGTH, "thin_limit": _LENGTH, "order": OneOf((1, 2)),
+    "growth": Number(1.0, 10.0), "wanted_layers": Number(0.0), "layers": Number(0.0), "global_size": _LENGTH,
+    "least_size": _LENGTH, "elements": _COUNT, "uniform_elements": _COUNT,
+    "unbounded": OrNull(Record({"layers": Number(0.0), "least_size": _LENGTH, "elements": _COUNT})),
+    "regions": ListOf(_REGION, most=10_000), "idealisation": _IDEALISATION,
+    "check": OrNull(Record({"default": MESH_FIGURES, "proposed": MESH_FIGURES})),
+}, {"sources": ListOf(ListOf(Number(), 5, 5), most=1_000_000), "box": ListOf(_POINT, 2, 2),
+    "inner": ListOf(_POINT, most=1_000_000), "shell": SHELL})
+"""Kind of what is proposed for a part; all lengths in mm."""
+
+_DOCUMENT = Record({
+    "source": SOURCE, "parts": ListOf(PART_SIZES, most=1_000_000, distinct="name"),
+    "failures": ListOf(FAILURE, most=1_000_000),
+})
+
+
+def sizes_fault(content):
+    """Why an object is no result for a document, in a few words; None if it is one."""
+    return None if _check()(content) else _DOCUMENT.fault(content, "")
+
+
+@cache
+def _check():
+    return checker(_DOCUMENT)

@@ -1,0 +1,100 @@
+"""Propose element sizes for many documents, each in a worker process, several at the same time."""
+
+from collections import deque
+from contextlib import suppress
+from pathlib import Path
+
+from ...core.message import message
+from ...core.run_control import RunControl
+from ...system.process_limits import WALL_FACTOR
+from ..analysis.analysis_outcome import failure, failure_fault
+from ..workers.pool_supervisor import PoolSupervisor
+from ..workers.reported_failure import reported_failure
+from ..workers.worker_pool import answer_of, close_documents, start_reader, worker_folder
+from .mesh_check import ATTEMPTS
+from .size_cache import SizeCache
+from .size_result import sizes_fault
+from .size_task import propose_for_document
+
+_MESHED_PARTS = 20
+"""Parts of a document that may all take the whole time of their meshes."""
+
+
+def propose_for_documents(tasks, limits, version="", force=False, control=None):
+    """Propose sizes for documents.
+
+    Parameters
+    ----------
+    tasks : list of SizeTask
+    limits : Limits
+        Of time for measuring a document, of memory, and the number of workers.
+    version : str, optional
+        Of Gmsh, where it is to mesh the parts.
+    force : bool, optional
+        Whether not to take results of an earlier run.
+    control : RunControl, optional
+
+    Yields
+    ------
+    dict
+        As they finish: ``file``, and ``parts`` and ``failures`` of `propose_for_document`; or ``error`` with ``kind`` and
+        ``message``.
+
+    Raises
+    ------
+    ThinPartError
+        If no worker can be started.
+    KeyboardInterrupt
+        When `control` was asked to stop; what is done is kept for the next run.
+    """
+    control, kept = control or RunControl(), SizeCache(version, limits)
+    waiting: deque = deque()
+    for task in tasks:
+        control.check()
+        result = None if force else kept.result(task)
+        if result is None:
+            waiting.append(task)
+        else:
+            yield {"file": task.file, **result}
+    if not waiting:
+        return
+    seconds = limits.seconds
+    if any(task.program for task in waiting):
+        seconds += _MESHED_PARTS * (ATTEMPTS + 1) * (WALL_FACTOR + 1.0) * max(task.seconds for task in waiting)
+    with worker_folder() as folder:
+        workers = PoolSupervisor(max(1, min(limits.jobs, len(waiting))), seconds, folder, _propose, start_reader,
+                                 (limits.megabytes,), confine=True)
+        try:
+            for future, task in workers.run(waiting, control):
+                result = _result(future, task, seconds, limits)
+                if "error" not in result:
+                    kept.keep(task, result)
+                yield {"file": task.file, **result}
+        finally:
+            workers.stop()
+
+
+def _result(future, task, seconds, limits):
+    result, failed = answer_of(future, task.file, seconds, limits.megabytes)
+    if failed is not None:
+        return failed
+    if failure_fault(result) is None:
+        return {**result, "file": task.file}
+    fault = sizes_fault(result)
+    return result if fault is None else failure(task.file, "failed", message(
+        "{file} failed: its result cannot be used ({problem}).", file=Path(task.file).name, problem=fault))
+
+
+def _propose(task):
+    """Runs in a worker."""
+    from ...freecad_adapter.reading.linked_files import linked_files
+    from ...storage.info.info_file import new_source
+
+    try:
+        source = new_source(task.file, linked_files(task.file))
+        return {"source": source, **propose_for_document(task)}
+    except Exception as error:  # a failed row instead of a traceback
+        return failure(task.file, **reported_failure(error, Path(task.file).name))
+    finally:
+        with suppress(Exception):  # what cannot be closed does not lose the results
+            close_documents()

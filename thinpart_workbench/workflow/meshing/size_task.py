@@ -1,0 +1,180 @@
+"""Propose element sizes for the parts of one document, and mesh them. Runs in a worker process."""
+
+import os
+import tempfile
+from dataclasses import asdict, dataclass, field
+from typing import Optional
+
+import numpy as np
+
+from ...core.analysis_settings import AnalysisSettings
+from ...core.errors import ThinPartError
+from ...core.file_formats import is_shape
+from ...core.judging.classification import classify
+from ...core.judging.criteria import profile_from
+from ...core.shells.shell_or_solid import idealisation
+from ...core.shells.shell_settings import SHARE_OF_DIAGONAL, ShellSettings
+from ...core.sizing.size_proposal import propose_sizes
+from ...core.sizing.sizing_settings import SizingSettings
+from ..analysis.analyse_part import analyse_part
+from .mesh_check import checked_sizes
+from .shell_meshing import no_shell_record, shell_of_part, shell_record
+
+
+@dataclass(frozen=True)
+class SizeTask:
+    """One document whose parts are to be meshed.
+
+    Attributes
+    ----------
+    file : str
+    settings : SizingSettings
+    profile : dict
+        Content of the profile: its thin limit says which walls are thin.
+    analysis : AnalysisSettings
+    program : str or None
+        Path of Gmsh, to mesh with and without the sizes.
+    seconds : float
+        Limit for each mesh.
+    has_sources : bool
+        Whether the places and their sizes are wanted too.
+    shell : ShellSettings or None
+        Where a shell is wanted too; that needs `program`.
+    check : bool
+        Whether to mesh with and without the sizes; that needs `program`.
+    """
+
+    file: str
+    settings: SizingSettings
+    profile: dict
+    analysis: AnalysisSettings = field(default_factory=AnalysisSettings)
+    program: Optional[str] = None
+    seconds: float = 120.0
+    has_sources: bool = False
+    shell: Optional[ShellSettings] = None
+    check: bool = True
+
+
+def propose_for_document(task):
+    """Propose sizes for every part of a document.
+
+    Parameters
+    ----------
+    task : SizeTask
+
+    Returns
+    -------
+    dict
+        ``parts``: see `size_record`; ``failures``: ``part``, ``label``, ``kind`` and ``message``.
+
+    Raises
+    ------
+    ThinPartError
+        If the document cannot be read.
+    """
+    # Imported here since the adapter loads FreeCAD.
+    from ...freecad_adapter.reading.part_files import read_parts
+
+    profile, content = profile_from(task.profile), read_parts(task.file)
+    records, failures = [], [broken.failure() for broken in content.broken]
+    for part in content.parts:
+        try:
+            records.append(_proposed(part, profile, task, len(content.parts) == 1))
+        except ThinPartError as error:
+            if error.kind == "cancelled":
+                raise
+            failures.append({"part": part.name, "label": part.label, "kind": error.kind, "message": str(error)})
+    return {"parts": records, "failures": failures}
+
+
+def _proposed(part, profile, task, is_alone):
+    found: dict = {}
+
+    def keep(measurement, record):
+        found.update(measurement=measurement, record=record)
+
+    analyse_part(part, task.analysis, profile, on_result=keep)
+    measurement = found["measurement"]
+    diagonal = measurement.descriptors.box.diagonal
+    limit = classify(measurement.descriptors, profile).thin_limit_x * diagonal
+    proposal, check = propose_sizes(measurement, limit, task.settings), None
+    if task.program is not None and task.check:
+        with tempfile.TemporaryDirectory(prefix="thinpart-gmsh-") as folder:
+            shape = os.path.join(folder, "part.brep")
+            part.write_brep(shape)
+            if is_alone and is_shape(task.file):
+                shape = os.path.abspath(task.file)  # as the script opens it; what FreeCAD exports may differ in a detail
+            check, proposal = checked_sizes(task.program, shape, measurement, proposal, task.seconds, folder)
+    record = size_record(part, found["record"], measurement, proposal, check, task.has_sources)
+    if task.shell is not None:
+        record["shell"] = _shell(part, measurement, task)
+    return record
+
+
+def _shell(part, measurement, task):
+    """The shell of a part as plain values, or why there is none: its sizes are proposed all the same."""
+    try:
+        return shell_record(shell_of_part(part, measurement, task.program, task.seconds, task.shell))
+    except ThinPartError as error:
+        if error.kind == "cancelled":
+            raise
+        return no_shell_record(error)
+
+
+def size_record(part, record, measurement, proposal, check, has_sources):
+    """What is proposed for a part, of plain values.
+
+    Parameters
+    ----------
+    part : Part
+    record : PartRecord
+    measurement : Measurement
+    proposal : SizeProposal
+    check : dict or None
+        See `mesh_check.checked_sizes`.
+    has_sources : bool
+        With ``sources``: rows of x, y, z, size and radius, mm; ``inner``: points within the part; and ``box``: the least and
+        greatest coordinates.
+
+    Returns
+    -------
+    dict
+        All lengths in mm.
+    """
+    unbounded = proposal.unbounded
+    found = {
+        "name": part.name, "label": part.label, "category": record["category"],
+        "diagonal": _rounded(measurement.descriptors.box.diagonal), "thin_limit": _rounded(proposal.thin_limit),
+        "order": proposal.settings.order, "growth": proposal.settings.growth,
+        "wanted_layers": proposal.settings.wanted_layers, "layers": _rounded(proposal.layers),
+        "global_size": _rounded(proposal.global_size), "least_size": _rounded(proposal.least_size),
+        "elements": proposal.elements, "uniform_elements": proposal.uniform_elements,
+        "unbounded": None if unbounded is None else {
+            "layers": _rounded(unbounded.layers), "least_size": _rounded(unbounded.least_size),
+            "elements": unbounded.elements},
+        "regions": [_region_row(each) for each in proposal.regions],
+        "check": check, "idealisation": _idealisation(measurement, proposal),
+    }
+    if has_sources:
+        vertices, sources = measurement.field.mesh.vertices, proposal.sources
+        found["inner"] = proposal.inner.points.reshape(-1, 3).tolist()
+        found["sources"] = np.column_stack([sources.points, sources.sizes, sources.radius]).tolist()
+        found["box"] = [(end(vertices, axis=0) + measurement.field.mesh.origin).tolist() for end in (np.min, np.max)]
+    return found
+
+
+def _idealisation(measurement, proposal):
+    found = idealisation(measurement, proposal.elements, SHARE_OF_DIAGONAL * measurement.descriptors.box.diagonal)
+    return {name: _rounded(value) if isinstance(value, float) else value for name, value in asdict(found).items()}
+
+
+def _region_row(each):
+    region = each.region
+    return {"region": each.number + 1, "kind": region.kind, "thickness": _rounded(region.median),
+            "thinnest": _rounded(region.least), "area": _rounded(region.area), "length": _rounded(region.length),
+            "width": _rounded(region.width), "faces": [f"Face{face + 1}" for face in region.faces],
+            "size": _rounded(each.size), "layers": _rounded(each.layers), "elements": each.elements}
+
+
+def _rounded(value):
+    return float(f"{value:.6g}")

@@ -1,0 +1,155 @@
+"""The pages of the parts of a document, created by the worker that measures it."""
+
+import hashlib
+import os
+from dataclasses import dataclass
+from urllib.parse import quote
+
+from ...core.analysis_settings import RAY
+from ...core.errors import ThinPartError
+from ...core.message import message
+from ...storage.atomic_file import write_atomically
+from ...storage.info.info_file import stored_info
+from ...storage.part_table import csv_text
+
+PAGES = "pages"
+"""Subfolder of the report for the pages."""
+
+PICTURE_WIDTH, PICTURE_HEIGHT = 240, 160
+"""Pixels of a part's picture in the overview."""
+
+_LONGEST = 60
+"""Maximum length of a name before it is shortened; the name of a page consists of two."""
+
+_ANNOTATION_KEYS = ("notes", "mesh", "link", "labels", "region_notes")
+
+
+@dataclass(frozen=True)
+class ReportPages:
+    """The paths of the pages of a document. Contains only plain values, so that it can be pickled.
+
+    Attributes
+    ----------
+    folder : str
+        Folder of the report.
+    document : str
+        Path of the document below the common folder of all documents.
+    info_file : str
+        Path of its info file, which may contain notes; empty where there is none.
+    limits : tuple of WallLimits
+        What the walls are checked against.
+    shown_measure : str
+        One of `SHOWN_MEASURES`: what the colours of the pictures stand for.
+    """
+
+    folder: str
+    document: str
+    info_file: str
+    limits: tuple = ()
+    shown_measure: str = RAY
+
+    def page(self, part_name, ending=".html"):
+        """Path of a part's page relative to the folder of the report, the same in every run."""
+        *folders, name = [_safe(name) for name in self.document.split(os.sep)]
+        return os.path.join(PAGES, *folders, f"{name}~{_safe(part_name)}{ending}")
+
+    def picture(self, part_name):
+        """Path of a part's small picture relative to the folder of the report."""
+        return self.page(part_name, ".png")
+
+    def write(self, drawn, record):
+        """Write the page of a part and the picture beside it.
+
+        Parameters
+        ----------
+        drawn : DrawnPart
+        record : PartRecord
+
+        Raises
+        ------
+        ThinPartError
+            kind ``failed``.
+        """
+        for page, content in ((self.picture(record["name"]), drawn.picture), (self.page(record["name"]), drawn.page)):
+            path = os.path.join(self.folder, page)
+            try:
+                os.makedirs(os.path.dirname(path), exist_ok=True)
+                write_atomically(path, content, durable=False)
+            except OSError as error:
+                raise ThinPartError(
+                    message("The page {page} could not be written ({problem}): make room, or give another folder "
+                            "for the report.", page=path, problem=error.strerror), "failed") from None
+
+
+def address(path):
+    """The relative URL of a path below the folder of a page."""
+    return quote(os.fsencode(path if os.sep == "/" else path.replace(os.sep, "/")))
+
+
+def _safe(name):
+    """A file name that is valid on every file system, and unique for each name."""
+    safe_name = "".join(
+        character if character.isascii() and (character.isalnum() or character in "._-") else "-" for character in name)
+    if safe_name == name and len(safe_name) <= _LONGEST and not safe_name.startswith("."):
+        return safe_name
+    return f"{safe_name[:_LONGEST].lstrip('.')}~{hashlib.sha256(os.fsencode(name)).hexdigest()[:10]}"
+
+
+class PageMaker:
+    """Creates the pages of a document while its parts are measured.
+
+    Parameters
+    ----------
+    pages : ReportPages
+    source : dict
+        Source entry of the document, as in an info file.
+    settings, profile : dict
+
+    Attributes
+    ----------
+    faces : dict
+        Lines for the table of faces, by part name.
+    """
+
+    def __init__(self, pages, source, settings, profile):
+        self._pages = pages
+        self._about = {"source": source, "settings": settings, "profile": profile}
+        stored = (stored_info(pages.info_file) if pages.info_file else None) or {"parts": ()}
+        self._annotations = {part.get("name"): {key: part.get(key) for key in _ANNOTATION_KEYS}
+                             for part in stored["parts"]}
+        self.faces = {}
+
+    def make(self, part, measurement, record, features=None):
+        """Create the page of a part and its small picture.
+
+        Parameters
+        ----------
+        part : SolidPart or MeshedPart
+        measurement : Measurement
+        record : PartRecord
+        features : list of str, optional
+            The feature that made each face, where it is known; by default it is found out.
+
+        Returns
+        -------
+        page, picture : bytes
+        """
+        # Imported here: most runs create no pages.
+        from ...core.maps.thickness_map import thickness_map
+        from ...core.rendering.part_views import PartPictures
+        from ...freecad_adapter.features.face_features import face_features
+        from ...freecad_adapter.features.feature_history import feature_history
+        from ...storage.face_table import face_rows
+        from ...storage.png import png_bytes
+        from .part_page import part_page
+
+        if features is None:
+            history = feature_history(part)
+            features = face_features(part.shape, history) if history else []
+        pictures = PartPictures(thickness_map(measurement, by=self._pages.shown_measure), record)
+        page = self._pages.page(part.name)
+        overview = address(os.path.relpath("index.html", os.path.dirname(page)))
+        about = {**self._about, "kept": self._annotations.get(part.name, {}), "limits": self._pages.limits}
+        content = part_page(record, pictures, features, about, self._pages.document, overview)
+        self.faces[part.name] = csv_text(face_rows(self._pages.document, record, features))
+        return content, png_bytes(pictures.small(PICTURE_WIDTH, PICTURE_HEIGHT))

@@ -1,0 +1,1 @@
+"""Worker processes: the pool, its messages, JSON lines, temporary folders."""

@@ -1,0 +1,376 @@
+"""A pool of worker processes that may be confined, and that return JSON data only."""
+
+import errno
+import json
+import os
+import pickle
+import shutil
+import subprocess
+import sys
+import threading
+from concurrent.futures import Future
+from concurrent.futures import TimeoutError as TaskTimeout
+from contextlib import suppress
+from queue import SimpleQueue
+from typing import Any, Optional
+
+from ...freecad_adapter.python_beside_freecad import is_within_freecad, python_beside_freecad, python_environment
+from ...system.confinement import NONE, UNCONFINED, chosen_confinement, confined_command
+from ...system.exit_cause import KILLED_END, ProcessEnd
+from ...system.interruption import IGNORE_CTRL_C, without_ctrl_c
+from ...system.python_process import CHECKOUT, module_command
+from .pool_messages import DONE, FAILED, GREETING, READY, TAKEN, InvalidMessage, decode_response, read_message, write_message
+
+_MODULE = "thinpart_workbench.workflow.workers.pool_worker"
+
+_TEMPORARY = ("TMPDIR", "TEMP", "TMP", "FREECAD_USER_TEMP", "XDG_CACHE_HOME")
+"""Environment variables with folders for temporary files. FreeCAD unpacks documents there. It reads the variables when
+it starts, which has already happened if the worker runs in FreeCADCmd."""
+
+_LONGEST_LINE = 1 << 16
+"""Maximum bytes of a line that a program prints before `GREETING`."""
+
+_MAX_ATTEMPTS = 3
+"""Workers to which a task is sent before it fails: idle workers may be killed."""
+
+
+_MAX_LOG_BYTES = 1 << 20
+"""Bytes that are read of the log of a dead worker."""
+
+_END_SECONDS = 1.0
+"""Seconds to wait for a worker that has closed its pipe to exit, in order to get its own exit code."""
+
+
+class WorkerDied(Exception):
+    """A worker process ended during a task.
+
+    Attributes
+    ----------
+    end : ProcessEnd
+        Its text is what the worker printed during that task.
+    """
+
+    def __init__(self, end=KILLED_END):
+        super().__init__()
+        self.end = end
+
+
+class WorkerFault(Exception):
+    """The exception of a task as text: its class and message."""
+
+
+class ProcessPool:
+    """Worker processes that each process one task after the other.
+
+    If a worker dies, its current task fails and the worker is replaced.
+
+    Parameters
+    ----------
+    count : int
+    folder : str
+        Folder for the logs of workers and for a folder per worker for its files; both are removed with the worker.
+    start : callable
+        Runs in each new worker.
+    arguments : tuple
+    confine : bool
+        Whether to restrict workers to writing into their folder, without network, if the system supports that.
+
+    Attributes
+    ----------
+    confinement : dict
+        Confinement of the worker that started last; see `confinement.confine`.
+
+    Notes
+    -----
+    Each worker has a thread in this process that communicates with it through pipes. Linux ends a process with
+    the thread that has started it, and threads can wait for pipes on every system. Workers respond in JSON: a
+    malicious file may have taken over the worker, and unpickling its response would run code.
+    """
+
+    def __init__(self, count, folder, start, arguments, confine=False):
+        self._count = count
+        self._folder = folder
+        self._confinement = chosen_confinement() if confine else NONE
+        self._setup_messages = pickle.dumps(sys.path), pickle.dumps((start, arguments))
+        self._tasks: SimpleQueue[Optional[_Task]] = SimpleQueue()
+        self._threads: list[_WorkerThread] = []
+        self._lock = threading.Lock()
+        self._may_start = threading.Event()
+        self._may_start.set()
+        self._stopped = self._broken = False
+        self._started = 0
+        self.confinement = UNCONFINED
+
+    @property
+    def active(self):
+        """Whether the pool starts tasks: not after `stop`, and not if no worker can start."""
+        return not (self._stopped or self._broken)
+
+    def schedule(self, work, arguments, seconds):
+        """Have a worker call a function.
+
+        Parameters
+        ----------
+        work : callable
+            Pickled by its name; workers import its module.
+        arguments : tuple
+        seconds : float
+            Time limit, from when a worker has received the task.
+
+        Returns
+        -------
+        Future
+            Its result consists of JSON values. Its exception is WorkerFault if the function raised one,
+            `concurrent.futures.TimeoutError` or WorkerDied. It never finishes if the pool is stopped or fails
+            before.
+
+        Raises
+        ------
+        RuntimeError
+            If the pool is not active.
+        """
+        if not self.active:
+            raise RuntimeError("the pool takes no tasks any more")
+        future: Future = Future()
+        self._tasks.put(_Task(future, pickle.dumps((work, arguments)), seconds))
+        with self._lock:
+            if len(self._threads) < self._count:
+                self._started += 1
+                folder = os.path.join(self._folder, f"worker-{id(self):x}-{self._started}")
+                self._threads.append(_WorkerThread(self, folder))
+                self._threads[-1].start()
+        return future
+
+    def set_paused(self, paused):
+        """Pause: workers start no further task. Or resume."""
+        if paused:
+            self._may_start.clear()
+        else:
+            self._may_start.set()
+
+    def stop(self):
+        """Kill all workers, and wait until they have ended."""
+        self._stopped = True
+        self._may_start.set()
+        with self._lock:
+            threads = list(self._threads)
+        for thread in threads:
+            thread.stop()
+            self._tasks.put(None)
+        for thread in threads:
+            thread.join()
+
+    def command(self, folder):
+        """The command that starts a worker, and its environment.
+
+        Parameters
+        ----------
+        folder : str
+            The folder into which it may write.
+
+        Raises
+        ------
+        OSError
+            If there is no program that can run a worker.
+        """
+        # FreeCAD's Python console starts workers too; there sys.executable is FreeCAD.
+        program, environment = None, os.environ
+        if is_within_freecad():
+            program, environment = python_beside_freecad(), python_environment()
+            if program is None:
+                raise FileNotFoundError(errno.ENOENT, "python")  # FreeCAD itself would open another window
+        command, variables = module_command(_MODULE, program=program)
+        path = os.pathsep.join(filter(None, (os.fspath(CHECKOUT), environment.get("PYTHONPATH"))))
+        temporary = dict.fromkeys(_TEMPORARY, folder)
+        # Tasks run in parallel already; threads of the linear algebra library would compete for the processors.
+        openblas = {"OPENBLAS_NUM_THREADS": os.environ.get("OPENBLAS_NUM_THREADS", "1")}
+        return (confined_command(command, self._confinement, folder),
+                {**environment, **openblas, **variables, **temporary, "PYTHONPATH": path})
+
+    def send_setup(self, process, folder):
+        """Send the setup to a new worker; it responds with READY.
+
+        Raises
+        ------
+        OSError
+            If the worker has ended.
+        """
+        setup = json.dumps({"parent": os.getpid(), "confinement": self._confinement, "folder": folder}).encode()
+        for part in (setup, *self._setup_messages):
+            write_message(process.stdin, READY, part)
+
+    def next_task(self):
+        """Wait for the next task that may be started; None after `stop`."""
+        task = self._tasks.get()
+        self._may_start.wait()
+        return None if self._stopped else task
+
+    def on_start_failed(self, thread, task):
+        """Handle a worker that cannot start: put its task back for the other workers, if there are any."""
+        with self._lock:
+            self._threads.remove(thread)
+            self._broken = not self._threads
+        self._tasks.put(task)
+
+
+class _Task:
+    def __init__(self, future, content, seconds):
+        self.future, self.content, self.seconds = future, content, seconds
+
+
+class _WorkerThread(threading.Thread):
+    """The thread that starts one worker and sends tasks to it."""
+
+    def __init__(self, pool, folder):
+        super().__init__(name="thinpart-worker", daemon=True)
+        self._pool, self._folder = pool, folder
+        # While there is a worker: its `Popen`, with pipes, and its log file.
+        self._worker: Any = None
+        self._log: Any = None
+        self._lock = threading.Lock()
+        self._stopped = False
+        self._timed_task = None  # the task whose timer is running
+        self._timed_out = False
+
+    def run(self):
+        with without_ctrl_c():
+            while (task := self._pool.next_task()) is not None:
+                try:
+                    can_start = self._process(task)
+                except Exception as error:  # reported to the waiting caller; the thread goes on with the next task
+                    self._end_worker()
+                    task.future.set_exception(error)
+                    continue
+                if not can_start:
+                    self._pool.on_start_failed(self, task)
+                    break
+        self._end_worker()
+
+    def stop(self):
+        """Kill the worker and take no further task; called from another thread."""
+        with self._lock:
+            self._stopped = True
+            if self._worker is not None:
+                self._worker.kill()
+
+    def _process(self, task):
+        """Process a task; False if no worker can start."""
+        for _ in range(_MAX_ATTEMPTS):
+            if self._worker is None and not self._start_worker():
+                return self._stopped
+            if self._send_task(task):
+                self._set_outcome(task)
+                return True
+            self._end_worker()  # the idle worker was killed
+            if self._stopped:
+                return True
+        task.future.set_exception(WorkerDied())  # each of the workers was killed while idle
+        return True
+
+    def _start_worker(self):
+        with self._lock:
+            if self._stopped:
+                return False
+            try:
+                os.mkdir(self._folder, 0o700)
+                # Outside the worker's folder: the worker has the open file, but cannot write to its path.
+                self._log = open(self._folder + ".log", "w+b", buffering=0)
+                command, variables = self._pool.command(self._folder)
+                self._worker = subprocess.Popen(
+                    command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self._log,
+                    creationflags=IGNORE_CTRL_C, env=variables)
+            except OSError:  # not enough memory, too many processes, or no disk space
+                self._remove_folder()
+                return False
+        try:
+            self._pool.send_setup(self._worker, self._folder)
+            while line := self._worker.stdout.readline(_LONGEST_LINE):
+                if line == GREETING:  # FreeCADCmd prints its banner first
+                    break
+        except OSError:
+            pass  # it has ended
+        kind, content = self._read_message()
+        if kind == READY:
+            self._pool.confinement = decode_response(content)
+            return True
+        self._end_worker()
+        return False
+
+    def _send_task(self, task):
+        self._log.seek(0)  # also the worker's position: the file description is shared
+        self._log.truncate()
+        try:
+            write_message(self._worker.stdin, TAKEN, task.content)
+        except OSError:
+            return False
+        return self._read_message()[0] == TAKEN
+
+    def _set_outcome(self, task):
+        with self._lock:
+            self._timed_task, self._timed_out = task, False
+        timer = threading.Timer(task.seconds, self._on_timeout, (task,))
+        timer.start()
+        kind, content = self._read_message()
+        timer.cancel()
+        with self._lock:
+            self._timed_task = None
+        try:
+            if kind == DONE:
+                task.future.set_result(decode_response(content))
+                return
+            if kind == FAILED:
+                task.future.set_exception(WorkerFault(str(decode_response(content))))
+                return
+        except InvalidMessage:
+            pass  # handled as if the worker had died
+        log = self._read_log()
+        code = self._end_worker(_END_SECONDS if kind is None else 0.0)
+        if self._timed_out:
+            task.future.set_exception(TaskTimeout())
+        elif not self._stopped:
+            task.future.set_exception(WorkerDied(ProcessEnd(code, log)))
+
+    def _on_timeout(self, task):
+        with self._lock:
+            if self._timed_task is task:
+                self._timed_out = True
+                self._worker.kill()
+
+    def _read_message(self):
+        """Kind and content of the worker's next message; (None, None) if it has ended."""
+        try:
+            return read_message(self._worker.stdout)
+        except (OSError, EOFError, InvalidMessage):
+            return None, None
+
+    def _read_log(self):
+        try:
+            self._log.seek(0)
+            return self._log.read(_MAX_LOG_BYTES)
+        except OSError:
+            return b""
+
+    def _end_worker(self, patience=0.0):
+        """End the worker, if there is one, and return its exit code. Wait `patience` seconds before killing it."""
+        with self._lock:
+            process, self._worker = self._worker, None
+        if process is None:
+            return None
+        with suppress(subprocess.TimeoutExpired):
+            process.wait(patience)
+        process.kill()
+        for pipe in (process.stdin, process.stdout):
+            with suppress(OSError):
+                pipe.close()
+        process.wait()
+        self._remove_folder()
+        return process.returncode
+
+    def _remove_folder(self):
+        """Remove the files of a worker, such as documents that FreeCAD unpacked, and its log."""
+        if self._log is not None:
+            self._log.close()
+            self._log = None
+        with suppress(OSError):
+            os.unlink(self._folder + ".log")
+        shutil.rmtree(self._folder, ignore_errors=True)
