@@ -5,7 +5,8 @@
     python3 tests/gui/run_in_freecad.py [OPTIONS] --screenshots docs/screenshots
 
 Options: --language German starts FreeCAD in that language, --scale 1.5 draws everything larger,
---theme "FreeCAD Dark" takes the colours of one of FreeCAD's own preference packs.
+--theme "FreeCAD Dark" takes the colours of one of FreeCAD's own preference packs, --again runs a few tests that
+fail once more in a FreeCAD of their own and says which passed only there.
 
 The status is pytest's; a FreeCAD that crashes, hangs or ends without a complete report is a
 failure of the test that it did last, and the others go on in a new one. After all tests of the window, those of
@@ -29,6 +30,10 @@ from virtual_screen import virtual_screen
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
+sys.path.insert(0, os.fspath(ROOT))
+
+from thinpart_workbench.cli.commands.test import AGAIN, MOST_AGAIN, failed_tests  # noqa: E402
+
 SECONDS = 2700
 LIVES = 8
 """FreeCADs that may die before nothing more is tried."""
@@ -123,17 +128,19 @@ def main(arguments):
     parser.add_argument("--language", default=PLAIN.language)
     parser.add_argument("--scale", type=float, default=PLAIN.scale)
     parser.add_argument("--theme", default=PLAIN.theme)
+    parser.add_argument("--again", action="store_true")
     options, rest = parser.parse_known_args(arguments)
     look = Look(options.language, options.scale, options.theme)
     # FreeCAD starts hundreds of processes that measure, none of which keeps what it has compiled.
     compileall.compile_dir(ROOT / "thinpart_workbench", quiet=2)
     if options.screenshots:
         return _in_a_home(lambda home: _make_screenshots(Path(options.screenshots), home, look))
-    status = 0 if options.close else _run_tests(rest, look)
-    if status == 0 and not arguments:
-        status = _run_tests([os.fspath(HERE / "test_translations.py")], Look(TRANSLATED))
+    everything = not [each for each in arguments if each != "--again"]
+    status = 0 if options.close else _run_tests(rest, look, options.again)
+    if status == 0 and everything:
+        status = _run_tests([os.fspath(HERE / "test_translations.py")], Look(TRANSLATED), options.again)
     for what in CLOSED_WHILE:
-        if status == 0 and (not arguments or options.close == what):
+        if status == 0 and (everything or options.close == what):
             with tempfile.TemporaryDirectory(prefix="thinpart-gui-") as home:
                 status = _closes_cleanly(Path(home), what)
     return status
@@ -151,9 +158,21 @@ def _make_screenshots(folder, home, look):
     return _shown(run(HERE / "make_screenshots.py", arguments, home, look=look), home)
 
 
-def _run_tests(arguments, look):
-    """Run tests in one FreeCAD, and in another what is left when it has died; pytest's status, or 1."""
-    arguments, done, died = _with_path(arguments), [], []
+def _run_tests(arguments, look, again=False):
+    """Run tests, where asked for those that failed once more in a FreeCAD of their own; pytest's status, or 1."""
+    with tempfile.TemporaryDirectory(prefix="thinpart-tests-") as cache:
+        arguments = ["-o", f"cache_dir={cache}", *_with_path(arguments)]
+        status, died = _run_all(arguments, look)
+        failed = failed_tests(cache) if again and status == 1 and not died else []
+        if not 0 < len(failed) <= MOST_AGAIN:
+            return status
+        print(AGAIN.format("\n".join(failed)), flush=True)
+        return _run_all([*arguments, "--last-failed"], look)[0]
+
+
+def _run_all(arguments, look):
+    """Run tests in one FreeCAD, and in another what is left when it has died: (pytest's status or 1, whether it died)."""
+    done, died = [], []
     end = time.monotonic() + SECONDS
 
     def go_on(home):
@@ -170,7 +189,7 @@ def _run_tests(arguments, look):
     if died:
         print(f"FreeCAD died in {len(died)} tests" + (":" if last is None else ", and what is left was not tried:"))
         print("\n".join(died), flush=True)
-    return 1 if died and status in (0, NOTHING_LEFT) else status
+    return 1 if died and status in (0, NOTHING_LEFT) else status, bool(died)
 
 
 def _run_once(arguments, done, home, look, seconds):

@@ -52,7 +52,7 @@ def _go():
         import pytest
 
         given = json.loads(os.environ["THINPART_GUI_ARGUMENTS"])
-        status = pytest.main(["-p", "no:cacheprovider", "--capture=sys", *TOLD_ONLY, *given["pytest"]],
+        status = pytest.main(["--capture=sys", *TOLD_ONLY, *given["pytest"]],
                              plugins=[_Diary(home, set(given["done"]))])
     finally:
         # FreeCAD would ask whether to save the documents.

@@ -2,6 +2,7 @@
 
 import compileall
 import importlib.util
+import json
 import os
 import subprocess
 import sys
@@ -13,6 +14,9 @@ from ...core.errors import ThinPartError
 ROOT = Path(__file__).resolve().parents[3]
 GUI_RUNNER = ROOT / "tests" / "gui" / "run_in_freecad.py"
 
+MOST_AGAIN = 5
+"""Where more tests than this fail, something is broken that a second run would only hide."""
+
 
 def add_arguments(parser):
     """Declare the options; further arguments go to pytest."""
@@ -20,6 +24,9 @@ def add_arguments(parser):
     parser.add_argument("--processes", type=int, metavar="N",
                         help="run the tests without window in N processes (default: one per core, and one where further "
                              "arguments choose some)")
+    parser.add_argument("--again", action="store_true",
+                        help=f"where up to {MOST_AGAIN} tests fail, run those once more on their own, and say which passed "
+                             "only then")
     parser.epilog = "Further arguments go to pytest."
 
 
@@ -46,16 +53,39 @@ def run(options):
     environment = dict(os.environ, PYTHONPATH=os.fspath(ROOT), PYTHONDONTWRITEBYTECODE="1")
     # pytest adds the folders of its ini file to the path itself.
     environment.pop("PYTHONSAFEPATH", None)
-    others = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", *spread(options), *options.rest]
     same = {"cwd": ROOT, "env": environment, "stdin": subprocess.DEVNULL}
     if options.no_gui or options.rest:
-        return subprocess.run(others, **same).returncode
+        return _without_window(options, same)
+    command = [sys.executable, os.fspath(GUI_RUNNER), *(["--again"] if options.again else [])]
     with tempfile.TemporaryFile() as output, subprocess.Popen(
-            [sys.executable, os.fspath(GUI_RUNNER)], stdout=output, stderr=subprocess.STDOUT, **same) as window:
-        status = subprocess.run(others, **same).returncode
+            command, stdout=output, stderr=subprocess.STDOUT, **same) as window:
+        status = _without_window(options, same)
         window.wait()
         output.seek(0)
         print("\nThe tests of the window:", flush=True)
         sys.stdout.buffer.write(output.read())
         sys.stdout.flush()
     return status or window.returncode
+
+
+def _without_window(options, same):
+    """Run the tests without window, those that fail once more where that was asked for; pytest's exit status."""
+    with tempfile.TemporaryDirectory(prefix="thinpart-tests-") as cache:
+        pytest = [sys.executable, "-m", "pytest", "-o", f"cache_dir={cache}"]
+        status = subprocess.run([*pytest, *spread(options), *options.rest], **same).returncode
+        failed = failed_tests(cache) if options.again and status == 1 else []
+        if not 0 < len(failed) <= MOST_AGAIN:
+            return status
+        print(AGAIN.format("\n".join(failed)), flush=True)
+        return subprocess.run([*pytest, "--last-failed", *options.rest], **same).returncode
+
+
+AGAIN = "These tests failed and run once more, on their own. Those that pass now depend on how busy the machine is:\n{}\n"
+
+
+def failed_tests(cache):
+    """The tests that have failed in the run whose cache folder is given, by pytest's names: list of str."""
+    try:
+        return list(json.loads((Path(cache) / "v" / "cache" / "lastfailed").read_text(encoding="utf-8")))
+    except (OSError, ValueError):  # it ended before
+        return []
