@@ -19,7 +19,7 @@ from thinpart_workbench.core.mesh.resolution import (
     Resolution,
     error_to_judge_with,
     is_turned_too_far,
-    smallest_length,
+    smallest_side,
 )
 from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 from thinpart_workbench.core.thickness.measurement import measure
@@ -49,7 +49,7 @@ def test_a_slender_rod(length):
     assert measured.area == pytest.approx(whole, rel=resolution.error / measured.body_thickness)
     assert measurement.thinnest_mm == pytest.approx(1.0, abs=1.001 * resolution.error)
     assert measured.value("F[0;0.25]") == pytest.approx(side / whole, abs=1e-3)
-    assert smallest_length(measured, measurement.thinnest_mm) == measured.body_thickness
+    assert smallest_side(measured) == measured.body_thickness
     assert resolution.is_enough_for(0.5)
     assert not is_turned_too_far(mesh, 4.0) and is_turned_too_far(rod(length, 31), 4.0)
 
@@ -68,9 +68,21 @@ def test_what_has_no_volume_is_measured_by_its_walls_alone():
     sheet = surface_mesh(points, triangles[:-2])
     measurement = measure(sheet, AnalysisSettings())
     assert measurement.descriptors.volume is None
-    assert smallest_length(measurement.descriptors, 3.0) == 3.0
-    assert smallest_length(measurement.descriptors, None) is None
-    assert error_to_judge_with(1.0, None) == 0.0
+    assert smallest_side(measurement.descriptors) is None
+
+
+def test_the_error_to_judge_with_is_that_of_lengths_which_the_mesh_blurs():
+    assert error_to_judge_with([(None, 1.0)]) == 0.0
+    assert error_to_judge_with([(3.0, 0.1), (10.0, 1.0)]) == 0.0
+    assert error_to_judge_with([(3.0, 0.1), (5.0, 1.0)]) == 1.0
+
+
+def test_a_wall_is_as_certain_as_the_facets_at_its_two_ends():
+    resolution = Resolution(0.3, 100.0, 1e-6)
+    thickness, chords = np.array([1.0, 1.0, 4.0]), np.array([0.0, 0.2, 0.3])
+    assert resolution.is_enough_for(thickness, chords).tolist() == [True, False, True]
+    assert not resolution.is_enough_for(4.0) and resolution.is_enough_for(None)
+    assert resolution.wall_error(0.2) == pytest.approx(0.2002)
 
 
 def measured_block(length_error):

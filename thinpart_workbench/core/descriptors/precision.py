@@ -1,7 +1,7 @@
 """How precisely a part was measured, and the errors of quantities that follow from it."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 SAMPLING, STRATIFIED = 3.3, -0.6
 """Error of a share p of the surface by n samples: `SAMPLING` sqrt(p (1 - p)) n ^ `STRATIFIED`. Random samples would have the
@@ -47,6 +47,12 @@ class Precision:
     mean_chord_mm: float
     area_share: float
     plate_share: float = 0.0
+
+    def at(self, samples, turned=1.0):
+        """What to expect of more samples, and of facets at so many times the angle to each other: `Precision`."""
+        chord = turned ** 2
+        return replace(self, samples=max(samples, self.samples), wall_mm=chord * self.wall_mm, chord_mm=chord * self.chord_mm,
+                       mean_chord_mm=chord * self.mean_chord_mm, area_share=chord * self.area_share)
 
     @property
     def side_mm(self):

@@ -49,9 +49,21 @@ class Resolution:
         error."""
         return 2.0 * (self.deflection + self.rounding * self.extent)
 
-    def is_enough_for(self, length):
-        """Whether the chord error is small against a length, mm. True for None, a length that the part does not have."""
-        return length is None or 2.0 * self.deflection <= self.allowed * length
+    def is_enough_for(self, length, chords=None):
+        """Whether the chord error is small against lengths.
+
+        Parameters
+        ----------
+        length : float or ndarray of shape (k,), mm, or None
+            None for a length that the part does not have, for which every mesh is enough.
+        chords : float or ndarray of shape (k,), mm, optional
+            Chord errors at both ends together; that of the mesh at either end if not given.
+        """
+        return length is None or (2.0 * self.deflection if chords is None else chords) <= self.allowed * length
+
+    def wall_error(self, chords):
+        """float, mm: error of the thickness of a wall, from the chord errors at both of its ends together."""
+        return chords + 2.0 * self.rounding * self.extent
 
     def required_deflection(self, length):
         """float, share of the diagonal: the linear deflection that is fine enough for a length, mm."""
@@ -65,32 +77,30 @@ def is_turned_too_far(mesh, angular_deflection):
     return bool(turned > TURNED_SHARE * mesh.areas.sum())
 
 
-def smallest_length(descriptors, thinnest):
-    """Find the smallest length that is shown or compared with thresholds: float, mm, or None.
+def smallest_side(descriptors):
+    """Find the smallest length of the body as a whole that is shown or compared with thresholds: float, mm, or None.
 
     Parameters
     ----------
     descriptors : Descriptors
-    thinnest : float or None, mm
-        The thinnest wall. In a coarse mesh of a rod that may be its length, so other lengths are included.
 
     Notes
     -----
-    Distances of slanted walls are not included, because they go to 0 where two faces meet in an edge. Criteria allow
-    for the error of those distances.
+    In a coarse mesh of a rod the thinnest wall may be its length, so the body counts as well. Distances of slanted walls do
+    not, because they go to 0 where two faces meet in an edge. Criteria allow for the error of those distances.
     """
-    lengths = [] if thinnest is None else [thinnest]
-    if descriptors.volume is not None:  # an open sheet has no thickness that must be distinguished from 0
-        lengths += [descriptors.body_thickness, float(descriptors.box.dimensions[2])]
-    return min(lengths, default=None)
+    if descriptors.volume is None:  # an open sheet has no thickness that must be distinguished from 0
+        return None
+    return min(descriptors.body_thickness, float(descriptors.box.dimensions[2]))
 
 
-def error_to_judge_with(error, smallest):
-    """The error of a length, mm, if it is not small against the part; 0 if it is.
+def error_to_judge_with(lengths):
+    """The error of a length, mm, where one is not small against its length; 0 otherwise.
 
     Parameters
     ----------
-    error : float, mm
-    smallest : float or None, mm
+    lengths : iterable of (float or None, float), mm
+        Lengths of a part and their errors; None for a length that it does not have.
     """
-    return error if smallest is not None and error > 1.5 * AnalysisSettings.wall_deflection * smallest else 0.0
+    most = 1.5 * AnalysisSettings.wall_deflection
+    return max((error for length, error in lengths if length is not None and error > most * length), default=0.0)

@@ -14,7 +14,7 @@ from ..descriptors.distribution import Distribution, MiddleDistribution
 from ..descriptors.precision import Precision
 from ..descriptors.recorded_descriptors import MeasuredPart, recorded_descriptors
 from ..mesh.bounds import OrientedBox
-from ..mesh.resolution import error_to_judge_with, smallest_length
+from ..mesh.resolution import error_to_judge_with, smallest_side
 from .record_types import EvidenceRow, PartRecord, VerdictRecord
 
 SIGNIFICANT_DIGITS = 9
@@ -160,7 +160,8 @@ def descriptors_of(record: PartRecord):
         content.get("regions"),  # and this
         precision=_precision_of(content.get("precision")),
     )
-    error = error_to_judge_with(wall["error_bound"], smallest_length(measured, wall["min"]))
+    of_side = max(wall["error_bound"], 2.0 * record.get("deflection_mm", 0.0))
+    error = error_to_judge_with([(smallest_side(measured), of_side), (wall["min"], wall["error_bound"])])
     return replace(measured, length_error=error)
 
 

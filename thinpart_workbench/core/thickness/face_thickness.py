@@ -83,9 +83,9 @@ def face_thicknesses(field, thin_limit_mm, thinnest=None):
     order = np.lexsort([field.distance, face])
     faces, start = np.unique(face[order], return_index=True)
     return [
-        _face_thickness(field, int(face), rows, float(thin_share), thinnest)
-        for face, rows, thin_share in zip(
-            faces, np.split(order, start[1:]), thin_shares(field, thin_limit_mm))
+        _face_thickness(field, int(face), rows, float(thin_share), witness)
+        for face, rows, thin_share, witness in zip(
+            faces, np.split(order, start[1:]), thin_shares(field, thin_limit_mm), _thinnest_under(field, faces, thinnest))
     ]
 
 
@@ -108,7 +108,7 @@ def thin_shares(field, thin_limit_mm):
     return np.bincount(face_row[thin], field.area[thin], len(faces)) / total
 
 
-def _face_thickness(field, face, rows, thin_share, thinnest):
+def _face_thickness(field, face, rows, thin_share, witness):
     """Summary of one face; `rows` are its samples by ascending distance."""
     area = field.area[rows]
     total = float(area.sum())
@@ -120,7 +120,6 @@ def _face_thickness(field, face, rows, thin_share, thinnest):
         cumulative = np.cumsum(field.area[parallel])
         middle = np.searchsorted(cumulative, 0.5 * cumulative[-1])
         median, maximum = (float(field.distance[parallel[k]]) for k in (middle, -1))
-    witness = _thinnest_under(field, face, parallel, thinnest)
     if witness is not None:
         # Facets of round faces are a little closer than the faces themselves.
         minimum = witness.distance
@@ -133,20 +132,21 @@ def _face_thickness(field, face, rows, thin_share, thinnest):
     )
 
 
-def _thinnest_under(field, face, parallel, thinnest):
-    """The `Witness` of the thinnest wall under a face, of some extent; None where there is none."""
-    area = float(field.area[parallel].sum())
+def _thinnest_under(field, faces, thinnest):
+    """The `Witness` of the thinnest wall of some extent under each of some faces: list; None where there is none."""
+    parallel = np.flatnonzero(field.parallel)
+    group = np.searchsorted(faces, field.face[parallel])
+    floor = np.minimum(STATED_FLOOR * float(field.area.sum()),
+                       FACE_FLOOR * np.bincount(group, field.area[parallel], len(faces)))
     if thinnest is not None:
-        if thinnest.face == face:
-            return thinnest
-        parallel = parallel[field.distance[parallel] >= thinnest.distance * (1.0 - NEARLY)]
-    floor = min(STATED_FLOOR * float(field.area.sum()), FACE_FLOOR * area)
-    sample = first_of_extent(field, parallel, floor)
-    if sample is None:
-        return None
-    witness = witness_of(field, sample)
-    least = 0.0 if thinnest is None else thinnest.distance
-    return witness if witness.distance >= least else replace(witness, distance=least)
+        kept = field.distance[parallel] >= thinnest.distance * (1.0 - NEARLY)
+        parallel, group = parallel[kept], group[kept]
+    found = [None if sample < 0 else witness_of(field, sample)
+             for sample in first_of_extent(field, parallel, group, floor)]
+    if thinnest is None:
+        return found
+    return [thinnest if face == thinnest.face else witness if witness is None or witness.distance >= thinnest.distance
+            else replace(witness, distance=thinnest.distance) for face, witness in zip(faces, found)]
 
 
 def witness_of(field, sample):

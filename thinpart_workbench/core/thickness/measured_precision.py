@@ -25,9 +25,9 @@ def precision_of(measurement, deflections, accuracy):
     """
     field = measurement.field
     mesh = field.mesh
-    chord = deflections[mesh.face_of_triangle] if len(deflections) > 1 else np.full(mesh.count, float(deflections.max()))
+    chord = _chord_errors(mesh, deflections)
     counted = np.flatnonzero((field.area > 0.0) & (field.opposite >= 0))
-    wall = CORRECTED * (chord[field.samples.triangle[counted]] + chord[field.opposite[counted]])
+    wall = CORRECTED * chords_of(field, counted, deflections)
     order = np.argsort(wall)
     reached = np.cumsum(field.area[counted][order])
     rounding = 2.0 * mesh.rounding * mesh.extent
@@ -39,3 +39,27 @@ def precision_of(measurement, deflections, accuracy):
         float(OF_AREA * (mesh.areas @ mesh.bend ** 2) / area) + 2.0 * mesh.rounding,
         measurement.regions.plate_share_error,
     )
+
+
+def chords_of(field, samples, deflections):
+    """Chord errors of the facets at both ends of walls, together.
+
+    Parameters
+    ----------
+    field : ThicknessField
+    samples : ndarray of shape (k,), int64
+        Those whose rays hit something.
+    deflections : ndarray of shape (f,), mm
+        Chord error of each face, or of all of them.
+
+    Returns
+    -------
+    ndarray of shape (k,), mm
+    """
+    chord = _chord_errors(field.mesh, deflections)
+    return chord[field.samples.triangle[samples]] + chord[field.opposite[samples]]
+
+
+def _chord_errors(mesh, deflections):
+    """Chord error of each triangle, mm: ndarray of shape (n,)."""
+    return deflections[mesh.face_of_triangle] if len(deflections) > 1 else np.full(mesh.count, float(deflections.max()))

@@ -149,8 +149,8 @@ def measure(mesh, settings, report=None, is_fine_enough=None):
     report : callable, optional
         Called with the fraction done; may raise to stop.
     is_fine_enough : callable, optional
-        Called with the `Descriptors` that are known once the thickness is, and the thinnest wall, mm or None. Where it
-        returns False, the mesh will give way to a finer one, and nothing more is measured.
+        Called with the `Descriptors` that are known once the thickness is, the `ThicknessField` and the samples of the
+        thinnest walls in it. Where it returns False, the mesh will give way to a finer one, and nothing more is measured.
 
     Returns
     -------
@@ -179,7 +179,7 @@ def measure(mesh, settings, report=None, is_fine_enough=None):
     thinnest = thinnest_walls(field)
     wall = witness_of(field, thinnest[0]) if len(thinnest) else None
     known = Descriptors(enclosed, area(mesh), box, shares, None)
-    if is_fine_enough is not None and not is_fine_enough(known, None if wall is None else wall.distance):
+    if is_fine_enough is not None and not is_fine_enough(known, field, thinnest):
         return None
     if settings.measure == "pairs":
         least = shares.nonparallel_minimum(STATED_FLOOR, *STATED_ANGLES)

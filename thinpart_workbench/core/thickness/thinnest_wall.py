@@ -10,6 +10,9 @@ ALIKE = 1.25
 TOUCHING = 1e-3
 """Share of the median wall under which what a ray finds is no wall: there surfaces touch, or cross."""
 
+_ROUNDING = 1e-9
+"""Of the logarithm of a thickness: walls of 4 and of 5 mm are just alike."""
+
 FACE_FLOOR = 0.1
 """Share of a face's walls that its thinnest one needs where that is less than the floor."""
 
@@ -35,36 +38,48 @@ def thinnest_walls(field):
     """
     parallel = np.flatnonzero(field.parallel & (field.distance > _touching_below(field)))
     floor = STATED_FLOOR * field.area.sum()
-    found = [first_of_extent(field, parallel, floor)]
     faces = field.mesh.face_of_triangle
-    key = faces[field.samples.triangle[parallel]] * (int(faces.max()) + 1) + faces[field.opposite[parallel]]
-    order = np.argsort(key, kind="stable")
-    _, start = np.unique(key[order], return_index=True)
-    found += [first_of_extent(field, parallel[group], floor) for group in np.split(order, start[1:])]
-    samples = np.unique([sample for sample in found if sample is not None]).astype(np.int64)
+    pair = faces[field.samples.triangle[parallel]] * (int(faces.max()) + 1) + faces[field.opposite[parallel]]
+    _, group = np.unique(pair, return_inverse=True)
+    found = [first_of_extent(field, parallel, which, floor) for which in (np.zeros_like(group), group)]
+    samples = np.unique(np.concatenate(found))
+    samples = samples[samples >= 0]
     return samples[np.argsort(field.distance[samples], kind="stable")]
 
 
-def first_of_extent(field, samples, floor):
-    """Of some samples, the one over the thinnest wall that covers an area; None where there is none.
+def first_of_extent(field, samples, group, floor):
+    """Of each group of samples, the one over the thinnest wall that covers an area.
 
     Parameters
     ----------
     field : ThicknessField
     samples : ndarray of shape (m,), int64
-    floor : float, mm2
-        Area that walls up to `ALIKE` times as thick have to cover.
+    group : ndarray of shape (m,), int64
+        From 0 on.
+    floor : float or ndarray of shape (k,), mm2
+        Area that walls up to `ALIKE` times as thick have to cover, of all or of each group.
 
     Returns
     -------
-    int or None
+    ndarray of shape (k,), int64
+        -1 for a group that has none.
     """
-    order = samples[np.argsort(field.distance[samples], kind="stable")]
-    thickness = field.distance[order]
-    covered = np.concatenate([[0.0], np.cumsum(_even_area(field, order))])
-    last = np.searchsorted(thickness, ALIKE * thickness, side="right")
-    enough = np.flatnonzero(covered[last] - covered[:-1] >= floor)
-    return int(order[enough[0]]) if len(enough) else None
+    count = len(floor) if np.ndim(floor) else int(group.max(initial=-1)) + 1
+    first = np.full(count, -1)
+    if not len(samples):
+        return first
+    order = np.lexsort([field.distance[samples], group])
+    samples, group = samples[order], group[order]
+    covered = np.concatenate([[0.0], np.cumsum(_even_area(field, samples))])
+    # One search for all groups: of a group, all logarithms are beyond those of the group before.
+    thickness = np.log(np.maximum(field.distance[samples], np.finfo(float).tiny))
+    alike = np.log(ALIKE) + _ROUNDING
+    place = thickness - thickness.min() + group * (np.ptp(thickness) + 2.0 * alike)
+    last = np.searchsorted(place, place + alike, side="right")
+    enough = np.flatnonzero(covered[last] - covered[:-1] >= np.broadcast_to(floor, count)[group])
+    # The first of each group is written last.
+    first[group[enough[::-1]]] = samples[enough[::-1]]
+    return first
 
 
 def _even_area(field, samples):

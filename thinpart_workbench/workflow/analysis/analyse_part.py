@@ -9,12 +9,12 @@ from ...core.errors import MeshError, ThinPartError
 from ...core.judging.classification import classify
 from ...core.judging.criteria import PAPER, load_profile
 from ...core.mesh.mass_properties import area, volume
-from ...core.mesh.resolution import Resolution, error_to_judge_with, is_turned_too_far, smallest_length
+from ...core.mesh.resolution import Resolution, error_to_judge_with, is_turned_too_far, smallest_side
 from ...core.message import message
 from ...core.record.part_record import part_record
 from ...core.record.record_types import SecondsRecord
 from ...core.thickness.face_thickness import face_thicknesses, witness_of
-from ...core.thickness.measured_precision import precision_of
+from ...core.thickness.measured_precision import chords_of, precision_of
 from ...core.thickness.measurement import measure
 from ...core.thickness.thinnest_wall import thinnest_walls, touching_sample
 
@@ -49,7 +49,7 @@ def analyse_part(part, settings, profile, report=None, on_result=None):
     seconds: SecondsRecord = {"read": 0.0, "tessellate": 0.0, "measure": 0.0}
     meshes: dict = {}
     while True:
-        mesh, resolution, measurement, warnings = _measure(part, settings, meshes, seconds, report)
+        mesh, resolution, error_bound, measurement, warnings = _measure(part, settings, meshes, seconds, report)
         classification = classify(measurement.descriptors, profile)
         finer = None if classification.is_certain else _finer_settings(part, settings, measurement, profile)
         if finer is None:
@@ -62,7 +62,7 @@ def analyse_part(part, settings, profile, report=None, on_result=None):
     thin_limit_mm = classification.thin_limit_x * diagonal
     faces = face_thicknesses(measurement.field, thin_limit_mm, measurement.thinnest_wall)
     record = part_record(
-        part, mesh, measurement, classification, paper_classification, faces, resolution.error, resolution.deflection
+        part, mesh, measurement, classification, paper_classification, faces, error_bound, resolution.deflection
     )
     record["warnings"] += warnings + _plausibility_warnings(part, mesh, measurement.field, diagonal)
     record["seconds"] = seconds
@@ -119,18 +119,30 @@ def analyse_parts(parts, settings, profile, read_seconds=0.0, report=None, on_re
 
 
 def _finer_settings(part, settings, measurement, profile):
-    """The settings to try next where the verdict is within the error of what was measured; None after the finest."""
-    finer = settings.finer
-    if finer is None or settings.measure == PAIRS:
+    """The settings to try next where the verdict is within the error of what was measured.
+
+    None where no finer ones are expected to decide it: a value that stays within its error at the finest is borderline.
+    """
+    if settings.measure == PAIRS:
         return None
-    more_samples = replace(
-        finer, linear_deflection=settings.linear_deflection, angular_deflection=settings.angular_deflection)
-    known = measurement.descriptors
-    sampled = replace(known, precision=replace(known.precision, samples=finer.minimum_samples))
-    expected = measurement.field.mesh.count * (settings.angular_deflection / finer.angular_deflection) ** 2
-    if not part.can_be_finer or expected > MOST_TRIANGLES or classify(sampled, profile).is_certain:
-        return more_samples
-    return finer
+    finer = settings.finer
+    while finer is not None:
+        more_samples = replace(
+            finer, linear_deflection=settings.linear_deflection, angular_deflection=settings.angular_deflection)
+        known, turned = measurement.descriptors, finer.angular_deflection / settings.angular_deflection
+        if _would_decide(known, known.precision.at(finer.minimum_samples), profile):
+            return more_samples
+        expected = measurement.field.mesh.count / turned ** 2
+        if part.can_be_finer and expected <= MOST_TRIANGLES \
+                and _would_decide(known, known.precision.at(finer.minimum_samples, turned), profile):
+            return finer
+        finer = finer.finer
+    return None
+
+
+def _would_decide(known, precision, profile):
+    """Whether values that were measured with a precision would decide, were they the same."""
+    return classify(replace(known, precision=precision), profile).is_certain
 
 
 def _measure(part, settings, meshes, seconds, report):
@@ -150,7 +162,8 @@ def _measure(part, settings, meshes, seconds, report):
         resolution = Resolution(float(deflections.max()), mesh.extent, mesh.rounding, settings.wall_deflection)
         # If the mesh is too coarse for the body itself, such as a thin rod, measuring walls is pointless.
         body = body_thickness(_volume(mesh), area(mesh))
-        finer = _finer_deflection(part, settings, mesh, deflections, resolution, linear, body)
+        unresolved = None if resolution.is_enough_for(body) else body
+        finer = _finer_deflection(part, settings, mesh, deflections, resolution, linear, body, unresolved)
         tessellated = time.perf_counter()
         seconds["tessellate"] += tessellated - started
         if finer is not None:
@@ -161,22 +174,31 @@ def _measure(part, settings, meshes, seconds, report):
         if finer is None:
             break
         linear = finer
-    smallest = smallest_length(measurement.descriptors, measurement.thinnest_mm)
-    error = error_to_judge_with(resolution.error, smallest)
+    side, wall = smallest_side(measurement.descriptors), measurement.thinnest_mm
+    walls = thinnest_walls(measurement.field)[:1]
+    wall_error = float(resolution.wall_error(chords_of(measurement.field, walls, deflections)).max(initial=0.0))
+    error = error_to_judge_with([(side, resolution.error), (wall, wall_error)])
     precision = precision_of(measurement, deflections, settings.accuracy)
     measurement = replace(
         measurement, descriptors=replace(measurement.descriptors, length_error=error, precision=precision))
-    warnings = [] if resolution.is_enough_for(smallest) else [_resolution_warning(measurement, resolution)]
-    return mesh, resolution, measurement, warnings
+    is_enough = resolution.is_enough_for(side) and resolution.is_enough_for(wall, wall_error)
+    warnings = [] if is_enough else [_resolution_warning(measurement, resolution, wall_error)]
+    return mesh, resolution, wall_error if len(walls) else resolution.error, measurement, warnings
 
 
 def _measured(part, settings, mesh, deflections, resolution, linear, report):
     """The measurement, and the linear deflection that it asks for: one of them is None."""
     finer = None
 
-    def is_fine_enough(known, thinnest):
+    def is_fine_enough(known, field, walls):
         nonlocal finer
-        finer = _finer_deflection(part, settings, mesh, deflections, resolution, linear, smallest_length(known, thinnest))
+        # A wall is as certain as the facets at its two ends. Others may be coarser: it is not refined for them.
+        side, thickness = smallest_side(known), field.distance[walls]
+        blurred = thickness[~resolution.is_enough_for(thickness, chords_of(field, walls, deflections))]
+        unresolved = [*blurred, *([] if resolution.is_enough_for(side) else [side])]
+        smallest = min([*thickness, *([] if side is None else [side])], default=None)
+        finer = _finer_deflection(
+            part, settings, mesh, deflections, resolution, linear, smallest, min(unresolved, default=None))
         return finer is None
 
     measurement = measure(mesh, settings, report and (lambda done: report("measure", done)), is_fine_enough)
@@ -197,11 +219,15 @@ def _confirmed(part, measurement, error):
     return measurement
 
 
-def _finer_deflection(part, settings, mesh, deflections, resolution, linear, length):
-    """The next linear deflection as a share of the diagonal; None if `length` is resolved or cannot be resolved."""
+def _finer_deflection(part, settings, mesh, deflections, resolution, linear, smallest, unresolved):
+    """The next linear deflection as a share of the diagonal; None where none is needed, or none would be enough.
+
+    `smallest` and `unresolved` are lengths, mm or None: the smallest of the part, and the smallest that the mesh blurs.
+    """
+    length = smallest if unresolved is None else unresolved
     if not part.can_be_finer or length is None:
         return None
-    if resolution.is_enough_for(length) and not is_turned_too_far(mesh, settings.angular_deflection):
+    if unresolved is None and not is_turned_too_far(mesh, settings.angular_deflection):
         return None
     finest = part.finest_deflection(settings, resolution.required_deflection(length), mesh, deflections)
     return finest if finest is not None and finest < linear else None
@@ -215,17 +241,17 @@ def _volume(mesh):
         return None
 
 
-def _resolution_warning(measurement, resolution):
+def _resolution_warning(measurement, resolution, wall_error):
     """A warning that the mesh limits the accuracy of the result: str."""
-    wall, error = measurement.thinnest_mm, resolution.error
-    if resolution.is_enough_for(wall):
+    wall = measurement.thinnest_mm
+    if resolution.is_enough_for(wall, wall_error):
         return message("The part is slender: its lengths are accurate to {error:.2g} mm only, a finer mesh would be "
-                       "too large.", error=error)
-    if wall < error:
+                       "too large.", error=resolution.error)
+    if wall < wall_error:
         return message("The thinnest wall, {wall:.3g} mm, is below what the mesh resolves ({error:.2g} mm).",
-                       wall=wall, error=error)
+                       wall=wall, error=wall_error)
     return message("The thinnest wall is {wall:.3g} mm ± {error:.2g} mm: a finer mesh would be too large.",
-                   wall=wall, error=error)
+                   wall=wall, error=wall_error)
 
 
 def _plausibility_warnings(part, mesh, field, diagonal):
