@@ -6,7 +6,7 @@ import numpy as np
 
 from ..columns import cross, dot
 from .box_tree import box_tree
-from .ray_casting import INNER, OUTER, first_hits
+from .ray_casting import INNER, OUTER, first_hits, first_hits_within
 
 _TILTS = np.radians([50.0, 40.0, 60.0, 30.0, 70.0, 20.0, 10.0, 78.0, 3.0])
 """Angles between a line of sight and the outward normal, the best first: at 50 degrees one sees the outer side of a wall and
@@ -98,6 +98,29 @@ class Scene:
         origins = np.repeat((start - self._origin)[:, None], len(directions), axis=1)
         columns = np.ascontiguousarray(directions.T, dtype=float)
         return np.minimum(*(first_hits(self._tree, origins, columns, side)[0] for side in (INNER, OUTER)))
+
+    def distances_within(self, starts, directions, limits, side=INNER):
+        """Distance from points to what lines meet first from one side, as far as a limit.
+
+        Parameters
+        ----------
+        starts : ndarray of shape (m, 3), mm
+        directions : ndarray of shape (m, 3)
+            Unit vectors.
+        limits : ndarray of shape (m,), mm
+        side : float
+            `INNER`, which a line out of the material meets, or `OUTER`.
+
+        Returns
+        -------
+        ndarray of shape (m,), mm
+            The limit where they meet nothing before.
+        """
+        if self._tree is None:
+            return limits
+        distance, _ = first_hits_within(self._tree, np.ascontiguousarray((starts - self._origin).T),
+                                        np.ascontiguousarray(directions.T, dtype=float), limits, side)
+        return np.minimum(distance, limits)
 
 
 def best_sight(scene, walls, current):
