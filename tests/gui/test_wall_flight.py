@@ -6,7 +6,6 @@ import numpy as np
 import Part
 import pytest
 import window_actions as window
-from pivy import coin
 from thickness_window import look_at, view_of, widget_of
 from window_actions import V
 
@@ -18,6 +17,7 @@ from thinpart_workbench.gui.application.qt import QtCore
 from thinpart_workbench.gui.document.free_area import free_area
 from thinpart_workbench.gui.scene.drawn_triangles import drawn_triangles
 from thinpart_workbench.gui.scene.view_ray import first_object
+from thinpart_workbench.gui.view3d.label_node import MARK, shown_labels
 from thinpart_workbench.gui.view3d.wall_flight import Wall, WallFlight
 
 
@@ -50,13 +50,7 @@ def closed_box_with_rib():
 
 def all_texts(document):
     """The labels of the mark in the view, [] without one."""
-    search = coin.SoSearchAction()
-    search.setType(coin.SoType.fromName("SoFrameLabel"))
-    search.setInterest(coin.SoSearchAction.ALL)
-    search.apply(view_of(document).getSceneGraph())
-    paths = search.getPaths()
-    labels = [paths[number].getTail() for number in range(paths.getLength())]
-    return [label.getField("string").get().getString().strip('[] "') for label in labels]
+    return [text for text, _, _ in shown_labels(view_of(document), MARK)]
 
 
 def seen_in_the_middle(document):

@@ -118,8 +118,7 @@ class LabelNode:
         labels = self._content.labels
         seen = self._seen_ends(volume, size)
         em = max(11, round(min(free.height(), 1.2 * free.width()) / 52))
-        seen = {number: place for number, place in seen.items()
-                if not self._is_marked(number, place, marks, volume, size, em)}
+        seen = {number: place for number, place in seen.items() if not self._is_marked(number, marks, volume, size, em)}
         shown = sorted(seen)
         font = QtGui.QFont(QtGui.QGuiApplication.font().family())
         font.setPixelSize(em)
@@ -145,12 +144,12 @@ class LabelNode:
         if is_size_of(self._widget, *size):
             self._widget.setProperty(self._kind, found)
 
-    def _is_marked(self, number, place, marks, volume, size, em):
-        """Whether the mark of a flight names the same place, and says the same."""
+    def _is_marked(self, number, marks, volume, size, em):
+        """Whether the mark of a flight names one of the places of a label, and says the same."""
         label = self._content.labels[number]
         if label.has_line or not marks:
             return False
-        here = projected(volume, label.ends[place[0]], *size)
+        here = projected(volume, label.ends.reshape(-1, 3), *size)
         return any(label.text.endswith(text) and np.linalg.norm(here - (spot.x(), spot.y()), axis=1).min() < 2 * em
                    for text, _, spot in marks)
 
