@@ -46,10 +46,10 @@ def wait_for(thickness, expected):
     window.wait_until(lambda: texts(thickness) == expected, lambda: f"labels {expected}; there are {texts(thickness)}")
 
 
-def look(thickness, direction, up=V(0, 0, 1)):
+def look(thickness, direction, up=(0, 0, 1)):
     """Turn the camera, all of the part being in the view."""
     view = view_of(thickness.Document)
-    right = V(*direction).cross(up)
+    right = V(*direction).cross(V(*up))
     view.setCameraOrientation(App.Rotation(right, right.cross(V(*direction)), V(*direction) * -1, "ZXY"))
     view.fitAll()
     return view
@@ -85,7 +85,7 @@ def test_a_label_hides_behind_the_part(thickness):
     # From behind, the place in front is hidden; the sides of the rib are seen, and so is a rear end of the block.
     window.wait_until(lambda: texts(thickness) and "1: 0.1\u00a0mm" not in texts(thickness))
     assert "min 6\u00a0mm" in texts(thickness)
-    look(thickness, (0, 0, 1), V(0, 1, 0))  # from below, the rib is hidden
+    look(thickness, (0, 0, 1), (0, 1, 0))  # from below, the rib is hidden
     window.wait_until(lambda: "min 6\u00a0mm" not in texts(thickness))
     look(thickness, (0, 1, 0))
     window.wait_until(lambda: {"1: 0.1\u00a0mm", "min 6\u00a0mm"} <= texts(thickness))
