@@ -65,7 +65,20 @@ def fly(document, press=None):
         window.widget("ThinPart_FlyButton").click()
     else:
         press()
-    window.settle(600)
+    arrive(document)
+
+
+def arrive(document):
+    """Wait until the camera stands still, which takes longer than the flight where the machine is busy."""
+    window.settle(400)
+    last = [None, None]
+
+    def stands_still():
+        last[:] = last[1], view_of(document).getCamera()
+        window.settle(150)
+        return last[0] == last[1]
+
+    window.wait_until(stands_still)
 
 
 def mapped(document, camera="Orthographic"):
@@ -147,7 +160,7 @@ def test_a_place_linked_part_is_seen_where_it_stands(document):
     view = look_at(document)
     flight = WallFlight()
     assert flight.fly(document, Wall(0.6, [ends]), 100.0, MILLIMETRE)
-    window.settle(600)
+    arrive(document)
     assert is_near_wall(seen_in_the_middle(document), 0.6, ends, 0.1)
     assert wall.ViewObject.Visibility and all_texts(document) == [MILLIMETRE.text(0.6)]
     flight.clear()
