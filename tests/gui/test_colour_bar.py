@@ -156,7 +156,7 @@ def test_its_menu_sizes_hides_and_puts_it_back(thickness):
     window.wait_until(lambda: bar_of(thickness) == first)
     menu_action(thickness, "Smaller")
     window.wait_until(lambda: bar_of(thickness).height() < first.height())
-    menu_action(thickness, "Labels")
+    menu_action(thickness, "Thickness labels")
     assert not preference("MapLabels")
     menu_action(thickness, "Hide colour bar")
     window.wait_until(lambda: bar_of(thickness).isEmpty())

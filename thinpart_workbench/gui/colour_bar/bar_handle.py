@@ -169,7 +169,7 @@ class BarHandle(QtCore.QObject):
         add(translate("ThinPart", "Smaller"), lambda: self._keep(place.of_size(place.size / _STEP)))
         add(translate("ThinPart", "Back to its place"), lambda: self._keep(BarPlace.at_first()))
         menu.addSeparator()
-        labels = add(translate("ThinPart", "Labels"), lambda: switch("MapLabels", not preference("MapLabels")))
+        labels = add(translate("ThinPart", "Thickness labels"), lambda: switch("MapLabels", not preference("MapLabels")))
         labels.setCheckable(True)
         labels.setChecked(preference("MapLabels"))
         add(translate("ThinPart", "Hide colour bar"), lambda: switch("ColourBarShown", False))

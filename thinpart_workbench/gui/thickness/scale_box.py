@@ -141,7 +141,7 @@ class ScaleBox(QtWidgets.QWidget):
         for name, title, meaning in (
                 ("ColourBarShown", translate("ThinPart", "Colour bar"), translate(
                     "ThinPart", "Drag it in the view to move it, a corner of it to size it; a right click has more")),
-                ("MapLabels", translate("ThinPart", "Labels"), translate(
+                ("MapLabels", translate("ThinPart", "Thickness labels"), translate(
                     "ThinPart", "The thinnest wall, the thickest one and pinned ones; those behind the part are hidden"))):
             box = self._in_view[name] = QtWidgets.QCheckBox(title, self)
             box.setObjectName(f"ThinPart_{name}")
