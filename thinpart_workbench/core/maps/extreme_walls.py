@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..analysis_settings import RAY
+from ..rays.ray_casting import INNER, OUTER
 from ..rigid_transform import transform_points
 from .map_search import MapSearch
 
@@ -147,8 +148,13 @@ def _are_compact(scene, walls):
     angles = np.pi * np.arange(_SIDES) / _SIDES
     lines = (np.cos(angles)[:, None, None] * across + np.sin(angles)[:, None, None] * other).reshape(-1, 3)
     starts, limits = np.tile(middles, (_SIDES, 1)), np.tile(length / _SLENDER, _SIDES)
-    width = sum(scene.distances_within(starts, way * lines, limits) for way in (1.0, -1.0))
-    return (width.reshape(_SIDES, -1) >= length / _SLENDER * (1.0 - 1e-6)).all(axis=0)
+    width, is_inside = np.zeros(len(lines)), np.ones(len(lines), dtype=bool)
+    for way in (1.0, -1.0):
+        found, entered = (scene.distances_within(starts, way * lines, limits, side) for side in (INNER, OUTER))
+        width += found
+        is_inside &= entered >= found  # half-way along a curved wall, a line may have left the material
+    wide = is_inside & (width >= limits * (1.0 - 1e-6))
+    return wide.reshape(_SIDES, -1).all(axis=0)
 
 
 def _ends(shown, facet):

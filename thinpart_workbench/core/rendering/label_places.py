@@ -12,9 +12,13 @@ _ROUNDS = 2
 _BESIDE = 0.35
 """How far a label stays off any named place, in heights of a label."""
 
-_ON_OBSTACLE, _ON_LABEL, _ON_PLACE, _CROSSING, _ON_PART, _LENGTH, _MOVED = 90.0, 90.0, 60.0, 12.0, 7.0, 0.4, 1.5
-"""Costs: of lying all on an obstacle, on another label, on a named place, of two leaders that cross, of lying all over the
-part, of a height of leader, and of another place than before."""
+_ON_OBSTACLE, _ON_LABEL, _ON_PLACE, _CROSSING, _LEADER_UNDER, _ON_PART, _LENGTH, _MOVED = (
+    90.0, 90.0, 60.0, 12.0, 40.0, 7.0, 0.4, 1.5)
+"""Costs: of lying all on an obstacle, on another label, on a named place, of two leaders that cross, of a leader that runs
+all under another label, of lying all over the part, of a height of leader, and of another place than before."""
+
+_ALONG = np.linspace(0.0, 1.0, 12)
+"""Points of a leader at which is looked whether it runs under a label."""
 
 
 def label_places(anchors, sizes, area, obstacles=(), crowd=None, before=None):
@@ -54,14 +58,16 @@ def label_places(anchors, sizes, area, obstacles=(), crowd=None, before=None):
             if last >= 0:
                 cost += _MOVED
                 cost[last] -= _MOVED
-    chosen = np.full(count, -1)
+    chosen, beside = np.full(count, -1), margin * np.array([-0.5, -0.5, 0.5, 0.5])
     for _ in range(_ROUNDS):
         for number, (rects, _) in enumerate(options):
             others = [other for other in range(count) if other != number and chosen[other] >= 0]
             cost = own[number].copy()
             for other in others:
                 taken = options[other][0][chosen[other]]
-                cost += _ON_LABEL * _covered(rects, taken[None])[:, 0]
+                cost += _ON_LABEL * _covered(rects + beside, taken[None])[:, 0]
+                cost += _LEADER_UNDER * _share_under(anchors[other], _middles(taken[None]), taken, rects)
+                cost += _LEADER_UNDER * _share_under(anchors[number], _middles(rects), rects, taken[None])
                 cost += _CROSSING * _crosses(anchors[number], _middles(rects), anchors[other], _middles(taken[None])[0])
             chosen[number] = int(np.argmin(cost))
     return np.array([options[number][0][chosen[number], :2] for number in range(count)]), chosen
@@ -125,6 +131,14 @@ class _Crowd:
 
 def _middles(rects):
     return 0.5 * (rects[:, :2] + rects[:, 2:])
+
+
+def _share_under(anchor, ends, own, rects):
+    """Share of leaders, from a named place to labels, that runs under rectangles: ndarray of shape (m,)."""
+    points = anchor + _ALONG[:, None, None] * (ends - anchor)
+    under = (points > rects[:, :2]) & (points < rects[:, 2:])
+    within = (points > own[..., :2]) & (points < own[..., 2:])
+    return (under.all(axis=2) & ~within.all(axis=2)).mean(axis=0)
 
 
 def _crosses(start, ends, other_start, other_end):

@@ -13,8 +13,9 @@ from ..application.qt import translate
 _CROWD = 3000
 """Facets whose middles stand for where the part is seen."""
 
-_OFF_SURFACE = 5e-4
-"""How far before its place a line of sight begins, as a share of the extent of the map: facets lie beside the surface."""
+_OFF_SURFACE, _OFF_FACETS = 5e-4, 2.0
+"""How far before its place a line of sight begins: a share of the extent of the map, or so many times the distance of its
+facets from the surface."""
 
 _TOLERANCE = 2e-3
 """The same for other objects, which are tessellated for display."""
@@ -88,6 +89,8 @@ class LabelledWalls:
         self.thinnest, self.thickest = thinnest_wall(parts), thickest_wall(parts, self._sight)
         self._crowd = np.concatenate([_spread(part) for part in parts])
         self._extent = max((float(np.linalg.norm(np.ptp(self._crowd, axis=0))), 1e-9)) if len(self._crowd) else 1.0
+        deflection = max((part.record.get("deflection_mm") or 0.0 for part in parts), default=0.0)
+        self._off = max(_OFF_SURFACE * self._extent, _OFF_FACETS * deflection)
 
     def content(self, key, moved, probes, unit, colour_of, section, has_others):
         """The LabelContent of the map.
@@ -119,9 +122,8 @@ class LabelledWalls:
         back = np.linalg.inv(moved)
 
         def covers(points, directions, limits):
-            off = _OFF_SURFACE * self._extent
-            starts = transform_points(back, points + off * directions)
-            return ~self._sight.are_free(starts, directions @ back[:3, :3].T, np.maximum(limits - off, 0.0))
+            starts = transform_points(back, points + self._off * directions)
+            return ~self._sight.are_free(starts, directions @ back[:3, :3].T, np.maximum(limits - self._off, 0.0))
 
         return LabelContent(key, labels, transform_points(moved, self._crowd), covers, section,
                             _TOLERANCE * self._extent, has_others)
