@@ -9,7 +9,7 @@ from ..scene.coin_arrays import fill_numbers, fill_points
 from ..scene.view_pixels import pixels_drawn
 
 _MATERIAL = (0.86, 0.86, 0.87)
-_PITCH = 11.0
+_PITCH = 6.0
 """Pixels from one line of the hatch to the next, measured along the screen; it is kept between this and twice as much while
 the view is zoomed, so that the lines stay where they are on the part."""
 
