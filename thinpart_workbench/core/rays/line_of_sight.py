@@ -63,7 +63,7 @@ class Scene:
     def __init__(self, corners):
         low, high = (corners.reshape(-1, 3).min(axis=0), corners.reshape(-1, 3).max(axis=0)) if len(corners) else (
             np.zeros(3), np.zeros(3))
-        self._origin = 0.5 * (low + high)
+        self._origin, self._half = 0.5 * (low + high), 0.5 * (high - low)
         columns = np.ascontiguousarray((corners - self._origin).transpose(2, 1, 0))
         vectors = cross(columns[:, 1] - columns[:, 0], columns[:, 2] - columns[:, 0])
         double = np.sqrt(dot(vectors, vectors))
@@ -118,9 +118,15 @@ class Scene:
         """
         if self._tree is None:
             return limits
-        distance, _ = first_hits_within(self._tree, np.ascontiguousarray((starts - self._origin).T),
-                                        np.ascontiguousarray(directions.T, dtype=float), limits, side)
-        return np.minimum(distance, limits)
+        starts = starts - self._origin
+        # Rays are followed as far as the scene extends: from where they enter its box.
+        steep = np.where(np.abs(directions) > 1e-12, directions, 1e-12)
+        entry = (np.minimum((-self._half - starts) / steep, (self._half - starts) / steep)).max(axis=1)
+        entry = np.maximum(entry - 1e-3 * self.extent, 0.0)
+        origins = np.ascontiguousarray((starts + entry[:, None] * directions).T)
+        columns = np.ascontiguousarray(directions.T, dtype=float)
+        distance, _ = first_hits_within(self._tree, origins, columns, np.maximum(limits - entry, 0.0), side)
+        return np.minimum(distance + entry, limits)
 
 
 def best_sight(scene, walls, current):
