@@ -21,6 +21,7 @@ from thinpart_workbench.gui.view3d.picking import ThicknessPicker
 @pytest.fixture
 def ribbed(document):
     set_preference("HeatMapShading", False)
+    set_preference("MapLabels", False)  # they take other places after a section, and pictures are compared
     document.UndoMode = 1
     window.add_ribbed_block(document)
     window.show_thickness()
@@ -29,6 +30,7 @@ def ribbed(document):
     thickness, = thickness_objects(document)
     yield thickness
     set_preference("HeatMapShading", None)
+    set_preference("MapLabels", None)
 
 
 def switch():
