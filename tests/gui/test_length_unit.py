@@ -158,7 +158,7 @@ def ribbed(document):
 
 
 BOXES = ("ThinPart_ThicknessHead", "ThinPart_DistributionBox", "ThinPart_ScaleBox", "ThinPart_FaceBox",
-         "ThinPart_ProbeBox")
+         "ThinPart_ProbeBox", "ThinPart_RegionBox", "ThinPart_SectionBox")
 
 
 def test_every_box_of_the_thickness_panel_is_in_inches_and_follows(ribbed):

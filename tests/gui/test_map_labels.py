@@ -1,20 +1,24 @@
 """Labels of a thickness map in the 3D view: which walls have one, where it stands, and what hides it."""
 
 import itertools
+from dataclasses import replace
 
 import FreeCAD as App
+import numpy as np
 import Part
 import pytest
 import window_actions as window
 from thickness_window import look_at, picture, show_map, view_of
 from window_actions import V
 
+from thinpart_workbench.api.document_maps import parts_of
 from thinpart_workbench.core.maps.map_section import SectionPlane
 from thinpart_workbench.freecad_adapter.objects.thickness_object import thickness_objects
 from thinpart_workbench.freecad_adapter.preferences import set_preference
 from thinpart_workbench.gui.application import lifelong
 from thinpart_workbench.gui.colour_bar.bar_handle import is_on_bar
 from thinpart_workbench.gui.view3d.label_node import shown_labels
+from thinpart_workbench.gui.view3d.map_labels import WallsFoundLater
 from thinpart_workbench.gui.view3d.picking import add_probe
 
 
@@ -167,6 +171,20 @@ def test_balls_have_the_thickest_place_and_the_ball_of_the_thinnest_wall(documen
     window.wait_until(lambda: any(text.startswith("max 4") for text in texts(thickness)))
     least = next(float(text.split()[1]) for text in texts(thickness) if text.startswith("min"))
     assert least == pytest.approx(6.0, rel=0.05)
+
+
+def test_a_large_map_gets_its_labels_later_from_a_thread(document):
+    window.add_ribbed_block(document)
+    thickness = show_map(document, *document.Objects)
+    part, = parts_of(thickness)
+    copies = np.tile(np.eye(4), (2, 1, 1))
+    calls = []
+    later = WallsFoundLater([replace(part, matrices=copies)] * (120_000 // part.map.count + 1), lambda: calls.append(1))
+    assert later.found is None
+    window.wait_until(lambda: calls == [1])
+    assert later.found.thinnest.value == pytest.approx(6.0, rel=1e-3)
+    # Few facets are looked through at once.
+    assert WallsFoundLater([part], None).found.thickest.value == pytest.approx(100.0, rel=1e-3)
 
 
 def test_the_flight_to_a_wall_replaces_its_label(document):

@@ -1,5 +1,7 @@
 """The labels of a thickness map: the thinnest wall, the thickest one, and those that were pinned."""
 
+import queue
+import threading
 from dataclasses import dataclass
 from typing import Optional
 
@@ -8,7 +10,7 @@ import numpy as np
 from ...core.maps.extreme_walls import thickest_wall, thinnest_wall
 from ...core.maps.map_sight import MapSight
 from ...core.rigid_transform import transform_points
-from ..application.qt import translate
+from ..application.qt import QtCore, translate
 
 _CROWD = 3000
 """Facets whose middles stand for where the part is seen."""
@@ -19,6 +21,9 @@ facets from the surface."""
 
 _TOLERANCE = 2e-3
 """The same for other objects, which are tessellated for display."""
+
+_MOST_AT_ONCE, _POLL_INTERVAL = 120_000, 50
+"""Facets of which the walls are found within a quarter of a second, and milliseconds between two looks at a thread."""
 
 
 @dataclass(frozen=True)
@@ -127,6 +132,50 @@ class LabelledWalls:
 
         return LabelContent(key, labels, transform_points(moved, self._crowd), covers, section,
                             _TOLERANCE * self._extent, has_others)
+
+
+class WallsFoundLater:
+    """Finds the LabelledWalls of a map, in a thread where that would block the window for too long.
+
+    Parameters
+    ----------
+    parts : list of MappedPart
+    done : callable
+        Called without arguments in the thread of the window when a thread has found them.
+
+    Attributes
+    ----------
+    found : LabelledWalls or None
+        None as long as they are looked for.
+    """
+
+    def __init__(self, parts, done):
+        self.found = None
+        if sum(part.map.count for part in parts) <= _MOST_AT_ONCE:
+            self.found = LabelledWalls(parts)
+            return
+        self._done, self._results = done, queue.SimpleQueue()
+        threading.Thread(target=self._find, args=(parts,), daemon=True).start()
+        self._timer = QtCore.QTimer(interval=_POLL_INTERVAL)
+        self._timer.timeout.connect(self._poll)
+        self._timer.start()
+
+    def _find(self, parts):
+        try:
+            self._results.put(LabelledWalls(parts))
+        except Exception as error:  # reported by the thread of the window, whatever its class
+            self._results.put(error)
+
+    def _poll(self):
+        try:
+            found = self._results.get_nowait()
+        except queue.Empty:
+            return
+        self._timer.stop()
+        if isinstance(found, Exception):
+            raise found
+        self.found = found
+        self._done()
 
 
 def _moved(matrix, ends):

@@ -18,7 +18,7 @@ from ..colour_bar.colour_bar import BarContent
 from ..colour_bar.colours import ThicknessColours
 from ..section.section_nodes import SectionNodes
 from .facet_nodes import FacetNodes
-from .map_labels import LabelledWalls
+from .map_labels import WallsFoundLater
 
 _ICONS = Path(__file__).resolve().parents[3] / "resources" / "icons"
 QT_TRANSLATE_NOOP = App.Qt.QT_TRANSLATE_NOOP
@@ -224,13 +224,15 @@ class ThicknessView:
             return None
         thickness = self._view.Object
         if self._walls is None:
-            self._walls = LabelledWalls(parts_of(thickness))
+            self._walls = WallsFoundLater(parts_of(thickness), lifelong.map_events.refresh_soon)
+        if self._walls.found is None:
+            return None
         moved, unit, probes, colours = (moved_matrix(thickness), length_unit(thickness.Document), probes_of(thickness),
                                         ThicknessColours.of(thickness))
         has_others = _shows_others(thickness)
         key = (self._shown_version, moved.tobytes(), unit, tuple(probes), colours, self._section, has_others)
-        return self._walls.content(key, moved, probes, unit, lambda value: tuple(colours.of_values([value])[0].tolist()),
-                                   self._section, has_others)
+        return self._walls.found.content(
+            key, moved, probes, unit, lambda value: tuple(colours.of_values([value])[0].tolist()), self._section, has_others)
 
     def doubleClicked(self, view):
         """Open the panel on a double click in the tree."""
