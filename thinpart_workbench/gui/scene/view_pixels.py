@@ -7,6 +7,10 @@ from ..application.qt import QtCore, flipped_vertically
 from ..document.free_area import free_area
 
 
+_ROUNDING = 2.0
+"""Pixels by which what is drawn may differ from the size of the widget where the ratio of pixels is not a whole number."""
+
+
 def pixels_drawn(action):
     """Width and height of what is being drawn, in pixels; None where nothing is drawn."""
     if not action.isOfType(coin.SoGLRenderAction.getClassTypeId()):
@@ -20,7 +24,7 @@ def is_size_of(widget, width, height):
     """Whether pixels are those of the widget of a view; otherwise a picture of another size is drawn."""
     try:
         ratio = widget.devicePixelRatioF()
-        return (round(widget.width() * ratio), round(widget.height() * ratio)) == (width, height)
+        return max(abs(widget.width() * ratio - width), abs(widget.height() * ratio - height)) < _ROUNDING
     except RuntimeError:
         return False  # the view is being closed
 
