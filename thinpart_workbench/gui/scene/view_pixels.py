@@ -6,7 +6,6 @@ from pivy import coin
 from ..application.qt import QtCore, flipped_vertically
 from ..document.free_area import free_area
 
-
 _ROUNDING = 2.0
 """Pixels by which what is drawn may differ from the size of the widget where the ratio of pixels is not a whole number."""
 
