@@ -507,6 +507,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Automatik</translation>
     </message>
     <message>
+        <source>Back to its place</source>
+        <translation>Zurück an seinen Platz</translation>
+    </message>
+    <message>
         <source>Back to the shipped limits</source>
         <translation>Zurück zu den mitgelieferten Grenzen</translation>
     </message>
@@ -723,6 +727,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Schließen</translation>
     </message>
     <message>
+        <source>Colour bar</source>
+        <translation>Farbbalken</translation>
+    </message>
+    <message>
         <source>Colour thin faces</source>
         <translation>Dünne Flächen einfärben</translation>
     </message>
@@ -821,6 +829,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Double-click: fly to its thinnest place. N, P: to the next and the previous one.</source>
         <translation>Doppelklick: zur dünnsten Stelle fliegen. N, P: zur nächsten und zur vorigen.</translation>
+    </message>
+    <message>
+        <source>Drag it in the view to move it, a corner of it to size it; a right click has more</source>
+        <translation>In der Ansicht ziehen, um ihn zu verschieben, an einer Ecke, um seine Größe zu ändern; ein Rechtsklick bietet mehr</translation>
     </message>
     <message>
         <source>E&amp;xcept</source>
@@ -1035,6 +1047,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Hier: {}</translation>
     </message>
     <message>
+        <source>Hide colour bar</source>
+        <translation>Farbbalken ausblenden</translation>
+    </message>
+    <message>
         <source>Holds</source>
         <translation>Erfüllt</translation>
     </message>
@@ -1065,6 +1081,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>I&amp;nclude again</source>
         <translation>&amp;Wieder einschließen</translation>
+    </message>
+    <message>
+        <source>In the view</source>
+        <translation>In der Ansicht</translation>
     </message>
     <message>
         <source>Info file, beside the document: {}</source>
@@ -1125,6 +1145,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Labels: {}</source>
         <translation>Einordnungen: {}</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Größer</translation>
     </message>
     <message>
         <source>Largest ball</source>
@@ -1815,6 +1839,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Größe, {}</translation>
     </message>
     <message>
+        <source>Smaller</source>
+        <translation>Kleiner</translation>
+    </message>
+    <message>
         <source>Something stands before this wall from every side: the mark shows where it is. Hide what covers it, or cut the view open with the clipping plane of the View menu.</source>
         <translation>Vor dieser Wand steht von allen Seiten etwas: Die Markierung zeigt, wo sie ist. Blenden Sie aus, was sie verdeckt, oder schneiden Sie die Ansicht mit der Schnittebene im Menü Ansicht auf.</translation>
     </message>
@@ -2071,6 +2099,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die Dickenkarte ist ausgeblendet, damit die dünnen Flächen zu sehen sind. Die Leertaste blendet sie wieder ein.</translation>
     </message>
     <message>
+        <source>The thinnest wall, the thickest one and pinned ones; those behind the part are hidden</source>
+        <translation>Die dünnste Wand, die dickste und angeheftete; was hinter dem Teil liegt, ist ausgeblendet</translation>
+    </message>
+    <message>
         <source>The threshold</source>
         <translation>Der Schwellenwert</translation>
     </message>
@@ -2141,6 +2173,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Thickness colours</source>
         <translation>Farbskala</translation>
+    </message>
+    <message>
+        <source>Thickness labels</source>
+        <translation>Dickenangaben</translation>
     </message>
     <message>
         <source>Thin</source>
@@ -2555,8 +2591,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>linear (erste Ordnung)</translation>
     </message>
     <message>
+        <source>max {}</source>
+        <translation>max. {}</translation>
+    </message>
+    <message>
         <source>measuring…</source>
         <translation>wird gemessen…</translation>
+    </message>
+    <message>
+        <source>min {}</source>
+        <translation>min. {}</translation>
     </message>
     <message>
         <source>no</source>

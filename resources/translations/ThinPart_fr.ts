@@ -507,6 +507,10 @@ Son volume est inconnu.</translation>
         <translation>Automatique</translation>
     </message>
     <message>
+        <source>Back to its place</source>
+        <translation>Remettre à sa place</translation>
+    </message>
+    <message>
         <source>Back to the shipped limits</source>
         <translation>Revenir aux limites fournies</translation>
     </message>
@@ -723,6 +727,10 @@ Son volume est inconnu.</translation>
         <translation>Fermer</translation>
     </message>
     <message>
+        <source>Colour bar</source>
+        <translation>Barre de couleurs</translation>
+    </message>
+    <message>
         <source>Colour thin faces</source>
         <translation>Colorer les faces minces</translation>
     </message>
@@ -821,6 +829,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Double-click: fly to its thinnest place. N, P: to the next and the previous one.</source>
         <translation>Double-clic : aller à son endroit le plus mince. N, P : au suivant et au précédent.</translation>
+    </message>
+    <message>
+        <source>Drag it in the view to move it, a corner of it to size it; a right click has more</source>
+        <translation>Dans la vue, la faire glisser pour la déplacer, par un coin pour en changer la taille ; un clic droit offre plus</translation>
     </message>
     <message>
         <source>E&amp;xcept</source>
@@ -1035,6 +1047,10 @@ Son volume est inconnu.</translation>
         <translation>Ici : {}</translation>
     </message>
     <message>
+        <source>Hide colour bar</source>
+        <translation>Masquer la barre de couleurs</translation>
+    </message>
+    <message>
         <source>Holds</source>
         <translation>Rempli</translation>
     </message>
@@ -1065,6 +1081,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>I&amp;nclude again</source>
         <translation>I&amp;nclure à nouveau</translation>
+    </message>
+    <message>
+        <source>In the view</source>
+        <translation>Dans la vue</translation>
     </message>
     <message>
         <source>Info file, beside the document: {}</source>
@@ -1125,6 +1145,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Labels: {}</source>
         <translation>Étiquettes : {}</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Plus grand</translation>
     </message>
     <message>
         <source>Largest ball</source>
@@ -1815,6 +1839,10 @@ Son volume est inconnu.</translation>
         <translation>Taille, {}</translation>
     </message>
     <message>
+        <source>Smaller</source>
+        <translation>Plus petit</translation>
+    </message>
+    <message>
         <source>Something stands before this wall from every side: the mark shows where it is. Hide what covers it, or cut the view open with the clipping plane of the View menu.</source>
         <translation>Quelque chose se trouve devant cette paroi de tous les côtés : le repère montre où elle est. Masquez ce qui la couvre, ou ouvrez la vue avec le plan de coupe du menu Affichage.</translation>
     </message>
@@ -2071,6 +2099,10 @@ Son volume est inconnu.</translation>
         <translation>La carte d’épaisseur est masquée pour montrer les faces minces. La barre d’espace la réaffiche.</translation>
     </message>
     <message>
+        <source>The thinnest wall, the thickest one and pinned ones; those behind the part are hidden</source>
+        <translation>La paroi la plus mince, la plus épaisse et celles épinglées ; ce qui est derrière la pièce est masqué</translation>
+    </message>
+    <message>
         <source>The threshold</source>
         <translation>Le seuil</translation>
     </message>
@@ -2141,6 +2173,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Thickness colours</source>
         <translation>Échelle de couleurs</translation>
+    </message>
+    <message>
+        <source>Thickness labels</source>
+        <translation>Étiquettes d’épaisseur</translation>
     </message>
     <message>
         <source>Thin</source>
@@ -2555,8 +2591,16 @@ Son volume est inconnu.</translation>
         <translation>linéaires (premier ordre)</translation>
     </message>
     <message>
+        <source>max {}</source>
+        <translation>max. {}</translation>
+    </message>
+    <message>
         <source>measuring…</source>
         <translation>mesure…</translation>
+    </message>
+    <message>
+        <source>min {}</source>
+        <translation>min. {}</translation>
     </message>
     <message>
         <source>no</source>

@@ -185,3 +185,23 @@ def test_the_document_may_be_closed_meanwhile(saved, browser, tmp_path):
     assert Path(browser.opened[0]).exists()
     window.click("ThinPart_ReportStart")
     assert "is closed" in message()
+
+
+def test_a_report_in_inches_has_tables_in_mm(saved, browser, tmp_path):
+    App.Units.setSchema(3)
+    if "UnitSystem" in saved.PropertiesList:
+        saved.UnitSystem = 3
+    try:
+        opened()
+        window.click("ThinPart_ReportStart")
+        wait_for_end()
+    finally:
+        App.Units.setSchema(0)
+    folder = tmp_path / "block-report"
+    page, = (file.read_text() for file in folder.rglob("pages/*.html"))
+    text = re.sub(r"<style>.*?</style>", " ", page, flags=re.S)
+    assert not re.search(r"\bmm\b", re.sub(r"<[^>]*>", " ", text)), re.findall(r".{30}\bmm\b.{10}", text)
+    assert "0.236 <small>in</small>" in text and "0.236\u00a0in" in text and "thickness, in" in text
+    overview = (folder / "index.html").read_text()
+    assert "Thickness and box: in." in overview and ">0.236<" in overview
+    assert "\n" in (folder / "parts.csv").read_text() and ",6.0" in (folder / "parts.csv").read_text()

@@ -6,7 +6,9 @@ from types import SimpleNamespace
 import pytest
 from made_library import record_of, store
 
+from thinpart_workbench.core.length_unit import INCH
 from thinpart_workbench.core.number_text import percent
+from thinpart_workbench.core.rendering.colour_scale import ColourScale
 from thinpart_workbench.storage.info.info_file import read_info
 from thinpart_workbench.workflow.report.part_page import part_page
 
@@ -60,7 +62,7 @@ def test_an_excluded_wall_is_struck_through_with_its_reason(tmp_path):
     section = re.search(r"<h2>Its walls</h2>(.*?)</section>", page, re.S).group(1)
     rows = section.split("<tr")[2:]
     assert len(rows) == 2 and "<s>" in rows[0] and "<s>" not in rows[1]
-    assert "excluded: crush rib &lt;1 mm" in rows[0] and "element size 0.4 mm" in rows[0]
+    assert "excluded: crush rib &lt;1 mm" in rows[0] and "element size 0.4\u00a0mm" in rows[0]
     assert record["category"] in page
 
 
@@ -70,3 +72,23 @@ def test_a_record_of_an_earlier_version_has_no_walls_to_list(tmp_path):
     about = {**read_info(store(tmp_path, "plate.step", [record])), "kept": {}, "limits": ()}
     pictures = SimpleNamespace(scale=None, views=list, measure="ray")
     assert "Its walls" not in part_page(record, pictures, [], about, "plate.step", "").decode()
+
+
+def test_a_page_in_inches_tells_of_no_millimetre(tmp_path):
+    record = record_of("plate", warnings=["A wall of 2.54 mm was left out."], regions={
+        "listed": [_wall(min=2.54, median=5.08, length_mm=25.4, width_mm=50.8)], "others": 0, "others_share": 0.0})
+    about = {**read_info(store(tmp_path, "plate.step", [record])), "kept": {}, "limits": ()}
+    pictures = SimpleNamespace(scale=ColourScale(2.54, 25.4), views=list, measure="ray", greatest=50.0)
+    page = part_page(record, pictures, [], about, "plate.step", "", INCH).decode()
+    text = re.sub(r"<(style|title)>.*?</\1>", " ", page, flags=re.S)
+    assert "A wall of 0.1\u00a0in was left out." in text
+    assert not re.search(r"\bmm\b", re.sub(r"<[^>]*>", " ", text))
+    assert "aria-label=\"Colours from 0.1\u00a0in to 1\u00a0in" in text
+    assert "0.1\u00a0in" in text and "1\u00a0in and more" in text and "thickness, in" in text
+    row = re.search(r"<h2>Its walls</h2>.*?</table>", text, re.S).group(0)
+    assert "Least in" in row and all(f'<td class="n">{value}</td>' in row for value in ("0.1", "0.2", "1", "2"))
+    # Bars of the chart end at round numbers of inches.
+    ticks = re.findall(r'y="558" text-anchor="middle">([^<]*)<', text)
+    assert len(ticks) > 2 and all(len(tick.strip("0.")) <= 2 for tick in ticks)
+    box = record["descriptors"]["box_mm"]
+    assert INCH.number(box[0]) in re.search(r"<dt>Bounding box</dt><dd>(.*?)</dd>", page).group(1)

@@ -10,6 +10,7 @@ from ..core.analysis_settings import RAY
 from ..core.errors import ThinPartError
 from ..core.judging.criteria import NORMAL, UNKNOWN, profile_from
 from ..core.judging.wall_check import check_walls
+from ..core.length_unit import MILLIMETRE, UNITS
 from ..core.message import message
 from ..freecad_adapter.reading.linked_files import linked_files
 from ..storage.atomic_file import write_atomically
@@ -50,6 +51,8 @@ class ReportFolder:
         One of `SHOWN_MEASURES`: what the colours of the pictures stand for.
     subject : str, optional
         What the overview names as the place of the documents; by default their common folder.
+    unit : LengthUnit, optional
+        Of all lengths on the pages; tables are in mm.
 
     Raises
     ------
@@ -58,13 +61,14 @@ class ReportFolder:
         templates cannot be rendered.
     """
 
-    def __init__(self, folder, tree, profile, info_for, limits=(), shown_measure=RAY, subject=None):
+    def __init__(self, folder, tree, profile, info_for, limits=(), shown_measure=RAY, subject=None,
+                 unit=MILLIMETRE):
         self.folder = os.path.abspath(folder)
         self._tree = tree
         self._subject = os.fspath(tree) if subject is None else subject
         self._profile, self._limits = profile, limits
         self._info_for = info_for
-        self._shown_measure = shown_measure
+        self._shown_measure, self._unit = shown_measure, unit
         self._parts, self._failures, self._part_blocks = [], [], []
         self._face_blocks = []  # (document, start, length) of its rows in the temporary file
         check_templates()
@@ -79,7 +83,7 @@ class ReportFolder:
     def pages_for(self, file):
         """ReportPages of a document."""
         return ReportPages(self.folder, os.path.relpath(file, self._tree), self._info_for(file),
-                           self._limits, self._shown_measure)
+                           self._limits, self._shown_measure, self._unit)
 
     def add(self, outcome):
         """Add the outcome of one document."""
@@ -134,7 +138,7 @@ class ReportFolder:
         names = [category.name for category in profile.categories] + [NORMAL, UNKNOWN]
         count = Counter(part.category for part in self._parts)
         return fill_in(
-            "index.html", software=__version__, tree=self._subject, profile=self._profile,
+            "index.html", software=__version__, unit=self._unit, tree=self._subject, profile=self._profile,
             titles={category.name: category.title for category in profile.categories},
             counts={"parts": len(self._parts),
                     "categories": [(name, count[name]) for name in names if count[name]]},
@@ -164,6 +168,8 @@ class OpenDocumentReport:
         Names of processes with commas between them, against whose limits the walls are checked.
     failures : list of dict
         Objects that cannot be read as parts.
+    unit : str
+        Symbol of the unit of all lengths on the pages; tables are in mm.
 
     Raises
     ------
@@ -171,14 +177,15 @@ class OpenDocumentReport:
         As `ReportFolder`, and where the folder of info files does not answer.
     """
 
-    def __init__(self, settings, profile, output, document, label, is_saved, info_folder, checks, failures):
+    def __init__(self, settings, profile, output, document, label, is_saved, info_folder, checks, failures,
+                 unit=MILLIMETRE.symbol):
         self._file = document or os.path.join(os.path.dirname(output), label.replace(os.sep, "_"))
         self._outcome = {"file": self._file, "parts": [], "failures": list(failures), "faces": {}}
         info_file = os.fspath(info_location(document, info_folder)) if document else ""
         self._folder = ReportFolder(
             output, os.path.dirname(self._file), profile, lambda _: info_file,
             limits_named(checks.split(","), None) if checks.strip() else (), RAY,
-            subject=os.path.dirname(document) if document else "")
+            subject=os.path.dirname(document) if document else "", unit=UNITS[unit])
         self._pages = self._folder.pages_for(self._file)
         source = new_source(document, linked_files(document), info_file) if is_saved else {"file": document or label}
         self._maker = call_in_folder(info_folder, lambda: PageMaker(self._pages, source, settings, profile))

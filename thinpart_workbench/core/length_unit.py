@@ -63,3 +63,6 @@ class LengthUnit:
 
 MILLIMETRE = LengthUnit("mm", 1.0, 3)
 INCH = LengthUnit("in", 25.4, 4)
+
+UNITS = {unit.symbol: unit for unit in (MILLIMETRE, INCH)}
+"""By their symbols, with a decimal point."""

@@ -13,6 +13,7 @@ from ...freecad_adapter.additional_packages import has_package, install_folder
 from ...freecad_adapter.preferences import preference, preferred_analysis
 from ...freecad_adapter.reading.document_parts import document_content
 from ..application import lifelong
+from ..application.length_unit import length_unit
 from ..application.qt import QtCore, QtGui, QtWidgets, translate
 from ..application.sentences import translated
 from ..processes.document_analysis import DocumentAnalysis
@@ -111,6 +112,7 @@ class ReportDialog(QtWidgets.QDialog):
             "output": self._output, "document": file, "label": document.Label,
             "is_saved": bool(file) and os.path.exists(file) and not lifelong.observer.differs_from_file(document),
             "info_folder": preference("InfoFolder"), "checks": preference("Checks"),
+            "unit": length_unit(document).symbol,
             "failures": [part.failure() for part in content.broken]})
         self._job.progressed.connect(self._show_progress)
         self._job.ended.connect(self._show_end)

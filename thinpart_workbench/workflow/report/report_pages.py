@@ -7,6 +7,7 @@ from urllib.parse import quote
 
 from ...core.analysis_settings import RAY
 from ...core.errors import ThinPartError
+from ...core.length_unit import MILLIMETRE, LengthUnit
 from ...core.message import message
 from ...storage.atomic_file import write_atomically
 from ...storage.info.info_file import stored_info
@@ -40,6 +41,8 @@ class ReportPages:
         What the walls are checked against.
     shown_measure : str
         One of `SHOWN_MEASURES`: what the colours of the pictures stand for.
+    unit : LengthUnit
+        Of all lengths on the pages; the tables beside them are in mm.
     """
 
     folder: str
@@ -47,6 +50,7 @@ class ReportPages:
     info_file: str
     limits: tuple = ()
     shown_measure: str = RAY
+    unit: LengthUnit = MILLIMETRE
 
     def page(self, part_name, ending=".html"):
         """Path of a part's page relative to the folder of the report, the same in every run."""
@@ -150,6 +154,6 @@ class PageMaker:
         page = self._pages.page(part.name)
         overview = address(os.path.relpath("index.html", os.path.dirname(page)))
         about = {**self._about, "kept": self._annotations.get(part.name, {}), "limits": self._pages.limits}
-        content = part_page(record, pictures, features, about, self._pages.document, overview)
+        content = part_page(record, pictures, features, about, self._pages.document, overview, self._pages.unit)
         self.faces[part.name] = csv_text(face_rows(self._pages.document, record, features))
         return content, png_bytes(pictures.small(PICTURE_WIDTH, PICTURE_HEIGHT))
