@@ -59,9 +59,12 @@ def _facets(mesh):
     points, facets, parent = mesh.vertices, mesh.triangles, np.arange(mesh.count)
     size = LONGEST * np.sqrt(4.0 / np.sqrt(3.0) * mesh.areas.sum() / FACETS)
     while True:
-        long = side_lengths(points, facets) > size
-        if not long.any() or len(facets) + long.sum() > MOST_FACETS:
+        lengths = side_lengths(points, facets)
+        room = MOST_FACETS - len(facets)
+        longest = np.sort(lengths[lengths > size])[::-1][:max(room, 0)]
+        if not len(longest):
             return points, facets, parent
+        long = lengths >= longest[-1]
         points, facets, pieces = cut_sides(points, facets, long)
         parent = parent[pieces]
 

@@ -108,7 +108,8 @@ class SnapshotJob(QtCore.QObject):
     def stop(self):
         """End the process, if it is running, and remove its snapshot."""
         if self._process is not None:
-            self._process.end_now()
+            # The system may take long to free the memory of the process, which is not waited for.
+            self._process.detach(kill=True)
 
     def _on_message(self, message):
         kind = self._analysis.on_message(message)

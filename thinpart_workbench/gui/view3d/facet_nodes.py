@@ -26,9 +26,14 @@ class FacetNodes:
     Attributes
     ----------
     facets, edges : pivy.coin.SoSeparator
+
+    Parameters
+    ----------
+    offset : float, optional
+        Polygon offset of the facets, behind which the edges stay visible.
     """
 
-    def __init__(self):
+    def __init__(self, offset=2.0):
         self.facets, self.edges = coin.SoSeparator(), coin.SoSeparator()
         self._moved = coin.SoMatrixTransform()
         self._parts = []  # (map, its SoPackedColor)
@@ -39,8 +44,8 @@ class FacetNodes:
         light = coin.SoLightModel()
         light.model = coin.SoLightModel.BASE_COLOR  # the same colours as in the colour bar, before `SoftLight`
         self._light = SoftLight()
-        behind = coin.SoPolygonOffset()  # the edges stay visible
-        behind.factor, behind.units = 2.0, 2.0
+        behind = coin.SoPolygonOffset()
+        behind.factor, behind.units = offset, offset
         binding = coin.SoMaterialBinding()
         binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
         self._edge_colour = dark = coin.SoBaseColor()
@@ -54,7 +59,9 @@ class FacetNodes:
                             (self.edges, (light, unpicked, dark, style))):
             for node in (*nodes, self._moved):
                 root.addChild(node)
-            self._content.append(coin.SoGroup())
+            content = coin.SoSwitch()
+            content.whichChild = coin.SO_SWITCH_ALL
+            self._content.append(content)
             root.addChild(self._content[-1])
 
     def show(self, parts):
@@ -137,6 +144,11 @@ class FacetNodes:
                 shown.face, np.fromiter(faces.get(number, ()), dtype=np.int64))
             for first, node in zip(range(0, shown.count, _CHUNK), nodes):
                 fill_numbers(node.coordIndex, _indices(first + np.flatnonzero(drawn[first:first + _CHUNK])))
+
+    def cover(self, is_covered):
+        """Draw nothing, because something else is drawn in the same place; or draw all again."""
+        for content in self._content:
+            content.whichChild = coin.SO_SWITCH_NONE if is_covered else coin.SO_SWITCH_ALL
 
     def move(self, matrix):
         """Set the transform of all parts: ndarray of shape (4, 4)."""

@@ -35,10 +35,14 @@ class SceneSync:
             if document.Restoring or document.Recomputing:
                 busy = True
                 continue
+            first = self._first_colours(name)
+            if first is not None:
+                sources |= {(name, covered) for covered in first.covered}
             for thickness in thickness_objects(document):
                 if getattr(thickness, "ViewObject", None) is None:
                     continue
                 self._refresh_map(thickness)
+                thickness.ViewObject.Proxy.cover(first is not None and first.stands_for(thickness.Name))
                 if thickness.ViewObject.Visibility:
                     visible.append((name, thickness.Name))
                     if thickness.ViewObject.Proxy.is_complete:
@@ -54,7 +58,15 @@ class SceneSync:
     def forget(self, name):
         """Drop the maps of a document that is being closed."""
         self._covered.forget(name)
+        lifelong.map_events.first_colours.pop(name, None)
         self._shown = [key for key in self._shown if key[0] != name]
+
+    def _first_colours(self, name):
+        """The FirstColours in a document, or None."""
+        first = lifelong.map_events.first_colours.get(name)
+        if first is not None:
+            first.refresh()
+        return lifelong.map_events.first_colours.get(name)
 
     def _refresh_map(self, thickness):
         view = thickness.ViewObject
@@ -81,6 +93,9 @@ class SceneSync:
         self._bars = bars
 
     def _content(self, document, name):
+        first = lifelong.map_events.first_colours.get(document)
+        if first is not None:
+            return first.bar
         if name is None:
             return None
         return App.getDocument(document).getObject(name).ViewObject.Proxy.bar

@@ -153,6 +153,11 @@ class ThicknessView:
         self._nodes.withhold()
         self._show_next_batch()
 
+    def cover(self, is_covered):
+        """Leave out the facets while `FirstColours` are in their place."""
+        if self._nodes is not None:
+            self._nodes.cover(is_covered)
+
     def move(self):
         """Move the map to the current position of its sources."""
         if self._shown_version is not None:
