@@ -145,6 +145,11 @@ class FacetNodes:
             for first, node in zip(range(0, shown.count, _CHUNK), nodes):
                 fill_numbers(node.coordIndex, _indices(first + np.flatnonzero(drawn[first:first + _CHUNK])))
 
+    @property
+    def is_covered(self):
+        """Whether nothing is drawn; see `cover`."""
+        return self._content[0].whichChild.getValue() == coin.SO_SWITCH_NONE
+
     def cover(self, is_covered):
         """Draw nothing, because something else is drawn in the same place; or draw all again."""
         for content in self._content:

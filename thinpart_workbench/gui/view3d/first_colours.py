@@ -65,6 +65,11 @@ class FirstColours:
         return self._is_giving_way
 
     @property
+    def coloured(self):
+        """The coarse MappedParts that are shown: list."""
+        return list(self._parts.values())
+
+    @property
     def covered(self):
         """Names of the objects all of whose parts are coloured: set of str."""
         drawn = set().union(*(self._sources[name] for name in self._parts))
@@ -119,7 +124,7 @@ class FirstColours:
         like = self._like
         if like is not None and like.Measure == self._measure and not like.AutomaticRange:
             return ThicknessColours(scale_of(like))
-        low, high = typical_range(list(self._parts.values())) or (0.0, 0.0)
+        low, high = typical_range(self.coloured) or (0.0, 0.0)
         if like is not None:
             return ThicknessColours(replace(scale_of(like), low=low, high=high))
         return ThicknessColours(ColourScale(
@@ -129,7 +134,7 @@ class FirstColours:
     @property
     def bar(self):
         """BarContent, which says that the colours are coarse."""
-        parts = list(self._parts.values())
+        parts = self.coloured
         thinnest, thickest = thickness_range(parts) or (0.0, 0.0)
         return BarContent(self.colours, length_unit(App.getDocument(self._name)), 0.0, thinnest, thickest, 0.0,
                           not all(part.map.measured.all() for part in parts), self._measure, is_coarse=True)
@@ -161,5 +166,8 @@ class FirstColours:
 
 
 def _views(name):
-    document = Gui.getDocument(name) if name in App.listDocuments() else None
-    return [] if document is None else document.mdiViewsOfType("Gui::View3DInventor")
+    """The 3D views of a document; none while it is being closed, or afterwards."""
+    try:
+        return Gui.getDocument(name).mdiViewsOfType("Gui::View3DInventor")
+    except NameError:
+        return []

@@ -209,6 +209,11 @@ class ThicknessView:
         return ThicknessColours.of(self._view.Object, self._range, self._faces)
 
     @property
+    def is_drawn(self):
+        """Whether the map itself is seen, and not `FirstColours` in its place."""
+        return self._nodes is not None and not self._nodes.is_covered
+
+    @property
     def is_complete(self):
         """Whether all facets are in the scene: until then, only the sources fill the edges."""
         return not self._nodes.withheld
