@@ -7,7 +7,6 @@ from ..application.qt import QtWidgets, Signal, translate
 from ..widgets.push_button import add_button
 from .record_view import show_text, text_line
 
-
 _FIRST_ESTIMATE = 0.1
 """Fraction of the work from which on the time left is estimated by what the work before has taken."""
 
