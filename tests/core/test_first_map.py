@@ -45,7 +45,8 @@ def test_a_plate_is_coloured_with_its_thickness_all_over():
     mesh = surface_mesh(*made_meshes.box(40, 30, 4))
     found = first_map(mesh)
     flat = np.abs(found.normals[:, 2]) > 0.9
-    assert found.thickness[flat] == pytest.approx(4.0, abs=1e-3) and found.corner_thickness[flat] == pytest.approx(4.0, abs=1e-3)
+    assert found.thickness[flat] == pytest.approx(4.0, abs=1e-3)
+    assert found.corner_thickness[flat] == pytest.approx(4.0, abs=1e-3)
     assert found.areas.sum() == pytest.approx(mesh.areas.sum(), rel=1e-4) and found.count <= MOST_FACETS
 
 

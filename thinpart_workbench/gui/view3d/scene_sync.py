@@ -8,6 +8,7 @@ from ..application import lifelong
 from ..application.qt import QtWidgets
 from ..colour_bar.colour_bar_node import ColourBarNode
 from .covered_sources import CoveredSources
+from .navigation_watch import NavigationWatch
 from .view_provider import ThicknessView
 
 
@@ -23,6 +24,7 @@ class SceneSync:
     def __init__(self):
         self._shown = []  # (document name, object name) of visible maps, the most recent last
         self._bars = []
+        self._watches = {}  # by the bar of the same view
         self._covered = CoveredSources()
         area = Gui.getMainWindow().findChild(QtWidgets.QMdiArea)
         if area is not None:
@@ -77,7 +79,7 @@ class SceneSync:
 
     def _show_bars(self):
         last = dict(self._shown)  # the most recently shown map of each document
-        bars = []
+        bars, watches = [], {}
         for document in App.listDocuments():
             gui_document = Gui.getDocument(document)
             for view in gui_document.mdiViewsOfType("Gui::View3DInventor"):
@@ -88,9 +90,14 @@ class SceneSync:
                     bar = bar or ColourBarNode(view)
                     bar.show(content)
                     bars.append(bar)
+                    watches[bar] = self._watches.get(bar) or NavigationWatch(view, document)
                 elif bar is not None:
                     bar.remove()
         self._bars = bars
+        for bar, watch in self._watches.items():
+            if bar not in watches:
+                watch.end()
+        self._watches = watches
 
     def _content(self, document, name):
         first = lifelong.map_events.first_colours.get(document)

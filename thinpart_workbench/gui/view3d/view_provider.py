@@ -208,6 +208,16 @@ class ThicknessView:
         """The current ThicknessColours."""
         return ThicknessColours.of(self._view.Object, self._range, self._faces)
 
+    def coarsen(self, is_coarse):
+        """Draw fewer facets while the view moves, or all again."""
+        if self._nodes is not None:
+            self._nodes.coarsen(is_coarse)
+
+    @property
+    def is_coarse(self):
+        """Whether fewer facets are drawn because the view moves."""
+        return self._nodes is not None and self._nodes.is_coarse
+
     @property
     def is_drawn(self):
         """Whether the map itself is seen, and not `FirstColours` in its place."""
@@ -238,6 +248,7 @@ class ThicknessView:
             QtCore.QTimer.singleShot(_BATCH_INTERVAL, self._show_next_batch)
         else:
             lifelong.map_events.refresh_soon()  # the sources are drawn until here
+            QtCore.QTimer.singleShot(_BATCH_INTERVAL, self._nodes.prepare_to_coarsen)
 
     def _show_section(self):
         if self._section is None or self._shown_version is None:
