@@ -14,7 +14,7 @@ from thinpart_workbench.gui.application.qt import QtCore
 from thinpart_workbench.gui.view3d.facet_nodes import MANY
 from thinpart_workbench.gui.view3d.view_provider import ThicknessView
 
-LEFT, CENTRE, RIGHT = QtCore.QPoint(300, 300), QtCore.QPoint(340, 320), QtCore.QPoint(380, 350)
+PATH = [QtCore.QPoint(300 + 20 * step, 300 + 10 * step) for step in range(6)]
 
 
 def torus_map(around, along):
@@ -57,20 +57,21 @@ def many(document):
 def turn(document, is_released=True):
     """Turn the view with the mouse."""
     Gui.getDocument(document.Name).ActiveView.setNavigationType("Gui::BlenderNavigationStyle")  # the middle button turns
-    window.mouse_drag(thickness_window.widget_of(thickness_window.view_of(document)), [LEFT, CENTRE, RIGHT],
-                      QtCore.Qt.MiddleButton, is_released)
+    widget = thickness_window.widget_of(thickness_window.view_of(document))
+    window.mouse_drag(widget, PATH, QtCore.Qt.MiddleButton, is_released)
 
 
 def test_few_facets_are_drawn_while_the_view_turns_and_all_when_it_stands(document, many):
     view = many.ViewObject.Proxy
-    camera = thickness_window.view_of(document).getCamera()
+    camera = thickness_window.view_of(document).getCameraNode()
+    before = camera.orientation.getValue().getValue()
     assert not view.is_coarse
     turn(document, is_released=False)
-    assert thickness_window.view_of(document).getCamera() != camera, "the mouse has turned the view"
+    assert camera.orientation.getValue().getValue() != before, "the mouse has turned the view"
     assert view.is_coarse
     window.settle(400)
     assert view.is_coarse, "the button is still pressed"
-    window.mouse_release(thickness_window.widget_of(thickness_window.view_of(document)), RIGHT, QtCore.Qt.MiddleButton)
+    window.mouse_release(thickness_window.widget_of(thickness_window.view_of(document)), PATH[-1], QtCore.Qt.MiddleButton)
     window.wait_until(lambda: not view.is_coarse)
 
 
