@@ -194,6 +194,7 @@ def _scenes(dimples):
 
     from thinpart_workbench.api.document_maps import parts_of
     from thinpart_workbench.freecad_adapter.objects.thickness_object import thickness_objects
+    from thinpart_workbench.gui.view3d.facet_nodes import FEW
 
     document = App.newDocument("Frames")
     yield "an empty view", {"facets": 0, "frames": _frames()}
@@ -211,6 +212,9 @@ def _scenes(dimples):
     mesh.ViewObject.Visibility = False
     window.settle(2000)
     yield "the map of it", {"facets": part.map.count, "frames": _frames()}
+    thickness.ViewObject.Proxy.coarsen(True)
+    yield "the map of it while it turns", {"facets": FEW, "frames": _frames()}
+    thickness.ViewObject.Proxy.coarsen(False)
 
 
 def _frames():
