@@ -61,7 +61,10 @@ def turn(document, is_released=True):
     window.mouse_drag(widget, PATH, QtCore.Qt.MiddleButton, is_released)
 
 
-def test_few_facets_are_drawn_while_the_view_turns_and_all_when_it_stands(document, many):
+@pytest.mark.parametrize("projection", ["Orthographic", "Perspective"])
+def test_few_facets_are_drawn_while_the_view_turns_and_all_when_it_stands(document, many, projection):
+    thickness_window.view_of(document).setCameraType(projection)
+    window.settle(50)
     view = many.ViewObject.Proxy
     camera = thickness_window.view_of(document).getCameraNode()
     before = camera.orientation.getValue().getValue()

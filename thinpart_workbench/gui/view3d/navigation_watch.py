@@ -66,7 +66,7 @@ class NavigationWatch(QtCore.QObject):
 
     def _camera(self):
         camera = self._view.getCameraNode()
-        lens = getattr(camera, "height", None) or camera.heightAngle
+        lens = camera.height if hasattr(camera, "height") else camera.heightAngle
         return camera.position.getValue().getValue(), camera.orientation.getValue().getValue(), lens.getValue()
 
     def _coarsen(self, is_coarse):
