@@ -48,6 +48,7 @@ class FacetNodes:
         self._groups = []  # (group of a part, its facet nodes)
         self._withheld = []  # (group, node) of the facet nodes not yet in the scene
         self._details = []  # switch of a part between all facets and few
+        self._normals = []  # of the corners of a part with many facets, until few are made of them
         self._few = []  # (facets that are kept, SoPackedColor) of each part, once they are needed
         self._is_isolated = False
         self._current_colours = None
@@ -84,12 +85,15 @@ class FacetNodes:
         for group in self._content:
             group.removeAllChildren()
         self._parts, self._current_colours = [], None
-        self._groups, self._withheld, self._details, self._few = [], [], [], []
+        self._groups, self._withheld, self._details, self._normals, self._few = [], [], [], [], []
         self._is_isolated = False
         self._edge_colour.rgb = EDGE_COLOUR
         self._drawn = sum(part.map.count * len(part.matrices) for part in parts)
         for part in parts:
-            colour, facets, nodes = _facets(part.map)
+            normals = corner_normals(part.map)
+            colour, facets, nodes = _drawn_facets(part.map.points, part.map.facets, normals)
+            if self._drawn >= MANY:
+                self._normals.append(normals.astype(np.float32))
             lines = _lines(part.map)
             self._groups.append((facets, nodes))
             self._parts.append((part.map, colour))
@@ -171,10 +175,11 @@ class FacetNodes:
         """Make the few facets that are drawn while the view moves, if there are many."""
         if self._few or self._drawn < MANY or self._current_colours is None:
             return
-        for (shown, _), detail in zip(self._parts, self._details):
-            colour, facets, kept = _few_facets(shown, max(1000, FEW * shown.count // self._drawn))
+        for (shown, _), detail, normals in zip(self._parts, self._details, self._normals):
+            colour, facets, kept = _few_facets(shown, normals, max(1000, FEW * shown.count // self._drawn))
             detail.addChild(facets)
             self._few.append((kept, colour))
+        self._normals = []
         now, self._current_colours = self._current_colours, None
         self.colour(*now)
 
@@ -207,19 +212,15 @@ class FacetNodes:
         set_matrix(self._moved, matrix)
 
 
-def _facets(shown):
-    """SoPackedColor, group and facet nodes of all facets of a map."""
-    return _drawn_facets(shown.points, shown.facets, corner_normals(shown))
-
-
-def _few_facets(shown, most):
+def _few_facets(shown, normals, most):
     """SoPackedColor and group of about as many facets of a map as are wanted, and which they are."""
     points, facets, kept = thinned_facets(shown.points, shown.facets.astype(np.int64), most)
-    colour, group, _ = _drawn_facets(points, facets, corner_normals(shown)[kept])
+    colour, group, _ = _drawn_facets(points, facets, normals[kept])
     return colour, group, kept
 
 
 def _drawn_facets(places, corners, normals_of_corners):
+    """SoPackedColor, group and facet nodes."""
     group, colour = coin.SoGroup(), coin.SoPackedColor()
     points = coin.SoCoordinate3()
     fill_points(points.point, np.take(places, corners.ravel(), axis=0, mode="clip"))
