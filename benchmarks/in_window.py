@@ -12,11 +12,11 @@ STEP = 0.05
 
 
 def main():
-    root, output, turns = json.loads(os.environ["THINPART_GUI_ARGUMENTS"])
+    root, output, turns, parts = json.loads(os.environ["THINPART_GUI_ARGUMENTS"])
     status = 1
     try:
         sys.path[:0] = [root, os.path.join(root, "tests"), os.path.join(root, "tests", "gui")]
-        found = _measured(turns)
+        found = _measured(turns, parts)
         with open(output, "w", encoding="utf-8") as file:
             json.dump(found, file)
         status = 0
@@ -27,7 +27,7 @@ def main():
         os._exit(status)
 
 
-def _measured(turns):
+def _measured(turns, parts):
     import FreeCAD as App
     import FreeCADGui as Gui
     import window_actions as window
@@ -39,6 +39,8 @@ def _measured(turns):
     window.add(document, "Plate", dimpled_plate(1))
     _press()  # what is loaded at the first time only is not what is measured here
     App.closeDocument(document.Name)
+    if parts:
+        return {"freecad": version, "parts": [_coloured(part) for part in parts]}
     times = [_turn(12) for _ in range(turns)]
     return {"freecad": version, "turns": times, "idle_gap": _idle_gap(max(turn["coloured"] for turn in times)),
             "scenes": dict(_scenes(23))}
@@ -89,6 +91,62 @@ def _turn(dimples):
             "triangles": part.record["triangles"], "facets": part.map.count}
 
 
+def _coloured(path):
+    """How soon a part is coloured: first coarsely, then finely; and how soon *Cancel* is obeyed."""
+    import FreeCAD as App
+    import FreeCADGui as Gui
+    import window_actions as window
+
+    from thinpart_workbench.api.document_maps import parts_of
+    from thinpart_workbench.freecad_adapter.objects.thickness_object import thickness_objects
+    from thinpart_workbench.gui.application import lifelong
+
+    document = _opened(path)
+    Gui.SendMsgToActiveView("ViewFit")
+    window.settle(3000)  # the process that measures has loaded everything
+    first = lifelong.map_events.first_colours
+    window.press("ThinPart_ShowThickness")
+    window.wait_until(lambda: document.Name in first or window.is_thickness_told(), seconds=600)
+    window.settle(500)
+    begun = time.perf_counter()
+    if window.is_shown("ThinPart_CancelButton"):
+        window.click("ThinPart_CancelButton")
+    window.settle(1)
+    cancel = time.perf_counter() - begun
+    window.mouse_click(window.close_button())
+    for thickness in thickness_objects(document):
+        document.removeObject(thickness.Name)
+    window.settle(4000)
+    drawn, begun = Drawn(), time.perf_counter()
+    window.press("ThinPart_ShowThickness")
+    window.wait_until(lambda: document.Name in first or window.is_thickness_told(), seconds=600)
+    coarse = [part.map.count for part in first[document.Name].coloured] if document.Name in first else []
+    drawn.next()
+    seconds = time.perf_counter() - begun
+    window.wait_until(lambda: window.is_thickness_told() and document.Name not in first, seconds=600)
+    drawn.next()
+    final = time.perf_counter() - begun
+    drawn.end()
+    fine = [part for thickness in thickness_objects(document) for part in parts_of(thickness)]
+    App.closeDocument(document.Name)
+    window.settle(500)
+    return {"kilobytes": round(os.path.getsize(path) / 1000), "faces": sum(len(part.record["faces"]) for part in fine),
+            "first": seconds if coarse else final, "final": final, "cancel": cancel,
+            "first_facets": sum(coarse), "facets": sum(part.map.count for part in fine)}
+
+
+def _opened(path):
+    import FreeCAD as App
+    import Mesh
+    import Part
+
+    if path.lower().endswith(".fcstd"):
+        return App.openDocument(path)
+    document = App.newDocument("Part")
+    (Mesh if path.lower().endswith(".stl") else Part).insert(path, document.Name)
+    return document
+
+
 def _idle_gap(seconds):
     """The longest time without an event while there is a part and nothing is done with it."""
     import FreeCAD as App
@@ -136,6 +194,7 @@ def _scenes(dimples):
 
     from thinpart_workbench.api.document_maps import parts_of
     from thinpart_workbench.freecad_adapter.objects.thickness_object import thickness_objects
+    from thinpart_workbench.gui.view3d.facet_nodes import FEW
 
     document = App.newDocument("Frames")
     yield "an empty view", {"facets": 0, "frames": _frames()}
@@ -153,6 +212,9 @@ def _scenes(dimples):
     mesh.ViewObject.Visibility = False
     window.settle(2000)
     yield "the map of it", {"facets": part.map.count, "frames": _frames()}
+    thickness.ViewObject.Proxy.coarsen(True)
+    yield "the map of it while it turns", {"facets": FEW, "frames": _frames()}
+    thickness.ViewObject.Proxy.coarsen(False)
 
 
 def _frames():

@@ -947,6 +947,14 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Bauteile finden</translation>
     </message>
     <message>
+        <source>First, coarse colours; finer ones follow, about {} left.</source>
+        <translation>Erste, grobe Farben; feinere folgen, noch etwa {}.</translation>
+    </message>
+    <message>
+        <source>First, coarse colours; finer ones follow.</source>
+        <translation>Erste, grobe Farben; feinere folgen.</translation>
+    </message>
+    <message>
         <source>Folder</source>
         <translation>Ordner</translation>
     </message>
@@ -1943,6 +1951,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Der Klassifizierungsprozess wurde unerwartet beendet; fertige Ergebnisse sind gespeichert. Starten Sie erneut für den Rest; seine letzten Meldungen stehen im Ausgabefenster.</translation>
     </message>
     <message>
+        <source>The colours in the view are the first, coarse ones: they are not saved, and go when this panel is closed.</source>
+        <translation>Die Farben in der Ansicht sind die ersten, groben: Sie werden nicht gespeichert und verschwinden, wenn dieser Aufgabenbereich geschlossen wird.</translation>
+    </message>
+    <message>
         <source>The content of {} was copied into {}: a link needs a saved document.</source>
         <translation>Der Inhalt von {} wurde in {} kopiert: Eine Verknüpfung braucht ein gespeichertes Dokument.</translation>
     </message>
@@ -2549,6 +2561,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>fine</source>
         <translation>fein</translation>
+    </message>
+    <message>
+        <source>first, coarse colours</source>
+        <translation>erste, grobe Farben</translation>
     </message>
     <message>
         <source>from {} mm on</source>

@@ -947,6 +947,14 @@ Son volume est inconnu.</translation>
         <translation>Trouver des pièces</translation>
     </message>
     <message>
+        <source>First, coarse colours; finer ones follow, about {} left.</source>
+        <translation>Premières couleurs, grossières ; de plus fines suivent, encore {} environ.</translation>
+    </message>
+    <message>
+        <source>First, coarse colours; finer ones follow.</source>
+        <translation>Premières couleurs, grossières ; de plus fines suivent.</translation>
+    </message>
+    <message>
         <source>Folder</source>
         <translation>Dossier</translation>
     </message>
@@ -1943,6 +1951,10 @@ Son volume est inconnu.</translation>
         <translation>Le processus de classification s’est terminé de façon inattendue ; les résultats obtenus sont enregistrés. Démarrez à nouveau pour le reste ; ses derniers messages sont dans la vue rapport.</translation>
     </message>
     <message>
+        <source>The colours in the view are the first, coarse ones: they are not saved, and go when this panel is closed.</source>
+        <translation>Les couleurs de la vue sont les premières, grossières : elles ne sont pas enregistrées et disparaissent à la fermeture de ce panneau.</translation>
+    </message>
+    <message>
         <source>The content of {} was copied into {}: a link needs a saved document.</source>
         <translation>Le contenu de {} a été copié dans {} : un lien demande un document enregistré.</translation>
     </message>
@@ -2549,6 +2561,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>fine</source>
         <translation>fine</translation>
+    </message>
+    <message>
+        <source>first, coarse colours</source>
+        <translation>premières couleurs, grossières</translation>
     </message>
     <message>
         <source>from {} mm on</source>

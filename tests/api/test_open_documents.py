@@ -8,7 +8,7 @@ import thinpart_workbench as thinpart
 from thinpart_workbench.api.classified_parts import PartFailure
 from thinpart_workbench.api.document_info import file_stamp, write_document_info
 from thinpart_workbench.api.saved_documents import classify_saved
-from thinpart_workbench.api.snapshots import SnapshotMap, SnapshotPart, measure_snapshot
+from thinpart_workbench.api.snapshots import FirstMap, SnapshotMap, SnapshotPart, measure_snapshot
 from thinpart_workbench.core.judging.criteria import load_profile
 from thinpart_workbench.freecad_adapter.objects.snapshot import write_snapshot
 from thinpart_workbench.freecad_adapter.reading.document_parts import document_parts
@@ -56,6 +56,29 @@ def test_maps_follow_their_parts_and_thin_faces_are_by_the_limit_asked_for(plate
     assert sum(share > 0.9 for share in thin.thin_shares) == 2 and max(thick.thin_shares) == 0.0
     mapped, = read_maps(found[1].file)
     assert mapped.record["name"] == found[1].part == "First" and os.path.dirname(found[1].file) == folder
+
+
+def test_first_maps_of_all_parts_come_before_anything_is_measured(plates, tmp_path):
+    folder = snapshot_of(plates, tmp_path, maps="ray", first_maps=True)
+    found = list(measure_snapshot(folder, 4000))
+    assert [type(each) for each in found] == [FirstMap, FirstMap, *[SnapshotPart, SnapshotMap] * 2]
+    for first, thickness in zip(found, (3, 8)):
+        coarse, = read_maps(first.file)
+        assert coarse.record == {"name": first.part, "label": first.part}, "nothing that could be taken for a verdict"
+        assert coarse.map.thickness[abs(coarse.map.normals[:, 2]) > 0.9] == pytest.approx(thickness, abs=1e-3)
+
+
+def test_a_part_without_a_first_map_is_reported_once_and_the_others_have_theirs(plates, tmp_path):
+    folder = snapshot_of(plates, tmp_path, maps="ray", first_maps=True)
+    (tmp_path / "0.brep").write_text("no shape")
+    found = list(measure_snapshot(folder, 4000))
+    assert [type(each) for each in found] == [FirstMap, PartFailure, SnapshotPart, SnapshotMap]
+    assert found[0].part == "Second" and found[1].part == "First"
+
+
+def test_first_maps_are_made_only_together_with_maps(plates, tmp_path):
+    found = list(measure_snapshot(snapshot_of(plates, tmp_path, first_maps=True), 4000))
+    assert [type(each) for each in found] == [SnapshotPart] * 2
 
 
 def test_a_part_that_cannot_be_read_is_a_failure_and_the_next_is_measured(plates, tmp_path):

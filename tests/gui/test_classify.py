@@ -134,7 +134,8 @@ def test_cancel_half_way(document):
     assert window.workers() and _temporary_folders() > folders
     window.click("ThinPart_CancelButton")
     assert window.text("ThinPart_Message").startswith("Cancelled")
-    assert window.workers() == [] and _temporary_folders() == folders
+    window.wait_until(lambda: window.workers() == [])
+    assert _temporary_folders() == folders
     assert feature.ViewObject.DiffuseColor == before
     assert not window.is_shown("ThinPart_Progress")
 
@@ -200,8 +201,7 @@ def test_closing_the_document_stops_the_worker_and_takes_the_panel_away(document
     window.press("ThinPart_Classify")
     window.wait_until(window.workers)
     App.closeDocument(document.Name)
-    window.wait_until(lambda: not Gui.Control.activeDialog())
-    assert window.workers() == []
+    window.wait_until(lambda: not Gui.Control.activeDialog() and window.workers() == [])
 
 
 def test_closing_the_panel_stops_the_worker(document):
@@ -209,8 +209,7 @@ def test_closing_the_panel_stops_the_worker(document):
     window.press("ThinPart_Classify")
     window.wait_until(window.workers)
     window.mouse_click(window.close_button())
-    window.wait_until(lambda: not Gui.Control.activeDialog())
-    assert window.workers() == []
+    window.wait_until(lambda: not Gui.Control.activeDialog() and window.workers() == [])
 
 
 def test_two_documents(document):

@@ -174,7 +174,8 @@ def test_it_can_be_stopped(saved, browser):
     window.click("ThinPart_ReportCancel")
     wait_for_end()
     assert message() == "Stopped on request before the end."
-    assert window.workers() == [] and browser.opened == []
+    window.wait_until(lambda: window.workers() == [])
+    assert browser.opened == []
 
 
 def test_the_document_may_be_closed_meanwhile(saved, browser, tmp_path):

@@ -268,7 +268,8 @@ def test_a_disk_that_is_full_in_the_middle_of_the_snapshot_ends_the_run(document
         patch.setattr(snapshot_job, "write_snapshot", write)
         window.press("ThinPart_ShowThickness")
         window.wait_until(lambda: "files cannot be written (Writing of BREP failed)" in window.text("ThinPart_Message"))
-    assert window.workers() == [] and _temporary_folders() == folders and thickness_objects(document) == []
+    window.wait_until(lambda: window.workers() == [])
+    assert _temporary_folders() == folders and thickness_objects(document) == []
 
 
 def test_cancel_half_way_leaves_nothing_behind(document):
@@ -278,7 +279,8 @@ def test_cancel_half_way_leaves_nothing_behind(document):
     window.wait_until(lambda: window.widget("ThinPart_ProgressBar").value() > 0)
     window.click("ThinPart_CancelButton")
     assert window.text("ThinPart_Message").startswith("Cancelled")
-    assert window.workers() == [] and _temporary_folders() == folders
+    window.wait_until(lambda: window.workers() == [])
+    assert _temporary_folders() == folders
     assert thickness_objects(document) == [] and "Show thickness" not in document.UndoNames
 
 
@@ -319,8 +321,7 @@ def test_closing_the_document_meanwhile(document):
     window.press("ThinPart_ShowThickness")
     window.wait_until(window.workers)
     App.closeDocument(document.Name)
-    window.wait_until(lambda: not Gui.Control.activeDialog())
-    assert window.workers() == []
+    window.wait_until(lambda: not Gui.Control.activeDialog() and window.workers() == [])
 
 
 def test_another_document_in_front_meanwhile(document):

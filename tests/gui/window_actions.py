@@ -153,15 +153,21 @@ def mouse_click(target, place=None):
     mouse_drag(target, [place])
 
 
-def mouse_drag(target, places):
-    """Press the left mouse button at the first of some places, move over the others and let go."""
+def mouse_drag(target, places, button=QtCore.Qt.LeftButton, is_released=True):
+    """Press a mouse button at the first of some places, move over the others and, where that is wanted, let go."""
     # QTest would do the same, but Debian keeps it in a package that nothing else needs.
-    button, nothing = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
+    nothing = QtCore.Qt.NoButton
     _mouse(target, QtCore.QEvent.MouseButtonPress, places[0], button, button)
     for place in places[1:]:
         _mouse(target, QtCore.QEvent.MouseMove, place, nothing, button)
         settle(40)
-    _mouse(target, QtCore.QEvent.MouseButtonRelease, places[-1], button, nothing)
+    if is_released:
+        mouse_release(target, places[-1], button)
+
+
+def mouse_release(target, place, button):
+    """Let go of a mouse button."""
+    _mouse(target, QtCore.QEvent.MouseButtonRelease, place, button, QtCore.Qt.NoButton)
 
 
 def _mouse(target, kind, place, button, pressed):

@@ -8,6 +8,7 @@ from typing import Optional
 
 from ..core.analysis_settings import AnalysisSettings
 from ..core.judging.criteria import profile_from
+from ..core.maps.first_map import first_map
 from ..core.maps.mapped_part import MappedPart
 from ..core.maps.thickness_map import thickness_map
 from ..core.message import message
@@ -56,6 +57,24 @@ class SnapshotMap:
     file: str
 
 
+@dataclass(frozen=True)
+class FirstMap:
+    """A coarse thickness map of a part that is yet to be measured; its record has nothing but names.
+
+    Attributes
+    ----------
+    part, file : str
+        See `SnapshotMap`.
+    """
+
+    part: str
+    file: str
+
+
+FIRST_MAPS_SECONDS = 6.0
+"""How long first maps are made before measuring begins: in an assembly of very many parts, the last ones get none."""
+
+
 def measure_snapshot(folder, megabytes, report=None, wait_for_history=None, pages=None):
     """Measure and judge the parts of a snapshot.
 
@@ -75,9 +94,9 @@ def measure_snapshot(folder, megabytes, report=None, wait_for_history=None, page
 
     Yields
     ------
-    SnapshotPart, SnapshotMap or PartFailure
+    SnapshotPart, SnapshotMap, FirstMap or PartFailure
         In the order of the snapshot. A map follows its part if the snapshot asks for maps, by the measure that it names.
-        A part that fails does not affect the others.
+        A part that fails does not affect the others. If the snapshot asks for first maps, those of all parts come first.
 
     Raises
     ------
@@ -86,6 +105,8 @@ def measure_snapshot(folder, megabytes, report=None, wait_for_history=None, page
     """
     job, read = read_snapshot(folder)
     settings, profile = AnalysisSettings(**job["settings"]), profile_from(job["profile"])
+    if job["first_maps"] and pages is None:
+        yield from _first_maps(job, read, folder)
     for entry in job["parts"]:
         report_part = _part_report(report, entry["name"])
         try:
@@ -105,6 +126,23 @@ def measure_snapshot(folder, megabytes, report=None, wait_for_history=None, page
             if pages is not None:
                 pages.add_failure(failure)
             yield failure
+
+
+def _first_maps(job, read, folder):
+    """Yield a FirstMap of every part that has one within the time."""
+    end = time.perf_counter() + FIRST_MAPS_SECONDS
+    for entry in job["parts"]:
+        if time.perf_counter() > end:
+            return
+        try:
+            part = read(entry)
+            found = first_map(part.coarse_mesh(), job["maps"])
+        except Exception:  # measuring the part, which follows, reports what is wrong with it
+            continue
+        if found is not None:
+            path = os.path.join(folder, f"first-{entry['file']}.npz")
+            write_maps(path, [MappedPart({"name": part.name, "label": part.label}, found)])
+            yield FirstMap(part.name, path)
 
 
 def _part_report(report, name):

@@ -135,3 +135,7 @@ def _check(what, value, bounds, unit):
         raise ThinPartError(
             message("The {what} cannot be {value:g}: use a value from {least:g} to {most:g} {unit}.",
                     what=what, value=value, least=least, most=most, unit=unit), "usage")
+
+
+FIRST_LOOK = AnalysisSettings(linear_deflection=0.005, angular_deflection=15.0)
+"""How finely a part is tessellated for its first colours, from which nothing is judged."""

@@ -18,7 +18,7 @@ MOST_FACES = 20_000
 """Most faces in the history of one part."""
 
 
-def write_snapshot(parts, folder, settings, profile, thin_limit=None, maps=None):
+def write_snapshot(parts, folder, settings, profile, thin_limit=None, maps=None, first_maps=False):
     """Write parts and the job description for the worker.
 
     Parameters
@@ -34,6 +34,8 @@ def write_snapshot(parts, folder, settings, profile, thin_limit=None, maps=None)
         See `preferred_thin_limit`.
     maps : str, optional
         One of `SHOWN_MEASURES`: the worker also makes thickness maps by it and finds the feature that made each face.
+    first_maps : bool, optional
+        Whether it makes coarse maps of all parts before; only with `maps`.
 
     Returns
     -------
@@ -62,7 +64,7 @@ def write_snapshot(parts, folder, settings, profile, thin_limit=None, maps=None)
             entries[-1]["history"], shapes = _planned_history(part, number, MOST_SHAPES - len(pending))
             pending += [(os.path.join(folder, name), shape) for name, shape in shapes]
     job = {"parts": entries, "settings": settings.content(), "profile": profile,
-           "thin_limit": thin_limit, "maps": maps}
+           "thin_limit": thin_limit, "maps": maps, "first_maps": bool(maps) and first_maps}
     with open(os.path.join(folder, JOB), "w", encoding="utf-8") as file:
         json.dump(with_messages(job), file)
     return _write_shapes(pending)
@@ -92,7 +94,7 @@ def read_snapshot(folder):
     Returns
     -------
     job : dict
-        ``parts``, ``settings``, ``profile``, ``thin_limit``, ``maps``.
+        ``parts``, ``settings``, ``profile``, ``thin_limit``, ``maps``, ``first_maps``.
     read : callable
         From an entry of ``job["parts"]`` to a part.
     """

@@ -6,11 +6,12 @@ from functools import cached_property
 
 import numpy as np
 
-from ...core.analysis_settings import MOST_TRIANGLES
+from ...core.analysis_settings import FIRST_LOOK, MOST_TRIANGLES
 from ...core.errors import MeshError, ThinPartError
 from ...core.mesh.chord_error import chord_errors
 from ...core.mesh.mass_properties import area
-from ...core.mesh.surface_mesh import surface_mesh
+from ...core.mesh.surface_mesh import surface_mesh, unchecked_mesh
+from ...core.mesh.thinned_facets import thinned_facets
 from ...core.message import message
 from ..tessellating.mapped_faces import MappedFaces, NotMapped
 from ..tessellating.surface_types import FREE_FORM, PLANE, surface_types
@@ -23,6 +24,9 @@ _SLOW_TO_MESH = 10_000
 
 _LEAST_AREA = 0.95
 """Least share of the area that a complete tessellation has; facets reduce the area by less than 1 %."""
+
+_MOST_CHECKED = 60_000
+"""Triangles up to which a mesh is checked before its first colours: that takes half a second for so many."""
 
 _COARSER = 1.25
 """Factor by which a grid is made coarser until it has few enough triangles."""
@@ -101,6 +105,10 @@ class SolidPart(Part):
                 return mapped
         planar = np.array([kind == PLANE for kind in self._surface_types])
         return mesh, chord_errors(mesh, planar, surface.linear_deflection)
+
+    def coarse_mesh(self):
+        """A `SurfaceMesh` for the first colours."""
+        return self.surface_mesh(FIRST_LOOK, FIRST_LOOK.linear_deflection)[0]
 
     def finest_deflection(self, settings, target, mesh, deflections):
         """The linear deflection nearest to a target that keeps the mesh within `MOST_TRIANGLES`.
@@ -224,6 +232,13 @@ class MeshedPart(Part):
     def surface_mesh(self, settings, linear_deflection):
         """The unchanged triangles; see `SolidPart.surface_mesh`."""
         return surface_mesh(self.points, self.triangles), np.zeros(1)
+
+    def coarse_mesh(self):
+        """A `SurfaceMesh` for the first colours."""
+        if len(self.triangles) > _MOST_CHECKED:
+            points, triangles, _ = thinned_facets(self.points, self.triangles, _MOST_CHECKED // 2)
+            return unchecked_mesh(points, triangles)
+        return surface_mesh(self.points, self.triangles)
 
     def exact_wall(self, wall, error):
         """The wall as it is: there is no geometry but the triangles."""

@@ -1,7 +1,7 @@
 """Numbers as text with the decimal mark of the input fields beside them."""
 
 from ...core import number_text
-from .qt import QtCore
+from .qt import QtCore, translate
 
 
 def decimal_mark():
@@ -17,3 +17,13 @@ def number(value):
 def percent(share):
     """See `number_text.percent`."""
     return number_text.with_decimal_mark(number_text.percent(share), decimal_mark())
+
+
+def duration(seconds):
+    """How long something takes, in words."""
+    if seconds < 99.5:
+        return translate("ThinPart", "{} s").format(max(1, round(seconds)))
+    minutes = round(seconds / 60.0)
+    if minutes < 100:
+        return translate("ThinPart", "{} min").format(minutes)
+    return translate("ThinPart", "{} h {} min").format(*divmod(minutes, 60))

@@ -36,6 +36,8 @@ class BarContent:
     has_unmeasured : bool
     measure : str
         One of `SHOWN_MEASURES`.
+    is_coarse : bool
+        Whether these are first colours, which is said above the bar.
     """
 
     colours: ThicknessColours
@@ -46,6 +48,7 @@ class BarContent:
     threshold: float
     has_unmeasured: bool
     measure: str = RAY
+    is_coarse: bool = False
 
 
 def tick_text(value):
@@ -138,6 +141,8 @@ class _Drawing:
         else:
             above.append((plain_title(content.measure), "bold"))
             above.append((translate("ThinPart", "share of the diagonal ({})").format(content.unit.symbol), ""))
+        if content.is_coarse:
+            above.append((translate("ThinPart", "first, coarse colours"), ""))
         if content.colours.stale:
             above.append((translate("ThinPart", "Out of date: recompute"), "warning"))
         for band in content.colours.bands:

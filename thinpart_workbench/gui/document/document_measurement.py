@@ -58,7 +58,7 @@ class DocumentMeasurement(QtCore.QObject):
         Fraction done, and a text about the current step.
     measured(str)
         Name of a part whose record or failure is now in the analysis.
-    mapped(str, str)
+    mapped(str, str), first_mapped(str, str)
         See `SnapshotJob`.
     ended(str)
         See `SnapshotJob`.
@@ -69,6 +69,7 @@ class DocumentMeasurement(QtCore.QObject):
     progressed = Signal(float, str)
     measured = Signal(str)
     mapped = Signal(str, str)
+    first_mapped = Signal(str, str)
     ended = Signal(str)
     info_file_changed = Signal(object)
 
@@ -111,7 +112,7 @@ class DocumentMeasurement(QtCore.QObject):
         """The document's current content, DocumentContent; raises like `document`."""
         return document_content(self.document)
 
-    def analysis_of(self, parts, chosen, broken=(), maps=None):
+    def analysis_of(self, parts, chosen, broken=(), maps=None, first_maps=False):
         """A `DocumentAnalysis` with the settings of the preferences; see there for the parameters.
 
         Raises
@@ -121,7 +122,7 @@ class DocumentMeasurement(QtCore.QObject):
         """
         profile = load_profile(preference("Profile"))
         return DocumentAnalysis(parts, chosen, preferred_analysis(), profile.content, broken,
-                                preferred_thin_limit(), maps)
+                                preferred_thin_limit(), maps, first_maps)
 
     def measure(self, analysis, is_whole=True):
         """Start measuring.
@@ -145,6 +146,7 @@ class DocumentMeasurement(QtCore.QObject):
         self._job.progressed.connect(self._on_progress)
         self._job.measured.connect(self.measured)
         self._job.mapped.connect(self.mapped)
+        self._job.first_mapped.connect(self.first_mapped)
         self._job.ended.connect(self._on_ended)
         self._job.start()
         if is_whole:

@@ -1,5 +1,6 @@
 """Shows the progress of a folder classification."""
 
+from ..application.numbers import duration
 from ..application.qt import QtWidgets, translate
 from ..record.record_view import text_line
 
@@ -48,8 +49,8 @@ class RunProgressBar(QtWidgets.QWidget):
             self._bar.setRange(0, 1)
             self._label.setText(sentence)
             return
-        duration = translate("ThinPart", "in {}").format(_duration(self._progress["seconds"]))
-        self._label.setText(", ".join([*_counts(self._progress), duration, *filter(None, [sentence])]))
+        taken = translate("ThinPart", "in {}").format(duration(self._progress["seconds"]))
+        self._label.setText(", ".join([*_counts(self._progress), taken, *filter(None, [sentence])]))
 
 
 def _counts(progress):
@@ -64,13 +65,4 @@ def _counts(progress):
 def _time_left(progress):
     if progress["seconds_left"] is None or progress["done"] == progress["total"]:
         return []
-    return [translate("ThinPart", "about {} left").format(_duration(progress["seconds_left"]))]
-
-
-def _duration(seconds):
-    if seconds < 99.5:
-        return translate("ThinPart", "{} s").format(max(1, round(seconds)))
-    minutes = round(seconds / 60.0)
-    if minutes < 100:
-        return translate("ThinPart", "{} min").format(minutes)
-    return translate("ThinPart", "{} h {} min").format(*divmod(minutes, 60))
+    return [translate("ThinPart", "about {} left").format(duration(progress["seconds_left"]))]

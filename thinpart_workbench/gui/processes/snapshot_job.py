@@ -33,6 +33,8 @@ class SnapshotJob(QtCore.QObject):
         Name of a part whose record or failure is now in the analysis.
     mapped(str, str)
         Name of a part and the path of its thickness map, a temporary file that exists only while the slots run.
+    first_mapped(str, str)
+        The same of its coarse map, before any part is measured.
     ended(str)
         Empty on success, else one sentence. Not emitted after `stop`.
     """
@@ -40,6 +42,7 @@ class SnapshotJob(QtCore.QObject):
     progressed = Signal(object)
     measured = Signal(str)
     mapped = Signal(str, str)
+    first_mapped = Signal(str, str)
     ended = Signal(str)
 
     def __init__(self, analysis, megabytes, parent=None, report=None):
@@ -69,7 +72,8 @@ class SnapshotJob(QtCore.QObject):
             self._folder = tempfile.mkdtemp(prefix="thinpart-")
             self._pending_shapes = write_snapshot(
                 self._analysis.measuring_order, self._folder, self._analysis.settings,
-                self._analysis.profile_content, self._analysis.thin_limit, self._analysis.maps)
+                self._analysis.profile_content, self._analysis.thin_limit, self._analysis.maps,
+                self._analysis.first_maps)
         except Exception as error:  # FreeCAD raises its own exception classes where a disk is full
             process.end_now()
             process.deleteLater()
@@ -104,7 +108,8 @@ class SnapshotJob(QtCore.QObject):
     def stop(self):
         """End the process, if it is running, and remove its snapshot."""
         if self._process is not None:
-            self._process.end_now()
+            # The system may take long to free the memory of the process, which is not waited for.
+            self._process.detach(kill=True)
 
     def _on_message(self, message):
         kind = self._analysis.on_message(message)
@@ -112,6 +117,8 @@ class SnapshotJob(QtCore.QObject):
             self.progressed.emit(message["progress"])
         elif kind == "map":
             self.mapped.emit(message["map"]["part"], message["map"]["file"])
+        elif kind == "first_map":
+            self.first_mapped.emit(message["first_map"]["part"], message["first_map"]["file"])
         elif kind == "done":
             # No further message comes; do not wait until the process has freed its memory.
             self._process.detach(kill=True)

@@ -1,8 +1,14 @@
 """Progress of a document's measurement, with a button to cancel it."""
 
+import time
+
+from ..application.numbers import duration
 from ..application.qt import QtWidgets, Signal, translate
 from ..widgets.push_button import add_button
-from .record_view import text_line
+from .record_view import show_text, text_line
+
+_FIRST_ESTIMATE = 0.1
+"""Fraction of the work from which on the time left is estimated by what the work before has taken."""
 
 
 class MeasuringProgress(QtWidgets.QWidget):
@@ -21,7 +27,9 @@ class MeasuringProgress(QtWidgets.QWidget):
         self.setObjectName("ThinPart_Progress")
         rows = QtWidgets.QVBoxLayout(self)
         rows.setContentsMargins(0, 0, 0, 0)
+        self._begun, self._fraction, self._are_coarse = 0.0, 0.0, False
         self._stage = text_line(self, rows, "ThinPart_Stage")
+        self._first_colours = text_line(self, rows, "ThinPart_FirstColours")
         row = QtWidgets.QHBoxLayout()
         self._bar = QtWidgets.QProgressBar(self)
         self._bar.setObjectName("ThinPart_ProgressBar")
@@ -32,10 +40,32 @@ class MeasuringProgress(QtWidgets.QWidget):
 
     def begin(self, label):
         """Show the widget at the start of a measurement."""
+        self._begun, self._fraction, self._are_coarse = time.monotonic(), 0.0, False
+        show_text(self._first_colours, "")
         self.show()
         self.show_progress(0.0, translate("ThinPart", "Starting to measure {}").format(label))
 
     def show_progress(self, fraction, stage):
         """Show the fraction done and a text about the current step."""
-        self._bar.setValue(round(1000 * fraction))
+        # A part whose verdict is uncertain is measured again, which is no step back.
+        self._fraction = max(self._fraction, fraction)
+        self._bar.setValue(round(1000 * self._fraction))
         self._stage.setText(stage)
+        if self._are_coarse:
+            self._show_time_left()
+
+    def show_first_colours(self, are_shown):
+        """Say that the colours in the view are coarse, and when finer ones come; or no longer."""
+        self._are_coarse = are_shown
+        if are_shown:
+            self._show_time_left()
+        else:
+            show_text(self._first_colours, "")
+
+    def _show_time_left(self):
+        if self._fraction < _FIRST_ESTIMATE:
+            text = translate("ThinPart", "First, coarse colours; finer ones follow.")
+        else:
+            left = (time.monotonic() - self._begun) * (1.0 / self._fraction - 1.0)
+            text = translate("ThinPart", "First, coarse colours; finer ones follow, about {} left.").format(duration(left))
+        show_text(self._first_colours, text)

@@ -4,7 +4,7 @@ from ...core.errors import ThinPartError
 from ..application.qt import QtCore, translate
 from ..application.sentences import translated
 from ..document.task_controller import TaskController
-from .measurement import ThicknessMeasurement
+from .measurement import ThicknessMeasurement, coarse_sentence
 from .panel import ThicknessPanel
 
 
@@ -21,7 +21,7 @@ class ThicknessController(TaskController):
     def __init__(self, document, thickness=None):
         super().__init__()
         self._thickness = thickness
-        self._measuring = ThicknessMeasurement(document, self)
+        self._measuring = ThicknessMeasurement(document, self, with_first_colours=True)
         measured = self._measuring.measured
         measured.info_file_changed.connect(self._show_info_file)
         self._measuring.ended.connect(self._show_end)
@@ -34,7 +34,8 @@ class ThicknessController(TaskController):
         self._boxes = ThicknessPanel(self)
         self.panel = self._boxes.panel
         head = self._boxes.head
-        measured.progressed.connect(head.show_progress)
+        measured.progressed.connect(self._show_progress)
+        measured.first_mapped.connect(lambda *_: head.show_first_colours(self._measuring.shows_first_colours))
         head.cancelled.connect(self._cancel)
         head.save_requested.connect(measured.save)
         head.repeat_requested.connect(self.measure)
@@ -79,9 +80,15 @@ class ThicknessController(TaskController):
 
     def _cancel(self):
         self._measuring.stop()
-        self._boxes.head.show_message(translate("ThinPart", "Cancelled. Nothing was changed."),
-                                      can_repeat=True)
+        sentences = [translate("ThinPart", "Cancelled. Nothing was changed.")]
+        if self._measuring.shows_first_colours:
+            sentences.append(coarse_sentence())
+        self._boxes.head.show_message("\n".join(sentences), can_repeat=True)
         self._show_measure()
+
+    def _show_progress(self, fraction, stage):
+        self._boxes.head.show_first_colours(self._measuring.shows_first_colours)
+        self._boxes.head.show_progress(fraction, stage)
 
     def _show_measure(self):
         """Show how the shown map was measured, also where another measure was chosen and nothing came of it."""

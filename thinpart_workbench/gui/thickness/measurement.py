@@ -1,5 +1,7 @@
 """Measures parts of a document and makes or refreshes their thickness map."""
 
+import numpy as np
+
 from ...api.document_maps import new_thickness_object, set_parts
 from ...core.analysis_settings import RAY
 from ...core.errors import ThinPartError
@@ -13,6 +15,7 @@ from ..application.sentences import translated
 from ..document.document_measurement import DocumentMeasurement
 from ..document.selection import selected_paths
 from ..document.transaction import transaction
+from ..view3d.first_colours import FirstColours
 from ..view3d.view_provider import ThicknessView
 
 
@@ -22,6 +25,9 @@ class ThicknessMeasurement(QtCore.QObject):
     Parameters
     ----------
     document : FreeCAD.Document or None
+    parent : QObject, optional
+    with_first_colours : bool, optional
+        Whether coarse colours are shown until the map is there.
 
     Attributes
     ----------
@@ -35,10 +41,12 @@ class ThicknessMeasurement(QtCore.QObject):
 
     ended = Signal(object, str)
 
-    def __init__(self, document, parent=None):
+    def __init__(self, document, parent=None, with_first_colours=False):
         super().__init__(parent)
+        self._with_first_colours, self._first = with_first_colours, None
         self.measured = DocumentMeasurement(document, self)
         self.measured.mapped.connect(self._on_mapped)
+        self.measured.first_mapped.connect(self._on_first_mapped)
         self.measured.ended.connect(self._finish)
         self._maps = {}
         self._unreadable = ""
@@ -77,19 +85,52 @@ class ThicknessMeasurement(QtCore.QObject):
                 "empty")
         self._start(parts, content, thickness.Name, shown_measure or thickness.Measure)
 
+    @property
+    def shows_first_colours(self):
+        """Whether the views show coarse colours, and nothing better."""
+        return self._first is not None and self._first.is_shown and not self._first.is_giving_way
+
     def stop(self):
-        """Stop measuring; the document stays unchanged."""
+        """Stop measuring; the document stays unchanged, and the first colours stay in the views."""
         self.measured.stop()
 
     def leave(self):
-        """Abandon the measurement; an info file in progress is still completed."""
+        """Abandon the measurement and its first colours; an info file in progress is still completed."""
         self.measured.leave()
+        if self._first is not None and not self._first.is_giving_way:
+            self._first.end()
 
     def _start(self, parts, content, old, shown_measure):
         is_complete = len(parts) == len(content.parts)
         self._maps, self._unreadable, self._old = {}, "", old
+        before, self._first = self._first, self._new_first_colours(parts, shown_measure)
+        if before is not None:
+            before.end()
         self.measured.measure(self.measured.analysis_of(
-            parts, parts[0], content.broken if is_complete else (), shown_measure), is_complete)
+            parts, parts[0], content.broken if is_complete else (), shown_measure, self._first is not None), is_complete)
+
+    def _new_first_colours(self, parts, shown_measure):
+        """FirstColours of parts that are to be measured; None where a map in the view says as much already."""
+        if not self._with_first_colours:
+            return None
+        document = self.measured.document
+        like = self._existing(document, sources_of(document, parts))
+        sources = {part.name: {source.Name for source in sources_of(document, [part])} for part in parts}
+        visible = [other for other in thickness_objects(document) if other.ViewObject.Visibility]
+        if any(other == like and not like.Stale and like.Measure == shown_measure for other in visible):
+            return None
+        if any(other != like and not _names(other).isdisjoint(set().union(*sources.values())) for other in visible):
+            return None  # its facets would be in the same place
+        return FirstColours(document, sources, shown_measure, like)
+
+    def _on_first_mapped(self, name, file):
+        part = next(part for part in self.measured.analysis.parts if part.name == name)
+        try:
+            coarse, = read_maps(file)
+            places = np.eye(4)[None] if part.instances == 1 else occurrence_matrices(self.measured.document, part, part)
+        except ThinPartError:
+            return  # measuring it, which goes on, says what is wrong
+        self._first.show(MappedPart(coarse.record, coarse.map, [], places))
 
     def _on_mapped(self, name, file):
         try:
@@ -110,6 +151,8 @@ class ThicknessMeasurement(QtCore.QObject):
             self.measured.write_info_file(now)
         elif analysis.records:
             self.measured.abandon_info_file()
+            if self._first is not None:
+                self._first.end()  # they are of parts that are no longer there
             sentences.append(translate(
                 "ThinPart", "The document has changed while it was measured: measure it again."))
         if now is not None and self._maps:
@@ -122,6 +165,8 @@ class ThicknessMeasurement(QtCore.QObject):
                         error.strerror))
             else:
                 sentences += _dropped_probe_sentences(dropped)
+        if self.shows_first_colours:
+            sentences.append(coarse_sentence())
         self.ended.emit(thickness, "\n".join(sentences))
 
     def _show(self, now):
@@ -142,6 +187,9 @@ class ThicknessMeasurement(QtCore.QObject):
                 thickness, dropped = new_thickness_object(document, sources, parts), 0
                 thickness.Label = translate("ThinPart", "Thickness")
                 ThicknessView(thickness.ViewObject)
+        if self._first is not None and self._first.is_shown:
+            thickness.ViewObject.Proxy.cover(True)
+            self._first.give_way(thickness)
         thickness.ViewObject.Proxy.show_in_batches()
         return thickness, dropped
 
@@ -150,6 +198,12 @@ class ThicknessMeasurement(QtCore.QObject):
             return document.getObject(self._old)
         names = {source.Name for source in sources}
         return next((existing for existing in thickness_objects(document) if _names(existing) == names), None)
+
+
+def coarse_sentence():
+    """What people read where only first colours are in the view."""
+    return translate("ThinPart", "The colours in the view are the first, coarse ones: they are not saved, and go when this "
+                                 "panel is closed.")
 
 
 def _dropped_probe_sentences(probes):

@@ -83,6 +83,10 @@ class SummaryBox(QtWidgets.QWidget):
         """See `MeasuringProgress`."""
         self._progress.show_progress(fraction, stage)
 
+    def show_first_colours(self, are_shown):
+        """Say that the colours in the view are coarse, and when finer ones come."""
+        self._progress.show_first_colours(are_shown)
+
     def show_info_file(self, sentence, can_save=False, tool_tip=""):
         """Show the state of the info file."""
         show_text(self._info, sentence)

@@ -3,6 +3,7 @@
 import numpy as np
 from pivy import coin
 
+from ...core.mesh.thinned_facets import thinned_facets
 from ...core.rigid_transform import rigid_transform, rotation, transform_points
 from ..scene.coin_arrays import fill_numbers, fill_points, set_matrix
 from .soft_light import SoftLight
@@ -12,6 +13,12 @@ EDGE_COLOUR, CONTEXT_COLOUR = (0.12, 0.12, 0.14), (0.5, 0.5, 0.52)
 
 _CHUNK = 4096
 """Facets per node, which Coin tests together when it picks; it picks at every mouse move."""
+
+MANY = 100_000
+"""Facets, those of all placements counted, from which on fewer are drawn while the view moves."""
+
+FEW = 40_000
+"""About so many: without a graphics card, a frame then takes 40 ms instead of 100 with 250,000."""
 
 _AT_ONCE = 8
 """Chunks added to the scene together. Coin prepares a node when it first draws it: 30,000 facets take about 25 ms."""
@@ -26,21 +33,30 @@ class FacetNodes:
     Attributes
     ----------
     facets, edges : pivy.coin.SoSeparator
+
+    Parameters
+    ----------
+    offset : float, optional
+        Polygon offset of the facets, behind which the edges stay visible.
     """
 
-    def __init__(self):
+    def __init__(self, offset=2.0):
         self.facets, self.edges = coin.SoSeparator(), coin.SoSeparator()
         self._moved = coin.SoMatrixTransform()
         self._parts = []  # (map, its SoPackedColor)
         # Nodes made in Python live as long as Python references them, in a scene or not.
         self._groups = []  # (group of a part, its facet nodes)
         self._withheld = []  # (group, node) of the facet nodes not yet in the scene
+        self._details = []  # switch of a part between all facets and few
+        self._normals = []  # of the corners of a part with many facets, until few are made of them
+        self._few = []  # (facets that are kept, SoPackedColor) of each part, once they are needed
+        self._is_isolated = False
         self._current_colours = None
         light = coin.SoLightModel()
         light.model = coin.SoLightModel.BASE_COLOR  # the same colours as in the colour bar, before `SoftLight`
         self._light = SoftLight()
-        behind = coin.SoPolygonOffset()  # the edges stay visible
-        behind.factor, behind.units = 2.0, 2.0
+        behind = coin.SoPolygonOffset()
+        behind.factor, behind.units = offset, offset
         binding = coin.SoMaterialBinding()
         binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
         self._edge_colour = dark = coin.SoBaseColor()
@@ -54,7 +70,9 @@ class FacetNodes:
                             (self.edges, (light, unpicked, dark, style))):
             for node in (*nodes, self._moved):
                 root.addChild(node)
-            self._content.append(coin.SoGroup())
+            content = coin.SoSwitch()
+            content.whichChild = coin.SO_SWITCH_ALL
+            self._content.append(content)
             root.addChild(self._content[-1])
 
     def show(self, parts):
@@ -67,16 +85,25 @@ class FacetNodes:
         for group in self._content:
             group.removeAllChildren()
         self._parts, self._current_colours = [], None
-        self._groups, self._withheld = [], []
+        self._groups, self._withheld, self._details, self._normals, self._few = [], [], [], [], []
+        self._is_isolated = False
         self._edge_colour.rgb = EDGE_COLOUR
+        self._drawn = sum(part.map.count * len(part.matrices) for part in parts)
         for part in parts:
-            colour, facets, nodes = _facets(part.map)
+            normals = corner_normals(part.map)
+            colour, facets, nodes = _drawn_facets(part.map.points, part.map.facets, normals)
+            if self._drawn >= MANY:
+                self._normals.append(normals.astype(np.float32))
             lines = _lines(part.map)
             self._groups.append((facets, nodes))
             self._parts.append((part.map, colour))
+            detail = coin.SoSwitch()
+            detail.addChild(facets)
+            detail.whichChild = 0
+            self._details.append(detail)
             for matrix in part.matrices:
                 placed = rigid_transform(rotation(matrix), transform_points(matrix, part.map.origin))
-                for group, node in zip(self._content, (facets, lines)):
+                for group, node in zip(self._content, (detail, lines)):
                     separator = coin.SoSeparator()
                     transform = coin.SoMatrixTransform()
                     set_matrix(transform, placed)
@@ -117,7 +144,11 @@ class FacetNodes:
         alpha = np.uint32(round(255 * opacity))
         for number, (shown, node) in enumerate(self._parts):
             red, green, blue = colours.of_corners(number, shown).reshape(-1, 3).astype(np.uint32).T
-            fill_numbers(node.orderedRGBA, red << 24 | green << 16 | blue << 8 | alpha, np.uint32)
+            packed = red << 24 | green << 16 | blue << 8 | alpha
+            fill_numbers(node.orderedRGBA, packed, np.uint32)
+            if self._few:
+                kept, few = self._few[number]
+                fill_numbers(few.orderedRGBA, packed.reshape(-1, 3)[kept].ravel(), np.uint32)
 
     def shade(self, is_shaded):
         """Light the facets, or show flat colours."""
@@ -132,29 +163,75 @@ class FacetNodes:
             Sets of face numbers, by part number; None draws everything again.
         """
         self._edge_colour.rgb = EDGE_COLOUR if faces is None else CONTEXT_COLOUR
+        self._is_isolated = faces is not None
+        self.coarsen(False)
         for number, ((shown, _), (_, nodes)) in enumerate(zip(self._parts, self._groups)):
             drawn = np.ones(shown.count, bool) if faces is None else np.isin(
                 shown.face, np.fromiter(faces.get(number, ()), dtype=np.int64))
             for first, node in zip(range(0, shown.count, _CHUNK), nodes):
                 fill_numbers(node.coordIndex, _indices(first + np.flatnonzero(drawn[first:first + _CHUNK])))
 
+    def prepare_to_coarsen(self):
+        """Make the few facets that are drawn while the view moves, if there are many."""
+        if self._few or self._drawn < MANY or self._current_colours is None:
+            return
+        for (shown, _), detail, normals in zip(self._parts, self._details, self._normals):
+            colour, facets, kept = _few_facets(shown, normals, max(1000, FEW * shown.count // self._drawn))
+            detail.addChild(facets)
+            self._few.append((kept, colour))
+        self._normals = []
+        now, self._current_colours = self._current_colours, None
+        self.colour(*now)
+
+    def coarsen(self, is_coarse):
+        """Draw few facets instead of many, or all again. Without effect on a map that is drawn quickly anyway."""
+        if is_coarse and not self._is_isolated and not self._withheld:
+            self.prepare_to_coarsen()
+        child = 1 if is_coarse and self._few and not self._is_isolated else 0
+        for detail in self._details:
+            if detail.whichChild.getValue() != child:
+                detail.whichChild = child
+
+    @property
+    def is_coarse(self):
+        """Whether few facets are drawn instead of many."""
+        return any(detail.whichChild.getValue() for detail in self._details)
+
+    @property
+    def is_covered(self):
+        """Whether nothing is drawn; see `cover`."""
+        return self._content[0].whichChild.getValue() == coin.SO_SWITCH_NONE
+
+    def cover(self, is_covered):
+        """Draw nothing, because something else is drawn in the same place; or draw all again."""
+        for content in self._content:
+            content.whichChild = coin.SO_SWITCH_NONE if is_covered else coin.SO_SWITCH_ALL
+
     def move(self, matrix):
         """Set the transform of all parts: ndarray of shape (4, 4)."""
         set_matrix(self._moved, matrix)
 
 
-def _facets(shown):
+def _few_facets(shown, normals, most):
+    """SoPackedColor and group of about as many facets of a map as are wanted, and which they are."""
+    points, facets, kept = thinned_facets(shown.points, shown.facets.astype(np.int64), most)
+    colour, group, _ = _drawn_facets(points, facets, normals[kept])
+    return colour, group, kept
+
+
+def _drawn_facets(places, corners, normals_of_corners):
+    """SoPackedColor, group and facet nodes."""
     group, colour = coin.SoGroup(), coin.SoPackedColor()
     points = coin.SoCoordinate3()
-    fill_points(points.point, np.take(shown.points, shown.facets.ravel(), axis=0, mode="clip"))
+    fill_points(points.point, np.take(places, corners.ravel(), axis=0, mode="clip"))
     normals = coin.SoNormal()
-    fill_points(normals.vector, corner_normals(shown).reshape(-1, 3))
+    fill_points(normals.vector, normals_of_corners.reshape(-1, 3))
     for node in (colour, points, normals):
         group.addChild(node)
     nodes = []
-    for first in range(0, shown.count, _CHUNK):
+    for first in range(0, len(corners), _CHUNK):
         facets = coin.SoIndexedFaceSet()
-        fill_numbers(facets.coordIndex, _indices(np.arange(first, min(first + _CHUNK, shown.count))))
+        fill_numbers(facets.coordIndex, _indices(np.arange(first, min(first + _CHUNK, len(corners)))))
         group.addChild(facets)
         nodes.append(facets)
     return colour, group, nodes

@@ -20,10 +20,13 @@ class MapEvents:
         Called with the document name and object name of a map to be measured again.
     panel_requested : Hook
         Called with a map whose panel should be opened.
+    first_colours : dict
+        The FirstColours that are shown, by the name of their document.
     """
 
     def __init__(self):
         self.refresh_due, self.measure_requested, self.panel_requested = [Hook(report_fault) for _ in range(3)]
+        self.first_colours = {}
         self._soon = QtCore.QTimer(singleShot=True, interval=0)
         self._soon.timeout.connect(lambda: self.refresh_due())
 

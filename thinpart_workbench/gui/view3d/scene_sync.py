@@ -10,6 +10,7 @@ from ..application.qt import QtWidgets
 from ..colour_bar.colour_bar_node import ColourBarNode
 from .covered_sources import CoveredSources
 from .label_node import LabelNode
+from .navigation_watch import NavigationWatch
 from .view_provider import ThicknessView
 
 
@@ -24,7 +25,7 @@ class SceneSync:
 
     def __init__(self):
         self._shown = []  # (document name, object name) of visible maps, the most recent last
-        self._bars, self._labels = [], []
+        self._bars, self._labels, self._watches = [], [], []  # of the views that show a map
         self._covered = CoveredSources()
         area = Gui.getMainWindow().findChild(QtWidgets.QMdiArea)
         if area is not None:
@@ -37,10 +38,14 @@ class SceneSync:
             if document.Restoring or document.Recomputing:
                 busy = True
                 continue
+            first = self._first_colours(name)
+            if first is not None:
+                sources |= {(name, covered) for covered in first.covered}
             for thickness in thickness_objects(document):
                 if getattr(thickness, "ViewObject", None) is None:
                     continue
                 self._refresh_map(thickness)
+                thickness.ViewObject.Proxy.cover(first is not None and first.stands_for(thickness.Name))
                 if thickness.ViewObject.Visibility:
                     visible.append((name, thickness.Name))
                     if thickness.ViewObject.Proxy.is_complete:
@@ -56,7 +61,15 @@ class SceneSync:
     def forget(self, name):
         """Drop the maps of a document that is being closed."""
         self._covered.forget(name)
+        lifelong.map_events.first_colours.pop(name, None)
         self._shown = [key for key in self._shown if key[0] != name]
+
+    def _first_colours(self, name):
+        """The FirstColours in a document, or None."""
+        first = lifelong.map_events.first_colours.get(name)
+        if first is not None:
+            first.refresh()
+        return lifelong.map_events.first_colours.get(name)
 
     def _refresh_map(self, thickness):
         view = thickness.ViewObject
@@ -67,29 +80,39 @@ class SceneSync:
 
     def _show_bars(self):
         last = dict(self._shown)  # the most recently shown map of each document
-        bars, labels = [], []
+        bars, labels, watches = [], [], []
         for document in App.listDocuments():
-            gui_document = Gui.getDocument(document)
-            for view in gui_document.mdiViewsOfType("Gui::View3DInventor"):
+            first, name = lifelong.map_events.first_colours.get(document), last.get(document)
+            for view in Gui.getDocument(document).mdiViewsOfType("Gui::View3DInventor"):
                 root = view.getSceneGraph()
-                bar = next((bar for bar in self._bars if bar.is_in(root)), None)
-                content = self._content(document, last.get(document))
-                if content is not None:
-                    bar = bar or ColourBarNode(view)
-                    bar.show(content)
-                    bars.append(bar)
-                elif bar is not None:
-                    bar.remove()
-                    bar = None
-                node = self._show_labels(view, root, document, last.get(document), bar)
-                if node is not None:
-                    labels.append(node)
-        self._bars, self._labels = bars, labels
+                bar = self._show_bar(view, root, first or _proxy(document, name))
+                node = self._show_labels(view, root, None if first else _proxy(document, name), bar)
+                bars += [] if bar is None else [bar]
+                labels += [] if node is None else [node]
+                if first is not None or name is not None:
+                    watch = next((watch for watch in self._watches if watch.is_in(root)), None)
+                    watches.append(watch or NavigationWatch(view, document))
+        for watch in self._watches:
+            if watch not in watches:
+                watch.end()
+        self._bars, self._labels, self._watches = bars, labels, watches
 
-    def _show_labels(self, view, root, document, name, bar):
+    def _show_bar(self, view, root, colours):
+        """The ColourBarNode of a view; None where it is hidden or there are no colours."""
+        bar = next((bar for bar in self._bars if bar.is_in(root)), None)
+        content = None if colours is None or not preference("ColourBarShown") else colours.bar
+        if content is None:
+            if bar is not None:
+                bar.remove()
+            return None
+        bar = bar or ColourBarNode(view)
+        bar.show(content)
+        return bar
+
+    def _show_labels(self, view, root, colours, bar):
         """The LabelNode of a view; None where nothing is labelled."""
         node = next((node for node in self._labels if node.is_in(root)), None)
-        content = None if name is None or not preference("MapLabels") else _proxy(document, name).labels
+        content = None if colours is None or not preference("MapLabels") else colours.labels
         if content is None:
             if node is not None:
                 node.remove()
@@ -99,9 +122,7 @@ class SceneSync:
         node.show(content)
         return node
 
-    def _content(self, document, name):
-        return None if name is None or not preference("ColourBarShown") else _proxy(document, name).bar
-
 
 def _proxy(document, name):
-    return App.getDocument(document).getObject(name).ViewObject.Proxy
+    """The ThicknessView of a map; None where no map is named."""
+    return None if name is None else App.getDocument(document).getObject(name).ViewObject.Proxy

@@ -152,6 +152,11 @@ class ThicknessView:
         self._nodes.withhold()
         self._show_next_batch()
 
+    def cover(self, is_covered):
+        """Leave out the facets while `FirstColours` are in their place."""
+        if self._nodes is not None:
+            self._nodes.cover(is_covered)
+
     def move(self):
         """Move the map to the current position of its sources."""
         if self._shown_version is not None:
@@ -202,6 +207,21 @@ class ThicknessView:
         """The current ThicknessColours."""
         return ThicknessColours.of(self._view.Object, self._range, self._faces)
 
+    def coarsen(self, is_coarse):
+        """Draw fewer facets while the view moves, or all again."""
+        if self._nodes is not None:
+            self._nodes.coarsen(is_coarse)
+
+    @property
+    def is_coarse(self):
+        """Whether fewer facets are drawn because the view moves."""
+        return self._nodes is not None and self._nodes.is_coarse
+
+    @property
+    def is_drawn(self):
+        """Whether the map itself is seen, and not `FirstColours` in its place."""
+        return self._nodes is not None and not self._nodes.is_covered
+
     @property
     def is_complete(self):
         """Whether all facets are in the scene: until then, only the sources fill the edges."""
@@ -244,6 +264,7 @@ class ThicknessView:
             QtCore.QTimer.singleShot(_BATCH_INTERVAL, self._show_next_batch)
         else:
             lifelong.map_events.refresh_soon()  # the sources are drawn until here
+            QtCore.QTimer.singleShot(_BATCH_INTERVAL, self._nodes.prepare_to_coarsen)
 
     def _show_section(self):
         if self._section is None or self._shown_version is None:
