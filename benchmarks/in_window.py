@@ -121,10 +121,10 @@ def _coloured(path):
     window.press("ThinPart_ShowThickness")
     window.wait_until(lambda: document.Name in first or window.is_thickness_told(), seconds=600)
     coarse = [part.map.count for part in first[document.Name].coloured] if document.Name in first else []
-    drawn.next()
+    drawn.again()
     seconds = time.perf_counter() - begun
     window.wait_until(lambda: window.is_thickness_told() and document.Name not in first, seconds=600)
-    drawn.next()
+    drawn.again()
     final = time.perf_counter() - begun
     drawn.end()
     fine = [part for thickness in thickness_objects(document) for part in parts_of(thickness)]
@@ -255,6 +255,11 @@ class Drawn:
             QtWidgets.QApplication.processEvents()
             if time.perf_counter() > until:
                 raise TimeoutError("The view was not drawn.")
+
+    def again(self):
+        """Have one more frame drawn, and wait for it."""
+        self._node.touch()
+        self.next()
 
     def end(self):
         """Leave the scene as it was."""

@@ -16,7 +16,7 @@ from thinpart_workbench.freecad_adapter.objects.thickness_object import thicknes
 from thinpart_workbench.gui.application import lifelong
 from thinpart_workbench.gui.view3d.picking import add_probe
 
-HOLES = 3
+HOLES = 2
 """Each way: measured in less than a second, so that the first colours are seen before."""
 
 COARSE = "The colours in the view are the first, coarse ones"
