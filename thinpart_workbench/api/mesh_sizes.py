@@ -19,6 +19,7 @@ from ..core.sizing.size_field import SizeField
 from ..core.sizing.size_sources import places
 from ..core.sizing.sizing_settings import SizingSettings
 from ..freecad_adapter.objects.snapshot import read_snapshot
+from ..storage.atomic_file import write_atomically
 from ..storage.exchange.geo_file import write_geo
 from ..storage.exchange.shell_files import SHELL_FORMATS, write_shell
 from ..workflow.analysis.analyse_part import analyse_part
@@ -109,7 +110,8 @@ def write_size_script(path, part, file, solids=1):
     part : dict
         What `mesh_sizes` yields for a part, with ``sources``.
     file : str
-        The document of the part; the script opens it where Gmsh can.
+        The document of the part; the script opens it where Gmsh can. A part that was mended to mesh it is written beside the
+        script, with the ending ``.mended.brep``, and opened in its place.
     solids : int
         Parts of the document: the script opens it only where there is one.
 
@@ -128,11 +130,15 @@ def write_size_script(path, part, file, solids=1):
     low, high = part["box"]
     inner = np.asarray(part["inner"], dtype=np.float64).reshape(-1, 3)
     boxes = size_boxes(field, low, high, inner) if field.least < part["global_size"] else None
-    opened = None
+    opened, mended = None, part.get("mended_shape")
     if solids == 1 and is_shape(file):
         opened = os.path.relpath(os.path.abspath(file), os.path.dirname(os.path.abspath(path)))
     try:
-        write_geo(path, part["global_size"], boxes, opened, part["order"])
+        if mended:
+            opened = os.path.basename(path)[:-len(".geo")] + ".mended.brep"
+            write_atomically(os.path.join(os.path.dirname(path), opened), mended.encode())
+        write_geo(path, part["global_size"], boxes, opened, part["order"],
+                  [(each["name"], each["value"]) for each in part["gmsh_options"]])
     except OSError as error:
         raise ThinPartError(message("{file} cannot be written ({problem}): name another place.", file=path,
                                     problem=error.strerror), "failed") from None
