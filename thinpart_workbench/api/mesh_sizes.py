@@ -40,7 +40,7 @@ FACETS, SIZES, POOR = "facets.npy", "sizes.npy", "poor.npy"
 
 def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, limits=None, check=False,
                mesh_seconds=MESH_SECONDS, has_sources=False, force=False, include=(), exclude=(), control=None,
-               started=None, report=None, shell=None):
+               started=None, report=None, shell=None, region_sizes=None):
     """Propose element sizes for the parts of files and folders.
 
     Parameters
@@ -68,6 +68,8 @@ def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, 
         Called with the `RunProgress` at the start; with it and each outcome.
     shell : ShellSettings, optional
         Where the parts are wanted as shells too, for `write_shell_file`: as ``shell`` of each part.
+    region_sizes : dict, optional
+        Sizes that are wanted on wall regions: mm, or None for none, by number of the listed region, from 0.
 
     Yields
     ------
@@ -87,7 +89,8 @@ def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, 
     program, version = gmsh_program() if check or shell else (None, "")
     run = FileRun(paths, include, exclude, control=control)
     tasks = [SizeTask(document.path, settings, given_profile(profile).content, analysis or AnalysisSettings(), program,
-                      mesh_seconds, has_sources, shell, check) for document in run.documents]
+                      mesh_seconds, has_sources, shell, check,
+                      tuple(sorted((region_sizes or {}).items()))) for document in run.documents]
     progress = RunProgress({document.path: (document.bytes, False) for document in run.documents}, limits.jobs)
     if started is not None:
         started(progress)

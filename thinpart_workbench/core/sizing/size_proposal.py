@@ -137,6 +137,24 @@ def propose_sizes(measurement, thin_limit, settings, region_sizes=None, has_deta
     return replace(_within_budget(proposed, settings, global_size, wanted), unbounded=proposal)
 
 
+def with_sources(measurement, proposal, sources):
+    """A proposal with other sources, and its elements counted anew.
+
+    Parameters
+    ----------
+    measurement : Measurement
+    proposal : SizeProposal
+    sources : SizeSources
+
+    Returns
+    -------
+    SizeProposal
+    """
+    found = _proposed(measurement, proposal.thin_limit, proposal.settings, proposal.global_size, sources, proposal.layers,
+                      proposal.inner)
+    return replace(found, unbounded=proposal.unbounded, region_sizes=proposal.region_sizes)
+
+
 def propose_everywhere(measurement, thin_limit, settings):
     """Propose sizes for a part without thin walls that is not meshed at one size.
 

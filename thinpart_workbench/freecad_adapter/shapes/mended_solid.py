@@ -15,7 +15,7 @@ def write_mended(file, output):
     Parameters
     ----------
     file : str
-        BREP, STEP or IGES, with one solid.
+        BREP, with one solid.
     output : str
         BREP file.
 
@@ -48,7 +48,7 @@ def write_mended(file, output):
                 or abs(mended.Volume - solid.Volume) > SAME_VOLUME * solid.Volume):
             return False
         mended.exportBrep(os.fspath(output))
-    except Exception:  # FreeCAD raises its own exception classes where OCC cannot cut
+    except Part.OCCError:
         return False
     return True
 
@@ -57,7 +57,7 @@ def _kept_pieces(faces):
     """Pieces that come of an odd number of faces; None where all do."""
     _, images = faces[0].generalFuse(faces[1:])
     by_code: dict = {}
-    for piece in (piece for image in images for piece in image.Faces):
+    for piece in (piece for image in images for shape in image for piece in shape.Faces):
         by_code.setdefault(piece.hashCode(), []).append(piece)
     kept, dropped = [], False
     for pieces in by_code.values():

@@ -16,13 +16,14 @@ from .mesh_tries import MeshTries
 
 MESH = "part.msh"
 
-ATTEMPTS = 7
+ATTEMPTS = 8
 """How often a part is tried at most; see `mesh_tries`."""
 
 LAYERS_ASKED = 1500
 """Places of thin walls at which layers are counted."""
 
-def checked_sizes(program, shape, measurement, proposal, seconds, folder, default=None, on_mesh=None):
+
+def checked_sizes(program, shape, measurement, proposal, seconds, folder, default=None, on_mesh=None, solid=None):
     """Mesh a part at the global size and at the proposed ones.
 
     Parameters
@@ -30,7 +31,7 @@ def checked_sizes(program, shape, measurement, proposal, seconds, folder, defaul
     program : str
         Path of Gmsh.
     shape : str
-        BREP file of the part.
+        File of the part that Gmsh opens.
     measurement : Measurement
     proposal : SizeProposal
     seconds : float
@@ -41,6 +42,8 @@ def checked_sizes(program, shape, measurement, proposal, seconds, folder, defaul
         Figures of the mesh at the global size, where they are known.
     on_mesh : callable, optional
         Called with ``default`` or ``proposed``, points and tetrahedra of each mesh.
+    solid : str, optional
+        BREP file of the part, where `shape` is none.
 
     Returns
     -------
@@ -50,7 +53,7 @@ def checked_sizes(program, shape, measurement, proposal, seconds, folder, defaul
         What was meshed at last.
     """
     order = ("-order", str(proposal.settings.order)) if proposal.settings.order != 1 else ()
-    walls, tries = _thin_places(measurement, proposal), MeshTries(measurement, proposal, shape, folder)
+    walls, tries = _thin_places(measurement, proposal), MeshTries(measurement, proposal, solid or shape, folder)
     if default is None or proposal.is_uniform:
         default, _ = _meshed(program, [shape], seconds, folder, ("-clmax", repr(proposal.global_size), *order),
                              walls, partial(on_mesh, "default") if on_mesh else None)
@@ -71,9 +74,11 @@ def checked_sizes(program, shape, measurement, proposal, seconds, folder, defaul
         proposed, stated = _meshed(program, [script], seconds, folder, (), walls,
                                    partial(on_mesh, "proposed") if on_mesh else None)
         done.append(_tried(tried, proposed))
-        following = None
-        if not proposed["elements"] and len(done) < ATTEMPTS:
-            following = tries.after(tried, proposed["reason"], stated)
+        if proposed["elements"] or tried.proposal.is_uniform:
+            break
+        following = tries.after(tried, proposed["reason"], stated)
+        if following is None and default["elements"]:
+            following = tries.one_size()
         if following is None:
             break
         tried = following

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from ...core.message import message
-from ...core.sizing.size_proposal import SizeProposal, propose_everywhere, propose_sizes
+from ...core.sizing.size_proposal import SizeProposal, propose_everywhere, propose_sizes, with_sources
 from ...core.sizing.size_sources import SPACING, places
 from .gmsh_program import CRASHED, MEMORY, TIMEOUT
 
@@ -65,7 +65,7 @@ class MeshTries:
     proposal : SizeProposal
         What is tried first.
     shape : str
-        File of the part.
+        BREP file of the part.
     folder : str
         A temporary one.
     """
@@ -73,8 +73,7 @@ class MeshTries:
     def __init__(self, measurement, proposal, shape, folder):
         self._measurement, self._shape, self._folder = measurement, shape, folder
         self.first = MeshTry(message("as proposed"), proposal)
-        self._steps = [self._mended, self._finer, self._finer, self._finer_delaunay, self._finer_delaunay,
-                       self._without_details]
+        self._steps = [self._mended, self._finer, self._finer, self._finer_delaunay, self._without_details]
         self._stated = ""
 
     def after(self, last, reason, stated):
@@ -112,6 +111,12 @@ class MeshTries:
         proposal = self.first.proposal
         return MeshTry(message("no element larger than the part is thick there"),
                        propose_everywhere(self._measurement, proposal.thin_limit, proposal.settings))
+
+    def one_size(self):
+        """What remains where a part is meshed at one size, and in no other way: MeshTry."""
+        proposal = self.first.proposal
+        return MeshTry(message("one size, since nothing finer is meshed"),
+                       with_sources(self._measurement, proposal, proposal.sources.below(0.0)))
 
     def _mended(self, last):
         # Imported here since the adapter loads FreeCAD.
@@ -151,9 +156,9 @@ class MeshTries:
         proposal = last.proposal
         points, radius = self._places_of_failure(proposal, not last.mended)
         if not len(points):
-            return replace(proposal, sources=proposal.sources.scaled(ANOTHER))
+            return with_sources(self._measurement, proposal, proposal.sources.scaled(ANOTHER))
         finer = replace(places(points, FINER * proposal.field.at(points)), radius=radius)
-        return replace(proposal, sources=proposal.sources.followed_by(finer))
+        return with_sources(self._measurement, proposal, proposal.sources.followed_by(finer))
 
     def _places_of_failure(self, proposal, has_faces):
         """Points that Gmsh names where it fails, and samples of the surfaces that it names: ndarray of shape (k, 3), mm; and

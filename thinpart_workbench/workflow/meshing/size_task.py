@@ -43,6 +43,8 @@ class SizeTask:
         Where a shell is wanted too; that needs `program`.
     check : bool
         Whether to mesh with and without the sizes; that needs `program`.
+    region_sizes : tuple of (int, float or None)
+        See `propose_sizes`.
     """
 
     file: str
@@ -54,6 +56,7 @@ class SizeTask:
     has_sources: bool = False
     shell: Optional[ShellSettings] = None
     check: bool = True
+    region_sizes: tuple = ()
 
 
 def propose_for_document(task):
@@ -98,14 +101,15 @@ def _proposed(part, profile, task, is_alone):
     measurement = found["measurement"]
     diagonal = measurement.descriptors.box.diagonal
     limit = classify(measurement.descriptors, profile).thin_limit_x * diagonal
-    proposal, check, tried, mended = propose_sizes(measurement, limit, task.settings), None, None, ""
+    proposal = propose_sizes(measurement, limit, task.settings, dict(task.region_sizes))
+    check, tried, mended = None, None, ""
     if task.program is not None and task.check:
         with tempfile.TemporaryDirectory(prefix="thinpart-gmsh-") as folder:
-            shape = os.path.join(folder, "part.brep")
+            shape = solid = os.path.join(folder, "part.brep")
             part.write_brep(shape)
             if is_alone and is_shape(task.file):
                 shape = os.path.abspath(task.file)  # as the script opens it; what FreeCAD exports may differ in a detail
-            check, tried = checked_sizes(task.program, shape, measurement, proposal, task.seconds, folder)
+            check, tried = checked_sizes(task.program, shape, measurement, proposal, task.seconds, folder, solid=solid)
             proposal = tried.proposal
             if tried.mended and task.has_sources:
                 mended = Path(tried.mended).read_text(encoding="utf-8")
