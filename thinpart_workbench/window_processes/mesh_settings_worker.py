@@ -2,8 +2,8 @@
 
 It receives one job, a JSON object with ``document`` (empty for one that was never saved) and ``folder`` of info files.
 With ``keep``, the arguments of `keep_mesh_settings`, it keeps them and responds with ``{"kept": bool}``: there may be no
-info file. With ``record`` and ``roots`` it responds with ``{"offer": dict}``, the result of `settings_that_worked`. Or with ``failure``
-(see `JsonLines`).
+info file. With ``record`` and ``roots`` it responds with ``{"offer": dict}``, the result of `settings_that_worked`. Or with
+``failure`` (see `JsonLines`).
 """
 
 import os

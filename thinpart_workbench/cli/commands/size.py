@@ -169,7 +169,7 @@ def _keep(options, settings, sizes, file, part):
 
 def _without_places(part):
     """What is proposed for a part, without the places that scripts are made of, and the nodes of its shell."""
-    shown = {key: value for key, value in part.items() if key not in ("sources", "box", "inner")}
+    shown = {key: value for key, value in part.items() if key not in ("sources", "box", "inner", "mended_shape")}
     if "shell" in shown:
         shown["shell"] = {key: value for key, value in shown["shell"].items()
                           if key not in ("points", "triangles", "wall", "thickness")}

@@ -167,8 +167,8 @@ def propose_everywhere(measurement, thin_limit, settings):
     Returns
     -------
     SizeProposal
-        No element is larger than the part is thick there, nor than the curvature, narrow faces and short edges allow. It has no
-        layers, and no regions.
+        No element is larger than the part is thick there, nor than the curvature, narrow faces and short edges allow. It
+        has no layers, and no regions.
     """
     everywhere = propose_sizes(measurement, np.inf, replace(settings, layers=1.0))
     return replace(everywhere, settings=settings, thin_limit=thin_limit, layers=0.0, regions=())

@@ -26,9 +26,9 @@ def write_mended(file, output):
 
     Notes
     -----
-    All faces are cut with each other (general fuse). A piece that came of two faces has material on both sides or on none: the
-    surface goes on where both are left out. So a shaft that was put into a hole of its own size without being fused, or two
-    bodies that were joined with a cap between them, become what their author saw.
+    All faces are cut with each other (general fuse). A piece that came of two faces has material on both sides or on none:
+    the surface goes on where both are left out. So a shaft that was put into a hole of its own size without being fused, or
+    two bodies that were joined with a cap between them, become what their author saw.
     """
     import Part
 

@@ -1,11 +1,10 @@
 """Keeps mesh settings that worked, and finds them for a part, in another process."""
 
-import json
 from collections import deque
 
 import FreeCAD as App
 
-from ...freecad_adapter.preferences import preference
+from ...freecad_adapter.preferences import preference, preference_list
 from ..application.qt import QtCore, Signal
 from ..application.sentences import translated
 from .one_shot_job import OneShotJob
@@ -40,7 +39,7 @@ class MeshSettingsKeeper(QtCore.QObject):
 
     def look_for(self, asker, document, record):
         """Look for settings for a part: the path of its document, empty where it has none, and its record."""
-        self._add(asker, document, record=record, roots=json.loads(preference("Libraries")))
+        self._add(asker, document, record=record, roots=preference_list("Libraries"))
 
     def _add(self, asker, document, **job):
         self._waiting.append((asker, {"document": str(document), "folder": preference("InfoFolder"), **job}))
