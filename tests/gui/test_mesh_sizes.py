@@ -203,8 +203,8 @@ def test_settings_of_a_part_alike_in_a_library_are_offered(document, tmp_path):
     end_session()
     rows = [{"kind": "plate", "thickness": 2.0, "size": None, "is_changed": False}]
     figures = {"elements": 4321, "poor_share": 0.0, "gamma_least": 0.2, "layers_share": 0.9, "tries": []}
-    keep_mesh_settings(info, None, {"order": 2, "layers": None, "growth": 1.5, "size": None, "budget": None}, 6.0, 60.0, rows,
-                       figures)
+    settings = {"order": 2, "layers": None, "growth": 1.5, "size": None, "budget": None}
+    keep_mesh_settings(info, None, settings, 6.0, 60.0, rows, figures)
     (tmp_path / "library").mkdir()
     for file in (tmp_path / "fin.FCStd", info):
         shutil.move(str(file), str(tmp_path / "library" / file.name))

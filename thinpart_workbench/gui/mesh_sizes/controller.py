@@ -270,8 +270,10 @@ class MeshSizesController(TaskController):
             self._form.show_message(translated(error))
             return
         if document.FileName:
-            rows = [{**{key: row[key] for key in ("kind", "thickness", "size")}, "is_changed": row["region"] in self._sizes}
-                    for row in self._proposal["regions"]]
+            # What was typed last counts, also where the mesh was faster than the new proposal.
+            chosen = dict(sizes)
+            rows = [{"kind": row["kind"], "thickness": row["thickness"], "size": chosen.get(row["region"], row["size"]),
+                     "is_changed": row["region"] in chosen} for row in self._proposal["regions"]]
             lifelong.mesh_settings.keep(
                 document.FileName, part=self._record["name"], settings=settings, rows=rows,
                 global_size=self._proposal["global_size"], diagonal=self._record["descriptors"]["diagonal_mm"],
