@@ -2559,6 +2559,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>es ist das aktive Dokument selbst</translation>
     </message>
     <message>
+        <source>layers: {}, elements: {}</source>
+        <translation>Lagen: {}, Elemente: {}</translation>
+    </message>
+    <message>
         <source>learned</source>
         <translation>gelernt</translation>
     </message>
@@ -2905,10 +2909,6 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{} labelled parts: {}; by {}.</source>
         <translation>{} eingeordnete Bauteile: {}; von {}.</translation>
-    </message>
-    <message>
-        <source>{} layers, {} elements</source>
-        <translation>{} Lagen, {} Elemente</translation>
     </message>
     <message>
         <source>{} min</source>

@@ -2559,6 +2559,10 @@ Son volume est inconnu.</translation>
         <translation>c’est le document actif lui-même</translation>
     </message>
     <message>
+        <source>layers: {}, elements: {}</source>
+        <translation>couches : {}, éléments : {}</translation>
+    </message>
+    <message>
         <source>learned</source>
         <translation>appris</translation>
     </message>
@@ -2905,10 +2909,6 @@ Son volume est inconnu.</translation>
     <message>
         <source>{} labelled parts: {}; by {}.</source>
         <translation>{} pièces étiquetées : {} ; par {}.</translation>
-    </message>
-    <message>
-        <source>{} layers, {} elements</source>
-        <translation>{} couches, {} éléments</translation>
     </message>
     <message>
         <source>{} min</source>

@@ -185,7 +185,7 @@ def test_settings_that_worked_are_kept_with_the_part_and_offered_again(document,
     assert [(wall["size_mm"], wall["is_changed"]) for wall in meshed["walls"]] == [(1.6, True)]
     open_panel()
     window.wait_until(lambda: window.is_shown("ThinPart_UseMeshSettings"))
-    assert "Settings that worked for this part: 1 layers" in window.text("ThinPart_MeshOffer")
+    assert "Settings that worked for this part: layers: 1" in window.text("ThinPart_MeshOffer")
     assert window.widget("ThinPart_MeshLayers").value() == 2.0
     window.click("ThinPart_UseMeshSettings")
     table = window.widget("ThinPart_WallSizes")

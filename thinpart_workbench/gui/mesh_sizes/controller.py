@@ -152,7 +152,7 @@ class MeshSizesController(TaskController):
         self._form.show_offer(text)
 
     def _made(self, meshed):
-        return translate("ThinPart", "{} layers, {} elements").format(
+        return translate("ThinPart", "layers: {}, elements: {}").format(
             f"{meshed['layers'] or LAYERS_OF_ORDER[meshed['order']]:g}", grouped(meshed["elements"]))
 
     def _use_offer(self):
