@@ -10,8 +10,7 @@ import pytest
 import window_actions as window
 from window_actions import V
 
-from thinpart_workbench.api.annotations import note_regions
-from thinpart_workbench.api.mesh_settings import keep_mesh_settings
+from thinpart_workbench.api.annotations import keep_mesh_settings, note_regions
 from thinpart_workbench.freecad_adapter.preferences import set_preference_list
 from thinpart_workbench.gui.application import lifelong
 from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
@@ -165,6 +164,7 @@ def test_without_gmsh_it_says_how_to_have_it(document, monkeypatch, tmp_path):
     assert open_session() is not None and meshes(document) == []
 
 
+@pytest.mark.timeout(180)  # the part is measured three times and meshed twice
 def test_settings_that_worked_are_kept_with_the_part_and_offered_again(document, tmp_path):
     part(document)
     document.saveAs(str(tmp_path / "fin.FCStd"))
@@ -194,6 +194,7 @@ def test_settings_that_worked_are_kept_with_the_part_and_offered_again(document,
     assert not window.is_shown("ThinPart_UseMeshSettings")
 
 
+@pytest.mark.timeout(120)  # the part is measured twice, and a library is read
 def test_settings_of_a_part_alike_in_a_library_are_offered(document, tmp_path):
     part(document)
     document.saveAs(str(tmp_path / "fin.FCStd"))

@@ -8,7 +8,7 @@ info file. With ``record`` and ``roots`` it responds with ``{"offer": dict}``, t
 
 import os
 
-from ..api.mesh_settings import keep_mesh_settings, settings_that_worked
+from ..api.annotations import keep_mesh_settings, settings_that_worked
 from ..storage.info.info_location import info_location
 from .json_lines import JsonLines
 

@@ -6,8 +6,8 @@ import sys
 from dataclasses import asdict
 from pathlib import Path
 
+from ...api.annotations import keep_mesh_settings, no_settings, settings_that_worked
 from ...api.libraries import reference_part
-from ...api.mesh_settings import keep_mesh_settings, no_settings, settings_that_worked
 from ...api.mesh_sizes import MESH_SECONDS, check_shell_file, mesh_sizes, write_shell_file, write_size_script
 from ...core.errors import ThinPartError
 from ...core.message import message
