@@ -3475,7 +3475,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Settings that worked for {part} ({alike:.0f} % alike) in {file}.</source>
-        <translation>Réglages qui ont fait leurs preuves pour {part} (semblable à {alike:.0f} %) dans {file}.</translation>
+        <translation>Réglages qui ont fait leurs preuves pour {part} ({alike:.0f} % de ressemblance) dans {file}.</translation>
     </message>
     <message>
         <source>Share of the area over parallel walls from a to b of the middle side</source>
