@@ -39,7 +39,9 @@ class MeshSettingsKeeper(QtCore.QObject):
 
     def look_for(self, asker, document, record):
         """Look for settings for a part: the path of its document, empty where it has none, and its record."""
-        self._add(asker, document, record=record, roots=preference_list("Libraries"))
+        roots = preference_list("Libraries")
+        if document or roots:  # else there is nothing to look at
+            self._add(asker, document, record=record, roots=roots)
 
     def _add(self, asker, document, **job):
         self._waiting.append((asker, {"document": str(document), "folder": preference("InfoFolder"), **job}))
