@@ -200,7 +200,7 @@ def settings_that_worked(record, roots, info_file=None, report=None):
         part: ``settings`` as arguments of `SizingSettings`, ``sizes`` of walls, by number of the listed region.
     """
     content = stored_info(info_file) if info_file is not None else None
-    own = next((part for part in (content or {"parts": ()})["parts"] if part["name"] == record["name"]), {})
+    own: dict = next((part for part in (content or {"parts": ()})["parts"] if part["name"] == record["name"]), {})
     if "meshed" in own:
         return _offer(record, own["label"], str(info_file), 100.0, True, own["meshed"])
     if not roots:

@@ -63,11 +63,11 @@ def checked_sizes(program, shape, measurement, proposal, seconds, folder, defaul
             return {"default": default, "proposed": default}, tried
         done, tried = [_tried(tried, default)], tries.everywhere()
     mesh = measurement.field.mesh
-    ends = [end(mesh.vertices, axis=0) + mesh.origin for end in (np.min, np.max)]
+    low, high = (end(mesh.vertices, axis=0) + mesh.origin for end in (np.min, np.max))
     script = os.path.join(folder, "size.geo")
     while True:
         sizes = tried.proposal
-        boxes = None if sizes.is_uniform else size_boxes(sizes.field, *ends, sizes.inner.points.reshape(-1, 3))
+        boxes = None if sizes.is_uniform else size_boxes(sizes.field, low, high, sizes.inner.points.reshape(-1, 3))
         with open(script, "w", encoding="utf-8") as file:
             file.write(geo_text(sizes.global_size, boxes, tried.mended or shape, sizes.settings.order,
                                 tried.options.items()))
