@@ -1767,6 +1767,14 @@ Sein Volumen ist unbekannt.</translation>
         <translation>&amp;Netzweite festlegen…</translation>
     </message>
     <message>
+        <source>Settings that worked for this part: {}</source>
+        <translation>Einstellungen, die sich für dieses Teil bewährt haben: {}</translation>
+    </message>
+    <message>
+        <source>Settings that worked for {} ({} alike): {}</source>
+        <translation>Einstellungen, die sich für {} bewährt haben (zu {} ähnlich): {}</translation>
+    </message>
+    <message>
         <source>Shaded</source>
         <translation>Schattiert</translation>
     </message>
@@ -2287,6 +2295,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Um ein Bauteil zu klassifizieren, öffnen Sie ein Dokument und schließen Sie die offene Aufgabe.</translation>
     </message>
     <message>
+        <source>Try {}: {}</source>
+        <translation>Versuch {}: {}</translation>
+    </message>
+    <message>
         <source>Two answers to the same part differ in {}.</source>
         <translation>Zwei Antworten zum selben Bauteil unterscheiden sich in {}.</translation>
     </message>
@@ -2305,6 +2317,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Unsure: '{}' ({}) or '{}' ({})</source>
         <translation>Unsicher: „{}“ ({}) oder „{}“ ({})</translation>
+    </message>
+    <message>
+        <source>Use these settings</source>
+        <translation>Diese Einstellungen verwenden</translation>
     </message>
     <message>
         <source>V/VBB</source>
@@ -2593,6 +2609,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>it is the active document itself</source>
         <translation>es ist das aktive Dokument selbst</translation>
+    </message>
+    <message>
+        <source>layers: {}, elements: {}</source>
+        <translation>Lagen: {}, Elemente: {}</translation>
     </message>
     <message>
         <source>learned</source>
@@ -3142,6 +3162,14 @@ Sein Volumen ist unbekannt.</translation>
         <translation>„{part}“ besteht aus {count} Festkörpern, die FEM als einen vernetzt: Zerlegen Sie es zuerst (Arbeitsbereich Part: Verbund &gt; Verbund auflösen) und wählen Sie dann einen Festkörper.</translation>
     </message>
     <message>
+        <source>--keep goes with --check, which shows what works.</source>
+        <translation>--keep gehört zu --check, das zeigt, was sich bewährt.</translation>
+    </message>
+    <message>
+        <source>--like is for one part: name one file.</source>
+        <translation>--like gilt für ein Teil: nennen Sie eine Datei.</translation>
+    </message>
+    <message>
         <source>A budget is at least 1 element, not {value}.</source>
         <translation>Ein Budget ist mindestens 1 Element, nicht {value}.</translation>
     </message>
@@ -3398,6 +3426,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Kein Bauteil ist als {categories} eingeordnet: Ordnen Sie mindestens {needed} Bauteile in jede Kategorie ein.</translation>
     </message>
     <message>
+        <source>No part like {part} has mesh settings that worked: the usual ones are used.</source>
+        <translation>Kein Teil, das {part} ähnelt, hat bewährte Netzeinstellungen: die üblichen werden verwendet.</translation>
+    </message>
+    <message>
         <source>No report can be written into {folder} ({problem}): give another folder.</source>
         <translation>In {folder} kann kein Bericht geschrieben werden ({problem}): Geben Sie einen anderen Ordner an.</translation>
     </message>
@@ -3500,6 +3532,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Sand casting</source>
         <translation>Sandguss</translation>
+    </message>
+    <message>
+        <source>Settings that worked for {part} ({alike:.0f} % alike) in {file}.</source>
+        <translation>Einstellungen, die sich für {part} (zu {alike:.0f} % ähnlich) in {file} bewährt haben.</translation>
     </message>
     <message>
         <source>Share of the area over parallel walls from a to b of the middle side</source>
@@ -3830,6 +3866,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Der Suchindex {file} kann nicht gespeichert werden ({problem}): Er wurde im Speicher aufgebaut, und die nächste Suche muss ihn neu aufbauen.</translation>
     </message>
     <message>
+        <source>The settings were kept with {part}.</source>
+        <translation>Die Einstellungen wurden bei {part} gespeichert.</translation>
+    </message>
+    <message>
         <source>The shell has {share:.0f} % of the part's volume: the rest is not in the file.</source>
         <translation>Die Schale hat {share:.0f} % des Volumens des Teils: Der Rest ist nicht in der Datei.</translation>
     </message>
@@ -4078,6 +4118,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Winkelabweichung</translation>
     </message>
     <message>
+        <source>as proposed</source>
+        <translation>wie vorgeschlagen</translation>
+    </message>
+    <message>
         <source>box as flat</source>
         <translation>Quader gleich flach</translation>
     </message>
@@ -4094,6 +4138,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>andere Wandverteilung</translation>
     </message>
     <message>
+        <source>faces that lie on each other taken out</source>
+        <translation>ohne Flächen, die aufeinander liegen</translation>
+    </message>
+    <message>
         <source>far fewer tapered walls</source>
         <translation>viel weniger schräge Wände</translation>
     </message>
@@ -4102,12 +4150,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>viel mehr schräge Wände</translation>
     </message>
     <message>
+        <source>fewer layers, a fifth of the elements</source>
+        <translation>weniger Lagen, ein Fünftel der Elemente</translation>
+    </message>
+    <message>
         <source>fewer tapered walls</source>
         <translation>weniger schräge Wände</translation>
     </message>
     <message>
         <source>fill not comparable</source>
         <translation>Füllung nicht vergleichbar</translation>
+    </message>
+    <message>
+        <source>finer where Gmsh failed</source>
+        <translation>feiner, wo Gmsh scheiterte</translation>
+    </message>
+    <message>
+        <source>finer where Gmsh failed, surfaces by Delaunay's method</source>
+        <translation>feiner, wo Gmsh scheiterte, Flächen nach Delaunay</translation>
     </message>
     <message>
         <source>flatter box</source>
@@ -4238,6 +4298,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>viel kürzerer Quader</translation>
     </message>
     <message>
+        <source>no element larger than the part is thick there</source>
+        <translation>kein Element größer als die Dicke des Teils an der Stelle</translation>
+    </message>
+    <message>
         <source>no permission to read the file</source>
         <translation>keine Berechtigung, die Datei zu lesen</translation>
     </message>
@@ -4248,6 +4312,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>of the diagonal</source>
         <translation>der Diagonale</translation>
+    </message>
+    <message>
+        <source>one size, since nothing finer is meshed</source>
+        <translation>eine einzige Größe, da nichts Feineres vernetzt wird</translation>
     </message>
     <message>
         <source>processes[{number}]{place} has a min_mm of {least:g}, not below its max_mm of {most:g}</source>
@@ -4266,6 +4334,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>gleiche Wandverteilung</translation>
     </message>
     <message>
+        <source>short edges and narrow faces not finer than the walls</source>
+        <translation>kurze Kanten und schmale Flächen nicht feiner als die Wände</translation>
+    </message>
+    <message>
         <source>shorter box</source>
         <translation>kürzerer Quader</translation>
     </message>
@@ -4276,6 +4348,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>stopped on request</source>
         <translation>auf Wunsch abgebrochen</translation>
+    </message>
+    <message>
+        <source>surfaces by Delaunay's method</source>
+        <translation>Flächen nach Delaunay</translation>
     </message>
     <message>
         <source>the cluster cannot be used</source>

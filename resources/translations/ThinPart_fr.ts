@@ -1767,6 +1767,14 @@ Son volume est inconnu.</translation>
         <translation>Fixer la taille de &amp;maille…</translation>
     </message>
     <message>
+        <source>Settings that worked for this part: {}</source>
+        <translation>Réglages qui ont fait leurs preuves pour cette pièce : {}</translation>
+    </message>
+    <message>
+        <source>Settings that worked for {} ({} alike): {}</source>
+        <translation>Réglages qui ont fait leurs preuves pour {} (semblable à {}) : {}</translation>
+    </message>
+    <message>
         <source>Shaded</source>
         <translation>Ombré</translation>
     </message>
@@ -2287,6 +2295,10 @@ Son volume est inconnu.</translation>
         <translation>Pour classifier une pièce, ouvrez un document et fermez la tâche ouverte.</translation>
     </message>
     <message>
+        <source>Try {}: {}</source>
+        <translation>Essai {} : {}</translation>
+    </message>
+    <message>
         <source>Two answers to the same part differ in {}.</source>
         <translation>Deux réponses sur la même pièce diffèrent dans {}.</translation>
     </message>
@@ -2305,6 +2317,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Unsure: '{}' ({}) or '{}' ({})</source>
         <translation>Incertain : « {} » ({}) ou « {} » ({})</translation>
+    </message>
+    <message>
+        <source>Use these settings</source>
+        <translation>Utiliser ces réglages</translation>
     </message>
     <message>
         <source>V/VBB</source>
@@ -2593,6 +2609,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>it is the active document itself</source>
         <translation>c’est le document actif lui-même</translation>
+    </message>
+    <message>
+        <source>layers: {}, elements: {}</source>
+        <translation>couches : {}, éléments : {}</translation>
     </message>
     <message>
         <source>learned</source>
@@ -3142,6 +3162,14 @@ Son volume est inconnu.</translation>
         <translation>« {part} » est constitué de {count} solides, que FEM maille ensemble : séparez-les d'abord (atelier Part : Composé &gt; Éclater le composé), puis sélectionnez un solide.</translation>
     </message>
     <message>
+        <source>--keep goes with --check, which shows what works.</source>
+        <translation>--keep va avec --check, qui montre ce qui marche.</translation>
+    </message>
+    <message>
+        <source>--like is for one part: name one file.</source>
+        <translation>--like vaut pour une seule pièce : nommez un fichier.</translation>
+    </message>
+    <message>
         <source>A budget is at least 1 element, not {value}.</source>
         <translation>Un budget est d'au moins 1 élément, pas de {value}.</translation>
     </message>
@@ -3398,6 +3426,10 @@ Son volume est inconnu.</translation>
         <translation>Aucune pièce n’est étiquetée {categories} : étiquetez au moins {needed} pièces de chaque catégorie.</translation>
     </message>
     <message>
+        <source>No part like {part} has mesh settings that worked: the usual ones are used.</source>
+        <translation>Aucune pièce semblable à {part} n'a de réglages de maillage éprouvés : les réglages habituels sont utilisés.</translation>
+    </message>
+    <message>
         <source>No report can be written into {folder} ({problem}): give another folder.</source>
         <translation>Aucun rapport ne peut être écrit dans {folder} ({problem}) : indiquez un autre dossier.</translation>
     </message>
@@ -3500,6 +3532,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Sand casting</source>
         <translation>Moulage en sable</translation>
+    </message>
+    <message>
+        <source>Settings that worked for {part} ({alike:.0f} % alike) in {file}.</source>
+        <translation>Réglages qui ont fait leurs preuves pour {part} ({alike:.0f} % de ressemblance) dans {file}.</translation>
     </message>
     <message>
         <source>Share of the area over parallel walls from a to b of the middle side</source>
@@ -3830,6 +3866,10 @@ Son volume est inconnu.</translation>
         <translation>L’index de recherche {file} ne peut pas être conservé ({problem}) : il a été construit en mémoire, et la prochaine recherche devra le reconstruire.</translation>
     </message>
     <message>
+        <source>The settings were kept with {part}.</source>
+        <translation>Les réglages ont été enregistrés avec {part}.</translation>
+    </message>
+    <message>
         <source>The shell has {share:.0f} % of the part's volume: the rest is not in the file.</source>
         <translation>La coque a {share:.0f} % du volume de la pièce : le reste n’est pas dans le fichier.</translation>
     </message>
@@ -4078,6 +4118,10 @@ Son volume est inconnu.</translation>
         <translation>Déflexion angulaire</translation>
     </message>
     <message>
+        <source>as proposed</source>
+        <translation>comme proposé</translation>
+    </message>
+    <message>
         <source>box as flat</source>
         <translation>boîte aussi plate</translation>
     </message>
@@ -4094,6 +4138,10 @@ Son volume est inconnu.</translation>
         <translation>répartition des parois différente</translation>
     </message>
     <message>
+        <source>faces that lie on each other taken out</source>
+        <translation>sans les faces superposées</translation>
+    </message>
+    <message>
         <source>far fewer tapered walls</source>
         <translation>beaucoup moins de parois obliques</translation>
     </message>
@@ -4102,12 +4150,24 @@ Son volume est inconnu.</translation>
         <translation>beaucoup plus de parois obliques</translation>
     </message>
     <message>
+        <source>fewer layers, a fifth of the elements</source>
+        <translation>moins de couches, un cinquième des éléments</translation>
+    </message>
+    <message>
         <source>fewer tapered walls</source>
         <translation>moins de parois obliques</translation>
     </message>
     <message>
         <source>fill not comparable</source>
         <translation>remplissage non comparable</translation>
+    </message>
+    <message>
+        <source>finer where Gmsh failed</source>
+        <translation>plus fin là où Gmsh a échoué</translation>
+    </message>
+    <message>
+        <source>finer where Gmsh failed, surfaces by Delaunay's method</source>
+        <translation>plus fin là où Gmsh a échoué, surfaces selon Delaunay</translation>
     </message>
     <message>
         <source>flatter box</source>
@@ -4238,6 +4298,10 @@ Son volume est inconnu.</translation>
         <translation>boîte beaucoup plus courte</translation>
     </message>
     <message>
+        <source>no element larger than the part is thick there</source>
+        <translation>aucun élément plus grand que l'épaisseur locale de la pièce</translation>
+    </message>
+    <message>
         <source>no permission to read the file</source>
         <translation>pas d’autorisation de lire le fichier</translation>
     </message>
@@ -4248,6 +4312,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>of the diagonal</source>
         <translation>de la diagonale</translation>
+    </message>
+    <message>
+        <source>one size, since nothing finer is meshed</source>
+        <translation>une seule taille, car rien de plus fin ne se maille</translation>
     </message>
     <message>
         <source>processes[{number}]{place} has a min_mm of {least:g}, not below its max_mm of {most:g}</source>
@@ -4266,6 +4334,10 @@ Son volume est inconnu.</translation>
         <translation>même répartition des parois</translation>
     </message>
     <message>
+        <source>short edges and narrow faces not finer than the walls</source>
+        <translation>arêtes courtes et faces étroites pas plus fines que les parois</translation>
+    </message>
+    <message>
         <source>shorter box</source>
         <translation>boîte plus courte</translation>
     </message>
@@ -4276,6 +4348,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>stopped on request</source>
         <translation>arrêté à la demande</translation>
+    </message>
+    <message>
+        <source>surfaces by Delaunay's method</source>
+        <translation>surfaces selon Delaunay</translation>
     </message>
     <message>
         <source>the cluster cannot be used</source>

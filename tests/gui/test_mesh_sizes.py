@@ -10,9 +10,12 @@ import pytest
 import window_actions as window
 from window_actions import V
 
-from thinpart_workbench.api.annotations import note_regions
+from thinpart_workbench.api.annotations import keep_mesh_settings, note_regions
+from thinpart_workbench.freecad_adapter.preferences import set_preference_list
+from thinpart_workbench.gui.application import lifelong
 from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
 from thinpart_workbench.gui.document.active_task import MESH_SIZES, end_session, open_session
+from thinpart_workbench.storage.info.info_file import read_info
 
 pytestmark = pytest.mark.skipif(shutil.which("gmsh") is None, reason="gmsh is not installed")
 
@@ -159,3 +162,61 @@ def test_without_gmsh_it_says_how_to_have_it(document, monkeypatch, tmp_path):
     assert "Meshing needs Gmsh: install it" in window.text("ThinPart_Message")
     press_ok()
     assert open_session() is not None and meshes(document) == []
+
+
+@pytest.mark.timeout(180)  # the part is measured three times and meshed twice
+def test_settings_that_worked_are_kept_with_the_part_and_offered_again(document, tmp_path):
+    part(document)
+    document.saveAs(str(tmp_path / "fin.FCStd"))
+    info = tmp_path / "fin.FCStd.thinpart.json"
+    window.classify()
+    window.wait_until(info.exists)
+    end_session()
+    open_panel()
+    window.widget("ThinPart_MeshLayers").setValue(1.0)
+    table = window.widget("ThinPart_WallSizes")
+    window.wait_until(lambda: table.rows[0]["layers"] == pytest.approx(1.0, rel=0.02))
+    assert not window.is_shown("ThinPart_UseMeshSettings")
+    table.item(0, 1).setText("1.6")
+    press_ok()
+    window.wait_until(lambda: open_session() is None and not lifelong.mesh_settings.is_busy)
+    meshed = read_info(info)["parts"][0]["meshed"]
+    assert meshed["layers"] == 1.0 and meshed["elements"] == meshes(document)[0].FemMesh.VolumeCount
+    assert [(wall["size_mm"], wall["is_changed"]) for wall in meshed["walls"]] == [(1.6, True)]
+    open_panel()
+    window.wait_until(lambda: window.is_shown("ThinPart_UseMeshSettings"))
+    assert "Settings that worked for this part: layers: 1" in window.text("ThinPart_MeshOffer")
+    assert window.widget("ThinPart_MeshLayers").value() == 2.0
+    window.click("ThinPart_UseMeshSettings")
+    table = window.widget("ThinPart_WallSizes")
+    window.wait_until(lambda: table.rows[0]["size"] == pytest.approx(1.6))
+    assert window.widget("ThinPart_MeshLayers").value() == 1.0
+    assert not window.is_shown("ThinPart_UseMeshSettings")
+
+
+@pytest.mark.timeout(120)  # the part is measured twice, and a library is read
+def test_settings_of_a_part_alike_in_a_library_are_offered(document, tmp_path):
+    part(document)
+    document.saveAs(str(tmp_path / "fin.FCStd"))
+    info = tmp_path / "fin.FCStd.thinpart.json"
+    window.classify()
+    window.wait_until(info.exists)
+    end_session()
+    rows = [{"kind": "plate", "thickness": 2.0, "size": None, "is_changed": False}]
+    figures = {"elements": 4321, "poor_share": 0.0, "gamma_least": 0.2, "layers_share": 0.9, "tries": []}
+    settings = {"order": 2, "layers": None, "growth": 1.5, "size": None, "budget": None}
+    keep_mesh_settings(info, None, settings, 6.0, 60.0, rows, figures)
+    (tmp_path / "library").mkdir()
+    for file in (tmp_path / "fin.FCStd", info):
+        shutil.move(str(file), str(tmp_path / "library" / file.name))
+    set_preference_list("Libraries", [str(tmp_path / "library")])
+    try:
+        open_panel()
+        window.wait_until(lambda: window.is_shown("ThinPart_UseMeshSettings"))
+        assert "Settings that worked for Fin (" in window.text("ThinPart_MeshOffer")
+        assert "4321" in window.text("ThinPart_MeshOffer").replace(",", "").replace(" ", "")
+        window.click("ThinPart_UseMeshSettings")
+        assert window.widget("ThinPart_MeshOrder").currentIndex() == 1
+        assert window.widget("ThinPart_MeshGrowth").value() == 1.5
+    finally:
+        set_preference_list("Libraries", [])

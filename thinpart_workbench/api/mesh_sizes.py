@@ -19,6 +19,7 @@ from ..core.sizing.size_field import SizeField
 from ..core.sizing.size_sources import places
 from ..core.sizing.sizing_settings import SizingSettings
 from ..freecad_adapter.objects.snapshot import read_snapshot
+from ..storage.atomic_file import write_atomically
 from ..storage.exchange.geo_file import write_geo
 from ..storage.exchange.shell_files import SHELL_FORMATS, write_shell
 from ..workflow.analysis.analyse_part import analyse_part
@@ -39,7 +40,7 @@ FACETS, SIZES, POOR = "facets.npy", "sizes.npy", "poor.npy"
 
 def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, limits=None, check=False,
                mesh_seconds=MESH_SECONDS, has_sources=False, force=False, include=(), exclude=(), control=None,
-               started=None, report=None, shell=None):
+               started=None, report=None, shell=None, region_sizes=None):
     """Propose element sizes for the parts of files and folders.
 
     Parameters
@@ -67,6 +68,8 @@ def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, 
         Called with the `RunProgress` at the start; with it and each outcome.
     shell : ShellSettings, optional
         Where the parts are wanted as shells too, for `write_shell_file`: as ``shell`` of each part.
+    region_sizes : dict, optional
+        Sizes that are wanted on wall regions: mm, or None for none, by number of the listed region, from 0.
 
     Yields
     ------
@@ -86,7 +89,8 @@ def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, 
     program, version = gmsh_program() if check or shell else (None, "")
     run = FileRun(paths, include, exclude, control=control)
     tasks = [SizeTask(document.path, settings, given_profile(profile).content, analysis or AnalysisSettings(), program,
-                      mesh_seconds, has_sources, shell, check) for document in run.documents]
+                      mesh_seconds, has_sources, shell, check,
+                      tuple(sorted((region_sizes or {}).items()))) for document in run.documents]
     progress = RunProgress({document.path: (document.bytes, False) for document in run.documents}, limits.jobs)
     if started is not None:
         started(progress)
@@ -109,7 +113,8 @@ def write_size_script(path, part, file, solids=1):
     part : dict
         What `mesh_sizes` yields for a part, with ``sources``.
     file : str
-        The document of the part; the script opens it where Gmsh can.
+        The document of the part; the script opens it where Gmsh can. A part that was mended to mesh it is written beside the
+        script, with the ending ``.mended.brep``, and opened in its place.
     solids : int
         Parts of the document: the script opens it only where there is one.
 
@@ -128,11 +133,15 @@ def write_size_script(path, part, file, solids=1):
     low, high = part["box"]
     inner = np.asarray(part["inner"], dtype=np.float64).reshape(-1, 3)
     boxes = size_boxes(field, low, high, inner) if field.least < part["global_size"] else None
-    opened = None
+    opened, mended = None, part.get("mended_shape")
     if solids == 1 and is_shape(file):
         opened = os.path.relpath(os.path.abspath(file), os.path.dirname(os.path.abspath(path)))
     try:
-        write_geo(path, part["global_size"], boxes, opened, part["order"])
+        if mended:
+            opened = os.path.basename(path)[:-len(".geo")] + ".mended.brep"
+            write_atomically(os.path.join(os.path.dirname(path), opened), mended.encode())
+        write_geo(path, part["global_size"], boxes, opened, part["order"],
+                  [(each["name"], each["value"]) for each in part["gmsh_options"]])
     except OSError as error:
         raise ThinPartError(message("{file} cannot be written ({problem}): name another place.", file=path,
                                     problem=error.strerror), "failed") from None

@@ -14,7 +14,7 @@ _IDEALISATION_KEYS = ("advice", "plate_volume_share", "plate_area_share", "width
 _SHELL_KEYS = ("elements", "nodes", "size", "volume_share", "reason")
 
 SIZE_COLUMNS = ("file", "part", "label", *_PART_KEYS,
-                *(f"{mesh}_{key}" for mesh in ("default", "proposed") for key in _MESH_KEYS),
+                *(f"{mesh}_{key}" for mesh in ("default", "proposed") for key in _MESH_KEYS), "tries",
                 *_IDEALISATION_KEYS, *(f"shell_mesh_{key}" for key in _SHELL_KEYS), "left_solid")
 """Columns of the CSV table; lengths in mm."""
 
@@ -25,6 +25,7 @@ def flat_row(file, part):
     shell = part.get("shell", {})
     cells = [file, part["name"], part["label"], *(part[key] for key in _PART_KEYS),
              *(check[mesh].get(key) for mesh in ("default", "proposed") for key in _MESH_KEYS),
+             "; ".join(each["what"] for each in check["proposed"].get("tries", ())),
              *(part["idealisation"][key] for key in _IDEALISATION_KEYS), *(shell.get(key) for key in _SHELL_KEYS),
              " ".join(face for each in shell.get("left_solid", ()) for face in each["faces"])]
     return ["" if cell is None else _harmless(cell) for cell in cells]
@@ -48,6 +49,19 @@ def print_part(stream, file, part):
         stream.write("\n")
         print_table(stream, _MESH_COLUMNS, lambda: [("one size", part["check"]["default"]),
                                                     ("proposed", part["check"]["proposed"])])
+        if _was_changed(part):
+            stream.write("\n" + _tries(part) + "\n")
+
+
+def _was_changed(part):
+    return part["check"] is not None and len(part["check"]["proposed"]["tries"]) > 1
+
+
+def _tries(part):
+    """How a part came to its mesh, or what was tried for it, str."""
+    *failed, last = part["check"]["proposed"]["tries"]
+    text = "Tried: " + "; ".join(f"{each['what']} ({each['reason']}, {each['seconds']:.2g} s)" for each in failed)
+    return printable(text + (f"; {last['what']} ({last['reason']})." if last["reason"] else f". Meshed: {last['what']}."))
 
 
 def print_sizes(stream, parts):
@@ -62,7 +76,12 @@ def _sentences(file, part):
         why = "no wall is thinner than {:.4g} mm".format(part["thin_limit"])
         if part["unbounded"] is not None:
             why = "the budget allows no more"
+        elif part["regions"] or _was_changed(part):
+            why = "nothing finer is meshed"
         return (f"{name}: one element size of {part['global_size']:.4g} mm, about {part['elements']:,} elements; {why}.")
+    if not part["layers"]:
+        return (f"{name}: elements from {part['least_size']:.3g} mm where it is curved or slender to "
+                f"{part['global_size']:.4g} mm, since it is not meshed at one size; about {part['elements']:,} elements.")
     text = (f"{name}: elements from {part['least_size']:.3g} mm in thin walls to {part['global_size']:.4g} mm, "
             f"{part['layers']:.3g} layers in walls under {part['thin_limit']:.4g} mm; about {part['elements']:,} elements "
             f"(one size of {part['least_size']:.3g} mm everywhere: {part['uniform_elements']:,}).")

@@ -20,6 +20,7 @@ from .document.notifications import Notifications
 from .on_save.auto_classifier import AutoClassifier
 from .preferences.pages import add_pages
 from .processes.label_keeper import LabelKeeper
+from .processes.mesh_settings_keeper import MeshSettingsKeeper
 from .processes.region_note_keeper import RegionNoteKeeper
 from .processes.running_jobs import RunningJobs
 from .processes.standby_worker import StandbyWorker
@@ -44,6 +45,7 @@ def start():
     lifelong.measurement_signals = MeasurementSignals()
     lifelong.label_keeper = LabelKeeper()
     lifelong.region_notes = RegionNoteKeeper()
+    lifelong.mesh_settings = MeshSettingsKeeper()
     lifelong.units = UnitWatch(observer)
     lifelong.profile_signals = ProfileSignals()
     lifelong.profile_signals.edit_requested.connect(show_profile_editor)

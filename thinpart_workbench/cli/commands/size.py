@@ -2,8 +2,12 @@
 
 import csv
 import io
+import sys
+from dataclasses import asdict
 from pathlib import Path
 
+from ...api.annotations import keep_mesh_settings, no_settings, settings_that_worked
+from ...api.libraries import reference_part
 from ...api.mesh_sizes import MESH_SECONDS, check_shell_file, mesh_sizes, write_shell_file, write_size_script
 from ...core.errors import ThinPartError
 from ...core.message import message
@@ -11,6 +15,7 @@ from ...core.run_control import RunControl
 from ...core.shells.shell_settings import ShellSettings
 from ...core.sizing.sizing_settings import LAYERS_OF_ORDER, SizingSettings
 from ...storage.atomic_file import write_atomically
+from ...storage.info.info_location import info_location
 from ..control_input import listen
 from ..run_options import (
     add_control_options,
@@ -31,10 +36,10 @@ def add_arguments(parser):
     parser.add_argument("--layers", type=float, metavar="N",
                         help="elements through the thickness of a thin wall (default: {:g}; of second order {:g})".format(
                             *LAYERS_OF_ORDER.values()))
-    parser.add_argument("--order", type=int, choices=tuple(LAYERS_OF_ORDER), default=1,
-                        help="order of the elements (default: %(default)s)")
-    parser.add_argument("--growth", type=float, default=SizingSettings.growth, metavar="X",
-                        help="greatest ratio of the sizes of neighbouring elements (default: %(default)g)")
+    parser.add_argument("--order", type=int, choices=tuple(LAYERS_OF_ORDER),
+                        help="order of the elements (default: 1)")
+    parser.add_argument("--growth", type=float, metavar="X",
+                        help=f"greatest ratio of the sizes of neighbouring elements (default: {SizingSettings.growth:g})")
     parser.add_argument("--size", type=float, metavar="MM",
                         help="greatest element size (default: a tenth of the part's diagonal)")
     parser.add_argument("--budget", type=int, metavar="N",
@@ -55,6 +60,13 @@ def add_arguments(parser):
                              "elements, quality, layers in thin walls")
     parser.add_argument("--mesh-timeout", type=float, default=MESH_SECONDS, metavar="S",
                         help="time limit for each mesh, in seconds (default: %(default)g)")
+    parser.add_argument("--keep", action="store_true",
+                        help="with --check: keep the settings that worked with the part, in its info file")
+    parser.add_argument("--like", action="append", default=[], metavar="ROOT",
+                        help="take the settings that worked for this part, or for the part below this folder that is most "
+                             "like it (may be repeated)")
+    parser.add_argument("--info-dir", metavar="DIR",
+                        help="folder of the info file for --keep and --like, if it is not beside the document")
     parser.add_argument("--csv", metavar="FILE", help="write one row per part to a CSV file as well")
     parser.add_argument("--force", action="store_true", help="do not take what an earlier, interrupted run has kept")
     add_measurement_options(parser)
@@ -64,7 +76,9 @@ def add_arguments(parser):
 
 def run(options):
     """Propose sizes and return the exit status."""
-    settings = SizingSettings(options.order, options.layers, options.growth, options.size, options.budget)
+    if options.keep and not options.check:
+        raise ThinPartError(message("--keep goes with --check, which shows what works."), "usage")
+    settings, sizes = _settings(options)
     if options.geo is not None and not options.geo.lower().endswith(".geo"):
         raise ThinPartError(message("{file} is no name for a script of Gmsh: give it the ending .geo.", file=options.geo),
                             "usage")
@@ -82,7 +96,7 @@ def run(options):
                     options.paths, settings, options.profile, analysis=settings_of(options), limits=limits_of(options),
                     check=options.check, mesh_seconds=options.mesh_timeout, has_sources=options.geo is not None,
                     force=options.force, include=options.include, exclude=options.exclude, control=control,
-                    started=report.started, shell=shell):
+                    started=report.started, shell=shell, region_sizes=sizes):
                 failed += "error" in outcome or bool(outcome["failures"])
                 found.append(outcome)
                 report.failures({**outcome, "parts": [_without_places(part) for part in outcome.get("parts", ())]})
@@ -106,12 +120,56 @@ def run(options):
         _say(options, message("The shell was written to {file}: {elements} elements, {nodes} nodes.",
                               file=Path(options.shell).name, elements=part["shell"]["elements"],
                               nodes=part["shell"]["nodes"]))
+    if options.keep:
+        for file, part in parts:
+            failed += not _keep(options, settings, sizes, file, part)
     return 1 if failed else 0
+
+
+def _settings(options):
+    """The settings, and the sizes of walls by number, that the options ask for or that worked for a part like this one."""
+    given = {"order": options.order, "layers": options.layers, "growth": options.growth, "size": options.size}
+    if not options.like:
+        given["order"] = given["order"] or SizingSettings.order
+        given["growth"] = given["growth"] or SizingSettings.growth
+        return SizingSettings(**given, budget=options.budget), {}
+    if len(options.paths) != 1 or not Path(options.paths[0]).is_file():
+        raise ThinPartError(message("--like is for one part: name one file."), "usage")
+    record, _ = reference_part(options.paths[0], options.part)
+    offer = settings_that_worked(record, options.like, info_location(options.paths[0], options.info_dir))
+    if offer is None:
+        _say(options, no_settings(record["label"]))
+        offer = {"settings": {}, "sizes": ()}
+    else:
+        _say(options, message("Settings that worked for {part} ({alike:.0f} % alike) in {file}.", part=offer["label"],
+                              alike=offer["alike"], file=offer["file"]))
+    known = {key: value for key, value in offer["settings"].items() if value is not None}
+    wanted = {**known, **{key: value for key, value in given.items() if value is not None}}
+    if options.order not in (None, known.get("order")) and options.layers is None:
+        wanted.pop("layers", None)  # those of the other order
+    return SizingSettings(**{**wanted, "budget": options.budget}), dict(map(tuple, offer["sizes"]))
+
+
+def _keep(options, settings, sizes, file, part):
+    """Keep what worked for a part; whether that was possible."""
+    figures = part["check"]["proposed"]
+    if not figures["elements"]:
+        return True
+    rows = [{"kind": row["kind"], "thickness": row["thickness"], "size": row["size"],
+             "is_changed": row["region"] - 1 in sizes} for row in part["regions"]]
+    try:
+        keep_mesh_settings(file, part["name"], asdict(settings), part["global_size"], part["diagonal"], rows, figures,
+                           options.info_dir)
+    except ThinPartError as error:
+        print(error, file=sys.stderr)
+        return False
+    _say(options, message("The settings were kept with {part}.", part=part["label"]))
+    return True
 
 
 def _without_places(part):
     """What is proposed for a part, without the places that scripts are made of, and the nodes of its shell."""
-    shown = {key: value for key, value in part.items() if key not in ("sources", "box", "inner")}
+    shown = {key: value for key, value in part.items() if key not in ("sources", "box", "inner", "mended_shape")}
     if "shell" in shown:
         shown["shell"] = {key: value for key, value in shown["shell"].items()
                           if key not in ("points", "triangles", "wall", "thickness")}

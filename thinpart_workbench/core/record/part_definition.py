@@ -84,6 +84,28 @@ ANNOTATIONS = {
         "sure": _FLAG,
         "when": TIME,
     }), most=1000, distinct="person", about="the category that the part has in the eyes of people, one answer each"),
+    "meshed": Record({
+        "when": TIME,
+        "version": Text(200, about="of ThinPart"),
+        "order": OneOf((1, 2)),
+        "layers": OrNull(Number(0.1, 20.0)),
+        "growth": Number(1.05, 3.0),
+        "size_mm": OrNull(Number(1e-9, 1e9, about="greatest element size; null for a tenth of the diagonal")),
+        "budget": OrNull(Whole(1)),
+        "global_size_mm": Number(0.0),
+        "diagonal_mm": Number(1e-9, 1e12),
+        "walls": ListOf(Record({
+            "kind": OneOf(REGION_KINDS),
+            "thickness_mm": Number(0.0),
+            "size_mm": OrNull(Number(1e-9, 1e9)),
+            "is_changed": _FLAG,
+        }), most=10_000, about="size null for a wall that was left out; whether people chose it"),
+        "elements": Whole(1),
+        "poor_share": OrNull(Number(0.0, 1.0 + 1e-9)),
+        "gamma_least": OrNull(_NUMBER),
+        "layers_share": OrNull(Number(0.0, 1.0 + 1e-9)),
+        "how": Text(2000, about="which try gave the mesh"),
+    }, about="mesh settings that worked, and what Gmsh made with them"),
     "region_notes": ListOf(Record({
         "place": _POINT,
         "faces": ListOf(_TEXT),
@@ -119,7 +141,7 @@ PART = Record({
     "seconds": Record({"read": _NUMBER, "tessellate": _NUMBER, "measure": _NUMBER}),
 }, {"probabilities": ListOf(Record({"category": _TEXT, "probability": _SHARE}),
                             about="of every category, the most probable first, where the profile has a model of them"),
-    **{key: ANNOTATIONS[key] for key in ("mesh", "link", "labels", "region_notes")}}, later={"regions": _REGIONS})
+    **{key: ANNOTATIONS[key] for key in ("mesh", "link", "labels", "region_notes", "meshed")}}, later={"regions": _REGIONS})
 """Kind of a part record."""
 
 FAILURE = Record(

@@ -250,6 +250,35 @@ class _RegionNote(TypedDict):
     when: str
 
 
+class MeshedWall(TypedDict):
+    """A wall as it was meshed; without a size where it was left out."""
+
+    kind: str
+    thickness_mm: float
+    size_mm: Optional[float]
+    is_changed: bool
+
+
+class MeshedRecord(TypedDict):
+    """Mesh settings that worked for a part, and what Gmsh made with them."""
+
+    when: str
+    version: str
+    order: int
+    layers: Optional[float]
+    growth: float
+    size_mm: Optional[float]
+    budget: Optional[int]
+    global_size_mm: float
+    diagonal_mm: float
+    walls: list[MeshedWall]
+    elements: int
+    poor_share: Optional[float]
+    gamma_least: Optional[float]
+    layers_share: Optional[float]
+    how: str
+
+
 class RegionNote(_RegionNote, total=False):
     """What a person said of a wall region: why it is left out, and the element size that is wanted there."""
 
@@ -283,6 +312,7 @@ class PartRecord(_PartRecord, total=False):
     link: str
     labels: list[PersonLabel]
     region_notes: list[RegionNote]
+    meshed: MeshedRecord
     regions: RegionsRecord
 
 

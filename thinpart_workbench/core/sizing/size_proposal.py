@@ -67,6 +67,8 @@ class SizeProposal:
         Of the part.
     unbounded : SizeProposal or None
         That without the budget, where it is exceeded.
+    region_sizes : dict or None
+        Sizes that people wanted, see `propose_sizes`.
     """
 
     settings: SizingSettings
@@ -79,6 +81,7 @@ class SizeProposal:
     regions: tuple
     inner: InnerPoints
     unbounded: Optional["SizeProposal"] = None
+    region_sizes: Optional[dict] = None
 
     @cached_property
     def field(self):
@@ -96,7 +99,7 @@ class SizeProposal:
         return self.sources.count == 0
 
 
-def propose_sizes(measurement, thin_limit, settings, region_sizes=None):
+def propose_sizes(measurement, thin_limit, settings, region_sizes=None, has_details=True):
     """Propose element sizes for a measured part.
 
     Parameters
@@ -107,6 +110,8 @@ def propose_sizes(measurement, thin_limit, settings, region_sizes=None):
     settings : SizingSettings
     region_sizes : dict, optional
         Sizes that people want on wall regions instead of the proposed ones: see `SizeSources.with_region_sizes`.
+    has_details : bool
+        Whether narrow faces and short edges ask for sizes too.
 
     Returns
     -------
@@ -118,18 +123,55 @@ def propose_sizes(measurement, thin_limit, settings, region_sizes=None):
     of layers, only fewer.
     """
     global_size = settings.global_size(measurement.descriptors.box.diagonal)
-    wanted = size_sources(measurement, thin_limit, settings.divisions).below(global_size)
+    wanted = size_sources(measurement, thin_limit, settings.divisions, has_details).below(global_size)
     if region_sizes:
         wanted = wanted.with_region_sizes(region_sizes).below(global_size)
     inner = inner_points(measurement)
 
     def proposed(sources, layers, most=global_size):
-        return _proposed(measurement, thin_limit, settings, most, sources, layers, inner)
+        return replace(_proposed(measurement, thin_limit, settings, most, sources, layers, inner), region_sizes=region_sizes)
 
     proposal = proposed(wanted, settings.wanted_layers)
     if settings.budget is None or proposal.elements <= settings.budget:
         return proposal
     return replace(_within_budget(proposed, settings, global_size, wanted), unbounded=proposal)
+
+
+def with_sources(measurement, proposal, sources):
+    """A proposal with other sources, and its elements counted anew.
+
+    Parameters
+    ----------
+    measurement : Measurement
+    proposal : SizeProposal
+    sources : SizeSources
+
+    Returns
+    -------
+    SizeProposal
+    """
+    found = _proposed(measurement, proposal.thin_limit, proposal.settings, proposal.global_size, sources, proposal.layers,
+                      proposal.inner)
+    return replace(found, unbounded=proposal.unbounded, region_sizes=proposal.region_sizes)
+
+
+def propose_everywhere(measurement, thin_limit, settings):
+    """Propose sizes for a part without thin walls that is not meshed at one size.
+
+    Parameters
+    ----------
+    measurement : Measurement
+    thin_limit : float, mm
+    settings : SizingSettings
+
+    Returns
+    -------
+    SizeProposal
+        No element is larger than the part is thick there, nor than the curvature, narrow faces and short edges allow. It
+        has no layers, and no regions.
+    """
+    everywhere = propose_sizes(measurement, np.inf, replace(settings, layers=1.0))
+    return replace(everywhere, settings=settings, thin_limit=thin_limit, layers=0.0, regions=())
 
 
 def _within_budget(proposed, settings, global_size, wanted):

@@ -90,7 +90,7 @@ class SizeSources:
                              for name in self.__dataclass_fields__))
 
 
-def size_sources(measurement, thin_limit, divisions):
+def size_sources(measurement, thin_limit, divisions, has_details=True):
     """Find the sources of a part.
 
     Parameters
@@ -100,6 +100,8 @@ def size_sources(measurement, thin_limit, divisions):
         Walls that are thinner are thin.
     divisions : float
         Thickness of a thin wall by the element size there; see `divisions_of`.
+    has_details : bool
+        Whether narrow faces and short edges ask for sizes too.
 
     Returns
     -------
@@ -117,6 +119,8 @@ def size_sources(measurement, thin_limit, divisions):
     if not walls.count:
         return walls
     mesh, least = measurement.field.mesh, LEAST_SHARE * measurement.descriptors.box.diagonal
+    if not has_details:
+        return walls.scaled(1.0, least)
     return walls.followed_by(_of_narrow_faces(mesh)).followed_by(_of_short_edges(mesh)).scaled(1.0, least)
 
 

@@ -30,6 +30,9 @@ label_keeper = None
 region_notes = None
 """RegionNoteKeeper: reads and keeps what the user says of wall regions."""
 
+mesh_settings = None
+"""MeshSettingsKeeper: keeps mesh settings that worked in info files, and finds them for similar parts."""
+
 map_events = None
 """MapEvents: requests from thickness maps and for them."""
 

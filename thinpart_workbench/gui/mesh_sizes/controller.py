@@ -6,8 +6,10 @@ import numpy as np
 from ...api.mesh_sizes import FACETS, POOR, SIZES
 from ...core.errors import ThinPartError
 from ...core.judging.criteria import load_profile
+from ...core.number_text import percent
 from ...core.record.region_notes import notes_of_regions
 from ...core.rendering.colour_scale import ColourScale
+from ...core.sizing.sizing_settings import LAYERS_OF_ORDER
 from ...freecad_adapter.objects.fem_mesh import meshed_object, missing_fem, preferred_gmsh, set_fem_mesh
 from ...freecad_adapter.occurrences.active_part import selected_parts
 from ...freecad_adapter.preferences import preference, preferred_analysis
@@ -15,7 +17,7 @@ from ...freecad_adapter.reading.document_parts import document_content
 from ...freecad_adapter.shapes.equal_solids import motion
 from ..application import lifelong
 from ..application.length_unit import length_unit
-from ..application.qt import QtCore, QtWidgets, flags_as_int, translate
+from ..application.qt import QtCore, QtWidgets, flags_as_int, grouped, translate
 from ..application.sentences import translated
 from ..document.part_chooser import ask_for_part
 from ..document.selection import active_path, select_faces, selected_paths
@@ -85,6 +87,9 @@ class MeshSizesController(TaskController):
         self.measured.refused.connect(self._on_failed)
         self.measured.ended.connect(self._on_failed)
         self.panel.closed.connect(self._leave)
+        self._offer = None
+        self._form.offer_taken.connect(self._use_offer)
+        lifelong.mesh_settings.found.connect(self._on_offer)
         lifelong.region_notes.answered.connect(self._on_notes)
         self._is_edited = False
 
@@ -121,6 +126,7 @@ class MeshSizesController(TaskController):
         if not self._has_left:
             self._has_left = True
             lifelong.region_notes.answered.disconnect(self._on_notes)
+            lifelong.mesh_settings.found.disconnect(self._on_offer)
             self._clear_view()
             self.measured.end()
 
@@ -128,9 +134,33 @@ class MeshSizesController(TaskController):
         self._record, self._gmsh_missing = found["record"], translated(found["gmsh"]) if found["gmsh"] else ""
         if self._proposal is None:
             self._take_over_notes()
+            lifelong.mesh_settings.look_for(self, self._document.FileName, self._record)
         self._form.show_idle(not self._gmsh_missing)
         self._form.show_message("\n".join(filter(None, [self._gmsh_missing, translated(self._fem_missing)])))
         self._ask()
+
+    def _on_offer(self, asker, offer):
+        """Settings that worked for this part or for one like it."""
+        if asker is not self or offer is None:
+            return
+        self._offer, meshed = offer, offer["meshed"]
+        if offer["is_own"]:
+            text = translate("ThinPart", "Settings that worked for this part: {}").format(self._made(meshed))
+        else:
+            text = translate("ThinPart", "Settings that worked for {} ({} alike): {}").format(
+                offer["label"], percent(offer["alike"] / 100.0), self._made(meshed))
+        self._form.show_offer(text)
+
+    def _made(self, meshed):
+        return translate("ThinPart", "layers: {}, elements: {}").format(
+            f"{meshed['layers'] or LAYERS_OF_ORDER[meshed['order']]:g}", grouped(meshed["elements"]))
+
+    def _use_offer(self):
+        settings = self._offer["settings"]
+        layers = settings["layers"] or LAYERS_OF_ORDER[settings["order"]]
+        self._sizes.update(map(tuple, self._offer["sizes"]))
+        self._form.show_settings({**settings, "layers": layers})
+        self._form.show_offer("")
 
     def _on_notes(self, answer):
         if answer["document"] == self._document.FileName and self._record is not None and not self._is_edited:
@@ -239,6 +269,16 @@ class MeshSizesController(TaskController):
         except ThinPartError as error:
             self._form.show_message(translated(error))
             return
+        if document.FileName:
+            # What was typed last counts, also where the mesh was faster than the new proposal.
+            chosen = dict(sizes)
+            rows = [{"kind": row["kind"], "thickness": row["thickness"], "size": chosen.get(row["region"], row["size"]),
+                     "is_changed": row["region"] in chosen} for row in self._proposal["regions"]]
+            lifelong.mesh_settings.keep(
+                document.FileName, part=self._record["name"], settings=settings, rows=rows,
+                global_size=self._proposal["global_size"], diagonal=self._record["descriptors"]["diagonal_mm"],
+                figures={key: self._check["proposed"][key] for key in (
+                    "elements", "poor_share", "gamma_least", "layers_share", "tries")})
         QtCore.QTimer.singleShot(0, self.close)
 
     def _select_faces(self, faces):

@@ -24,14 +24,15 @@ class MeshSizesPanel(QtWidgets.QWidget):
     -------
     changed
         A setting was changed.
-    mesh_requested, cancelled, shown_changed
-        A button was pressed; what the view is to show was changed.
+    mesh_requested, cancelled, shown_changed, offer_taken
+        A button was pressed; what the view is to show was changed; the settings that are offered are to be used.
     """
 
     changed = Signal()
     mesh_requested = Signal()
     cancelled = Signal()
     shown_changed = Signal()
+    offer_taken = Signal()
 
     def __init__(self):
         super().__init__()
@@ -50,6 +51,10 @@ class MeshSizesPanel(QtWidgets.QWidget):
         column.addWidget(self._content)
         rows = QtWidgets.QVBoxLayout(self._content)
         rows.setContentsMargins(0, 0, 0, 0)
+        self._offer = text_line(self, rows, "ThinPart_MeshOffer")
+        self._take_offer = add_button(rows, self, "ThinPart_UseMeshSettings", translate("ThinPart", "Use these settings"),
+                                      self.offer_taken.emit)
+        self.show_offer("")
         self._add_settings(rows)
         self.walls = WallTable(self)
         rows.addWidget(self.walls)
@@ -73,6 +78,23 @@ class MeshSizesPanel(QtWidgets.QWidget):
         size, budget = self._size.exact(), self._budget.value()
         return {"order": 1 + self._order.currentIndex(), "layers": self._layers.exact(), "growth": self._growth.exact(),
                 "size": size if size > 0.0 else None, "budget": budget or None}
+
+    def show_settings(self, settings):
+        """Show settings in the fields: as of `settings`."""
+        for field, show in ((self._order, lambda: self._order.setCurrentIndex(settings["order"] - 1)),
+                            (self._layers, lambda: self._layers.show_exact(settings["layers"])),
+                            (self._growth, lambda: self._growth.show_exact(settings["growth"])),
+                            (self._size, lambda: self._size.show_exact(settings["size"] or 0.0)),
+                            (self._budget, lambda: self._budget.setValue(settings["budget"] or 0))):
+            was_blocked = field.blockSignals(True)
+            show()
+            field.blockSignals(was_blocked)
+        self.changed.emit()
+
+    def show_offer(self, sentence):
+        """Show which settings are offered; an empty text for none."""
+        show_text(self._offer, sentence)
+        self._take_offer.setVisible(bool(sentence))
 
     def show_part(self, label, unit):
         """Show which part it is about, and in which unit lengths are."""
@@ -130,9 +152,12 @@ class MeshSizesPanel(QtWidgets.QWidget):
         if found is None:
             show_text(self._figures, "")
             return
-        show_text(self._figures, "\n".join([
-            translate("ThinPart", "One size: {}").format(_figures(found["default"])),
-            translate("ThinPart", "As proposed: {}").format(_figures(found["proposed"]))]))
+        lines = [translate("ThinPart", "One size: {}").format(_figures(found["default"])),
+                 translate("ThinPart", "As proposed: {}").format(_figures(found["proposed"]))]
+        tries = found["proposed"]["tries"]
+        if len(tries) > 1:
+            lines.append(translate("ThinPart", "Try {}: {}").format(len(tries), translated(tries[-1]["what"])))
+        show_text(self._figures, "\n".join(lines))
         self.chart.show_histograms(found["default"]["histogram"], found["proposed"]["histogram"])
         self.poor.setText(translate("ThinPart", "Show poor elements ({})").format(grouped(found["poor_count"])))
 

@@ -8,7 +8,7 @@ import numpy as np
 from ..atomic_file import write_atomically
 
 
-def geo_text(global_size, boxes, part_file=None, order=1):
+def geo_text(global_size, boxes, part_file=None, order=1, options=()):
     """The script: the geometry, if Gmsh can open it, a background field, and the settings that belong to it.
 
     Parameters
@@ -20,6 +20,8 @@ def geo_text(global_size, boxes, part_file=None, order=1):
         Path of the geometry, as the script says it.
     order : int
         Of the elements.
+    options : iterable of (str, number)
+        Further options of Gmsh, such as ``Mesh.Algorithm``.
 
     Returns
     -------
@@ -46,9 +48,11 @@ def geo_text(global_size, boxes, part_file=None, order=1):
         for name in ("FromPoints", "FromCurvature", "ExtendFromBoundary"):
             text.write(f"Mesh.MeshSize{name} = 0;\n")
     text.write(f"Mesh.MeshSizeMax = {global_size:.9g};\nMesh.ElementOrder = {order};\n")
+    for name, value in options:
+        text.write(f"{name} = {value:g};\n")
     return text.getvalue()
 
 
-def write_geo(path, global_size, boxes, part_file=None, order=1):
+def write_geo(path, global_size, boxes, part_file=None, order=1, options=()):
     """Write the script; an OSError leaves what was there."""
-    write_atomically(path, geo_text(global_size, boxes, part_file, order).encode())
+    write_atomically(path, geo_text(global_size, boxes, part_file, order, options).encode())

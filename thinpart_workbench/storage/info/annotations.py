@@ -4,9 +4,9 @@ from datetime import datetime, timezone
 
 from ...core.record.region_notes import notes_of_regions
 
-ANNOTATION_KEYS = ("notes", "mesh", "link", "labels", "region_notes")
+ANNOTATION_KEYS = ("notes", "mesh", "link", "labels", "region_notes", "meshed")
 """Keys of a part record that people set: notes (text); mesh settings or the name of a file with them; a link; the
-categories that people say the part has; what they say of its wall regions."""
+categories that people say the part has; what they say of its wall regions; the settings of a mesh that worked."""
 
 ORPHANS = "kept_of_missing_parts"
 """Key of an info file: annotations of parts that the document no longer has."""

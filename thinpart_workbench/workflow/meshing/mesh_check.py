@@ -1,9 +1,7 @@
 """Meshes a part with Gmsh, with and without proposed sizes, and measures both meshes."""
 
 import os
-import re
 import time
-from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -11,37 +9,21 @@ import numpy as np
 from ...core.mesh.tetrahedra import POOR, inverse_condition_numbers, layers_through, radius_ratios
 from ...core.message import message
 from ...core.sizing.size_boxes import size_boxes
-from ...core.sizing.size_sources import places
 from ...storage.exchange.geo_file import geo_text
 from ...storage.exchange.msh_file import read_tetrahedra
 from .gmsh_program import CRASHED, MEMORY, TIMEOUT, mesh_volume, stated_error
+from .mesh_tries import MeshTries
 
 MESH = "part.msh"
 
-ATTEMPTS = 4
-"""How often a part that Gmsh does not mesh is tried again, finer where it failed."""
-
-FINER = 0.5
-"""Of the size there, at places at which Gmsh failed."""
-
-ANOTHER = 0.8
-"""Of all sizes, where Gmsh does not say where it failed: a surface that cannot be meshed with some sizes, can be with
-others."""
-
-DELAUNAY_FROM = 2
-"""The attempt from which on surfaces are meshed by the Delaunay method, which is less neat and fails less."""
-
-HOPELESS = (CRASHED, TIMEOUT, MEMORY)
-"""Reasons after which finer elements do not help."""
+ATTEMPTS = 8
+"""How often a part is tried at most; see `mesh_tries`."""
 
 LAYERS_ASKED = 1500
 """Places of thin walls at which layers are counted."""
 
-_SURFACE = re.compile(r"surface (\d+)")
-_PLACE = re.compile(r"intersection \(?([-+.\deE]+)\s*,\s*([-+.\deE]+)\s*,\s*([-+.\deE]+)\)?")
 
-
-def checked_sizes(program, shape, measurement, proposal, seconds, folder, default=None, on_mesh=None):
+def checked_sizes(program, shape, measurement, proposal, seconds, folder, default=None, on_mesh=None, solid=None):
     """Mesh a part at the global size and at the proposed ones.
 
     Parameters
@@ -49,7 +31,7 @@ def checked_sizes(program, shape, measurement, proposal, seconds, folder, defaul
     program : str
         Path of Gmsh.
     shape : str
-        BREP file of the part.
+        File of the part that Gmsh opens.
     measurement : Measurement
     proposal : SizeProposal
     seconds : float
@@ -60,37 +42,52 @@ def checked_sizes(program, shape, measurement, proposal, seconds, folder, defaul
         Figures of the mesh at the global size, where they are known.
     on_mesh : callable, optional
         Called with ``default`` or ``proposed``, points and tetrahedra of each mesh.
+    solid : str, optional
+        BREP file of the part, where `shape` is none.
 
     Returns
     -------
     check : dict
         ``default`` and ``proposed``, see `_figures`.
-    proposal : SizeProposal
-        With the sizes that were meshed at last: finer at places where Gmsh failed at first.
+    tried : MeshTry
+        What was meshed at last.
     """
     order = ("-order", str(proposal.settings.order)) if proposal.settings.order != 1 else ()
-    walls = _thin_places(measurement, proposal)
+    walls, tries = _thin_places(measurement, proposal), MeshTries(measurement, proposal, solid or shape, folder)
     if default is None or proposal.is_uniform:
-        default, _ = _meshed(program, [shape], seconds, folder, ("-clmax", repr(proposal.global_size), *order), walls,
-                             partial(on_mesh, "default") if on_mesh else None)
+        default, _ = _meshed(program, [shape], seconds, folder, ("-clmax", repr(proposal.global_size), *order),
+                             walls, partial(on_mesh, "default") if on_mesh else None)
+    done, tried = [], tries.first
     if proposal.is_uniform:
-        return {"default": default, "proposed": default}, proposal
+        if default["elements"] or default["reason"] in (CRASHED, TIMEOUT, MEMORY):
+            return {"default": default, "proposed": default}, tried
+        done, tried = [_tried(tried, default)], tries.everywhere()
     mesh = measurement.field.mesh
     low, high = (end(mesh.vertices, axis=0) + mesh.origin for end in (np.min, np.max))
-    inner = proposal.inner.points.reshape(-1, 3)
     script = os.path.join(folder, "size.geo")
-    for attempt in range(ATTEMPTS):
+    while True:
+        sizes = tried.proposal
+        boxes = None if sizes.is_uniform else size_boxes(sizes.field, low, high, sizes.inner.points.reshape(-1, 3))
         with open(script, "w", encoding="utf-8") as file:
-            file.write(geo_text(proposal.global_size, size_boxes(proposal.field, low, high, inner), shape,
-                                proposal.settings.order))
-        options = ("-algo", "del2d") if attempt >= DELAUNAY_FROM else ()
-        proposed, text = _meshed(program, [script], seconds, folder, options, walls,
-                                 partial(on_mesh, "proposed") if on_mesh else None)
-        proposed["attempts"] = attempt + 1
-        if proposed["elements"] or proposed["reason"] in HOPELESS:
+            file.write(geo_text(sizes.global_size, boxes, tried.mended or shape, sizes.settings.order,
+                                tried.options.items()))
+        proposed, stated = _meshed(program, [script], seconds, folder, (), walls,
+                                   partial(on_mesh, "proposed") if on_mesh else None)
+        done.append(_tried(tried, proposed))
+        if proposed["elements"] or tried.proposal.is_uniform:
             break
-        proposal = _finer_at(proposal, _places_of_failure(text, measurement.field))
-    return {"default": default, "proposed": proposed}, proposal
+        following = tries.after(tried, proposed["reason"], stated)
+        if following is None and default["elements"]:
+            following = tries.one_size()
+        if following is None:
+            break
+        tried = following
+    proposed.update(attempts=len(done), tries=done)
+    return {"default": default, "proposed": proposed}, tried
+
+
+def _tried(tried, figures):
+    return {"what": tried.what, "reason": figures["reason"], "seconds": figures["seconds"]}
 
 
 def _meshed(program, inputs, seconds, folder, options, walls, on_mesh=None):
@@ -114,7 +111,8 @@ def _figures(seconds, reason, points=None, tetrahedra=None, walls=None):
     """Figures of a mesh, dict: `reason` why there is none, number of elements, gamma and minSICN, share of poor elements,
     share of the thin places that have the wanted layers, seconds."""
     found = {"reason": reason, "elements": 0, "gamma_least": None, "gamma_1_percent": None, "gamma_mean": None,
-             "poor_share": None, "sicn_least": None, "layers_share": None, "seconds": round(seconds, 2), "attempts": 1}
+             "poor_share": None, "sicn_least": None, "layers_share": None,
+             "seconds": round(seconds, 2), "attempts": 1, "tries": []}
     if points is None:
         return found
     gamma, sicn = radius_ratios(points, tetrahedra), inverse_condition_numbers(points, tetrahedra)
@@ -144,20 +142,3 @@ def _thin_places(measurement, proposal):
     here = field.samples.points[thin] + field.mesh.origin
     there = here - field.distance[thin, None] * field.normals[thin]
     return here, there, field.area[thin], max(1, int(np.floor(proposal.layers + 1e-6)))
-
-
-def _places_of_failure(text, field):
-    """Points that Gmsh names where it fails, ndarray of shape (k, 3), mm, or else of the surfaces that it names."""
-    found = [[float(number) for number in match] for match in _PLACE.findall(text)]
-    if found:
-        return np.array(found)
-    # Gmsh counts surfaces from 1, in the order of the solid's faces.
-    faces = [int(number) - 1 for number in _SURFACE.findall(text)]
-    return field.samples.points[np.isin(field.face, faces)] + field.mesh.origin
-
-
-def _finer_at(proposal, failed_at):
-    if not len(failed_at):
-        return replace(proposal, sources=proposal.sources.scaled(ANOTHER))
-    finer = places(failed_at, FINER * proposal.field.at(failed_at))
-    return replace(proposal, sources=proposal.sources.followed_by(finer))

@@ -116,12 +116,12 @@ class PartSizing:
             worst = np.argsort(gamma)[:np.count_nonzero(gamma < POOR)]
             poor[:] = points[tetrahedra[worst[:MOST_POOR]]], len(worst)
 
-        check, _ = checked_sizes(program, shape, self._measurement, proposal, seconds, folder,
+        check, tried = checked_sizes(program, shape, self._measurement, proposal, seconds, folder,
                                  None if known is None else known[1], on_mesh)
         if known is not None:
             histograms["default"] = known[2]
         self._default = depends, check["default"], histograms.get("default", [])
-        found: dict = {name: {**figures, "histogram": histograms.get("default" if proposal.is_uniform else name, [])}
+        found: dict = {name: {**figures, "histogram": histograms.get("default" if tried.proposal.is_uniform else name, [])}
                        for name, figures in check.items()}
         found.update(mesh="", poor=poor[0] if check["proposed"]["elements"] else np.empty((0, 4, 3)),
                      poor_count=poor[1] if check["proposed"]["elements"] else 0)

@@ -5,9 +5,10 @@ from functools import cache
 from ...core.descriptors.region_kinds import REGION_KINDS
 from ...core.kinds.compound_kinds import ListOf, Record
 from ...core.kinds.value_checker import checker
-from ...core.kinds.value_kinds import Number, OneOf, OrNull, Text, Whole
+from ...core.kinds.value_kinds import Flag, Number, OneOf, OrNull, Text, Whole
 from ...core.record.part_definition import FAILURE
 from ...storage.info.info_definition import SOURCE
+from .mesh_tries import DELAUNAY
 
 _LENGTH, _COUNT, _SHARE = Number(0.0, 1e15), Whole(0, 10**15), Number(0.0, 1.0 + 1e-9)
 _POINT = ListOf(Number(), 3, 3)
@@ -16,6 +17,7 @@ MESH_FIGURES = Record({
     "reason": Text(), "elements": _COUNT, "gamma_least": OrNull(Number(0, 2)), "gamma_1_percent": OrNull(Number(0, 2)),
     "gamma_mean": OrNull(Number(0, 2)), "poor_share": OrNull(_SHARE), "sicn_least": OrNull(Number(-2, 2)),
     "layers_share": OrNull(_SHARE), "seconds": Number(0.0), "attempts": Whole(1, 100),
+    "tries": ListOf(Record({"what": Text(), "reason": Text(), "seconds": Number(0.0)}), most=100),
 })
 """Kind of the figures of one mesh; without one, the reason, no elements and nulls."""
 
@@ -51,7 +53,9 @@ PART_SIZES = Record({
     "unbounded": OrNull(Record({"layers": Number(0.0), "least_size": _LENGTH, "elements": _COUNT})),
     "regions": ListOf(_REGION, most=10_000), "idealisation": _IDEALISATION,
     "check": OrNull(Record({"default": MESH_FIGURES, "proposed": MESH_FIGURES})),
-}, {"sources": ListOf(ListOf(Number(), 5, 5), most=1_000_000), "box": ListOf(_POINT, 2, 2),
+    "gmsh_options": ListOf(Record({"name": OneOf(tuple(DELAUNAY)), "value": Number()}), most=20),
+    "is_mended": Flag(),
+}, {"mended_shape": Text(), "sources": ListOf(ListOf(Number(), 5, 5), most=1_000_000), "box": ListOf(_POINT, 2, 2),
     "inner": ListOf(_POINT, most=1_000_000), "shell": SHELL})
 """Kind of what is proposed for a part; all lengths in mm."""
 

@@ -3,6 +3,7 @@
 import os
 import tempfile
 from dataclasses import asdict, dataclass, field
+from pathlib import Path
 from typing import Optional
 
 import numpy as np
@@ -42,6 +43,8 @@ class SizeTask:
         Where a shell is wanted too; that needs `program`.
     check : bool
         Whether to mesh with and without the sizes; that needs `program`.
+    region_sizes : tuple of (int, float or None)
+        See `propose_sizes`.
     """
 
     file: str
@@ -53,6 +56,7 @@ class SizeTask:
     has_sources: bool = False
     shell: Optional[ShellSettings] = None
     check: bool = True
+    region_sizes: tuple = ()
 
 
 def propose_for_document(task):
@@ -97,15 +101,21 @@ def _proposed(part, profile, task, is_alone):
     measurement = found["measurement"]
     diagonal = measurement.descriptors.box.diagonal
     limit = classify(measurement.descriptors, profile).thin_limit_x * diagonal
-    proposal, check = propose_sizes(measurement, limit, task.settings), None
+    proposal = propose_sizes(measurement, limit, task.settings, dict(task.region_sizes))
+    check, tried, mended = None, None, ""
     if task.program is not None and task.check:
         with tempfile.TemporaryDirectory(prefix="thinpart-gmsh-") as folder:
-            shape = os.path.join(folder, "part.brep")
+            shape = solid = os.path.join(folder, "part.brep")
             part.write_brep(shape)
             if is_alone and is_shape(task.file):
                 shape = os.path.abspath(task.file)  # as the script opens it; what FreeCAD exports may differ in a detail
-            check, proposal = checked_sizes(task.program, shape, measurement, proposal, task.seconds, folder)
-    record = size_record(part, found["record"], measurement, proposal, check, task.has_sources)
+            check, tried = checked_sizes(task.program, shape, measurement, proposal, task.seconds, folder, solid=solid)
+            proposal = tried.proposal
+            if tried.mended and task.has_sources:
+                mended = Path(tried.mended).read_text(encoding="utf-8")
+    record = size_record(part, found["record"], measurement, proposal, check, task.has_sources, tried)
+    if mended:
+        record["mended_shape"] = mended
     if task.shell is not None:
         record["shell"] = _shell(part, measurement, task)
     return record
@@ -121,7 +131,7 @@ def _shell(part, measurement, task):
         return no_shell_record(error)
 
 
-def size_record(part, record, measurement, proposal, check, has_sources):
+def size_record(part, record, measurement, proposal, check, has_sources, tried=None):
     """What is proposed for a part, of plain values.
 
     Parameters
@@ -135,6 +145,8 @@ def size_record(part, record, measurement, proposal, check, has_sources):
     has_sources : bool
         With ``sources``: rows of x, y, z, size and radius, mm; ``inner``: points within the part; and ``box``: the least and
         greatest coordinates.
+    tried : MeshTry, optional
+        What was meshed.
 
     Returns
     -------
@@ -154,6 +166,8 @@ def size_record(part, record, measurement, proposal, check, has_sources):
             "elements": unbounded.elements},
         "regions": [_region_row(each) for each in proposal.regions],
         "check": check, "idealisation": _idealisation(measurement, proposal),
+        "gmsh_options": [{"name": name, "value": value} for name, value in (tried.options if tried else {}).items()],
+        "is_mended": bool(tried and tried.mended),
     }
     if has_sources:
         vertices, sources = measurement.field.mesh.vertices, proposal.sources

@@ -1,0 +1,70 @@
+"""Solids without faces that lie on each other: walls and gaps of no thickness, which no mesher can fill."""
+
+import os
+
+MOST_FACES = 500
+"""Of a solid, above which cutting its faces with each other takes too long."""
+
+SAME_VOLUME = 1e-3
+"""Greatest relative difference of the volumes of a solid and of the mended one."""
+
+
+def write_mended(file, output):
+    """Write the solid of a file without the pieces of faces that coincide in pairs.
+
+    Parameters
+    ----------
+    file : str
+        BREP, with one solid.
+    output : str
+        BREP file.
+
+    Returns
+    -------
+    bool
+        False, and nothing is written, where no faces coincide, or where what is left is no valid solid of the same volume.
+
+    Notes
+    -----
+    All faces are cut with each other (general fuse). A piece that came of two faces has material on both sides or on none:
+    the surface goes on where both are left out. So a shaft that was put into a hole of its own size without being fused, or
+    two bodies that were joined with a cap between them, become what their author saw.
+    """
+    import Part
+
+    whole = Part.Shape()
+    whole.read(os.fspath(file))
+    if len(whole.Solids) != 1 or not 2 <= len(whole.Faces) <= MOST_FACES:
+        return False
+    solid = whole.Solids[0]
+    try:
+        kept = _kept_pieces(solid.Faces)
+        if kept is None:
+            return False
+        mended = Part.Solid(Part.makeShell(kept))
+        if mended.Volume < 0.0:
+            mended.reverse()
+        if (not mended.Shells[0].isClosed() or not mended.isValid()
+                or abs(mended.Volume - solid.Volume) > SAME_VOLUME * solid.Volume):
+            return False
+        mended.exportBrep(os.fspath(output))
+    except Part.OCCError:
+        return False
+    return True
+
+
+def _kept_pieces(faces):
+    """Pieces that come of an odd number of faces; None where all do."""
+    _, images = faces[0].generalFuse(faces[1:])
+    by_code: dict = {}
+    for piece in (piece for image in images for shape in image for piece in shape.Faces):
+        by_code.setdefault(piece.hashCode(), []).append(piece)
+    kept, dropped = [], False
+    for pieces in by_code.values():
+        while pieces:
+            same = [piece for piece in pieces if piece.isSame(pieces[0])]
+            pieces = [piece for piece in pieces if not piece.isSame(same[0])]
+            dropped |= len(same) > 1
+            if len(same) % 2:
+                kept.append(same[0])
+    return kept if dropped else None

@@ -1,0 +1,176 @@
+"""What is tried, one after the other, until Gmsh meshes a part."""
+
+import os
+import re
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from ...core.message import message
+from ...core.sizing.size_proposal import SizeProposal, propose_everywhere, propose_sizes, with_sources
+from ...core.sizing.size_sources import SPACING, places
+from .gmsh_program import CRASHED, MEMORY, TIMEOUT
+
+FINER = 0.5
+"""Of the size there, at places at which Gmsh failed."""
+
+ANOTHER = 0.8
+"""Of all sizes, where Gmsh does not say where it failed: a surface that cannot be meshed with some sizes, can be with
+others."""
+
+ALIKE = 4.0
+"""Of the faces that Gmsh names beside a place, what has up to so many times the size of the place gets finer too: the
+facets of two sides that cross in one place do so all along."""
+
+FEWER = 0.2
+"""Share of the elements that is tried where Gmsh took too long."""
+
+DELAUNAY = {"Mesh.Algorithm": 5}
+"""Surfaces by the Delaunay method, which is less neat and fails less."""
+
+MENDED = "mended.brep"
+
+_SURFACE = re.compile(r"surface (\d+)")
+_PLACE = re.compile(r"intersection \(?([-+.\deE]+)\s*,\s*([-+.\deE]+)\s*,\s*([-+.\deE]+)\)?")
+
+
+@dataclass(frozen=True)
+class MeshTry:
+    """One way to ask Gmsh for a mesh.
+
+    Attributes
+    ----------
+    what : str
+        In words.
+    proposal : SizeProposal
+        The sizes.
+    options : dict
+        Further options of Gmsh, number by name.
+    mended : str
+        BREP file that is meshed in place of the part, whose faces lie on each other; empty for the part itself.
+    """
+
+    what: str
+    proposal: SizeProposal
+    options: dict = field(default_factory=dict)
+    mended: str = ""
+
+
+class MeshTries:
+    """The tries for one part.
+
+    Parameters
+    ----------
+    measurement : Measurement
+    proposal : SizeProposal
+        What is tried first.
+    shape : str
+        BREP file of the part.
+    folder : str
+        A temporary one.
+    """
+
+    def __init__(self, measurement, proposal, shape, folder):
+        self._measurement, self._shape, self._folder = measurement, shape, folder
+        self.first = MeshTry(message("as proposed"), proposal)
+        self._steps = [self._mended, self._finer, self._finer, self._finer_delaunay, self._without_details]
+        self._stated = ""
+
+    def after(self, last, reason, stated):
+        """What to try after a try that gave no mesh.
+
+        Parameters
+        ----------
+        last : MeshTry
+        reason : str
+            Why there is no mesh.
+        stated : str
+            All that Gmsh printed.
+
+        Returns
+        -------
+        MeshTry or None
+            None where nothing else helps.
+        """
+        self._stated = stated
+        if reason in (TIMEOUT, MEMORY):
+            self._steps = []
+            return self._fewer(last)
+        if reason == CRASHED:
+            if last.options:
+                return None
+            return replace(last, what=message("surfaces by Delaunay's method"), options=DELAUNAY)
+        while self._steps:
+            found = self._steps.pop(0)(last)
+            if found is not None:
+                return found
+        return None
+
+    def everywhere(self):
+        """What to try where the part has no thin walls, and is not meshed at one size: MeshTry."""
+        proposal = self.first.proposal
+        return MeshTry(message("no element larger than the part is thick there"),
+                       propose_everywhere(self._measurement, proposal.thin_limit, proposal.settings))
+
+    def one_size(self):
+        """What remains where a part is meshed at one size, and in no other way: MeshTry."""
+        proposal = self.first.proposal
+        return MeshTry(message("one size, since nothing finer is meshed"),
+                       with_sources(self._measurement, proposal, proposal.sources.below(0.0)))
+
+    def _mended(self, last):
+        # Imported here since the adapter loads FreeCAD.
+        from ...freecad_adapter.shapes.mended_solid import write_mended
+
+        output = os.path.join(self._folder, MENDED)
+        if not write_mended(self._shape, output):
+            return None
+        return replace(last, what=message("faces that lie on each other taken out"), mended=output)
+
+    def _finer(self, last):
+        return replace(last, what=message("finer where Gmsh failed"), proposal=self._finer_sizes(last))
+
+    def _finer_delaunay(self, last):
+        return replace(last, what=message("finer where Gmsh failed, surfaces by Delaunay's method"),
+                       proposal=self._finer_sizes(last), options=DELAUNAY)
+
+    def _without_details(self, last):
+        """The sizes at first, but not those of edges and faces so small that they may be flaws of the model."""
+        first = self.first.proposal
+        proposal = propose_sizes(self._measurement, first.thin_limit, first.settings, first.region_sizes, has_details=False)
+        if proposal.is_uniform:
+            return None
+        return replace(last, what=message("short edges and narrow faces not finer than the walls"), proposal=proposal,
+                       options={})
+
+    def _fewer(self, last):
+        first = self.first.proposal
+        budget = max(1, round(FEWER * first.elements))
+        if last.proposal.elements <= budget or first.is_uniform:
+            return None
+        settings = replace(first.settings, budget=budget)
+        return replace(last, what=message("fewer layers, a fifth of the elements"), proposal=propose_sizes(
+            self._measurement, first.thin_limit, settings, first.region_sizes))
+
+    def _finer_sizes(self, last):
+        proposal = last.proposal
+        points, radius = self._places_of_failure(proposal, not last.mended)
+        if not len(points):
+            return with_sources(self._measurement, proposal, proposal.sources.scaled(ANOTHER))
+        finer = replace(places(points, FINER * proposal.field.at(points)), radius=radius)
+        return with_sources(self._measurement, proposal, proposal.sources.followed_by(finer))
+
+    def _places_of_failure(self, proposal, has_faces):
+        """Points that Gmsh names where it fails, and samples of the surfaces that it names: ndarray of shape (k, 3), mm; and
+        around each, how far that holds, mm."""
+        sampled = self._measurement.field
+        points = np.array([[float(number) for number in match] for match in _PLACE.findall(self._stated)]).reshape(-1, 3)
+        # Gmsh counts surfaces from 1, in the order of the solid's faces.
+        faces = [int(number) - 1 for number in _SURFACE.findall(self._stated)] if has_faces else []
+        own = np.flatnonzero(np.isin(sampled.face, faces) & (sampled.area > 0.0))
+        samples = sampled.samples.points[own] + sampled.mesh.origin
+        if len(points):
+            alike = proposal.field.at(samples) <= ALIKE * proposal.field.at(points).max()
+            own, samples = own[alike], samples[alike]
+        return (np.concatenate([points, samples]),
+                np.concatenate([np.zeros(len(points)), SPACING * np.sqrt(sampled.area[own])]))
