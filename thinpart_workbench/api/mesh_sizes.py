@@ -24,6 +24,7 @@ from ..storage.exchange.shell_files import SHELL_FORMATS, write_shell
 from ..workflow.analysis.analyse_part import analyse_part
 from ..workflow.analysis.run_progress import RunProgress
 from ..workflow.meshing.gmsh_program import gmsh_program
+from ..workflow.meshing.part_shell import SHELL_FACETS, SHELL_MESH, SHELL_SHAPE, SHELL_THICKNESS, write_part_shell
 from ..workflow.meshing.part_sizing import PartSizing
 from ..workflow.meshing.shell_meshing import mesh_of_record, shell_of_part
 from ..workflow.meshing.size_run import propose_for_documents
@@ -204,7 +205,7 @@ class PartSizes:
     folder : str
         See `freecad_adapter.objects.snapshot.write_snapshot`.
     report : callable, optional
-        Called with the fraction of the measurement that is done.
+        Called with the fraction of the measurement, or later of a shell, that is done.
 
     Attributes
     ----------
@@ -220,13 +221,15 @@ class PartSizes:
         job, read = read_snapshot(folder)
         entry, = job["parts"]
         part, profile = read(entry), profile_from(job["profile"])
-        self._folder, self._shape = folder, os.path.join(folder, entry["file"])
+        self._report = report
+        self._folder, self._shape, self._part = folder, os.path.join(folder, entry["file"]), part
         measured = []
         self.record = analyse_part(
             part, AnalysisSettings(**job["settings"]), profile,
             None if report is None else lambda stage, fraction: report(fraction if stage == "measure" else 0.0),
             lambda measurement, _: measured.append(measurement))
         measurement, = measured
+        self._measurement = measurement
         limit = classify(measurement.descriptors, profile).thin_limit_x * measurement.descriptors.box.diagonal
         self._sizing = PartSizing(measurement, limit)
         np.save(os.path.join(folder, FACETS), self._sizing.facets())
@@ -268,6 +271,26 @@ class PartSizes:
                                   self._folder)
         np.save(os.path.join(self._folder, POOR), found.pop("poor").astype(np.float32))
         return found
+
+    def shell(self, settings, gmsh="", seconds=MESH_SECONDS):
+        """Make the shell of the part: dict and files, see `workflow.meshing.part_shell.write_part_shell`.
+
+        Parameters
+        ----------
+        settings : dict
+            Of `ShellSettings`.
+        gmsh, seconds
+            As of `mesh`.
+
+        Raises
+        ------
+        ThinPartError
+            kind ``unsupported`` without Gmsh, ``no_shell`` where the part has none.
+        OSError
+        """
+        shell = shell_of_part(self._part, self._measurement, gmsh_program(gmsh)[0], seconds, ShellSettings(**settings),
+                              self._report)
+        return write_part_shell(self._folder, shell, self._part.label)
 
 
 def missing_gmsh(gmsh=""):

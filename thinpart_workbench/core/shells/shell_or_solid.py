@@ -1,6 +1,6 @@
 """Which idealisation suits a part: shells or solids, with the figures that say so."""
 
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Optional
 
 import numpy as np
@@ -81,3 +81,8 @@ def idealisation(measurement, solid_elements, shell_size):
         advice = "shell" if volume_share >= SHELL_VOLUME else "mixed" if volume_share >= MIXED_VOLUME else "solid"
     return Idealisation(advice, volume_share, measurement.regions.plate_share, ratio, int(solid_elements),
                         max(1, round(elements)) if walls else 0)
+
+
+def idealisation_values(found):
+    """An `Idealisation` as plain values, dict; numbers with six digits."""
+    return {name: float(f"{value:.6g}") if isinstance(value, float) else value for name, value in asdict(found).items()}

@@ -145,7 +145,7 @@ def mid_walls(shape, pairs):
     return [wall for wall in walls if wall.is_shell]
 
 
-def mid_surface(shape, pairs, mesh, rays):
+def mid_surface(shape, pairs, mesh, rays, report=None):
     """Make the mid-surface of a solid.
 
     Parameters
@@ -156,6 +156,8 @@ def mid_surface(shape, pairs, mesh, rays):
         From `facing_faces`.
     mesh : SurfaceMesh
     rays : InwardRays
+    report : callable, optional
+        Called with the fraction that is done.
 
     Returns
     -------
@@ -179,7 +181,7 @@ def mid_surface(shape, pairs, mesh, rays):
         raise ThinPartError(message("No wall is wide and thin enough for a shell."), "no_shell")
     test = _Support(mesh, rays, len(shape.Faces))
     try:
-        return _welded(_trimmed(shape, walls, test), walls, test)
+        return _welded(_trimmed(shape, walls, test, report or (lambda fraction: None)), walls, test)
     except ThinPartError:
         raise
     except Exception as error:  # OCC's errors have several classes, which differ between versions of FreeCAD
@@ -219,17 +221,19 @@ def _spread(face, thickness):
     return a + u[:, None] * (b - a) + v[:, None] * (c - a), (areas / counts)[row]
 
 
-def _trimmed(shape, walls, test):
+def _trimmed(shape, walls, test, report):
     """Faces on the mid-surfaces, within the solid: list of Part.Face."""
     cuts = smooth_cuts(shape, walls)
     found = []
     for number, wall in enumerate(walls):
+        report(0.8 * number / len(walls))
         margin = BEYOND * max(max(each.thickness for each in walls if each.faces & wall.faces or each is wall),
                               wall.thickness)
         for patch in wall.shape.patches(wall.middles, margin):
             for piece in patch.common(shape).Faces:
                 pieces = piece.generalFuse(cuts[number])[0].Faces if cuts[number] else [piece]
                 found += [face for face in pieces if test.share(face, wall) > 0.02]
+    report(0.8)
     return found
 
 

@@ -8,6 +8,8 @@ import numpy as np
 from ...core.maps.facet_refinement import cut_sides, side_lengths
 from ...core.mesh.tetrahedra import POOR, radius_ratios
 from ...core.message import message
+from ...core.shells.shell_or_solid import idealisation, idealisation_values
+from ...core.shells.shell_settings import SHARE_OF_DIAGONAL
 from ...core.sizing.size_proposal import propose_sizes
 from ...core.sizing.size_sources import size_sources
 from .gmsh_program import convert_mesh
@@ -60,6 +62,8 @@ class PartSizing:
             "least_size": proposal.least_size, "order": settings.order, "growth": settings.growth,
             "unbounded_elements": None if unbounded is None else unbounded.elements,
             "regions": self._rows(proposal, settings),
+            "idealisation": idealisation_values(idealisation(
+                self._measurement, proposal.elements, SHARE_OF_DIAGONAL * self._measurement.descriptors.box.diagonal)),
         }
 
     def facets(self):

@@ -50,6 +50,10 @@ class PartShell:
     left_solid : list of dict
         Walls that are no shell: ``kind``, ``thickness``, ``volume_share`` and ``faces`` of the wall region.
     warnings : list of str
+    shape : Part.Shape
+        The mid-surface that was meshed.
+    wall_of_face : list of int
+        Number of the wall, from 0, that each of its faces belongs to.
     """
 
     mesh: ShellMesh
@@ -58,9 +62,11 @@ class PartShell:
     walls: list
     left_solid: list
     warnings: list
+    shape: object
+    wall_of_face: list
 
 
-def shell_of_part(part, measurement, program, seconds, settings=None):
+def shell_of_part(part, measurement, program, seconds, settings=None, report=None):
     """Make the shell of a measured part.
 
     Parameters
@@ -72,6 +78,8 @@ def shell_of_part(part, measurement, program, seconds, settings=None):
     seconds : float
         Limit for meshing.
     settings : ShellSettings, optional
+    report : callable, optional
+        Called with the fraction that is done.
 
     Returns
     -------
@@ -92,7 +100,9 @@ def shell_of_part(part, measurement, program, seconds, settings=None):
         raise ThinPartError(message("{part} is not closed, or was measured by pairs: a shell needs a closed solid that "
                                     "was measured by rays.", part=part.label), "no_shell")
     surface, rays = measurement.field.mesh, measurement.rays
-    middle = mid_surface(part.shape, facing_faces(measurement.field), surface, rays)
+    report = report or (lambda fraction: None)
+    middle = mid_surface(part.shape, facing_faces(measurement.field), surface, rays, lambda done: report(0.9 * done))
+    report(0.9)
     settings = settings or ShellSettings()
     size, order = settings.size or _default_size(middle, measurement), settings.order
     with tempfile.TemporaryDirectory(prefix="thinpart-shell-") as folder:
@@ -115,7 +125,7 @@ def shell_of_part(part, measurement, program, seconds, settings=None):
     walls = [{"wall": row + 1, "thickness": each.thickness, "area": float(areas[row]),
               "faces": [f"Face{face + 1}" for face in sorted(each.faces)]} for row, each in enumerate(middle.walls)
              if areas[row] > 0.0]
-    return PartShell(mesh, size, share, walls, left, warnings)
+    return PartShell(mesh, size, share, walls, left, warnings, middle.shape, list(middle.wall_of_face))
 
 
 def _default_size(middle, measurement):

@@ -2,7 +2,7 @@
 
 import os
 import tempfile
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from typing import Optional
 
 import numpy as np
@@ -12,7 +12,7 @@ from ...core.errors import ThinPartError
 from ...core.file_formats import is_shape
 from ...core.judging.classification import classify
 from ...core.judging.criteria import profile_from
-from ...core.shells.shell_or_solid import idealisation
+from ...core.shells.shell_or_solid import idealisation, idealisation_values
 from ...core.shells.shell_settings import SHARE_OF_DIAGONAL, ShellSettings
 from ...core.sizing.size_proposal import propose_sizes
 from ...core.sizing.sizing_settings import SizingSettings
@@ -164,8 +164,8 @@ def size_record(part, record, measurement, proposal, check, has_sources):
 
 
 def _idealisation(measurement, proposal):
-    found = idealisation(measurement, proposal.elements, SHARE_OF_DIAGONAL * measurement.descriptors.box.diagonal)
-    return {name: _rounded(value) if isinstance(value, float) else value for name, value in asdict(found).items()}
+    return idealisation_values(idealisation(measurement, proposal.elements,
+                                            SHARE_OF_DIAGONAL * measurement.descriptors.box.diagonal))
 
 
 def _region_row(each):
