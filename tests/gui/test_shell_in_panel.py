@@ -39,7 +39,8 @@ def meshes(document):
 
 
 def thicknesses(document):
-    return [each for each in document.Objects if getattr(getattr(each, "Proxy", None), "Type", "") == "Fem::ElementGeometry2D"]
+    return [each for each in document.Objects
+            if getattr(getattr(each, "Proxy", None), "Type", "") == "Fem::ElementGeometry2D"]
 
 
 def middles(document):

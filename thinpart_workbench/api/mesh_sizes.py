@@ -24,9 +24,9 @@ from ..storage.exchange.shell_files import SHELL_FORMATS, write_shell
 from ..workflow.analysis.analyse_part import analyse_part
 from ..workflow.analysis.run_progress import RunProgress
 from ..workflow.meshing.gmsh_program import gmsh_program
-from ..workflow.meshing.part_shell import SHELL_FACETS, SHELL_MESH, SHELL_SHAPE, SHELL_THICKNESS, write_part_shell
+from ..workflow.meshing.part_shell import write_part_shell
 from ..workflow.meshing.part_sizing import PartSizing
-from ..workflow.meshing.shell_meshing import mesh_of_record, shell_of_part
+from ..workflow.meshing.shell_meshing import mesh_of_record, shell_obstacle, shell_of_part
 from ..workflow.meshing.size_run import propose_for_documents
 from ..workflow.meshing.size_task import SizeTask
 from .file_run import FileRun
@@ -231,7 +231,7 @@ class PartSizes:
         measurement, = measured
         self._measurement = measurement
         limit = classify(measurement.descriptors, profile).thin_limit_x * measurement.descriptors.box.diagonal
-        self._sizing = PartSizing(measurement, limit)
+        self._sizing = PartSizing(measurement, limit, shell_obstacle(part, measurement))
         np.save(os.path.join(folder, FACETS), self._sizing.facets())
 
     def proposed(self, settings, sizes):
@@ -288,8 +288,13 @@ class PartSizes:
             kind ``unsupported`` without Gmsh, ``no_shell`` where the part has none.
         OSError
         """
-        shell = shell_of_part(self._part, self._measurement, gmsh_program(gmsh)[0], seconds, ShellSettings(**settings),
-                              self._report)
+        try:
+            shell = shell_of_part(self._part, self._measurement, gmsh_program(gmsh)[0], seconds, ShellSettings(**settings),
+                                  self._report)
+        except ThinPartError as error:
+            if error.kind == "no_shell":
+                self._sizing.no_shell = error.args[0]  # further proposals advise against it
+            raise
         return write_part_shell(self._folder, shell, self._part.label)
 
 

@@ -176,15 +176,19 @@ def mid_surface(shape, pairs, mesh, rays, report=None):
     load_freecad()
     walls = mid_walls(shape, pairs)
     if not walls:
-        raise ThinPartError(message("No wall is wide and thin enough for a shell."), "no_shell")
+        raise _too_thick()
     test = _Support(mesh, rays, len(shape.Faces))
     try:
         return _welded(_trimmed(shape, walls, test, report or (lambda fraction: None)), walls, test)
     except ThinPartError:
         raise
     except Exception as error:  # OCC's errors have several classes, which differ between versions of FreeCAD
-        raise ThinPartError(message("The mid-faces of the walls could not be cut to each other ({problem}).",
-                                    problem=error), "no_shell") from None
+        raise ThinPartError(message("The mid-faces of the walls could not be cut to each other ({problem}): mesh it as a "
+                                    "solid.", problem=error), "no_shell") from None
+
+
+def _too_thick():
+    return ThinPartError(message("No wall is wide and thin enough for a shell: mesh it as a solid."), "no_shell")
 
 
 class _Support:
@@ -228,17 +232,17 @@ def _welded(faces, walls, test):
     import Part
 
     if not faces:
-        raise ThinPartError(message("No wall is wide and thin enough for a shell."), "no_shell")
+        raise _too_thick()
     # What OCC says of which piece comes of which face is incomplete, so each is asked for its wall again.
     cut = faces[0].generalFuse(faces[1:], WELD * min(wall.thickness for wall in walls))[0].Faces if len(faces) > 1 else faces
     shares = np.array([[test.share(piece, wall) for wall in walls] for piece in cut])
     best = shares.argmax(axis=1)
     is_kept = shares.max(axis=1) >= SUPPORTED
     if not is_kept.any():
-        raise ThinPartError(message("No wall is wide and thin enough for a shell."), "no_shell")
+        raise _too_thick()
     rest = []
     for number in np.flatnonzero(~is_kept):
-        on = [wall for wall in range(len(walls)) if lies_on(cut[number], walls[wall]) and is_bridge(cut[number], walls[wall])]
+        on = [row for row, wall in enumerate(walls) if lies_on(cut[number], wall) and is_bridge(cut[number], wall)]
         if on:
             best[number] = max(on, key=lambda wall: (shares[number, wall], walls[wall].area))
             rest.append(int(number))

@@ -181,8 +181,8 @@ def join_analysis(document, owner, analysis, members):
 
     Notes
     -----
-    FEM solves an analysis with one mesh only. So what ThinPart made of the same object the other way, as a shell or as a solid,
-    leaves the analysis; it stays in the document.
+    FEM solves an analysis with one mesh only. So what ThinPart made of the same object the other way, as a shell or as a
+    solid, leaves the analysis; it stays in the document.
     """
     mesh = members[0]
     analysis = analysis or next((each for each in mesh.InList if each.isDerivedFrom("Fem::FemAnalysis")), None)

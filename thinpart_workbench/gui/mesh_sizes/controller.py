@@ -99,7 +99,7 @@ class MeshSizesController(TaskController):
         self.measured.proposed.connect(self._on_proposed)
         self.measured.meshed.connect(self._on_meshed)
         self.measured.shelled.connect(self._on_shelled)
-        self.measured.refused.connect(self._on_failed)
+        self.measured.refused.connect(self._on_refused)
         self.measured.ended.connect(self._on_failed)
         self.panel.closed.connect(self._leave)
         lifelong.region_notes.answered.connect(self._on_notes)
@@ -266,6 +266,10 @@ class MeshSizesController(TaskController):
         self._show_in_view()
         if self._is_accepted:
             self._make()
+
+    def _on_refused(self, sentence):
+        self._on_failed(sentence)
+        self._ask()  # the advice knows now whether there is a shell
 
     def _on_failed(self, sentence):
         self._is_accepted = False

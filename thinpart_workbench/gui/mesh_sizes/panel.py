@@ -235,6 +235,8 @@ def idealisation_text(found):
     counts = grouped(_rounded(found["solid_elements"])), grouped(_rounded(found["shell_elements"]))
     lines.append(translate("ThinPart", "About {} elements as a solid, {} as a shell.").format(*counts)
                  if found["shell_elements"] else translate("ThinPart", "About {} elements as a solid.").format(counts[0]))
+    if found["no_shell"]:
+        lines.append(translated(found["no_shell"]))
     return " ".join(lines)
 
 

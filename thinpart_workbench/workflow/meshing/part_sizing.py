@@ -34,10 +34,12 @@ class PartSizing:
     ----------
     measurement : Measurement
     thin_limit : float, mm
+    no_shell : str
+        Why a shell of the part cannot be made; empty where it can, or nothing is known. It may be changed.
     """
 
-    def __init__(self, measurement, thin_limit):
-        self._measurement, self._thin_limit = measurement, thin_limit
+    def __init__(self, measurement, thin_limit, no_shell=""):
+        self._measurement, self._thin_limit, self.no_shell = measurement, thin_limit, no_shell
         self._default = None  # (what it depends on, figures, histogram) of the last mesh at the global size
         self._points = np.empty((0, 3, 3))
 
@@ -63,7 +65,8 @@ class PartSizing:
             "unbounded_elements": None if unbounded is None else unbounded.elements,
             "regions": self._rows(proposal, settings),
             "idealisation": idealisation_values(idealisation(
-                self._measurement, proposal.elements, SHARE_OF_DIAGONAL * self._measurement.descriptors.box.diagonal)),
+                self._measurement, proposal.elements, SHARE_OF_DIAGONAL * self._measurement.descriptors.box.diagonal,
+                self.no_shell)),
         }
 
     def facets(self):

@@ -24,6 +24,9 @@ THINNEST_ELEMENT = 2.0
 AROUND = 6
 """Elements around a circle."""
 
+LEAST_WALLS = 0.4
+"""Share of the part's volume that walls with a mid-surface must have before it is made: at joints, it grows into more."""
+
 LEAST_VOLUME, MOST_VOLUME = 0.6, 1.3
 """Share of the part's volume that a shell must have to be one: joints count for each wall, what is left solid does not."""
 
@@ -66,6 +69,41 @@ class PartShell:
     wall_of_face: list
 
 
+def shell_obstacle(part, measurement):
+    """Why a shell of a measured part cannot be made, as far as that is known without making it.
+
+    Parameters
+    ----------
+    part : SolidPart or MeshedPart
+    measurement : Measurement
+
+    Returns
+    -------
+    str
+        A sentence; empty if nothing stands against it.
+    """
+    # Imported here since the adapter loads FreeCAD.
+    from ...freecad_adapter.mid_surface.mid_faces import mid_walls
+
+    if not hasattr(part, "shape"):
+        return message("{part} is made of triangles, which have no mid-surface: use its STEP file, or mesh it as a solid.",
+                       part=part.label)
+    if measurement.rays is None or measurement.volume_mm3 is None:
+        return message("{part} has no shell, since it is not closed or was measured by pairs: close its gaps (Part "
+                       "workbench, Check geometry), or measure it by rays.", part=part.label)
+    walls = mid_walls(part.shape, facing_faces(measurement.field))
+    if not walls:
+        return message("No wall of {part} is wide and thin enough for a shell: mesh it as a solid.", part=part.label)
+    share = sum(wall.area * wall.thickness for wall in walls) / measurement.volume_mm3
+    return "" if share >= LEAST_WALLS else _too_little(part, share)
+
+
+def _too_little(part, share):
+    return message("{part} has no shell: a mid-surface can be made for walls of {share:.0f} % of its volume only, those "
+                   "between planes, cylinders, cones, balls and rings. Mesh it as a solid.", part=part.label,
+                   share=100.0 * share)
+
+
 def shell_of_part(part, measurement, program, seconds, settings=None, report=None):
     """Make the shell of a measured part.
 
@@ -93,12 +131,9 @@ def shell_of_part(part, measurement, program, seconds, settings=None, report=Non
     # Imported here since the adapter loads FreeCAD.
     from ...freecad_adapter.mid_surface.mid_faces import mid_surface
 
-    if not hasattr(part, "shape"):
-        raise ThinPartError(message("{part} is made of triangles: a shell needs the faces of a solid, as STEP files have "
-                                    "them.", part=part.label), "no_solid")
-    if measurement.rays is None or measurement.volume_mm3 is None:
-        raise ThinPartError(message("{part} is not closed, or was measured by pairs: a shell needs a closed solid that "
-                                    "was measured by rays.", part=part.label), "no_shell")
+    obstacle = shell_obstacle(part, measurement)
+    if obstacle:
+        raise ThinPartError(obstacle, "no_shell" if hasattr(part, "shape") else "no_solid")
     surface, rays = measurement.field.mesh, measurement.rays
     report = report or (lambda fraction: None)
     middle = mid_surface(part.shape, facing_faces(measurement.field), surface, rays, lambda done: report(0.9 * done))
@@ -154,9 +189,11 @@ def _left_solid(measurement, middle):
 
 def _checked(part, mesh, share, left, inside, free):
     """Warnings about a shell; a ThinPartError where it does not stand for the part."""
-    if not LEAST_VOLUME <= share <= MOST_VOLUME:
+    if share < LEAST_VOLUME:
+        raise ThinPartError(_too_little(part, share), "no_shell")
+    if share > MOST_VOLUME:
         raise ThinPartError(message(
-            "{part} has no shell: walls of even thickness account for {share:.0f} % of its volume. Mesh it as a solid.",
+            "{part} has no shell: its walls overlap, and would count for {share:.0f} % of its volume. Mesh it as a solid.",
             part=part.label, share=100.0 * share), "no_shell")
     warnings = []
     if mesh.pieces > 1:

@@ -18,7 +18,7 @@ from ...core.sizing.size_proposal import propose_sizes
 from ...core.sizing.sizing_settings import SizingSettings
 from ..analysis.analyse_part import analyse_part
 from .mesh_check import checked_sizes
-from .shell_meshing import no_shell_record, shell_of_part, shell_record
+from .shell_meshing import no_shell_record, shell_obstacle, shell_of_part, shell_record
 
 
 @dataclass(frozen=True)
@@ -105,9 +105,11 @@ def _proposed(part, profile, task, is_alone):
             if is_alone and is_shape(task.file):
                 shape = os.path.abspath(task.file)  # as the script opens it; what FreeCAD exports may differ in a detail
             check, proposal = checked_sizes(task.program, shape, measurement, proposal, task.seconds, folder)
-    record = size_record(part, found["record"], measurement, proposal, check, task.has_sources)
-    if task.shell is not None:
-        record["shell"] = _shell(part, measurement, task)
+    shell = None if task.shell is None else _shell(part, measurement, task)
+    record = size_record(part, found["record"], measurement, proposal, check, task.has_sources,
+                         shell_obstacle(part, measurement) if shell is None else shell["reason"])
+    if shell is not None:
+        record["shell"] = shell
     return record
 
 
@@ -121,7 +123,7 @@ def _shell(part, measurement, task):
         return no_shell_record(error)
 
 
-def size_record(part, record, measurement, proposal, check, has_sources):
+def size_record(part, record, measurement, proposal, check, has_sources, no_shell=""):
     """What is proposed for a part, of plain values.
 
     Parameters
@@ -135,6 +137,8 @@ def size_record(part, record, measurement, proposal, check, has_sources):
     has_sources : bool
         With ``sources``: rows of x, y, z, size and radius, mm; ``inner``: points within the part; and ``box``: the least and
         greatest coordinates.
+    no_shell : str
+        Why a shell cannot be made; see `idealisation`.
 
     Returns
     -------
@@ -153,7 +157,7 @@ def size_record(part, record, measurement, proposal, check, has_sources):
             "layers": _rounded(unbounded.layers), "least_size": _rounded(unbounded.least_size),
             "elements": unbounded.elements},
         "regions": [_region_row(each) for each in proposal.regions],
-        "check": check, "idealisation": _idealisation(measurement, proposal),
+        "check": check, "idealisation": _idealisation(measurement, proposal, no_shell),
     }
     if has_sources:
         vertices, sources = measurement.field.mesh.vertices, proposal.sources
@@ -163,9 +167,9 @@ def size_record(part, record, measurement, proposal, check, has_sources):
     return found
 
 
-def _idealisation(measurement, proposal):
+def _idealisation(measurement, proposal, no_shell):
     return idealisation_values(idealisation(measurement, proposal.elements,
-                                            SHARE_OF_DIAGONAL * measurement.descriptors.box.diagonal))
+                                            SHARE_OF_DIAGONAL * measurement.descriptors.box.diagonal, no_shell))
 
 
 def _region_row(each):
