@@ -99,9 +99,8 @@ def shell_obstacle(part, measurement):
 
 
 def _too_little(part, share):
-    return message("{part} has no shell: a mid-surface can be made for walls of {share:.0f} % of its volume only, those "
-                   "between planes, cylinders, cones, balls and rings. Mesh it as a solid.", part=part.label,
-                   share=100.0 * share)
+    return message("{part} has no shell: walls with a mid-surface have only {share:.0f} % of its volume. Mesh it as a solid.",
+                   part=part.label, share=100.0 * share)
 
 
 def shell_of_part(part, measurement, program, seconds, settings=None, report=None):
@@ -142,7 +141,9 @@ def shell_of_part(part, measurement, program, seconds, settings=None, report=Non
     size, order = settings.size or _default_size(middle, measurement), settings.order
     with tempfile.TemporaryDirectory(prefix="thinpart-shell-") as folder:
         file, output = os.path.join(folder, "middle.brep"), os.path.join(folder, "middle.msh")
-        middle.shape.exportBrep(file)
+        # FreeCAD's exception does not say that a disk is full; Python's does.
+        with open(file, "w", encoding="utf-8") as stream:
+            stream.write(middle.shape.exportBrepToString())
         reason, _ = mesh_surface(program, file, output, seconds, folder, size, AROUND, order)
         if reason:
             raise ThinPartError(message("The mid-surface of {part} could not be meshed ({problem}): name another element "
