@@ -184,15 +184,17 @@ def test_another_unit_system_is_followed_while_the_panel_is_open(document, inche
     choose_shell()
     window.click("ThinPart_ShellButton")
     window.wait_until(lambda: "triangles of up to" in window.text("ThinPart_ShellFigures"))
-    assert "mm" in window.text("ThinPart_MeshEstimate")
-    size = open_session().measured
+    measured = open_session().measured
     inches(document)
     window.wait_until(lambda: "in" in window.widget("ThinPart_ShellBar").ticks[-1][1], "the bar is in inches")
-    assert "mm" not in window.text("ThinPart_ShellFigures") + window.text("ThinPart_MeshEstimate")
+    assert "mm" not in window.text("ThinPart_ShellFigures")
     table = window.widget("ThinPart_ShellWalls")
     assert [float(table.item(row, 1).text()) for row in range(2)] == [
         pytest.approx(2 / 25.4, rel=0.01), pytest.approx(4 / 25.4, rel=0.01)]
-    assert size is open_session().measured
+    assert measured is open_session().measured
+    window.widget("ThinPart_MeshKind").setCurrentIndex(0)
+    assert "0.307\u00a0in" in window.text("ThinPart_MeshEstimate")
+    choose_shell()
     press_ok_again()
     assert sorted(each.Thickness.Value for each in thicknesses(document)) == [pytest.approx(2.0), pytest.approx(4.0)]
 
@@ -213,25 +215,25 @@ def test_sizes_and_shell_are_in_every_view_of_the_document_also_in_a_later_one(d
     assert [coloured(view) for view in views] == [0, 0]
 
 
-def _found(view, kind):
+def _search(view):
     search = coin.SoSearchAction()
-    search.setType(kind.getClassTypeId())
+    search.setType(coin.SoPackedColor.getClassTypeId())
     search.setInterest(coin.SoSearchAction.ALL)
     search.apply(view.getSceneGraph())
-    paths = search.getPaths()
-    return [paths[number] for number in range(paths.getLength())]
+    return search
 
 
 def coloured(view):
     """How many surfaces with a colour for each corner a view has."""
-    return len(_found(view, coin.SoPackedColor))
+    return _search(view).getPaths().getLength()
 
 
 def drawn_box(view):
     """The least and greatest coordinates of the coloured surface in a view."""
-    path, = _found(view, coin.SoPackedColor)
+    search = _search(view)
+    assert search.getPaths().getLength() == 1
+    path = search.getPaths()[0]
     box = coin.SoGetBoundingBoxAction(coin.SbViewportRegion(100, 100))
-    nodes = path.getNode(path.getLength() - 3)  # of the panel: with its transform
-    box.apply(nodes)
-    found = box.getBoundingBox()
-    return tuple(found.getMin().getValue()), tuple(found.getMax().getValue())
+    box.apply(path.getNode(path.getLength() - 3))  # of the panel, with its transform
+    low, high = box.getBoundingBox().getBounds()[:3], box.getBoundingBox().getBounds()[3:]
+    return low, high

@@ -63,6 +63,7 @@ def test_the_panel_recommends_with_figures_for_both(document):
     assert "as a solid" in advice and "as a shell" in advice
 
 
+@pytest.mark.timeout(180)  # it measures the part twice, and makes two shells
 def test_ok_makes_a_shell_with_its_thicknesses_in_one_step_of_undo_and_again_updates_it(document):
     document.UndoMode = 1
     feature = angle(document)

@@ -24,7 +24,13 @@ from ..storage.exchange.shell_files import SHELL_FORMATS, write_shell
 from ..workflow.analysis.analyse_part import analyse_part
 from ..workflow.analysis.run_progress import RunProgress
 from ..workflow.meshing.gmsh_program import gmsh_program
-from ..workflow.meshing.part_shell import write_part_shell
+from ..workflow.meshing.part_shell import (  # noqa: F401 - the names of files, for the window
+    SHELL_FACETS,
+    SHELL_MESH,
+    SHELL_SHAPE,
+    SHELL_THICKNESS,
+    write_part_shell,
+)
 from ..workflow.meshing.part_sizing import PartSizing
 from ..workflow.meshing.shell_meshing import mesh_of_record, shell_obstacle, shell_of_part
 from ..workflow.meshing.size_run import propose_for_documents

@@ -150,8 +150,11 @@ class MeshSizesController(TaskController):
         if self._proposal is None:
             self._take_over_notes()
         self._form.show_idle(not self._gmsh_missing)
-        self._form.show_message("\n".join(filter(None, [self._gmsh_missing, translated(self._fem_missing)])))
+        self._show_missing()
         self._ask()
+
+    def _show_missing(self):
+        self._form.show_message("\n".join(filter(None, [self._gmsh_missing, translated(self._fem_missing)])))
 
     def _on_notes(self, answer):
         if answer["document"] == self._document.FileName and self._record is not None and not self._is_edited:
@@ -190,7 +193,7 @@ class MeshSizesController(TaskController):
         self._show_in_view()
 
     def _change_kind(self):
-        self._form.show_message("")
+        self._show_missing()
         self._show_in_view()
 
     def _show_unit(self):

@@ -25,8 +25,8 @@ def write_part_shell(folder, shell, label):
     -------
     dict
         Of plain values, lengths in mm: ``size``, ``nodes``, ``elements``, ``volume_share``, ``left_solid`` and ``warnings``
-        as of `PartShell`; ``walls``: ``thickness``, ``area`` and ``faces`` of the part, from 0; ``groups``: ``thickness`` and
-        ``faces`` of the mid-surface, from 0: walls of about one thickness share one.
+        as of `PartShell`; ``walls``: ``thickness``, ``area`` and ``faces`` of the part, from 0; ``groups``: ``thickness``
+        and ``faces`` of the mid-surface, from 0: walls of about one thickness share one.
 
     Raises
     ------

@@ -99,8 +99,8 @@ def shell_obstacle(part, measurement):
 
 
 def _too_little(part, share):
-    return message("{part} has no shell: walls with a mid-surface have only {share:.0f} % of its volume. Mesh it as a solid.",
-                   part=part.label, share=100.0 * share)
+    return message("{part} has no shell: walls with a mid-surface have only {share:.0f} % of its volume. Mesh it as a "
+                   "solid.", part=part.label, share=100.0 * share)
 
 
 def shell_of_part(part, measurement, program, seconds, settings=None, report=None):
