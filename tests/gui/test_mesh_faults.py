@@ -74,6 +74,7 @@ def test_without_the_fem_workbench_it_is_said_what_to_install(document, monkeypa
     open_panel()
     choose_shell()
     assert "This FreeCAD has no FEM workbench" in window.text("ThinPart_Message")
+    window.wait_until(lambda: window.is_shown("ThinPart_ShellButton"))
     window.click("ThinPart_ShellButton")  # what the shell would be can be seen all the same
     window.wait_until(lambda: "triangles of up to" in window.text("ThinPart_ShellFigures"))
     press_ok()
@@ -225,7 +226,8 @@ def _search(view):
 
 def coloured(view):
     """How many surfaces with a colour for each corner a view has."""
-    return _search(view).getPaths().getLength()
+    search = _search(view)
+    return search.getPaths().getLength()
 
 
 def drawn_box(view):
@@ -235,5 +237,5 @@ def drawn_box(view):
     path = search.getPaths()[0]
     box = coin.SoGetBoundingBoxAction(coin.SbViewportRegion(100, 100))
     box.apply(path.getNode(path.getLength() - 3))  # of the panel, with its transform
-    low, high = box.getBoundingBox().getBounds()[:3], box.getBoundingBox().getBounds()[3:]
-    return low, high
+    found = box.getBoundingBox()
+    return tuple(found.getMin().getValue()), tuple(found.getMax().getValue())

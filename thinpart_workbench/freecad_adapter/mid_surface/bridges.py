@@ -29,9 +29,8 @@ def spread_points(face, thickness):
     return a + u[:, None] * (b - a) + v[:, None] * (c - a), (areas / counts)[row]
 
 
-def lies_on(face, wall, points=None):
+def lies_on(points, wall):
     """Whether a face lies on the mid-surface of a wall, by points spread over it."""
-    points = spread_points(face, wall.thickness)[0] if points is None else points
     return bool(len(points)) and float(np.abs(wall.shape.distances(points)).max()) <= ON_SURFACE * wall.thickness
 
 

@@ -197,12 +197,12 @@ class _Support:
     def __init__(self, mesh, rays, count):
         self._mesh, self._rays, self._count = mesh, rays, count
 
-    def share(self, face, wall):
+    def share(self, face, wall, spread=None):
         """float: share of the area of a face; 0 where it does not lie on the mid-surface of the wall."""
-        points, area = spread_points(face, wall.thickness)
+        points, area = spread or spread_points(face, wall.thickness)
         if not len(points):
             return 0.0  # a sliver that OCC makes no triangles of
-        if not lies_on(face, wall, points):
+        if not lies_on(points, wall):
             return 0.0
         sides = sides_of(self._mesh, self._rays, points, wall.shape.normals(points))
         known = sides.is_between([pair.faces for pair in wall.pairs], self._count)
@@ -235,14 +235,16 @@ def _welded(faces, walls, test):
         raise _too_thick()
     # What OCC says of which piece comes of which face is incomplete, so each is asked for its wall again.
     cut = faces[0].generalFuse(faces[1:], WELD * min(wall.thickness for wall in walls))[0].Faces if len(faces) > 1 else faces
-    shares = np.array([[test.share(piece, wall) for wall in walls] for piece in cut])
+    thinnest = min(wall.thickness for wall in walls)
+    spread = [spread_points(piece, thinnest) for piece in cut]
+    shares = np.array([[test.share(piece, wall, own) for wall in walls] for piece, own in zip(cut, spread)])
     best = shares.argmax(axis=1)
     is_kept = shares.max(axis=1) >= SUPPORTED
     if not is_kept.any():
         raise _too_thick()
     rest = []
     for number in np.flatnonzero(~is_kept):
-        on = [row for row, wall in enumerate(walls) if lies_on(cut[number], wall) and is_bridge(cut[number], wall)]
+        on = [row for row, wall in enumerate(walls) if lies_on(spread[number][0], wall) and is_bridge(cut[number], wall)]
         if on:
             best[number] = max(on, key=lambda wall: (shares[number, wall], walls[wall].area))
             rest.append(int(number))
