@@ -17,7 +17,8 @@ from window_actions import V
 from thinpart_workbench.gui.application.length_unit import PREFERENCES
 from thinpart_workbench.gui.document.active_task import open_session
 
-pytestmark = pytest.mark.skipif(shutil.which("gmsh") is None, reason="gmsh is not installed")
+pytestmark = [pytest.mark.skipif(shutil.which("gmsh") is None, reason="gmsh is not installed"),
+              pytest.mark.timeout(240)]  # each measures a part, most mesh it, some do both twice
 
 INCHES = 3
 
@@ -50,6 +51,7 @@ def test_a_crash_of_gmsh_is_said_and_nothing_is_changed(document, monkeypatch, t
 def test_a_full_disk_is_said_and_one_can_go_on_when_there_is_room(document, kind):
     angle(document)
     open_panel()
+    window.widget("ThinPart_MeshLayers").setValue(1.0)
     window.widget("ThinPart_MeshKind").setCurrentIndex(kind)
     worker, = window.workers("size_worker")
     limits = resource.prlimit(worker, resource.RLIMIT_FSIZE)

@@ -13,7 +13,8 @@ from window_actions import V
 from thinpart_workbench.gui.application.qt import QtWidgets
 from thinpart_workbench.gui.document.active_task import open_session
 
-pytestmark = pytest.mark.skipif(shutil.which("gmsh") is None, reason="gmsh is not installed")
+pytestmark = [pytest.mark.skipif(shutil.which("gmsh") is None, reason="gmsh is not installed"),
+              pytest.mark.timeout(240)]  # each measures a part and makes its shell, one does so twice
 
 
 def angle(document, name="Angle"):
@@ -63,7 +64,6 @@ def test_the_panel_recommends_with_figures_for_both(document):
     assert "as a solid" in advice and "as a shell" in advice
 
 
-@pytest.mark.timeout(180)  # it measures the part twice, and makes two shells
 def test_ok_makes_a_shell_with_its_thicknesses_in_one_step_of_undo_and_again_updates_it(document):
     document.UndoMode = 1
     feature = angle(document)

@@ -245,6 +245,7 @@ class MeshSizesController(TaskController):
         was_meshing, self._is_accepted = self.measured.is_meshing, False
         if was_meshing:
             self.measured.restart()
+            self._form.show_running(translate("ThinPart", "Measuring the walls of {}").format(self._part.label))
             self._form.show_message(translate("ThinPart", "Cancelled. Nothing was changed."))
         else:
             self.close()
@@ -328,7 +329,7 @@ class MeshSizesController(TaskController):
 
     def _on_view(self, *_):
         # A view that was just made is in the list of the document's views a moment later.
-        QtCore.QTimer.singleShot(0, self, self._show_in_new_views)
+        QtCore.QTimer.singleShot(0, self._show_in_new_views)
 
     def _show_in_new_views(self):
         if self._nodes is not None and not self._has_left:
