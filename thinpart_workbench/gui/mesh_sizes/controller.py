@@ -83,7 +83,7 @@ class MeshSizesController(TaskController):
         self._nodes = self._proposal = self._check = self._shell = None
         self._covered, self._views = CoveredSources(), Gui.getMainWindow().findChild(QtWidgets.QMdiArea)
         self._sizes, self._fem_missing, self._gmsh_missing = {}, missing_fem(), ""
-        self._is_accepted = self._has_left = False
+        self._is_accepted = self._has_left = self._asks_shell = False
         self._form.changed.connect(self._change)
         self._form.walls.edited.connect(self._edit)
         self._form.walls.faces_chosen.connect(self._select_faces)
@@ -233,7 +233,8 @@ class MeshSizesController(TaskController):
         self._form.show_message("")
         if not self.measured.is_ready:
             self.measured.restart()  # its process has ended, of whatever; the request waits until the part is measured
-        if self._form.is_shell:
+        self._asks_shell = self._form.is_shell
+        if self._asks_shell:
             self._form.show_running(translate("ThinPart", "Making the mid-surface of {}").format(self._part.label), 0.0)
             self.measured.shell(self._form.shell.settings())
         else:
@@ -272,8 +273,10 @@ class MeshSizesController(TaskController):
             self._make()
 
     def _on_refused(self, sentence):
+        was_shell, self._asks_shell = self._asks_shell, False
         self._on_failed(sentence)
-        self._ask()  # the advice knows now whether there is a shell
+        if was_shell:
+            self._ask()  # the advice knows now whether there is a shell
 
     def _on_failed(self, sentence):
         self._is_accepted = False
