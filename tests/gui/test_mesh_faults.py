@@ -57,7 +57,8 @@ def test_a_full_disk_is_said_and_one_can_go_on_when_there_is_room(document, kind
     limits = resource.prlimit(worker, resource.RLIMIT_FSIZE)
     resource.prlimit(worker, resource.RLIMIT_FSIZE, (500, limits[1]))  # no file may grow beyond that
     press_ok()
-    assert "cannot be written (File too large): free some disk space" in window.text("ThinPart_Message")
+    message = window.text("ThinPart_Message")
+    assert message.startswith("Temporary files cannot be written (") and "free some disk space" in message
     assert nothing_was_made(document)
     resource.prlimit(worker, resource.RLIMIT_FSIZE, limits)
     press_ok_again()
