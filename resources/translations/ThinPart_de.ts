@@ -3031,8 +3031,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{} zu dick</translation>
     </message>
     <message>
-        <source>{} triangles of up to {}; walls {} to {} thick, {} of the part's volume.</source>
-        <translation>{} Dreiecke bis {}; Wände {} bis {} dick, {} des Volumens des Teils.</translation>
+        <source>{} triangles of up to {}; walls {} thick, {} of the part's volume.</source>
+        <translation>{} Dreiecke bis {}; Wände {} dick, {} des Volumens des Teils.</translation>
     </message>
     <message>
         <source>{} unchanged</source>

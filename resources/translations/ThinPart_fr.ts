@@ -3031,8 +3031,8 @@ Son volume est inconnu.</translation>
         <translation>{} trop épais</translation>
     </message>
     <message>
-        <source>{} triangles of up to {}; walls {} to {} thick, {} of the part's volume.</source>
-        <translation>{} triangles jusqu’à {} ; parois de {} à {} d’épaisseur, {} du volume de la pièce.</translation>
+        <source>{} triangles of up to {}; walls {} thick, {} of the part's volume.</source>
+        <translation>{} triangles jusqu’à {} ; parois de {} d’épaisseur, {} du volume de la pièce.</translation>
     </message>
     <message>
         <source>{} unchanged</source>

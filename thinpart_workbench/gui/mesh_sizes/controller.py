@@ -16,6 +16,7 @@ from ...core.errors import ThinPartError
 from ...core.judging.criteria import load_profile
 from ...core.record.region_notes import notes_of_regions
 from ...core.rendering.colour_scale import ColourScale
+from ...core.shells.shell_mesh import ALIKE
 from ...freecad_adapter.objects.fem_mesh import meshed_object, missing_fem, preferred_gmsh, set_fem_mesh
 from ...freecad_adapter.objects.fem_shell import set_fem_shell
 from ...freecad_adapter.occurrence import object_at
@@ -225,6 +226,8 @@ class MeshSizesController(TaskController):
 
     def _thickness_scale(self):
         thick = [wall["thickness"] for wall in self._shell["walls"]]
+        if max(thick) <= ALIKE * min(thick):
+            return ColourScale(0.5 * min(thick), 1.5 * max(thick))  # one colour, whatever the last digits are
         return ColourScale(min(thick), max(thick))
 
     def _mesh(self):

@@ -96,9 +96,8 @@ class ShellBox(QtWidgets.QWidget):
             self.walls.setRowCount(0)
             return
         thick = [wall["thickness"] for wall in found["walls"]]
-        lines = [translate("ThinPart", "{} triangles of up to {}; walls {} to {} thick, {} of the part's volume.").format(
-            grouped(found["elements"]), unit.text(found["size"]), unit.number(min(thick)), unit.text(max(thick)),
-            percent(found["volume_share"]))]
+        lines = [translate("ThinPart", "{} triangles of up to {}; walls {} thick, {} of the part's volume.").format(
+            grouped(found["elements"]), unit.text(found["size"]), _range(thick, unit), percent(found["volume_share"]))]
         if found["left_solid"]:
             lines.append(translate("ThinPart", "Left solid, not in the shell: {} walls, last in the table.").format(
                 len(found["left_solid"])))
@@ -139,3 +138,8 @@ class ShellBox(QtWidgets.QWidget):
     def _on_selected(self):
         chosen = sorted({index.row() for index in self.walls.selectedIndexes()})
         self.faces_chosen.emit(tuple(face for row in chosen for face in self._faces[row]))
+
+
+def _range(thick, unit):
+    least, most = unit.number(min(thick)), unit.text(max(thick))
+    return most if least == unit.number(max(thick)) else f"{least}\u2013{most}"
