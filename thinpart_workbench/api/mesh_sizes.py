@@ -29,6 +29,7 @@ from ..workflow.meshing.part_shell import (  # noqa: F401 - the names of files, 
     SHELL_MESH,
     SHELL_SHAPE,
     SHELL_THICKNESS,
+    save_whole,
     write_part_shell,
 )
 from ..workflow.meshing.part_sizing import PartSizing
@@ -252,7 +253,7 @@ class PartSizes:
         """
         wanted = SizingSettings(**settings), dict(map(tuple, sizes))
         found = self._sizing.proposed(*wanted)
-        np.save(os.path.join(self._folder, SIZES), self._sizing.sizes_on_facets(*wanted))
+        save_whole(os.path.join(self._folder, SIZES), self._sizing.sizes_on_facets(*wanted))
         return found
 
     def mesh(self, settings, sizes, gmsh="", seconds=MESH_SECONDS):
@@ -275,7 +276,7 @@ class PartSizes:
         program, _ = gmsh_program(gmsh)
         found = self._sizing.mesh(program, self._shape, SizingSettings(**settings), dict(map(tuple, sizes)), seconds,
                                   self._folder)
-        np.save(os.path.join(self._folder, POOR), found.pop("poor").astype(np.float32))
+        save_whole(os.path.join(self._folder, POOR), found.pop("poor").astype(np.float32))
         return found
 
     def shell(self, settings, gmsh="", seconds=MESH_SECONDS):

@@ -92,7 +92,7 @@ def unv_text(shell, about):
     too, but with its documented factor of 1000, FreeCAD reads millimetres as metres.
     """
     text, (section, thickness) = io.StringIO(), shell.sections()
-    text.write("    -1\n   151\n" + about[:80] + "\nLengths in mm\n\n\n\n\n\n    -1\n")
+    text.write(f"    -1\n   151\n{about[:80]}\nLengths in mm\n\n\n\n\n\n    -1\n")
     text.write("    -1\n  2411\n")
     for number, point in enumerate(shell.points):
         text.write(f"{number + 1:10d}{1:10d}{1:10d}{11:10d}\n" + "".join(f"{value:25.16E}" for value in point).replace(

@@ -37,8 +37,8 @@ def write_part_shell(folder, shell, label):
     with open(os.path.join(folder, SHELL_SHAPE), "w", encoding="utf-8") as file:
         file.write(shell.shape.exportBrepToString())
     write_shell(os.path.join(folder, SHELL_MESH), mesh, label)
-    np.save(os.path.join(folder, SHELL_FACETS), mesh.points[mesh.triangles[:, :3]].astype(np.float32))
-    np.save(os.path.join(folder, SHELL_THICKNESS), mesh.thickness.astype(np.float32))
+    save_whole(os.path.join(folder, SHELL_FACETS), mesh.points[mesh.triangles[:, :3]].astype(np.float32))
+    save_whole(os.path.join(folder, SHELL_THICKNESS), mesh.thickness.astype(np.float32))
     return {
         "size": float(shell.size), "nodes": len(mesh.points), "elements": len(mesh.triangles),
         "volume_share": float(shell.volume_share), "warnings": list(shell.warnings),
@@ -46,6 +46,14 @@ def write_part_shell(folder, shell, label):
         "left_solid": [{**each, "faces": _numbers(each["faces"])} for each in shell.left_solid],
         "groups": thickness_groups(shell),
     }
+
+
+def save_whole(path, array):
+    """Write an array to a file of NumPy's; where the disk is full, what was there stays, for the window to read."""
+    part = f"{path}.part"
+    with open(part, "wb") as file:
+        np.save(file, array)
+    os.replace(part, path)
 
 
 def thickness_groups(shell):
