@@ -379,6 +379,14 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Ein weniger wahrscheinliches Urteil heißt unsicher</translation>
     </message>
     <message>
+        <source>About {} elements as a solid, {} as a shell.</source>
+        <translation>Etwa {} Elemente als Volumen, {} als Schale.</translation>
+    </message>
+    <message>
+        <source>About {} elements as a solid.</source>
+        <translation>Etwa {} Elemente als Volumen.</translation>
+    </message>
+    <message>
         <source>About {} elements, of {} to {}.</source>
         <translation>Etwa {} Elemente, von {} bis {}.</translation>
     </message>
@@ -1219,6 +1227,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Kleinster Anteil der Oberfläche, der zählt</translation>
     </message>
     <message>
+        <source>Left solid, not in the shell: {} walls, last in the table.</source>
+        <translation>Bleibt Volumen, nicht in der Schale: {} Wände, zuletzt in der Tabelle.</translation>
+    </message>
+    <message>
         <source>Length of the wall</source>
         <translation>Länge der Wand</translation>
     </message>
@@ -1241,6 +1253,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Linear deflection</source>
         <translation>Lineare Abweichung</translation>
+    </message>
+    <message>
+        <source>Linear triangles are far too stiff in CalculiX.</source>
+        <translation>Lineare Dreiecke sind in CalculiX viel zu steif.</translation>
     </message>
     <message>
         <source>Link</source>
@@ -1273,6 +1289,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Made by</source>
         <translation>Erzeugt von</translation>
+    </message>
+    <message>
+        <source>Make shell</source>
+        <translation>Schale erzeugen</translation>
+    </message>
+    <message>
+        <source>Making the mid-surface of {}</source>
+        <translation>Mittelfläche von {} wird erzeugt</translation>
     </message>
     <message>
         <source>Making the surface mesh of {}</source>
@@ -1321,6 +1345,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Mesh and compare</source>
         <translation>Vernetzen und vergleichen</translation>
+    </message>
+    <message>
+        <source>Mesh as</source>
+        <translation>Vernetzen als</translation>
     </message>
     <message>
         <source>Mesh settings</source>
@@ -1627,8 +1655,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Bibliotheken neu klassifizieren …</translation>
     </message>
     <message>
-        <source>Red: elements of {}, light blue: of {}</source>
-        <translation>Rot: Elemente von {}, hellblau: von {}</translation>
+        <source>Recommended: shell.</source>
+        <translation>Empfohlen: Schale.</translation>
+    </message>
+    <message>
+        <source>Recommended: solid, or a shell of its walls only.</source>
+        <translation>Empfohlen: Volumen, oder nur seine Wände als Schale.</translation>
+    </message>
+    <message>
+        <source>Recommended: solid.</source>
+        <translation>Empfohlen: Volumen.</translation>
     </message>
     <message>
         <source>Refresh</source>
@@ -1791,6 +1827,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Anteil der Fläche, dessen Wände dünner als der Schwellenwert sind</translation>
     </message>
     <message>
+        <source>Shell: its mid-surface</source>
+        <translation>Schale: seine Mittelfläche</translation>
+    </message>
+    <message>
         <source>Short name</source>
         <translation>Kurzname</translation>
     </message>
@@ -1821,6 +1861,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Show sizes on the part</source>
         <translation>Größen am Teil zeigen</translation>
+    </message>
+    <message>
+        <source>Show the shell by its thickness</source>
+        <translation>Schale nach ihrer Dicke zeigen</translation>
     </message>
     <message>
         <source>Show thickness</source>
@@ -1857,6 +1901,8 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Smaller</source>
         <translation>Kleiner</translation>
+        <source>Solid</source>
+        <translation>Volumen</translation>
     </message>
     <message>
         <source>Something stands before this wall from every side: the mark shows where it is. Hide what covers it, or cut the view open with the clipping plane of the View menu.</source>
@@ -2535,6 +2581,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>wie vorgeschlagen</translation>
     </message>
     <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
         <source>automatic: {}</source>
         <translation>automatisch: {}</translation>
     </message>
@@ -2621,6 +2671,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>left out</source>
         <translation>ausgelassen</translation>
+    </message>
+    <message>
+        <source>left solid: {}</source>
+        <translation>bleibt Volumen: {}</translation>
     </message>
     <message>
         <source>linear (first order)</source>
@@ -2765,6 +2819,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>share of the diagonal ({})</source>
         <translation>Anteil der Diagonale ({})</translation>
+    </message>
+    <message>
+        <source>shell</source>
+        <translation>Schale</translation>
     </message>
     <message>
         <source>smooth</source>
@@ -2979,6 +3037,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{} der Oberfläche haben Wände dünner als {}</translation>
     </message>
     <message>
+        <source>{} of the volume in plate-like walls, {} times as wide as thick.</source>
+        <translation>{} des Volumens in plattenartigen Wänden, {}-mal so breit wie dick.</translation>
+    </message>
+    <message>
         <source>{} of {} files</source>
         <translation>{} von {} Dateien</translation>
     </message>
@@ -3019,6 +3081,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{} s</translation>
     </message>
     <message>
+        <source>{} thick</source>
+        <translation>{} dick</translation>
+    </message>
+    <message>
         <source>{} to {} mm</source>
         <translation>{} bis {} mm</translation>
     </message>
@@ -3041,6 +3107,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{} too thick</source>
         <translation>{} zu dick</translation>
+    </message>
+    <message>
+        <source>{} triangles of up to {}; walls {} thick, {} of the part's volume.</source>
+        <translation>{} Dreiecke bis {}; Wände {} dick, {} des Volumens des Teils.</translation>
     </message>
     <message>
         <source>{} unchanged</source>
@@ -3434,8 +3504,12 @@ Sein Volumen ist unbekannt.</translation>
         <translation>In {folder} kann kein Bericht geschrieben werden ({problem}): Geben Sie einen anderen Ordner an.</translation>
     </message>
     <message>
-        <source>No wall is wide and thin enough for a shell.</source>
-        <translation>Keine Wand ist breit und dünn genug für eine Schale.</translation>
+        <source>No wall is wide and thin enough for a shell: mesh it as a solid.</source>
+        <translation>Keine Wand ist breit und dünn genug für eine Schale: Vernetzen Sie das Teil als Volumen.</translation>
+    </message>
+    <message>
+        <source>No wall of {part} is wide and thin enough for a shell: mesh it as a solid.</source>
+        <translation>Keine Wand von {part} ist breit und dünn genug für eine Schale: Vernetzen Sie das Teil als Volumen.</translation>
     </message>
     <message>
         <source>No walls are thinner than {limit} mm, {part} of the middle side of {middle} mm: mesh it with solids.</source>
@@ -3802,8 +3876,12 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Das Netz {file} kann nicht gelesen werden ({problem}).</translation>
     </message>
     <message>
-        <source>The mid-faces of the walls could not be cut to each other ({problem}).</source>
-        <translation>Die Mittelflächen der Wände ließen sich nicht aneinander schneiden ({problem}).</translation>
+        <source>The mid-faces of the walls could not be cut to each other ({problem}): mesh it as a solid.</source>
+        <translation>Die Mittelflächen der Wände ließen sich nicht aneinander schneiden ({problem}): Vernetzen Sie das Teil als Volumen.</translation>
+    </message>
+    <message>
+        <source>The mid-surface cannot be read ({problem}): free some disk space and try again.</source>
+        <translation>Die Mittelfläche lässt sich nicht lesen ({problem}): Schaffen Sie Platz auf dem Datenträger, und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>The mid-surface of {part} could not be meshed ({problem}): name another element size.</source>
@@ -4726,20 +4804,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{part} gehört zu einem anderen Dokument, {file}: Öffnen Sie dieses und bereiten Sie das Netz dort vor.</translation>
     </message>
     <message>
-        <source>{part} has no shell: walls of even thickness account for {share:.0f} % of its volume. Mesh it as a solid.</source>
-        <translation>{part} hat keine Schale: Wände gleichmäßiger Dicke machen {share:.0f} % seines Volumens aus. Vernetzen Sie es als Volumenkörper.</translation>
+        <source>{part} has no shell, since it is not closed or was measured by pairs: close its gaps (Part workbench, Check geometry), or measure it by rays.</source>
+        <translation>{part} hat keine Schale, da es nicht geschlossen ist oder paarweise gemessen wurde: Schließen Sie seine Lücken (Arbeitsbereich Part, Geometrie überprüfen), oder messen Sie es mit Strahlen.</translation>
+    </message>
+    <message>
+        <source>{part} has no shell: its walls overlap, and would count for {share:.0f} % of its volume. Mesh it as a solid.</source>
+        <translation>{part} hat keine Schale: Seine Wände überlappen sich und zählten für {share:.0f} % seines Volumens. Vernetzen Sie es als Volumen.</translation>
+    </message>
+    <message>
+        <source>{part} has no shell: walls with a mid-surface have only {share:.0f} % of its volume. Mesh it as a solid.</source>
+        <translation>{part} hat keine Schale: Wände mit einer Mittelfläche haben nur {share:.0f} % seines Volumens. Vernetzen Sie es als Volumen.</translation>
     </message>
     <message>
         <source>{part} is made of triangles, which are no solid to mesh.</source>
         <translation>{part} besteht aus Dreiecken, die kein Volumenkörper zum Vernetzen sind.</translation>
     </message>
     <message>
-        <source>{part} is made of triangles: a shell needs the faces of a solid, as STEP files have them.</source>
-        <translation>{part} besteht aus Dreiecken: Eine Schale braucht die Flächen eines Volumenkörpers, wie STEP-Dateien sie haben.</translation>
-    </message>
-    <message>
-        <source>{part} is not closed, or was measured by pairs: a shell needs a closed solid that was measured by rays.</source>
-        <translation>{part} ist nicht geschlossen oder wurde paarweise gemessen: Eine Schale braucht einen geschlossenen Körper, der mit Strahlen gemessen wurde.</translation>
+        <source>{part} is made of triangles, which have no mid-surface: use its STEP file, or mesh it as a solid.</source>
+        <translation>{part} besteht aus Dreiecken, die keine Mittelfläche haben: Nehmen Sie seine STEP-Datei, oder vernetzen Sie es als Volumen.</translation>
     </message>
     <message>
         <source>{part} needs more than {megabytes} MB of memory: raise the limit in the preferences.</source>
@@ -4862,8 +4944,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{share} der Oberfläche liegen über Wänden von mehr als {most} mm</translation>
     </message>
     <message>
-        <source>{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm, and {plates} over walls that are plates: consider shells.</source>
-        <translation>{share} der Oberfläche liegen über Wänden, die dünner als {limit} mm sind, {part} der mittleren Seite von {middle} mm, und {plates} über Platten: Schalenelemente erwägen.</translation>
+        <source>{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm, and {plates} over walls that are plates: consider shells (Prepare mesh says whether they can be made).</source>
+        <translation>{share} der Oberfläche liegen über Wänden, die dünner als {limit} mm sind, {part} der mittleren Seite von {middle} mm, und {plates} über Platten: Schalenelemente erwägen (Netz vorbereiten sagt, ob sie möglich sind).</translation>
     </message>
     <message>
         <source>{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm: refine the mesh there.</source>

@@ -379,6 +379,14 @@ Son volume est inconnu.</translation>
         <translation>Un verdict moins probable est dit incertain</translation>
     </message>
     <message>
+        <source>About {} elements as a solid, {} as a shell.</source>
+        <translation>Environ {} éléments en volume, {} en coque.</translation>
+    </message>
+    <message>
+        <source>About {} elements as a solid.</source>
+        <translation>Environ {} éléments en volume.</translation>
+    </message>
+    <message>
         <source>About {} elements, of {} to {}.</source>
         <translation>Environ {} éléments, de {} à {}.</translation>
     </message>
@@ -1219,6 +1227,10 @@ Son volume est inconnu.</translation>
         <translation>Plus petite part de la surface qui compte</translation>
     </message>
     <message>
+        <source>Left solid, not in the shell: {} walls, last in the table.</source>
+        <translation>Restent en volume, hors de la coque : {} parois, à la fin du tableau.</translation>
+    </message>
+    <message>
         <source>Length of the wall</source>
         <translation>Longueur de la paroi</translation>
     </message>
@@ -1241,6 +1253,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Linear deflection</source>
         <translation>Déflexion linéaire</translation>
+    </message>
+    <message>
+        <source>Linear triangles are far too stiff in CalculiX.</source>
+        <translation>Les triangles linéaires sont bien trop raides dans CalculiX.</translation>
     </message>
     <message>
         <source>Link</source>
@@ -1273,6 +1289,14 @@ Son volume est inconnu.</translation>
     <message>
         <source>Made by</source>
         <translation>Créée par</translation>
+    </message>
+    <message>
+        <source>Make shell</source>
+        <translation>Créer la coque</translation>
+    </message>
+    <message>
+        <source>Making the mid-surface of {}</source>
+        <translation>Création de la surface moyenne de {}</translation>
     </message>
     <message>
         <source>Making the surface mesh of {}</source>
@@ -1321,6 +1345,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Mesh and compare</source>
         <translation>Mailler et comparer</translation>
+    </message>
+    <message>
+        <source>Mesh as</source>
+        <translation>Mailler en</translation>
     </message>
     <message>
         <source>Mesh settings</source>
@@ -1627,8 +1655,16 @@ Son volume est inconnu.</translation>
         <translation>Reclassifier les bibliothèques…</translation>
     </message>
     <message>
-        <source>Red: elements of {}, light blue: of {}</source>
-        <translation>Rouge : éléments de {}, bleu clair : de {}</translation>
+        <source>Recommended: shell.</source>
+        <translation>Recommandé : coque.</translation>
+    </message>
+    <message>
+        <source>Recommended: solid, or a shell of its walls only.</source>
+        <translation>Recommandé : volume, ou une coque de ses seules parois.</translation>
+    </message>
+    <message>
+        <source>Recommended: solid.</source>
+        <translation>Recommandé : volume.</translation>
     </message>
     <message>
         <source>Refresh</source>
@@ -1791,6 +1827,10 @@ Son volume est inconnu.</translation>
         <translation>Part de la face dont les parois sont plus minces que le seuil</translation>
     </message>
     <message>
+        <source>Shell: its mid-surface</source>
+        <translation>Coque : sa surface moyenne</translation>
+    </message>
+    <message>
         <source>Short name</source>
         <translation>Nom court</translation>
     </message>
@@ -1821,6 +1861,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Show sizes on the part</source>
         <translation>Montrer les tailles sur la pièce</translation>
+    </message>
+    <message>
+        <source>Show the shell by its thickness</source>
+        <translation>Afficher la coque selon son épaisseur</translation>
     </message>
     <message>
         <source>Show thickness</source>
@@ -1857,6 +1901,8 @@ Son volume est inconnu.</translation>
     <message>
         <source>Smaller</source>
         <translation>Plus petit</translation>
+        <source>Solid</source>
+        <translation>Volume</translation>
     </message>
     <message>
         <source>Something stands before this wall from every side: the mark shows where it is. Hide what covers it, or cut the view open with the clipping plane of the View menu.</source>
@@ -2535,6 +2581,10 @@ Son volume est inconnu.</translation>
         <translation>comme proposé</translation>
     </message>
     <message>
+        <source>automatic</source>
+        <translation>automatique</translation>
+    </message>
+    <message>
         <source>automatic: {}</source>
         <translation>automatique : {}</translation>
     </message>
@@ -2621,6 +2671,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>left out</source>
         <translation>omise</translation>
+    </message>
+    <message>
+        <source>left solid: {}</source>
+        <translation>reste en volume : {}</translation>
     </message>
     <message>
         <source>linear (first order)</source>
@@ -2765,6 +2819,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>share of the diagonal ({})</source>
         <translation>part de la diagonale ({})</translation>
+    </message>
+    <message>
+        <source>shell</source>
+        <translation>coque</translation>
     </message>
     <message>
         <source>smooth</source>
@@ -2979,6 +3037,10 @@ Son volume est inconnu.</translation>
         <translation>{} de la surface a des parois plus minces que {}</translation>
     </message>
     <message>
+        <source>{} of the volume in plate-like walls, {} times as wide as thick.</source>
+        <translation>{} du volume en parois de type plaque, {} fois plus larges qu’épaisses.</translation>
+    </message>
+    <message>
         <source>{} of {} files</source>
         <translation>{} fichiers sur {}</translation>
     </message>
@@ -3019,6 +3081,10 @@ Son volume est inconnu.</translation>
         <translation>{} s</translation>
     </message>
     <message>
+        <source>{} thick</source>
+        <translation>épaisseur {}</translation>
+    </message>
+    <message>
         <source>{} to {} mm</source>
         <translation>{} à {} mm</translation>
     </message>
@@ -3041,6 +3107,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{} too thick</source>
         <translation>{} trop épais</translation>
+    </message>
+    <message>
+        <source>{} triangles of up to {}; walls {} thick, {} of the part's volume.</source>
+        <translation>{} triangles jusqu’à {} ; parois de {} d’épaisseur, {} du volume de la pièce.</translation>
     </message>
     <message>
         <source>{} unchanged</source>
@@ -3434,8 +3504,12 @@ Son volume est inconnu.</translation>
         <translation>Aucun rapport ne peut être écrit dans {folder} ({problem}) : indiquez un autre dossier.</translation>
     </message>
     <message>
-        <source>No wall is wide and thin enough for a shell.</source>
-        <translation>Aucune paroi n’est assez large et mince pour une coque.</translation>
+        <source>No wall is wide and thin enough for a shell: mesh it as a solid.</source>
+        <translation>Aucune paroi n’est assez large et mince pour une coque : maillez la pièce comme solide.</translation>
+    </message>
+    <message>
+        <source>No wall of {part} is wide and thin enough for a shell: mesh it as a solid.</source>
+        <translation>Aucune paroi de {part} n’est assez large et mince pour une coque : maillez la pièce comme solide.</translation>
     </message>
     <message>
         <source>No walls are thinner than {limit} mm, {part} of the middle side of {middle} mm: mesh it with solids.</source>
@@ -3802,8 +3876,12 @@ Son volume est inconnu.</translation>
         <translation>Le maillage {file} ne peut pas être lu ({problem}).</translation>
     </message>
     <message>
-        <source>The mid-faces of the walls could not be cut to each other ({problem}).</source>
-        <translation>Les faces moyennes des parois n’ont pas pu être découpées entre elles ({problem}).</translation>
+        <source>The mid-faces of the walls could not be cut to each other ({problem}): mesh it as a solid.</source>
+        <translation>Les faces moyennes des parois n’ont pas pu être découpées entre elles ({problem}) : maillez la pièce comme solide.</translation>
+    </message>
+    <message>
+        <source>The mid-surface cannot be read ({problem}): free some disk space and try again.</source>
+        <translation>La surface moyenne ne peut pas être lue ({problem}) : libérez de l’espace disque et réessayez.</translation>
     </message>
     <message>
         <source>The mid-surface of {part} could not be meshed ({problem}): name another element size.</source>
@@ -4726,20 +4804,24 @@ Son volume est inconnu.</translation>
         <translation>{part} appartient à un autre document, {file} : ouvrez celui-ci et préparez-y son maillage.</translation>
     </message>
     <message>
-        <source>{part} has no shell: walls of even thickness account for {share:.0f} % of its volume. Mesh it as a solid.</source>
-        <translation>{part} n'a pas de coque : les parois d'épaisseur constante représentent {share:.0f} % de son volume. Maillez-la en volume.</translation>
+        <source>{part} has no shell, since it is not closed or was measured by pairs: close its gaps (Part workbench, Check geometry), or measure it by rays.</source>
+        <translation>{part} n’a pas de coque, car il n’est pas fermé ou a été mesuré par paires : fermez ses trous (atelier Part, Vérifier la géométrie), ou mesurez-le par rayons.</translation>
+    </message>
+    <message>
+        <source>{part} has no shell: its walls overlap, and would count for {share:.0f} % of its volume. Mesh it as a solid.</source>
+        <translation>{part} n’a pas de coque : ses parois se chevauchent et compteraient pour {share:.0f} % de son volume. Maillez-la en volume.</translation>
+    </message>
+    <message>
+        <source>{part} has no shell: walls with a mid-surface have only {share:.0f} % of its volume. Mesh it as a solid.</source>
+        <translation>{part} n’a pas de coque : les parois qui ont une surface moyenne ne font que {share:.0f} % de son volume. Maillez-la en volume.</translation>
     </message>
     <message>
         <source>{part} is made of triangles, which are no solid to mesh.</source>
         <translation>{part} est fait de triangles, qui ne sont pas un solide à mailler.</translation>
     </message>
     <message>
-        <source>{part} is made of triangles: a shell needs the faces of a solid, as STEP files have them.</source>
-        <translation>{part} est fait de triangles : une coque a besoin des faces d’un solide, comme en ont les fichiers STEP.</translation>
-    </message>
-    <message>
-        <source>{part} is not closed, or was measured by pairs: a shell needs a closed solid that was measured by rays.</source>
-        <translation>{part} n’est pas fermé, ou a été mesuré par paires : une coque a besoin d’un solide fermé, mesuré par rayons.</translation>
+        <source>{part} is made of triangles, which have no mid-surface: use its STEP file, or mesh it as a solid.</source>
+        <translation>{part} est fait de triangles, qui n’ont pas de surface moyenne : utilisez son fichier STEP, ou maillez-le en volume.</translation>
     </message>
     <message>
         <source>{part} needs more than {megabytes} MB of memory: raise the limit in the preferences.</source>
@@ -4862,8 +4944,8 @@ Son volume est inconnu.</translation>
         <translation>{share} de la surface est au-dessus de parois de plus de {most} mm</translation>
     </message>
     <message>
-        <source>{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm, and {plates} over walls that are plates: consider shells.</source>
-        <translation>{share} de la surface recouvre des parois plus minces que {limit} mm, {part} du côté médian de {middle} mm, et {plates} des plaques : envisager des éléments de coque.</translation>
+        <source>{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm, and {plates} over walls that are plates: consider shells (Prepare mesh says whether they can be made).</source>
+        <translation>{share} de la surface recouvre des parois plus minces que {limit} mm, {part} du côté médian de {middle} mm, et {plates} des plaques : envisager des éléments de coque (Préparer le maillage dit s’ils sont possibles).</translation>
     </message>
     <message>
         <source>{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm: refine the mesh there.</source>

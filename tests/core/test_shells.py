@@ -77,6 +77,13 @@ def test_a_plate_is_a_shell_and_a_block_is_a_solid(plate):
     assert idealisation(measured(*made_meshes.box(50, 40, 30)), 1000, 10.0).advice == "solid"
 
 
+def test_no_shell_is_advised_where_none_can_be_made_and_the_reason_is_given_where_it_matters(plate):
+    found = idealisation(plate, 50_000, 10.0, "It has no mid-surface.")
+    assert found.advice == "solid" and found.no_shell == "It has no mid-surface."
+    block = idealisation(measured(*made_meshes.box(50, 40, 30)), 1000, 10.0, "It has no mid-surface.")
+    assert block.advice == "solid" and block.no_shell == ""
+
+
 @pytest.mark.parametrize("values", [{"size": 0.0}, {"size": float("inf")}, {"order": 3}])
 def test_settings_out_of_range_are_refused(values):
     with pytest.raises(ThinPartError) as refused:

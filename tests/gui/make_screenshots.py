@@ -72,8 +72,8 @@ def _show_thickness(make, picture, act=lambda: None):
     window.settle(100)
 
 
-def _prepare_mesh(sample, picture):
-    """A sample with its element sizes, meshed and compared."""
+def _prepare_mesh(sample, picture, act):
+    """A sample in the panel that prepares meshes."""
     import FreeCAD as App
     import FreeCADGui as Gui
     import window_actions as window
@@ -86,14 +86,24 @@ def _prepare_mesh(sample, picture):
     window.press("ThinPart_MeshSizes")
     window.wait_until(lambda: window.is_shown("ThinPart_MeshEstimate"), seconds=PATIENCE)
     _dock_tasks()
-    window.click("ThinPart_MeshButton")
-    window.wait_until(lambda: window.is_shown("ThinPart_QualityChart"), seconds=PATIENCE)
+    act(window)
     view.fitAll()
     Gui.getMainWindow().statusBar().clearMessage()
     window.settle(1500)
     _take(picture)
     App.closeDocument(document.Name)
     window.settle(300)
+
+
+def _compare_meshes(window):
+    window.click("ThinPart_MeshButton")
+    window.wait_until(lambda: window.is_shown("ThinPart_QualityChart"), seconds=PATIENCE)
+
+
+def _make_shell(window):
+    window.widget("ThinPart_MeshKind").setCurrentIndex(1)
+    window.click("ThinPart_ShellButton")
+    window.wait_until(lambda: window.text("ThinPart_ShellFigures"), seconds=PATIENCE)
 
 
 def _dock_tasks():
@@ -298,7 +308,8 @@ def _go():
         _classify("thin_walled_casting", Path(arguments[1], "classify_casting.png"))
         _show_thickness(lambda: _opened("thin_walled_casting"), Path(arguments[1], "thickness.png"))
         _show_thickness(_links, Path(arguments[1], "thickness_assembly.png"), _choose_second_part)
-        _prepare_mesh("bent_sheet_bracket", Path(arguments[1], "prepare_mesh.png"))
+        _prepare_mesh("bent_sheet_bracket", Path(arguments[1], "prepare_mesh.png"), _compare_meshes)
+        _prepare_mesh("bent_sheet_bracket", Path(arguments[1], "prepare_shell.png"), _make_shell)
         _classify_folder(Path(arguments[1]))
         _hide_tasks()
         _find(Gui.getMainWindow(), Path(arguments[1]))

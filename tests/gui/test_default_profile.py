@@ -21,7 +21,7 @@ def test_a_plate_is_thin_with_figures_and_the_advice_to_use_shells(document):
     assert window.text("ThinPart_Headline") == "Thin part"
     assert window.text("ThinPart_Why") == (
         "93\u00a0% of the surface lies over walls thinner than 9 mm, 15\u00a0% of the middle side of 60 mm, and "
-        "93\u00a0% over walls that are plates: consider shells.")
+        "93\u00a0% over walls that are plates: consider shells (Prepare mesh says whether they can be made).")
     assert window.text("ThinPart_HowSure").startswith("Probability: 92\u00a0%, next 'Part with thin features' with ")
     assert window.text("ThinPart_PaperVerdict") == "By the thresholds of the paper: Thin part (criteria 1, 4, 5)"
 

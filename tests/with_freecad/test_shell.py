@@ -125,11 +125,80 @@ def test_calculix_bends_the_shell_of_a_plate_as_a_beam_does(parts, tmp_path):
 
 
 def test_what_has_no_shell_says_so_and_leaves_no_file(parts, tmp_path):
-    for name, why in (("block.brep", "No wall is wide and thin enough"), ("triangles.stl", "made of triangles")):
+    for name, why in (
+            ("block.brep", "No wall of block is wide and thin enough for a shell: mesh it as a solid"),
+            ("triangles.stl", "made of triangles, which have no mid-surface: use its STEP file")):
         path = tmp_path / "none.inp"
         run = thinpart("size", parts / name, "--shell", path)
         assert run.returncode != 0 and why in run.stderr and "was not written" in run.stderr
         assert not path.exists()
+
+
+def test_the_advice_agrees_with_what_is_refused(parts):
+    """A thin plate of triangles: a shell would suit it, and cannot be made."""
+    line, _ = record(parts / "triangles.stl")
+    assert line["idealisation"]["advice"] == "solid" and "made of triangles" in line["idealisation"]["no_shell"]
+    run = thinpart("size", parts / "triangles.stl")
+    assert "Shell or solid: a solid" in run.stdout and "No shell: " in run.stdout and "use its STEP file" in run.stdout
+    line, _ = record(parts / "plate.brep")
+    assert line["idealisation"]["advice"] == "shell" and line["idealisation"]["no_shell"] == ""
+
+
+def test_freecad_reads_the_universal_file_in_millimetres_with_its_groups(parts, tmp_path):
+    import Fem
+
+    line, _ = record(parts / "angle.step", "--shell", tmp_path / "angle.unv")
+    mesh = Fem.read(str(tmp_path / "angle.unv"))
+    assert (mesh.NodeCount, mesh.FaceCount) == (line["shell"]["nodes"], line["shell"]["elements"])
+    assert max(point.x for point in mesh.Nodes.values()) == pytest.approx(60.0)
+    assert [mesh.getGroupName(each) for each in mesh.Groups] == ["thickness_2_mm"]
+
+
+def sheet_with_a_sharp_bend(thick=2.0, inner=0.4):
+    """Two legs of sheet metal, with a bend that is narrower than a wall."""
+    import FreeCAD
+    import Part
+
+    def bend(radius):
+        middle = inner + thick - radius * np.sqrt(0.5)
+        far = inner + thick - radius
+        return Part.Arc(FreeCAD.Vector(inner + thick, 0, far), FreeCAD.Vector(middle, 0, middle),
+                        FreeCAD.Vector(far, 0, inner + thick)).toShape()
+
+    outer = inner + thick
+    corners = [(outer, 0), (50, 0), (50, thick), (outer, thick)], [(thick, outer), (thick, 40), (0, 40), (0, outer)]
+    lines = [Part.makeLine(*(FreeCAD.Vector(x, 0, z) for x, z in ends)) for row in corners for ends in zip(row, row[1:])]
+    wire = Part.Wire(Part.__sortEdges__([*lines, bend(inner), bend(outer)]))
+    return Part.Face(wire).extrude(FreeCAD.Vector(0, 30, 0))
+
+
+def plate_with_a_rounded_rim():
+    """A rim on a plate, round outside and sharp inside: its walls end before the middle of the plate."""
+    import FreeCAD
+    import Part
+
+    rim = Part.makeBox(60, 60, 20).cut(Part.makeBox(56, 56, 18, FreeCAD.Vector(2, 2, 2)))
+    return rim.makeFillet(3.0, [edge for edge in rim.Edges if edge.BoundBox.ZMax < 1e-6])
+
+
+@pytest.mark.parametrize("shape", [sheet_with_a_sharp_bend, plate_with_a_rounded_rim])
+def test_walls_meet_where_the_joint_between_them_is_narrow(shape, tmp_path):
+    shape().exportBrep(str(tmp_path / "part.brep"))
+    line, run = record(tmp_path / "part.brep", "--shell", tmp_path / "part.inp")
+    assert run.returncode == 0, line["shell"]["reason"]
+    nodes, elements = read_inp(tmp_path / "part.inp")
+    piece = {node: node for node in nodes}
+
+    def root(node):
+        while piece[node] != node:
+            node = piece[node]
+        return node
+
+    for corners in elements.values():
+        for node in corners[1:]:
+            piece[root(node)] = root(corners[0])
+    assert len({root(node) for node in nodes}) == 1
+    assert line["shell"]["volume_share"] == pytest.approx(1.0, abs=0.12)
 
 
 def test_another_ending_is_refused_before_anything_is_measured(parts, tmp_path):

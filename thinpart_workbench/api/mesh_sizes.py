@@ -25,8 +25,16 @@ from ..storage.exchange.shell_files import SHELL_FORMATS, write_shell
 from ..workflow.analysis.analyse_part import analyse_part
 from ..workflow.analysis.run_progress import RunProgress
 from ..workflow.meshing.gmsh_program import gmsh_program
+from ..workflow.meshing.part_shell import (  # noqa: F401 - the names of files, for the window
+    SHELL_FACETS,
+    SHELL_MESH,
+    SHELL_SHAPE,
+    SHELL_THICKNESS,
+    save_whole,
+    write_part_shell,
+)
 from ..workflow.meshing.part_sizing import PartSizing
-from ..workflow.meshing.shell_meshing import mesh_of_record, shell_of_part
+from ..workflow.meshing.shell_meshing import mesh_of_record, shell_obstacle, shell_of_part
 from ..workflow.meshing.size_run import propose_for_documents
 from ..workflow.meshing.size_task import SizeTask
 from .file_run import FileRun
@@ -213,7 +221,7 @@ class PartSizes:
     folder : str
         See `freecad_adapter.objects.snapshot.write_snapshot`.
     report : callable, optional
-        Called with the fraction of the measurement that is done.
+        Called with the fraction of the measurement, or later of a shell, that is done.
 
     Attributes
     ----------
@@ -229,15 +237,17 @@ class PartSizes:
         job, read = read_snapshot(folder)
         entry, = job["parts"]
         part, profile = read(entry), profile_from(job["profile"])
-        self._folder, self._shape = folder, os.path.join(folder, entry["file"])
+        self._report = report
+        self._folder, self._shape, self._part = folder, os.path.join(folder, entry["file"]), part
         measured = []
         self.record = analyse_part(
             part, AnalysisSettings(**job["settings"]), profile,
             None if report is None else lambda stage, fraction: report(fraction if stage == "measure" else 0.0),
             lambda measurement, _: measured.append(measurement))
         measurement, = measured
+        self._measurement = measurement
         limit = classify(measurement.descriptors, profile).thin_limit_x * measurement.descriptors.box.diagonal
-        self._sizing = PartSizing(measurement, limit)
+        self._sizing = PartSizing(measurement, limit, shell_obstacle(part, measurement))
         np.save(os.path.join(folder, FACETS), self._sizing.facets())
 
     def proposed(self, settings, sizes):
@@ -252,7 +262,7 @@ class PartSizes:
         """
         wanted = SizingSettings(**settings), dict(map(tuple, sizes))
         found = self._sizing.proposed(*wanted)
-        np.save(os.path.join(self._folder, SIZES), self._sizing.sizes_on_facets(*wanted))
+        save_whole(os.path.join(self._folder, SIZES), self._sizing.sizes_on_facets(*wanted))
         return found
 
     def mesh(self, settings, sizes, gmsh="", seconds=MESH_SECONDS):
@@ -275,8 +285,33 @@ class PartSizes:
         program, _ = gmsh_program(gmsh)
         found = self._sizing.mesh(program, self._shape, SizingSettings(**settings), dict(map(tuple, sizes)), seconds,
                                   self._folder)
-        np.save(os.path.join(self._folder, POOR), found.pop("poor").astype(np.float32))
+        save_whole(os.path.join(self._folder, POOR), found.pop("poor").astype(np.float32))
         return found
+
+    def shell(self, settings, gmsh="", seconds=MESH_SECONDS):
+        """Make the shell of the part: dict and files, see `workflow.meshing.part_shell.write_part_shell`.
+
+        Parameters
+        ----------
+        settings : dict
+            Of `ShellSettings`.
+        gmsh, seconds
+            As of `mesh`.
+
+        Raises
+        ------
+        ThinPartError
+            kind ``unsupported`` without Gmsh, ``no_shell`` where the part has none.
+        OSError
+        """
+        try:
+            shell = shell_of_part(self._part, self._measurement, gmsh_program(gmsh)[0], seconds, ShellSettings(**settings),
+                                  self._report)
+        except ThinPartError as error:
+            if error.kind == "no_shell":
+                self._sizing.no_shell = error.args[0]  # further proposals advise against it
+            raise
+        return write_part_shell(self._folder, shell, self._part.label)
 
 
 def missing_gmsh(gmsh=""):

@@ -40,6 +40,8 @@ def print_part(stream, file, part):
     """Print the proposal for one part: a sentence, its regions, and how it was meshed."""
     stream.write(_sentences(file, part) + "\n")
     stream.write(_idealisation(part["idealisation"]) + "\n")
+    if part["idealisation"]["no_shell"] and "shell" not in part:
+        stream.write(f"No shell: {part['idealisation']['no_shell']}\n")
     if "shell" in part:
         stream.write(_shell(part["shell"]) + "\n")
     if part["regions"]:

@@ -3,8 +3,9 @@
 The first line on standard input is ``{"folder", "megabytes", "gmsh"}``: the folder of a snapshot with one part, the limit of
 the address space, a path of Gmsh to look at first. It prints ``{"progress": fraction}`` and ``{"measured": {"record",
 "gmsh"}}``, where ``gmsh`` is a sentence if nothing can be meshed. Each further line is a request: ``{"number", "settings",
-"sizes_wanted"}``, with ``"mesh": true`` to mesh; see `PartSizes`. It is answered by ``{"proposed": dict, "number"}`` or
-``{"meshed": dict, "number"}``, or where it cannot be done by ``{"refused": sentence, "number"}``.
+"sizes_wanted"}``, with ``"mesh": true`` to mesh, or ``{"number", "shell": settings}``; see `PartSizes`. It is answered by
+``{"proposed": dict, "number"}``, ``{"meshed": dict, "number"}`` or ``{"shelled": dict, "number"}``, or where it cannot
+be done by ``{"refused": sentence, "number"}``.
 
 The parent stops it by killing it. The shapes may come from an untrusted file, so it can only write into the snapshot's
 folder.
@@ -56,9 +57,11 @@ def _serve(send):
         _answer(send, sizes, job["gmsh"], **request)
 
 
-def _answer(send, sizes, gmsh, number, settings, sizes_wanted, mesh=False):
+def _answer(send, sizes, gmsh, number, settings=None, sizes_wanted=(), mesh=False, shell=None):
     try:
-        if mesh:
+        if shell is not None:
+            send(shelled=sizes.shell(shell, gmsh), number=number)
+        elif mesh:
             send(meshed=sizes.mesh(settings, sizes_wanted, gmsh), number=number)
         else:
             send(proposed=sizes.proposed(settings, sizes_wanted), number=number)

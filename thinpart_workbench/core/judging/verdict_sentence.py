@@ -51,7 +51,7 @@ def _of_walls(record, quantity, condition, plates):
     if plates is not None:
         return message(
             "{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm, and "
-            "{plates} over walls that are plates: consider shells.",
+            "{plates} over walls that are plates: consider shells (Prepare mesh says whether they can be made).",
             share=share, limit=limit, part=part, middle=middle, plates=percent(plates["value"]))
     return message(
         "{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm: refine "

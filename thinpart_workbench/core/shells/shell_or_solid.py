@@ -1,6 +1,6 @@
 """Which idealisation suits a part: shells or solids, with the figures that say so."""
 
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Optional
 
 import numpy as np
@@ -39,6 +39,8 @@ class Idealisation:
         Median of those walls, by area.
     solid_elements, shell_elements : int
         Estimated: of the proposed solid mesh, and of a shell of all walls.
+    no_shell : str
+        Why a shell cannot be made, although the walls ask for one; else empty.
     """
 
     advice: str
@@ -47,9 +49,10 @@ class Idealisation:
     width_to_thickness: Optional[float]
     solid_elements: int
     shell_elements: int
+    no_shell: str = ""
 
 
-def idealisation(measurement, solid_elements, shell_size):
+def idealisation(measurement, solid_elements, shell_size, no_shell=""):
     """Say whether a part is better meshed as shells or as a solid.
 
     Parameters
@@ -59,6 +62,8 @@ def idealisation(measurement, solid_elements, shell_size):
         Of the proposed solid mesh.
     shell_size : float, mm
         Greatest size of the elements of a shell.
+    no_shell : str
+        Why a shell cannot be made; empty where it can, or nothing is known.
 
     Returns
     -------
@@ -79,5 +84,11 @@ def idealisation(measurement, solid_elements, shell_size):
     advice = "solid"
     if volume_share is not None and ratio is not None and ratio >= SHELL_WIDTH:
         advice = "shell" if volume_share >= SHELL_VOLUME else "mixed" if volume_share >= MIXED_VOLUME else "solid"
+    why, advice = (no_shell, "solid") if no_shell and advice != "solid" else ("", advice)
     return Idealisation(advice, volume_share, measurement.regions.plate_share, ratio, int(solid_elements),
-                        max(1, round(elements)) if walls else 0)
+                        max(1, round(elements)) if walls else 0, why)
+
+
+def idealisation_values(found):
+    """An `Idealisation` as plain values, dict; numbers with six digits."""
+    return {name: float(f"{value:.6g}") if isinstance(value, float) else value for name, value in asdict(found).items()}

@@ -8,11 +8,15 @@ from ...core.errors import ThinPartError
 from ...core.message import message
 from ...core.shells.walls_through import sides_of
 from ..bootstrap import load_freecad
+from .bridges import bridges, is_bridge, lies_on, spread_points
 from .mid_shapes import MidPlane, mid_shape
 from .smooth_cuts import smooth_cuts
 
 LEAST_SQUARES, LEAST_WIDTH = 5.0, 1.7
 """Area of one side by the squared thickness, and width by thickness, from which on a wall is a shell."""
+
+BEND_SQUARES, BEND_WIDTH = 1.0, 0.5
+"""The same of a round wall, which may be a sharp bend between two flat ones: without it, they would not meet."""
 
 ONE_WALL = 0.45
 """Distance between the middles of two walls, by the lesser thickness, up to which they have one mid-surface: a step."""
@@ -31,11 +35,6 @@ SUPPORTED = 0.3
 
 WELD = 1e-3
 """By the thickness of the thinnest wall: edges that are nearer to each other are one."""
-
-ON_SURFACE = 0.1
-"""Distance from a mid-surface by the thickness up to which a face lies on it: facets of a round one are off a little."""
-
-_SAMPLES = 60
 
 
 @dataclass
@@ -97,9 +96,8 @@ class MidWall:
     @property
     def is_shell(self):
         """bool: whether it is wide enough."""
-        if self.area < LEAST_SQUARES * self.thickness ** 2:
-            return False
-        return self.width >= LEAST_WIDTH * self.thickness
+        squares, width = (LEAST_SQUARES, LEAST_WIDTH) if self.is_flat else (BEND_SQUARES, BEND_WIDTH)
+        return self.area >= squares * self.thickness ** 2 and self.width >= width * self.thickness
 
 
 @dataclass(frozen=True)
@@ -145,7 +143,7 @@ def mid_walls(shape, pairs):
     return [wall for wall in walls if wall.is_shell]
 
 
-def mid_surface(shape, pairs, mesh, rays):
+def mid_surface(shape, pairs, mesh, rays, report=None):
     """Make the mid-surface of a solid.
 
     Parameters
@@ -156,6 +154,8 @@ def mid_surface(shape, pairs, mesh, rays):
         From `facing_faces`.
     mesh : SurfaceMesh
     rays : InwardRays
+    report : callable, optional
+        Called with the fraction that is done.
 
     Returns
     -------
@@ -176,15 +176,19 @@ def mid_surface(shape, pairs, mesh, rays):
     load_freecad()
     walls = mid_walls(shape, pairs)
     if not walls:
-        raise ThinPartError(message("No wall is wide and thin enough for a shell."), "no_shell")
+        raise _too_thick()
     test = _Support(mesh, rays, len(shape.Faces))
     try:
-        return _welded(_trimmed(shape, walls, test), walls, test)
+        return _welded(_trimmed(shape, walls, test, report or (lambda fraction: None)), walls, test)
     except ThinPartError:
         raise
     except Exception as error:  # OCC's errors have several classes, which differ between versions of FreeCAD
-        raise ThinPartError(message("The mid-faces of the walls could not be cut to each other ({problem}).",
-                                    problem=error), "no_shell") from None
+        raise ThinPartError(message("The mid-faces of the walls could not be cut to each other ({problem}): mesh it as a "
+                                    "solid.", problem=error), "no_shell") from None
+
+
+def _too_thick():
+    return ThinPartError(message("No wall is wide and thin enough for a shell: mesh it as a solid."), "no_shell")
 
 
 class _Support:
@@ -193,43 +197,33 @@ class _Support:
     def __init__(self, mesh, rays, count):
         self._mesh, self._rays, self._count = mesh, rays, count
 
-    def share(self, face, wall):
+    def share(self, face, wall, spread=None):
         """float: share of the area of a face; 0 where it does not lie on the mid-surface of the wall."""
-        points, area = _spread(face, wall.thickness)
-        if np.abs(wall.shape.distances(points)).max() > ON_SURFACE * wall.thickness:
+        points, area = spread or spread_points(face, wall.thickness)
+        if not len(points):
+            return 0.0  # a sliver that OCC makes no triangles of
+        if not lies_on(points, wall):
             return 0.0
         sides = sides_of(self._mesh, self._rays, points, wall.shape.normals(points))
         known = sides.is_between([pair.faces for pair in wall.pairs], self._count)
         return float(area[known].sum() / area.sum())
 
 
-def _spread(face, thickness):
-    """Points spread over a face, and the area of each: ndarrays of shape (k, 3) and (k,)."""
-    points, triangles = face.tessellate(max(0.05 * thickness, 1e-4))
-    corners = np.array([tuple(point) for point in points])[np.array(triangles)]
-    areas = 0.5 * np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
-    counts = np.maximum(1, np.ceil(_SAMPLES * areas / max(areas.sum(), 1e-300))).astype(int)
-    row = np.repeat(np.arange(len(areas)), counts)
-    step = np.arange(len(row)) - np.repeat(np.cumsum(counts) - counts, counts) + 0.5
-    # A low-discrepancy sequence, folded into the triangle.
-    u, v = np.mod(0.5 + 0.754877666 * step, 1.0), np.mod(0.5 + 0.569840296 * step, 1.0)
-    over = u + v > 1.0
-    u[over], v[over] = 1.0 - u[over], 1.0 - v[over]
-    a, b, c = corners[row].transpose(1, 0, 2)
-    return a + u[:, None] * (b - a) + v[:, None] * (c - a), (areas / counts)[row]
-
-
-def _trimmed(shape, walls, test):
+def _trimmed(shape, walls, test, report):
     """Faces on the mid-surfaces, within the solid: list of Part.Face."""
     cuts = smooth_cuts(shape, walls)
     found = []
     for number, wall in enumerate(walls):
+        report(0.8 * number / len(walls))
         margin = BEYOND * max(max(each.thickness for each in walls if each.faces & wall.faces or each is wall),
                               wall.thickness)
         for patch in wall.shape.patches(wall.middles, margin):
             for piece in patch.common(shape).Faces:
                 pieces = piece.generalFuse(cuts[number])[0].Faces if cuts[number] else [piece]
-                found += [face for face in pieces if test.share(face, wall) > 0.02]
+                own = [test.share(face, wall) > 0.02 for face in pieces]
+                # Beyond a rounded edge, a wall may go on to the middle of the next one, between the sides of neither.
+                found += [face for face, is_own in zip(pieces, own) if is_own or (any(own) and is_bridge(face, wall))]
+    report(0.8)
     return found
 
 
@@ -238,16 +232,23 @@ def _welded(faces, walls, test):
     import Part
 
     if not faces:
-        raise ThinPartError(message("No wall is wide and thin enough for a shell."), "no_shell")
+        raise _too_thick()
     # What OCC says of which piece comes of which face is incomplete, so each is asked for its wall again.
     cut = faces[0].generalFuse(faces[1:], WELD * min(wall.thickness for wall in walls))[0].Faces if len(faces) > 1 else faces
-    kept, numbers = [], []
-    for piece in cut:
-        shares = [test.share(piece, wall) for wall in walls]
-        best = int(np.argmax(shares))
-        if shares[best] >= SUPPORTED:
-            kept.append(piece)
-            numbers.append(best)
-    if not kept:
-        raise ThinPartError(message("No wall is wide and thin enough for a shell."), "no_shell")
-    return MidSurface(Part.makeCompound(kept), walls, numbers)
+    thinnest = min(wall.thickness for wall in walls)
+    spread = [spread_points(piece, thinnest) for piece in cut]
+    shares = np.array([[test.share(piece, wall, own) for wall in walls] for piece, own in zip(cut, spread)])
+    best = shares.argmax(axis=1)
+    is_kept = shares.max(axis=1) >= SUPPORTED
+    if not is_kept.any():
+        raise _too_thick()
+    rest = []
+    for number in np.flatnonzero(~is_kept):
+        on = [row for row, wall in enumerate(walls) if lies_on(spread[number][0], wall) and is_bridge(cut[number], wall)]
+        if on:
+            best[number] = max(on, key=lambda wall: (shares[number, wall], walls[wall].area))
+            rest.append(int(number))
+    for number in bridges(cut, np.flatnonzero(is_kept).tolist(), rest):
+        is_kept[number] = True
+    return MidSurface(Part.makeCompound([cut[number] for number in np.flatnonzero(is_kept)]), walls,
+                      best[is_kept].tolist())

@@ -12,6 +12,9 @@ from ..shapes.part import SolidPart
 SETTINGS = "ThinPartSizes"
 """Property of the mesh object: the settings it was made with, as JSON. Its mesh regions by ThinPart have it too, empty."""
 
+SHELL_OF = "ThinPartShellOf"
+"""Property of a mid-surface: the object that it is of. Hidden, so that either can be deleted without the other."""
+
 _GROUP = "ThinPart"
 
 
@@ -75,11 +78,11 @@ def meshed_object(document, part):
 def fem_mesh_of(document, owner):
     """The Gmsh mesh of an object: that of ThinPart, or else the first one; None if there is none."""
     found = [each for each in document.Objects if getattr(getattr(each, "Proxy", None), "Type", "") == "Fem::FemMeshGmsh"
-             and getattr(each, _part_property(each)) == owner]
+             and getattr(each, part_property(each)) == owner]
     return next((each for each in found if hasattr(each, SETTINGS)), found[0] if found else None)
 
 
-def set_fem_mesh(document, owner, file, settings, global_size, order, walls):
+def set_fem_mesh(document, owner, file, settings, global_size, order, walls, analysis=None):
     """Make or update the Gmsh mesh of an object; to be called in a transaction.
 
     Parameters
@@ -95,6 +98,8 @@ def set_fem_mesh(document, owner, file, settings, global_size, order, walls):
         Of the elements.
     walls : list of tuple
         Label, size in mm, and numbers of faces of the owner, from 0.
+    analysis : FreeCAD.DocumentObject, optional
+        The mesh joins it.
 
     Returns
     -------
@@ -111,19 +116,14 @@ def set_fem_mesh(document, owner, file, settings, global_size, order, walls):
     fine near corners and not in the middle of large faces. So the mesh is the one that was made with the background field,
     and the regions say where it is fine.
     """
-    import Fem
     import ObjectsFem
 
-    try:
-        nodes = Fem.read(os.fspath(file))
-    except Exception as error:  # FreeCAD raises its own exception classes
-        raise ThinPartError(message("The mesh cannot be read ({problem}): free some disk space and try again.",
-                                    problem=error), "unreadable") from None
+    nodes = read_mesh(file)
     mesh = fem_mesh_of(document, owner)
     if mesh is None:
         mesh = ObjectsFem.makeMeshGmsh(document, "ThinPart_Mesh")
         mesh.Label = f"{owner.Label} mesh"
-        setattr(mesh, _part_property(mesh), owner)
+        setattr(mesh, part_property(mesh), owner)
     if not hasattr(mesh, SETTINGS):
         mesh.addProperty("App::PropertyString", SETTINGS, _GROUP, "Settings of the element sizes by ThinPart")
     setattr(mesh, SETTINGS, json.dumps(settings))
@@ -132,6 +132,7 @@ def set_fem_mesh(document, owner, file, settings, global_size, order, walls):
     _set_regions(document, mesh, owner, walls)
     mesh.FemMesh = nodes
     mesh.purgeTouched()
+    join_analysis(document, owner, analysis, [mesh])
     return mesh
 
 
@@ -155,6 +156,54 @@ def _set_regions(document, mesh, owner, walls):
             region.purgeTouched()
 
 
-def _part_property(mesh):
+def read_mesh(file):
+    """A FEM mesh from a file of the format UNV; a ThinPartError of the kind ``unreadable`` where that cannot be read."""
+    import Fem
+
+    try:
+        return Fem.read(os.fspath(file))
+    except Exception as error:  # FreeCAD raises its own exception classes
+        raise ThinPartError(message("The mesh cannot be read ({problem}): free some disk space and try again.",
+                                    problem=error), "unreadable") from None
+
+
+def join_analysis(document, owner, analysis, members):
+    """Put objects into an analysis, of which the first is a mesh.
+
+    Parameters
+    ----------
+    document : FreeCAD.Document
+    owner : FreeCAD.DocumentObject
+        What the mesh is of.
+    analysis : FreeCAD.DocumentObject or None
+        None for that which the mesh is in already.
+    members : list of FreeCAD.DocumentObject
+
+    Notes
+    -----
+    FEM solves an analysis with one mesh only. So what ThinPart made of the same object the other way, as a shell or as a
+    solid, leaves the analysis; it stays in the document.
+    """
+    mesh = members[0]
+    analysis = analysis or next((each for each in mesh.InList if each.isDerivedFrom("Fem::FemAnalysis")), None)
+    if analysis is None:
+        return
+    for each in list(analysis.Group):
+        if each not in members and hasattr(each, SETTINGS) and owner in _meshed_owners(each):
+            analysis.removeObject(each)
+    for each in members:
+        if each not in analysis.Group:
+            analysis.addObject(each)
+
+
+def _meshed_owners(made):
+    """What a mesh or a thickness by ThinPart is of: the object itself, also where it refers to its mid-surface."""
+    found = [owner for owner, _ in getattr(made, "References", ())]
+    if made.isDerivedFrom("Fem::FemMeshObject"):
+        found.append(getattr(made, part_property(made)))
+    return found + [getattr(each, SHELL_OF) for each in found if hasattr(each, SHELL_OF)]
+
+
+def part_property(mesh):
     """The property with the object that is meshed: ``Part`` in FreeCAD 0.20, ``Shape`` from 1.0 on."""
     return "Part" if "Part" in mesh.PropertiesList else "Shape"

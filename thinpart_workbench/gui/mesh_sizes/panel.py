@@ -2,9 +2,9 @@
 
 from pathlib import Path
 
-from ...core.number_text import percent
 from ...core.sizing.sizing_settings import SizingSettings
 from ..application.length_unit import MILLIMETRE
+from ..application.numbers import number, percent
 from ..application.qt import QtGui, QtWidgets, Signal, grouped, translate
 from ..application.sentences import translated
 from ..record.measuring_progress import MeasuringProgress
@@ -12,6 +12,8 @@ from ..record.record_view import show_text, text_line
 from ..widgets.exact_field import ExactField
 from ..widgets.push_button import add_button
 from .quality_chart import QualityChart
+from .scale_bar import ScaleBar
+from .shell_box import ShellBox
 from .wall_table import WallTable
 
 ICON = Path(__file__).resolve().parents[3] / "resources" / "icons" / "ThinPart_MeshSizes.svg"
@@ -22,13 +24,17 @@ class MeshSizesPanel(QtWidgets.QWidget):
 
     Signals
     -------
-    changed
-        A setting was changed.
+    changed, shell_changed
+        A setting was changed, of the solid mesh or of the shell.
+    kind_changed
+        The user has chosen between solid and shell: see `is_shell`.
     mesh_requested, cancelled, shown_changed, offer_taken
         A button was pressed; what the view is to show was changed; the settings that are offered are to be used.
     """
 
     changed = Signal()
+    shell_changed = Signal()
+    kind_changed = Signal()
     mesh_requested = Signal()
     cancelled = Signal()
     shown_changed = Signal()
@@ -51,6 +57,15 @@ class MeshSizesPanel(QtWidgets.QWidget):
         column.addWidget(self._content)
         rows = QtWidgets.QVBoxLayout(self._content)
         rows.setContentsMargins(0, 0, 0, 0)
+        self._add_kind(rows)
+        self.shell = ShellBox(self)
+        self.shell.changed.connect(self.shell_changed)
+        self.shell.shown_changed.connect(self.shown_changed)
+        rows.addWidget(self.shell)
+        self._solid = QtWidgets.QWidget(self)
+        rows.addWidget(self._solid)
+        rows = QtWidgets.QVBoxLayout(self._solid)
+        rows.setContentsMargins(0, 0, 0, 0)
         self._offer = text_line(self, rows, "ThinPart_MeshOffer")
         self._take_offer = add_button(rows, self, "ThinPart_UseMeshSettings", translate("ThinPart", "Use these settings"),
                                       self.offer_taken.emit)
@@ -60,7 +75,8 @@ class MeshSizesPanel(QtWidgets.QWidget):
         rows.addWidget(self.walls)
         self._estimate = text_line(self, rows, "ThinPart_MeshEstimate")
         self.preview = self._check(rows, "ThinPart_SizePreview", translate("ThinPart", "Show sizes on the part"), True)
-        self._legend = text_line(self, rows, "ThinPart_SizeLegend")
+        self._legend = ScaleBar("ThinPart_SizeBar", self)
+        rows.addWidget(self._legend)
         self._mesh = add_button(rows, self, "ThinPart_MeshButton", translate("ThinPart", "Mesh and compare"),
                                 self.mesh_requested.emit)
         self._figures = text_line(self, rows, "ThinPart_MeshFigures")
@@ -70,8 +86,14 @@ class MeshSizesPanel(QtWidgets.QWidget):
         column.addStretch(1)
         self.show_message("")
         self.show_check(None)
+        self._show_kind()
         self._content.hide()
         self._progress.hide()
+
+    @property
+    def is_shell(self):
+        """Whether a shell is wanted, not a solid mesh."""
+        return self._kind.currentIndex() == 1
 
     def settings(self):
         """The fields as arguments of `SizingSettings`: dict."""
@@ -101,6 +123,7 @@ class MeshSizesPanel(QtWidgets.QWidget):
         show_text(self._part, label)
         self._unit = unit
         self._size.set_form(1.0 / unit.millimetres, "\u00a0" + unit.symbol, unit.decimals, 0.0)
+        self.shell.show_unit(unit)
 
     def show_message(self, sentence):
         """Show a sentence."""
@@ -111,16 +134,16 @@ class MeshSizesPanel(QtWidgets.QWidget):
         self._progress.show()
         self._progress.show_progress(fraction, stage)
         self._content.setEnabled(False)  # what is meshed is what the fields say
-        self._mesh.setEnabled(False)
+        self._set_buttons(False)
 
     def show_idle(self, can_mesh):
         """Show that nothing is being done."""
         self._progress.hide()
         self._content.setEnabled(True)
-        self._mesh.setEnabled(can_mesh)
+        self._set_buttons(can_mesh)
 
-    def show_proposal(self, found, colours):
-        """Show what is proposed: see `PartSizing.proposed`; with a colour for each row."""
+    def show_proposal(self, found, colours, scale):
+        """Show what is proposed: see `PartSizing.proposed`; with a colour for each row, and the ColourScale of sizes."""
         unit = self._unit
         self._content.show()
         self.walls.show_rows(found["regions"], unit, colours)
@@ -141,9 +164,8 @@ class MeshSizesPanel(QtWidgets.QWidget):
                     f"{found['layers']:.2g}", f"{found['wanted_layers']:.2g}",
                     grouped(_rounded(found["unbounded_elements"]))))
         show_text(self._estimate, " ".join(lines))
-        is_even = found["least_size"] >= found["global_size"]
-        show_text(self._legend, "" if is_even else translate("ThinPart", "Red: elements of {}, light blue: of {}").format(
-            unit.text(found["least_size"]), unit.text(found["global_size"])))
+        show_text(self._advice, idealisation_text(found["idealisation"]))
+        self._legend.show_scale(scale, unit)
 
     def show_check(self, found):
         """Show what Gmsh made, see `PartSizing.mesh`; None for nothing."""
@@ -160,6 +182,24 @@ class MeshSizesPanel(QtWidgets.QWidget):
         show_text(self._figures, "\n".join(lines))
         self.chart.show_histograms(found["default"]["histogram"], found["proposed"]["histogram"])
         self.poor.setText(translate("ThinPart", "Show poor elements ({})").format(grouped(found["poor_count"])))
+
+    def _add_kind(self, rows):
+        form = QtWidgets.QFormLayout()
+        rows.addLayout(form)
+        self._kind = QtWidgets.QComboBox(self)
+        self._kind.setObjectName("ThinPart_MeshKind")
+        self._kind.addItems([translate("ThinPart", "Solid"), translate("ThinPart", "Shell: its mid-surface")])
+        form.addRow(translate("ThinPart", "Mesh as"), self._kind)
+        self._advice = text_line(self, rows, "ThinPart_MeshAdvice")
+        self._kind.currentIndexChanged.connect(lambda *_: (self._show_kind(), self.kind_changed.emit()))
+
+    def _show_kind(self):
+        self.shell.setVisible(self.is_shell)
+        self._solid.setVisible(not self.is_shell)
+
+    def _set_buttons(self, is_enabled):
+        for button in (self._mesh, self.shell.button):
+            button.setEnabled(is_enabled)
 
     def _add_settings(self, rows):
         form = QtWidgets.QFormLayout()
@@ -206,6 +246,23 @@ class MeshSizesPanel(QtWidgets.QWidget):
         box.toggled.connect(lambda *_: self.shown_changed.emit())
         rows.addWidget(box)
         return box
+
+
+def idealisation_text(found):
+    """Whether a part is better a shell or a solid, with the figures for both: str; see `core.shells.shell_or_solid`."""
+    advice = {"shell": translate("ThinPart", "Recommended: shell."),
+              "mixed": translate("ThinPart", "Recommended: solid, or a shell of its walls only."),
+              "solid": translate("ThinPart", "Recommended: solid.")}[found["advice"]]
+    lines = [advice]
+    if found["plate_volume_share"] is not None and found["width_to_thickness"] is not None:
+        lines.append(translate("ThinPart", "{} of the volume in plate-like walls, {} times as wide as thick.").format(
+            percent(found["plate_volume_share"]), number(found["width_to_thickness"])))
+    counts = grouped(_rounded(found["solid_elements"])), grouped(_rounded(found["shell_elements"]))
+    lines.append(translate("ThinPart", "About {} elements as a solid, {} as a shell.").format(*counts)
+                 if found["shell_elements"] else translate("ThinPart", "About {} elements as a solid.").format(counts[0]))
+    if found["no_shell"]:
+        lines.append(translated(found["no_shell"]))
+    return " ".join(lines)
 
 
 def _figures(figures):

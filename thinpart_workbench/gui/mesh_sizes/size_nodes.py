@@ -1,4 +1,4 @@
-"""Element sizes on the surface of a part, and its poor elements, in the 3D view."""
+"""Element sizes on the surface of a part, its poor elements, and its shell, in the 3D views."""
 
 import numpy as np
 from pivy import coin
@@ -6,38 +6,57 @@ from pivy import coin
 from ..scene.coin_arrays import fill_numbers, fill_points
 
 _POOR = (0.85, 0.0, 0.35)
+_EDGES = (0.15, 0.15, 0.15)
 _SIDES = (0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)
 
 
 class SizeNodes:
-    """Nodes of the view's own scene graph, which are neither saved nor picked.
+    """Nodes in the scene graphs of all views of a document, which are neither saved nor picked.
 
     Parameters
     ----------
-    root : pivy.coin.SoSeparator
-        The scene graph.
     matrix : ndarray of shape (4, 4), mm
         From the coordinates of the sizes to those of the document.
     """
 
-    def __init__(self, root, matrix):
-        self._root, self._matrix = root, matrix
+    def __init__(self, matrix):
+        self._root = coin.SoSeparator()
+        unpicked = coin.SoPickStyle()
+        unpicked.style = coin.SoPickStyle.UNPICKABLE
+        transform = coin.SoMatrixTransform()
+        transform.matrix = coin.SbMatrix(*map(float, matrix.T.ravel()))
+        for each in (unpicked, transform):
+            self._root.addChild(each)
         self._facets = self._poor = None
 
-    def show_sizes(self, corners, colours):
-        """Colour the surface.
+    def show_in(self, scenes):
+        """Be part of scene graphs: iterable of pivy.coin.SoSeparator."""
+        for scene in scenes:
+            if scene.findChild(self._root) < 0:
+                scene.addChild(self._root)
+
+    def leave(self, scenes):
+        """Be part of scene graphs no more."""
+        for scene in scenes:
+            if scene.findChild(self._root) >= 0:
+                scene.removeChild(self._root)
+
+    def show_sizes(self, corners, colours, has_edges=False):
+        """Colour the surface, or a shell.
 
         Parameters
         ----------
         corners : ndarray of shape (m, 3, 3), mm
         colours : ndarray of shape (m, 3, 3), uint8
+        has_edges : bool
+            Whether the edges of the facets are drawn.
         """
         self.hide_sizes()
-        node = self._facets = self._new(coin.SoSeparator())
+        node = self._facets = coin.SoSeparator()
         light = coin.SoLightModel()
         light.model = coin.SoLightModel.BASE_COLOR
-        offset = coin.SoPolygonOffset()  # before the surface itself
-        offset.factor, offset.units = -1.0, -1.0
+        offset = coin.SoPolygonOffset()  # before the surface itself, behind its own edges
+        offset.factor = offset.units = 1.0 if has_edges else -1.0
         binding = coin.SoMaterialBinding()
         binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
         packed = coin.SoPackedColor()
@@ -45,7 +64,14 @@ class SizeNodes:
         fill_numbers(packed.orderedRGBA, red << 24 | green << 16 | blue << 8 | np.uint32(255), np.uint32)
         for each in (light, offset, binding, packed):
             node.addChild(each)
-        _add_triangles(node, corners.reshape(-1, 3), np.arange(3 * len(corners)).reshape(-1, 3))
+        triangles = np.arange(3 * len(corners)).reshape(-1, 3)
+        _add_triangles(node, corners.reshape(-1, 3), triangles)
+        if has_edges:
+            paint, style, even = coin.SoBaseColor(), coin.SoDrawStyle(), coin.SoMaterialBinding()
+            paint.rgb, style.style, even.value = _EDGES, coin.SoDrawStyle.LINES, coin.SoMaterialBinding.OVERALL
+            for each in (paint, even, style):
+                node.addChild(each)
+            _add_triangles(node, corners.reshape(-1, 3), triangles)
         self._root.addChild(node)
 
     def hide_sizes(self):
@@ -58,7 +84,7 @@ class SizeNodes:
         self.hide_poor()
         if not len(corners):
             return
-        node = self._poor = self._new(coin.SoAnnotation())
+        node = self._poor = coin.SoAnnotation()
         light = coin.SoLightModel()
         light.model = coin.SoLightModel.BASE_COLOR
         paint = coin.SoBaseColor()
@@ -77,20 +103,6 @@ class SizeNodes:
         """Remove them."""
         self._remove(self._poor)
         self._poor = None
-
-    def clear(self):
-        """Remove everything."""
-        self.hide_sizes()
-        self.hide_poor()
-
-    def _new(self, node):
-        unpicked = coin.SoPickStyle()
-        unpicked.style = coin.SoPickStyle.UNPICKABLE
-        transform = coin.SoMatrixTransform()
-        transform.matrix = coin.SbMatrix(*map(float, self._matrix.T.ravel()))
-        for each in (unpicked, transform):
-            node.addChild(each)
-        return node
 
     def _remove(self, node):
         if node is not None and self._root.findChild(node) >= 0:

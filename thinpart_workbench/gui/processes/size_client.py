@@ -24,7 +24,7 @@ class SizeClient(QtCore.QObject):
     progressed(float)
     measured(object)
         See `size_worker`.
-    proposed(object), meshed(object)
+    proposed(object), meshed(object), shelled(object)
         The answer.
     refused(str)
         Why a request cannot be answered.
@@ -36,6 +36,7 @@ class SizeClient(QtCore.QObject):
     measured = Signal(object)
     proposed = Signal(object)
     meshed = Signal(object)
+    shelled = Signal(object)
     refused = Signal(str)
     ended = Signal(str)
 
@@ -57,8 +58,13 @@ class SizeClient(QtCore.QObject):
 
     @property
     def is_meshing(self):
-        """Whether a mesh is being made."""
+        """Whether a mesh or a shell is being made."""
         return self._is_meshing
+
+    @property
+    def is_ready(self):
+        """Whether the part is measured, so that a request is answered."""
+        return self._process.is_running and self._is_measured
 
     def start(self, part, settings, profile):
         """Write a part to a temporary folder and measure it.
@@ -100,6 +106,12 @@ class SizeClient(QtCore.QObject):
         self._next = {"settings": settings, "sizes_wanted": sizes, "mesh": True}
         self._send_next()
 
+    def shell(self, settings):
+        """Ask for a shell: see `PartSizes.shell`."""
+        self._is_meshing = True
+        self._next = {"shell": settings}
+        self._send_next()
+
     def file(self, name):
         """Path of a file of the process."""
         return os.path.join(self.folder, name)
@@ -132,6 +144,9 @@ class SizeClient(QtCore.QObject):
             if "meshed" in answer:
                 self._is_meshing = False
                 self.meshed.emit(answer["meshed"])
+            elif "shelled" in answer:
+                self._is_meshing = False
+                self.shelled.emit(answer["shelled"])
             elif "refused" in answer:
                 self._is_meshing = False
                 self.refused.emit(translated(answer["refused"]))

@@ -82,19 +82,17 @@ def msh_text(shell, about):
 
 
 def unv_text(shell, about):
-    """Units, nodes, thin shell elements, and a group for each thickness that is named after it, str.
+    """Nodes, thin shell elements, and a group for each thickness that is named after it, str.
 
     Notes
     -----
-    I-DEAS universal file datasets 164, 2411, 2412 (91: linear, 92: parabolic thin shell triangle) and 2467, as the SDRC
+    I-DEAS universal file datasets 2411, 2412 (91: linear, 92: parabolic thin shell triangle) and 2467, as the SDRC
     documents of the University of Cincinnati describe them. The number of an element's physical property is that of its
-    group, since there is no common dataset for the thickness.
+    group, since there is no common dataset for the thickness. Lengths are in mm, as the head says. Dataset 164 would say so
+    too, but with its documented factor of 1000, FreeCAD reads millimetres as metres.
     """
     text, (section, thickness) = io.StringIO(), shell.sections()
-    text.write("    -1\n   151\n" + about[:80] + "\n\n\n\n\n\n\n    -1\n")
-    text.write("    -1\n   164\n         5mm (milli-newton)           2\n" + "".join(
-        f"{value:25.17E}" for value in (1000.0, 1.0, 1.0)).replace("E", "D") + f"\n{273.15:25.17E}\n".replace("E", "D")
-        + "    -1\n")
+    text.write(f"    -1\n   151\n{about[:80]}\nLengths in mm\n\n\n\n\n\n    -1\n")
     text.write("    -1\n  2411\n")
     for number, point in enumerate(shell.points):
         text.write(f"{number + 1:10d}{1:10d}{1:10d}{11:10d}\n" + "".join(f"{value:25.16E}" for value in point).replace(

@@ -8,6 +8,8 @@ import numpy as np
 from ...core.maps.facet_refinement import cut_sides, side_lengths
 from ...core.mesh.tetrahedra import POOR, radius_ratios
 from ...core.message import message
+from ...core.shells.shell_or_solid import idealisation, idealisation_values
+from ...core.shells.shell_settings import SHARE_OF_DIAGONAL
 from ...core.sizing.size_proposal import propose_sizes
 from ...core.sizing.size_sources import size_sources
 from .gmsh_program import convert_mesh
@@ -32,10 +34,12 @@ class PartSizing:
     ----------
     measurement : Measurement
     thin_limit : float, mm
+    no_shell : str
+        Why a shell of the part cannot be made; empty where it can, or nothing is known. It may be changed.
     """
 
-    def __init__(self, measurement, thin_limit):
-        self._measurement, self._thin_limit = measurement, thin_limit
+    def __init__(self, measurement, thin_limit, no_shell=""):
+        self._measurement, self._thin_limit, self.no_shell = measurement, thin_limit, no_shell
         self._default = None  # (what it depends on, figures, histogram) of the last mesh at the global size
         self._points = np.empty((0, 3, 3))
 
@@ -60,6 +64,9 @@ class PartSizing:
             "least_size": proposal.least_size, "order": settings.order, "growth": settings.growth,
             "unbounded_elements": None if unbounded is None else unbounded.elements,
             "regions": self._rows(proposal, settings),
+            "idealisation": idealisation_values(idealisation(
+                self._measurement, proposal.elements, SHARE_OF_DIAGONAL * self._measurement.descriptors.box.diagonal,
+                self.no_shell)),
         }
 
     def facets(self):

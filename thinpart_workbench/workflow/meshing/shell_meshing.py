@@ -24,6 +24,9 @@ THINNEST_ELEMENT = 2.0
 AROUND = 6
 """Elements around a circle."""
 
+LEAST_WALLS = 0.4
+"""Share of the part's volume that walls with a mid-surface must have before it is made: at joints, it grows into more."""
+
 LEAST_VOLUME, MOST_VOLUME = 0.6, 1.3
 """Share of the part's volume that a shell must have to be one: joints count for each wall, what is left solid does not."""
 
@@ -50,6 +53,10 @@ class PartShell:
     left_solid : list of dict
         Walls that are no shell: ``kind``, ``thickness``, ``volume_share`` and ``faces`` of the wall region.
     warnings : list of str
+    shape : Part.Shape
+        The mid-surface that was meshed.
+    wall_of_face : list of int
+        Number of the wall, from 0, that each of its faces belongs to.
     """
 
     mesh: ShellMesh
@@ -58,9 +65,45 @@ class PartShell:
     walls: list
     left_solid: list
     warnings: list
+    shape: object
+    wall_of_face: list
 
 
-def shell_of_part(part, measurement, program, seconds, settings=None):
+def shell_obstacle(part, measurement):
+    """Why a shell of a measured part cannot be made, as far as that is known without making it.
+
+    Parameters
+    ----------
+    part : SolidPart or MeshedPart
+    measurement : Measurement
+
+    Returns
+    -------
+    str
+        A sentence; empty if nothing stands against it.
+    """
+    # Imported here since the adapter loads FreeCAD.
+    from ...freecad_adapter.mid_surface.mid_faces import mid_walls
+
+    if not hasattr(part, "shape"):
+        return message("{part} is made of triangles, which have no mid-surface: use its STEP file, or mesh it as a solid.",
+                       part=part.label)
+    if measurement.rays is None or measurement.volume_mm3 is None:
+        return message("{part} has no shell, since it is not closed or was measured by pairs: close its gaps (Part "
+                       "workbench, Check geometry), or measure it by rays.", part=part.label)
+    walls = mid_walls(part.shape, facing_faces(measurement.field))
+    if not walls:
+        return message("No wall of {part} is wide and thin enough for a shell: mesh it as a solid.", part=part.label)
+    share = sum(wall.area * wall.thickness for wall in walls) / measurement.volume_mm3
+    return "" if share >= LEAST_WALLS else _too_little(part, share)
+
+
+def _too_little(part, share):
+    return message("{part} has no shell: walls with a mid-surface have only {share:.0f} % of its volume. Mesh it as a "
+                   "solid.", part=part.label, share=100.0 * share)
+
+
+def shell_of_part(part, measurement, program, seconds, settings=None, report=None):
     """Make the shell of a measured part.
 
     Parameters
@@ -72,6 +115,8 @@ def shell_of_part(part, measurement, program, seconds, settings=None):
     seconds : float
         Limit for meshing.
     settings : ShellSettings, optional
+    report : callable, optional
+        Called with the fraction that is done.
 
     Returns
     -------
@@ -85,19 +130,20 @@ def shell_of_part(part, measurement, program, seconds, settings=None):
     # Imported here since the adapter loads FreeCAD.
     from ...freecad_adapter.mid_surface.mid_faces import mid_surface
 
-    if not hasattr(part, "shape"):
-        raise ThinPartError(message("{part} is made of triangles: a shell needs the faces of a solid, as STEP files have "
-                                    "them.", part=part.label), "no_solid")
-    if measurement.rays is None or measurement.volume_mm3 is None:
-        raise ThinPartError(message("{part} is not closed, or was measured by pairs: a shell needs a closed solid that "
-                                    "was measured by rays.", part=part.label), "no_shell")
+    obstacle = shell_obstacle(part, measurement)
+    if obstacle:
+        raise ThinPartError(obstacle, "no_shell" if hasattr(part, "shape") else "no_solid")
     surface, rays = measurement.field.mesh, measurement.rays
-    middle = mid_surface(part.shape, facing_faces(measurement.field), surface, rays)
+    report = report or (lambda fraction: None)
+    middle = mid_surface(part.shape, facing_faces(measurement.field), surface, rays, lambda done: report(0.9 * done))
+    report(0.9)
     settings = settings or ShellSettings()
     size, order = settings.size or _default_size(middle, measurement), settings.order
     with tempfile.TemporaryDirectory(prefix="thinpart-shell-") as folder:
         file, output = os.path.join(folder, "middle.brep"), os.path.join(folder, "middle.msh")
-        middle.shape.exportBrep(file)
+        # FreeCAD's exception does not say that a disk is full; Python's does.
+        with open(file, "w", encoding="utf-8") as stream:
+            stream.write(middle.shape.exportBrepToString())
         reason, _ = mesh_surface(program, file, output, seconds, folder, size, AROUND, order)
         if reason:
             raise ThinPartError(message("The mid-surface of {part} could not be meshed ({problem}): name another element "
@@ -115,7 +161,7 @@ def shell_of_part(part, measurement, program, seconds, settings=None):
     walls = [{"wall": row + 1, "thickness": each.thickness, "area": float(areas[row]),
               "faces": [f"Face{face + 1}" for face in sorted(each.faces)]} for row, each in enumerate(middle.walls)
              if areas[row] > 0.0]
-    return PartShell(mesh, size, share, walls, left, warnings)
+    return PartShell(mesh, size, share, walls, left, warnings, middle.shape, list(middle.wall_of_face))
 
 
 def _default_size(middle, measurement):
@@ -144,9 +190,11 @@ def _left_solid(measurement, middle):
 
 def _checked(part, mesh, share, left, inside, free):
     """Warnings about a shell; a ThinPartError where it does not stand for the part."""
-    if not LEAST_VOLUME <= share <= MOST_VOLUME:
+    if share < LEAST_VOLUME:
+        raise ThinPartError(_too_little(part, share), "no_shell")
+    if share > MOST_VOLUME:
         raise ThinPartError(message(
-            "{part} has no shell: walls of even thickness account for {share:.0f} % of its volume. Mesh it as a solid.",
+            "{part} has no shell: its walls overlap, and would count for {share:.0f} % of its volume. Mesh it as a solid.",
             part=part.label, share=100.0 * share), "no_shell")
     warnings = []
     if mesh.pieces > 1:

@@ -30,6 +30,7 @@ _REGION = Record({
 _IDEALISATION = Record({
     "advice": OneOf(("shell", "mixed", "solid")), "plate_volume_share": OrNull(_SHARE), "plate_area_share": _SHARE,
     "width_to_thickness": OrNull(Number(0.0)), "solid_elements": _COUNT, "shell_elements": _COUNT,
+    "no_shell": Text(),
 })
 
 _MOST_NODES = 3_000_000

@@ -2,7 +2,7 @@
 
 import os
 import tempfile
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Optional
 
@@ -13,13 +13,13 @@ from ...core.errors import ThinPartError
 from ...core.file_formats import is_shape
 from ...core.judging.classification import classify
 from ...core.judging.criteria import profile_from
-from ...core.shells.shell_or_solid import idealisation
+from ...core.shells.shell_or_solid import idealisation, idealisation_values
 from ...core.shells.shell_settings import SHARE_OF_DIAGONAL, ShellSettings
 from ...core.sizing.size_proposal import propose_sizes
 from ...core.sizing.sizing_settings import SizingSettings
 from ..analysis.analyse_part import analyse_part
 from .mesh_check import checked_sizes
-from .shell_meshing import no_shell_record, shell_of_part, shell_record
+from .shell_meshing import no_shell_record, shell_obstacle, shell_of_part, shell_record
 
 
 @dataclass(frozen=True)
@@ -113,11 +113,13 @@ def _proposed(part, profile, task, is_alone):
             proposal = tried.proposal
             if tried.mended and task.has_sources:
                 mended = Path(tried.mended).read_text(encoding="utf-8")
-    record = size_record(part, found["record"], measurement, proposal, check, task.has_sources, tried)
+    shell = None if task.shell is None else _shell(part, measurement, task)
+    record = size_record(part, found["record"], measurement, proposal, check, task.has_sources, tried,
+                         shell_obstacle(part, measurement) if shell is None else shell["reason"])
     if mended:
         record["mended_shape"] = mended
-    if task.shell is not None:
-        record["shell"] = _shell(part, measurement, task)
+    if shell is not None:
+        record["shell"] = shell
     return record
 
 
@@ -131,7 +133,7 @@ def _shell(part, measurement, task):
         return no_shell_record(error)
 
 
-def size_record(part, record, measurement, proposal, check, has_sources, tried=None):
+def size_record(part, record, measurement, proposal, check, has_sources, tried=None, no_shell=""):
     """What is proposed for a part, of plain values.
 
     Parameters
@@ -147,6 +149,8 @@ def size_record(part, record, measurement, proposal, check, has_sources, tried=N
         greatest coordinates.
     tried : MeshTry, optional
         What was meshed.
+    no_shell : str
+        Why a shell cannot be made; see `idealisation`.
 
     Returns
     -------
@@ -165,7 +169,7 @@ def size_record(part, record, measurement, proposal, check, has_sources, tried=N
             "layers": _rounded(unbounded.layers), "least_size": _rounded(unbounded.least_size),
             "elements": unbounded.elements},
         "regions": [_region_row(each) for each in proposal.regions],
-        "check": check, "idealisation": _idealisation(measurement, proposal),
+        "check": check, "idealisation": _idealisation(measurement, proposal, no_shell),
         "gmsh_options": [{"name": name, "value": value} for name, value in (tried.options if tried else {}).items()],
         "is_mended": bool(tried and tried.mended),
     }
@@ -177,9 +181,9 @@ def size_record(part, record, measurement, proposal, check, has_sources, tried=N
     return found
 
 
-def _idealisation(measurement, proposal):
-    found = idealisation(measurement, proposal.elements, SHARE_OF_DIAGONAL * measurement.descriptors.box.diagonal)
-    return {name: _rounded(value) if isinstance(value, float) else value for name, value in asdict(found).items()}
+def _idealisation(measurement, proposal, no_shell):
+    return idealisation_values(idealisation(measurement, proposal.elements,
+                                            SHARE_OF_DIAGONAL * measurement.descriptors.box.diagonal, no_shell))
 
 
 def _region_row(each):
