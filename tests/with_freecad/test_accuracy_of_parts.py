@@ -62,12 +62,42 @@ def test_a_part_is_measured_more_finely_only_where_its_verdict_needs_it():
     assert 0.1 < value < 0.9 and sure["descriptors"]["precision"]["accuracy"] == "standard"
     coarse = analysed(ribbed, "F[0;0.05]", 0.05, accuracy="verdict", minimum_samples=4000)
     assert coarse["descriptors"]["precision"]["accuracy"] == "verdict" and coarse["samples"] < sure["samples"]
-    unsure = analysed(ribbed, "F[0;0.05]", value, accuracy="verdict", minimum_samples=4000)
+    # Within the error of few samples, beyond that of many.
+    near = value + 0.5 * coarse["evidence"][0]["conditions"][0]["error"]
+    unsure = analysed(ribbed, "F[0;0.05]", near, accuracy="verdict", minimum_samples=4000)
     assert unsure["descriptors"]["precision"]["accuracy"] == "fine" and unsure["samples"] > 2 * sure["samples"]
     # Its walls are planes: a finer mesh would say nothing new.
     assert unsure["triangles"] == sure["triangles"]
     row = unsure["evidence"][0]["conditions"][0]
     assert abs(row["value"] - row["threshold"]) < 0.01 and 0.0 < row["error"] < 0.01
+
+
+def test_a_part_that_no_accuracy_decides_is_borderline_and_measured_once():
+    import FreeCAD
+    import Part
+
+    block = Part.makeBox(60, 40, 30).fuse(Part.makeBox(60, 2, 30, FreeCAD.Vector(0, 20, 30))).removeSplitter()
+    value = analysed(block, "F[0;0.05]", 0.05)["descriptors"]["F"]["0:0.05"]
+    undecided = analysed(block, "F[0;0.05]", value)
+    row = undecided["evidence"][0]["conditions"][0]
+    assert undecided["borderline"] and undecided["descriptors"]["precision"]["accuracy"] == "standard"
+    assert abs(row["value"] - row["threshold"]) < row["error"] < 0.01
+
+
+@pytest.mark.parametrize("wall, mesh_is_finer", [("flat", False), ("round", True)])
+def test_a_thin_wall_is_waited_for_where_its_own_faces_are_too_coarse(wall, mesh_is_finer):
+    import FreeCAD
+    import Part
+
+    # A cylinder of 300 mm whose chord error is half a millimetre, beside a wall of 1 mm between planes or between cylinders.
+    body = Part.makeCylinder(150.0, 100.0)
+    thin = Part.makeBox(300.0, 1.0, 100.0, FreeCAD.Vector(140.0, -0.5, 0.0)) if wall == "flat" else \
+        Part.makeCylinder(151.0, 300.0).cut(Part.makeCylinder(150.0, 300.0, FreeCAD.Vector(0, 0, -1)))
+    record = analysed(body.fuse(thin).removeSplitter(), linear_deflection=0.002, angular_deflection=12.0)
+    found = record["descriptors"]["thickness_mm"]
+    assert found["min"] == pytest.approx(1.0, abs=max(found["error_bound"], 1e-4))
+    assert found["error_bound"] <= 0.1
+    assert (record["deflection_mm"] < 0.05) is mesh_is_finer
 
 
 def test_every_quantity_states_its_error():
