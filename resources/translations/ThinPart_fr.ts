@@ -1901,8 +1901,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Smaller</source>
         <translation>Plus petit</translation>
+    </message>
+    <message>
         <source>Solid</source>
-        <translation>Volume</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Something stands before this wall from every side: the mark shows where it is. Hide what covers it, or cut the view open with the clipping plane of the View menu.</source>

@@ -51,8 +51,9 @@ class Precision:
     def at(self, samples, turned=1.0):
         """What to expect of more samples, and of facets at so many times the angle to each other: `Precision`."""
         chord = turned ** 2
-        return replace(self, samples=max(samples, self.samples), wall_mm=chord * self.wall_mm, chord_mm=chord * self.chord_mm,
-                       mean_chord_mm=chord * self.mean_chord_mm, area_share=chord * self.area_share)
+        return replace(
+            self, samples=max(samples, self.samples), wall_mm=chord * self.wall_mm, chord_mm=chord * self.chord_mm,
+            mean_chord_mm=chord * self.mean_chord_mm, area_share=chord * self.area_share)
 
     @property
     def side_mm(self):
