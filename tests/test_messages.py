@@ -38,6 +38,7 @@ NO_MESSAGES = {
     "Wall thickness", "not measured",  # translated where FreeCAD asks for them
     "share of the diagonal", "red is thin",  # FreeCAD's property editor, which translates nothing; documents keep it
     "Made by ThinPart", "Settings of the element sizes by ThinPart",  # likewise
+    "Settings of the shell by ThinPart", "What this is the mid-surface of",
     "User parameter:BaseApp/Preferences/Mod/Fem/Gmsh",
 }
 """What looks like a text for people and is none, or is shown as it is."""

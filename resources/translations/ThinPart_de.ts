@@ -1904,7 +1904,7 @@ Sein Volumen ist unbekannt.</translation>
     </message>
     <message>
         <source>Solid</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen</translation>
     </message>
     <message>
         <source>Something stands before this wall from every side: the mark shows where it is. Hide what covers it, or cut the view open with the clipping plane of the View menu.</source>
@@ -3031,6 +3031,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{} eingeordnete Bauteile: {}; von {}.</translation>
     </message>
     <message>
+        <source>{} mid-surface</source>
+        <translation>{}: Mittelfläche</translation>
+    </message>
+    <message>
         <source>{} min</source>
         <translation>{} min</translation>
     </message>
@@ -3081,6 +3085,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{} s</source>
         <translation>{} s</translation>
+    </message>
+    <message>
+        <source>{} shell mesh</source>
+        <translation>{}: Schalennetz</translation>
     </message>
     <message>
         <source>{} thick</source>

@@ -1904,7 +1904,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Solid</source>
-        <translation type="unfinished"></translation>
+        <translation>Solide</translation>
     </message>
     <message>
         <source>Something stands before this wall from every side: the mark shows where it is. Hide what covers it, or cut the view open with the clipping plane of the View menu.</source>
@@ -3031,6 +3031,10 @@ Son volume est inconnu.</translation>
         <translation>{} pièces étiquetées : {} ; par {}.</translation>
     </message>
     <message>
+        <source>{} mid-surface</source>
+        <translation>{} : surface moyenne</translation>
+    </message>
+    <message>
         <source>{} min</source>
         <translation>{} min</translation>
     </message>
@@ -3081,6 +3085,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{} s</source>
         <translation>{} s</translation>
+    </message>
+    <message>
+        <source>{} shell mesh</source>
+        <translation>{} : maillage de coque</translation>
     </message>
     <message>
         <source>{} thick</source>

@@ -27,13 +27,15 @@ def shell_thicknesses(document, middle):
             and any(owner == middle for owner, _ in each.References)]
 
 
-def set_fem_shell(document, owner, shape, file, settings, size, order, thicknesses, analysis=None):
+def set_fem_shell(document, owner, labels, shape, file, settings, size, order, thicknesses, analysis=None):
     """Make or update the shell of an object; to be called in a transaction.
 
     Parameters
     ----------
     document : FreeCAD.Document
     owner : FreeCAD.DocumentObject
+    labels : tuple of str
+        What people see of the mid-surface and of its mesh, where these are new.
     shape, file : str
         The mid-surface, BREP, and its mesh, UNV.
     settings : dict
@@ -70,14 +72,14 @@ def set_fem_shell(document, owner, shape, file, settings, size, order, thickness
         middle = document.addObject("Part::Feature", "ThinPart_MidSurface")
         middle.addProperty("App::PropertyLinkHidden", SHELL_OF, _GROUP, "What this is the mid-surface of")
         setattr(middle, SHELL_OF, owner)
-        middle.Label = f"{owner.Label} mid-surface"
+        middle.Label = labels[0]
     old = shell_thicknesses(document, middle)
     middle.Shape = surface
     middle.purgeTouched()
     mesh = fem_shell_of(document, middle)
     if mesh is None:
         mesh = ObjectsFem.makeMeshGmsh(document, "ThinPart_ShellMesh")
-        mesh.Label = f"{owner.Label} shell mesh"
+        mesh.Label = labels[1]
         setattr(mesh, part_property(mesh), middle)
         mesh.addProperty("App::PropertyString", SETTINGS, _GROUP, "Settings of the shell by ThinPart")
     setattr(mesh, SETTINGS, json.dumps(settings))

@@ -371,7 +371,9 @@ class MeshSizesController(TaskController):
         unit, settings, found = length_unit(self._document), self._form.shell.settings(), self._shell
         thicknesses = [(translate("ThinPart", "{} thick").format(unit.text(group["thickness"])), group["thickness"],
                         group["faces"]) for group in found["groups"]]
-        set_fem_shell(self._document, self._owner, self.measured.file(SHELL_SHAPE), self.measured.file(SHELL_MESH),
+        labels = tuple(text.format(self._owner.Label) for text in (
+            translate("ThinPart", "{} mid-surface"), translate("ThinPart", "{} shell mesh")))
+        set_fem_shell(self._document, self._owner, labels, self.measured.file(SHELL_SHAPE), self.measured.file(SHELL_MESH),
                       settings, found["size"], settings["order"], thicknesses, active_analysis(self._document))
 
     def _select_faces(self, faces):
