@@ -1,7 +1,5 @@
 """The labels of a thickness map: the thinnest wall, the thickest one, and those that were pinned."""
 
-import queue
-import threading
 from dataclasses import dataclass
 from typing import Optional
 
@@ -10,7 +8,8 @@ import numpy as np
 from ...core.maps.extreme_walls import thickest_wall, thinnest_wall
 from ...core.maps.map_sight import MapSight
 from ...core.rigid_transform import transform_points
-from ..application.qt import QtCore, translate
+from ..application.qt import translate
+from ..application.thread_work import work_in_thread
 
 _CROWD = 3000
 """Facets whose middles stand for where the part is seen."""
@@ -22,8 +21,8 @@ facets from the surface."""
 _TOLERANCE = 2e-3
 """The same for other objects, which are tessellated for display."""
 
-_MOST_AT_ONCE, _POLL_INTERVAL = 120_000, 50
-"""Facets of which the walls are found within a quarter of a second, and milliseconds between two looks at a thread."""
+_MOST_AT_ONCE = 120_000
+"""Facets of which the walls are found within a quarter of a second."""
 
 
 @dataclass(frozen=True)
@@ -154,24 +153,10 @@ class WallsFoundLater:
         if sum(part.map.count for part in parts) <= _MOST_AT_ONCE:
             self.found = LabelledWalls(parts)
             return
-        self._done, self._results = done, queue.SimpleQueue()
-        threading.Thread(target=self._find, args=(parts,), daemon=True).start()
-        self._timer = QtCore.QTimer(interval=_POLL_INTERVAL)
-        self._timer.timeout.connect(self._poll)
-        self._timer.start()
+        self._done = done
+        work_in_thread(lambda: LabelledWalls(parts), self._keep)
 
-    def _find(self, parts):
-        try:
-            self._results.put(LabelledWalls(parts))
-        except Exception as error:  # reported by the thread of the window, whatever its class
-            self._results.put(error)
-
-    def _poll(self):
-        try:
-            found = self._results.get_nowait()
-        except queue.Empty:
-            return
-        self._timer.stop()
+    def _keep(self, found):
         if isinstance(found, Exception):
             raise found
         self.found = found
