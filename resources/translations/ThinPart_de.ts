@@ -151,6 +151,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Alle Bauteile &amp;zusammen</translation>
     </message>
     <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
         <source>&amp;Browse…</source>
         <translation>&amp;Durchsuchen…</translation>
     </message>
@@ -161,6 +165,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>&amp;Colours show</source>
         <translation>&amp;Farben zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Contents</source>
+        <translation>&amp;Inhalt</translation>
     </message>
     <message>
         <source>&amp;Exclude…</source>
@@ -181,6 +189,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>&amp;Folder:</source>
         <translation>&amp;Ordner:</translation>
+    </message>
+    <message>
+        <source>&amp;Forward</source>
+        <translation>&amp;Vor</translation>
     </message>
     <message>
         <source>&amp;Install {}</source>
@@ -1031,6 +1043,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Farbkarte der Wandstärke</translation>
     </message>
     <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
         <source>Here: {}</source>
         <translation>Hier: {}</translation>
     </message>
@@ -1457,6 +1473,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Opens a profile that somebody has given you</source>
         <translation>Öffnet ein Profil, das Ihnen jemand gegeben hat</translation>
+    </message>
+    <message>
+        <source>Opens the page of the guide about this (F1)</source>
+        <translation>Öffnet die Seite des Leitfadens dazu (F1)</translation>
     </message>
     <message>
         <source>Other side</source>
@@ -2157,6 +2177,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Thin part</source>
         <translation>Dünnwandiges Bauteil</translation>
+    </message>
+    <message>
+        <source>ThinPart guide</source>
+        <translation>ThinPart-Leitfaden</translation>
     </message>
     <message>
         <source>ThinPart is installed twice: {} is used, {} is not. Remove one of them.</source>
@@ -4827,6 +4851,17 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Shows or hides the panel that finds classified parts by their category, walls, size and notes, and parts like another one</source>
         <translation>Zeigt oder verbirgt das Fenster, das klassifizierte Bauteile nach Kategorie, Wänden, Größe und Notizen sowie ähnliche Bauteile findet</translation>
+    </message>
+</context>
+<context>
+    <name>ThinPart_Guide</name>
+    <message>
+        <source>Opens the guide: a page for each job, with pictures and examples</source>
+        <translation>Öffnet den Leitfaden: eine Seite für jede Aufgabe, mit Bildern und Beispielen</translation>
+    </message>
+    <message>
+        <source>ThinPart guide</source>
+        <translation>ThinPart-Leitfaden</translation>
     </message>
 </context>
 <context>

@@ -151,6 +151,10 @@ Son volume est inconnu.</translation>
         <translation>&amp;Toutes les pièces ensemble</translation>
     </message>
     <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Retour</translation>
+    </message>
+    <message>
         <source>&amp;Browse…</source>
         <translation>&amp;Parcourir…</translation>
     </message>
@@ -161,6 +165,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>&amp;Colours show</source>
         <translation>Les &amp;couleurs montrent</translation>
+    </message>
+    <message>
+        <source>&amp;Contents</source>
+        <translation>&amp;Sommaire</translation>
     </message>
     <message>
         <source>&amp;Exclude…</source>
@@ -181,6 +189,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>&amp;Folder:</source>
         <translation>&amp;Dossier :</translation>
+    </message>
+    <message>
+        <source>&amp;Forward</source>
+        <translation>&amp;Suivant</translation>
     </message>
     <message>
         <source>&amp;Install {}</source>
@@ -1031,6 +1043,10 @@ Son volume est inconnu.</translation>
         <translation>Carte des épaisseurs</translation>
     </message>
     <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
         <source>Here: {}</source>
         <translation>Ici : {}</translation>
     </message>
@@ -1457,6 +1473,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Opens a profile that somebody has given you</source>
         <translation>Ouvre un profil que quelqu’un vous a donné</translation>
+    </message>
+    <message>
+        <source>Opens the page of the guide about this (F1)</source>
+        <translation>Ouvre la page du guide à ce sujet (F1)</translation>
     </message>
     <message>
         <source>Other side</source>
@@ -2157,6 +2177,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Thin part</source>
         <translation>Pièce mince</translation>
+    </message>
+    <message>
+        <source>ThinPart guide</source>
+        <translation>Guide de ThinPart</translation>
     </message>
     <message>
         <source>ThinPart is installed twice: {} is used, {} is not. Remove one of them.</source>
@@ -4827,6 +4851,17 @@ Son volume est inconnu.</translation>
     <message>
         <source>Shows or hides the panel that finds classified parts by their category, walls, size and notes, and parts like another one</source>
         <translation>Affiche ou masque le panneau qui trouve les pièces classifiées par catégorie, parois, taille et notes, et les pièces similaires à une autre</translation>
+    </message>
+</context>
+<context>
+    <name>ThinPart_Guide</name>
+    <message>
+        <source>Opens the guide: a page for each job, with pictures and examples</source>
+        <translation>Ouvre le guide : une page par tâche, avec des images et des exemples</translation>
+    </message>
+    <message>
+        <source>ThinPart guide</source>
+        <translation>Guide de ThinPart</translation>
     </message>
 </context>
 <context>

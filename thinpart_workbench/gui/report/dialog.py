@@ -15,6 +15,7 @@ from ...freecad_adapter.reading.document_parts import document_content
 from ..application import lifelong
 from ..application.qt import QtCore, QtGui, QtWidgets, translate
 from ..application.sentences import translated
+from ..guide.command import help_button
 from ..processes.document_analysis import DocumentAnalysis
 from ..processes.package_installation import PackageInstallation
 from ..processes.snapshot_job import SnapshotJob
@@ -246,5 +247,6 @@ class ReportDialog(QtWidgets.QDialog):
         self._start.setDefault(True)
         self._cancel = add("ThinPart_ReportCancel", translate("ThinPart", "&Cancel"), self.cancel)
         self._open_button = add("ThinPart_ReportLook", translate("ThinPart", "&Open report"), self.open_report)
+        row.addWidget(help_button(self, "ThinPart_Report"))
         add("ThinPart_ReportClose", translate("ThinPart", "Close"), self.close)
         column.addLayout(row)

@@ -56,10 +56,11 @@ class _Keeper(QtCore.QObject):
 
 
 def menu_letters(window):
-    """The letters of a main window's menus, and of the button below its tasks: set of str."""
-    closing = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.Close)  # of the task view
+    """The letters of a main window's menus, and of the buttons below its tasks: set of str."""
+    closing = QtWidgets.QDialogButtonBox(
+        QtWidgets.QDialogButtonBox.Close | QtWidgets.QDialogButtonBox.Help)  # of the task view
     texts = [action.text() for action in window.menuBar().actions() if action.isVisible()]
-    return {mnemonic(text) for text in (*texts, closing.buttons()[0].text())} - {""}
+    return {mnemonic(text) for text in (*texts, *(button.text() for button in closing.buttons()))} - {""}
 
 
 def mnemonic(text):
