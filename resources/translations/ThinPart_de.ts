@@ -2811,6 +2811,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>ja</translation>
     </message>
     <message>
+        <source>{} (in searches and tables: {})</source>
+        <translation>{} (in Suchen und Tabellen: {})</translation>
+    </message>
+    <message>
         <source>{} (own)</source>
         <translation>{} (eigene)</translation>
     </message>
@@ -3078,6 +3082,10 @@ Sein Volumen ist unbekannt.</translation>
 <context>
     <name>ThinPartCore</name>
     <message>
+        <source> mm and more</source>
+        <translation> mm und mehr</translation>
+    </message>
+    <message>
         <source>'{object}' has an empty shape: recompute the document or delete it.</source>
         <translation>„{object}“ hat eine leere Form: Berechnen Sie das Dokument neu oder löschen Sie das Objekt.</translation>
     </message>
@@ -3106,6 +3114,26 @@ Sein Volumen ist unbekannt.</translation>
         <translation>„{part}“ besteht aus {count} Festkörpern, die FEM als einen vernetzt: Zerlegen Sie es zuerst (Arbeitsbereich Part: Verbund &gt; Verbund auflösen) und wählen Sie dann einen Festkörper.</translation>
     </message>
     <message>
+        <source>(the ring is at the thinnest wall)</source>
+        <translation>(der Ring ist an der dünnsten Wand)</translation>
+    </message>
+    <message>
+        <source>, not sure</source>
+        <translation>, nicht sicher</translation>
+    </message>
+    <message>
+        <source>, not watertight</source>
+        <translation>, nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>, {count} times in the document</source>
+        <translation>, {count}-mal im Dokument</translation>
+    </message>
+    <message>
+        <source>1 warning</source>
+        <translation>1 Warnung</translation>
+    </message>
+    <message>
         <source>A budget is at least 1 element, not {value}.</source>
         <translation>Ein Budget ist mindestens 1 Element, nicht {value}.</translation>
     </message>
@@ -3130,6 +3158,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Alle Dreiecke haben den Flächeninhalt null.</translation>
     </message>
     <message>
+        <source>All parts of this report</source>
+        <translation>Alle Bauteile dieses Berichts</translation>
+    </message>
+    <message>
         <source>All points coincide.</source>
         <translation>Alle Punkte fallen zusammen.</translation>
     </message>
@@ -3146,8 +3178,40 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Aluminium, kleines Gussteil</translation>
     </message>
     <message>
+        <source>Area mm²</source>
+        <translation>Fläche mm²</translation>
+    </message>
+    <message>
         <source>Area of its surface</source>
         <translation>Flächeninhalt der Oberfläche</translation>
+    </message>
+    <message>
+        <source>At least mm</source>
+        <translation>Mindestens mm</translation>
+    </message>
+    <message>
+        <source>At most mm</source>
+        <translation>Höchstens mm</translation>
+    </message>
+    <message>
+        <source>At the thinnest wall, {thickness} mm between {face} and {opposite}</source>
+        <translation>An der dünnsten Wand, {thickness} mm zwischen {face} und {opposite}</translation>
+    </message>
+    <message>
+        <source>Bar chart: share of the surface over walls of each thickness, up to {end} mm; walls under {limit} mm count as thin</source>
+        <translation>Balkendiagramm: Anteil der Oberfläche über Wänden jeder Dicke, bis {end} mm; Wände unter {limit} mm gelten als dünn</translation>
+    </message>
+    <message>
+        <source>Borderline: close to “{other}” ({margin} from the limit).</source>
+        <translation>Grenzfall: nahe an „{other}“ ({margin} von der Grenze).</translation>
+    </message>
+    <message>
+        <source>Bounding box</source>
+        <translation>Hüllquader</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Hüllquader</translation>
     </message>
     <message>
         <source>Brass, large casting</source>
@@ -3158,8 +3222,40 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Messing, kleines Gussteil</translation>
     </message>
     <message>
+        <source>By the paper’s thresholds</source>
+        <translation>Nach den Schwellen des Artikels</translation>
+    </message>
+    <message>
         <source>Calibrated on real parts</source>
         <translation>An echten Teilen kalibriert</translation>
+    </message>
+    <message>
+        <source>Category</source>
+        <translation>Kategorie</translation>
+    </message>
+    <message>
+        <source>Clear verdict: {margin} from the limit.</source>
+        <translation>Eindeutig: {margin} von der Grenze.</translation>
+    </message>
+    <message>
+        <source>Colours from {low} mm to {high} mm and more; grey where nothing was measured</source>
+        <translation>Farben von {low} mm bis {high} mm und mehr; grau, wo nichts gemessen wurde</translation>
+    </message>
+    <message>
+        <source>Colours stand for the diameter of the largest ball inside that touches the surface there, which goes down to nothing at sharp edges. Verdict, tables and the thinnest wall are measured straight across.</source>
+        <translation>Die Farben stehen für den Durchmesser der größten Kugel im Innern, die die Oberfläche dort berührt; zu scharfen Kanten hin geht er auf null zurück. Urteil, Tabellen und dünnste Wand sind gerade hindurch gemessen.</translation>
+    </message>
+    <message>
+        <source>Connected walls of like thickness, equal ones in one row; the thinnest first</source>
+        <translation>Zusammenhängende Wände ähnlicher Dicke, gleiche in einer Zeile; die dünnste zuerst</translation>
+    </message>
+    <message>
+        <source>Could not be measured</source>
+        <translation>Konnte nicht gemessen werden</translation>
+    </message>
+    <message>
+        <source>Developed width mm</source>
+        <translation>Abgewickelte Breite mm</translation>
     </message>
     <message>
         <source>Diagonal of the bounding box</source>
@@ -3170,16 +3266,44 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Druckguss</translation>
     </message>
     <message>
+        <source>Document</source>
+        <translation>Dokument</translation>
+    </message>
+    <message>
         <source>Ductile iron</source>
         <translation>Gusseisen mit Kugelgraphit</translation>
+    </message>
+    <message>
+        <source>Error of a wall at most</source>
+        <translation>Fehler einer Wand höchstens</translation>
+    </message>
+    <message>
+        <source>Every criterion of the profile “{profile}” with what was measured; the category is the first of which one criterion holds</source>
+        <translation>Jedes Kriterium des Profils „{profile}“ mit den Messwerten; die Kategorie ist die erste, von der ein Kriterium zutrifft</translation>
     </message>
     <message>
         <source>FDM printing</source>
         <translation>FDM-Druck</translation>
     </message>
     <message>
+        <source>Face</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
         <source>Faces that meet in a thin wedge</source>
         <translation>Flächen bilden einen dünnen Keil</translation>
+    </message>
+    <message>
+        <source>Faces: {faces} and {count} more.</source>
+        <translation>Flächen: {faces} und {count} weitere.</translation>
+    </message>
+    <message>
+        <source>Faces: {faces}.</source>
+        <translation>Flächen: {faces}.</translation>
     </message>
     <message>
         <source>Fills little of its box</source>
@@ -3234,6 +3358,18 @@ Sein Volumen ist unbekannt.</translation>
         <translation>FreeCAD braucht einen Benutzerordner, aber {folder} ist nicht zugänglich: Setzen Sie FREECAD_USER_HOME auf einen zugänglichen Ordner.</translation>
     </message>
     <message>
+        <source>From behind, below</source>
+        <translation>Von hinten unten</translation>
+    </message>
+    <message>
+        <source>From the front, above</source>
+        <translation>Von vorn oben</translation>
+    </message>
+    <message>
+        <source>Further faces; all of them are in faces.csv as well</source>
+        <translation>Weitere Flächen; alle stehen auch in faces.csv</translation>
+    </message>
+    <message>
         <source>Giannini et al. 2012</source>
         <translation>Giannini u. a. 2012</translation>
     </message>
@@ -3266,6 +3402,18 @@ Sein Volumen ist unbekannt.</translation>
         <translation>An zwei Seiten gehalten</translation>
     </message>
     <message>
+        <source>Holds</source>
+        <translation>Erfüllt</translation>
+    </message>
+    <message>
+        <source>How it was measured</source>
+        <translation>Wie gemessen wurde</translation>
+    </message>
+    <message>
+        <source>How near it is to another category cannot be told.</source>
+        <translation>Wie nahe es einer anderen Kategorie ist, lässt sich nicht sagen.</translation>
+    </message>
+    <message>
         <source>Info files cannot be written into {folder} ({problem}): give another folder to --info-dir.</source>
         <translation>In {folder} können keine Infodateien geschrieben werden ({problem}): Wählen Sie einen anderen Ordner dafür (--info-dir).</translation>
     </message>
@@ -3286,8 +3434,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Der Hüllquader ist leer oder nicht endlich.</translation>
     </message>
     <message>
+        <source>Its faces</source>
+        <translation>Die Flächen</translation>
+    </message>
+    <message>
         <source>Its surface encloses no volume.</source>
         <translation>Die Oberfläche umschließt kein Volumen.</translation>
+    </message>
+    <message>
+        <source>Its walls</source>
+        <translation>Die Wände</translation>
+    </message>
+    <message>
+        <source>Judged by the profile “{profile}”.</source>
+        <translation>Beurteilt nach dem Profil „{profile}“.</translation>
+    </message>
+    <message>
+        <source>Labels:</source>
+        <translation>Einstufungen:</translation>
     </message>
     <message>
         <source>Layers are from 0.1 to {most:g}, not {value:g}.</source>
@@ -3310,6 +3474,18 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Kleinster Abstand, in Diagonalen, zwischen Wänden im Winkel von {low:g} bis {high:g} Grad</translation>
     </message>
     <message>
+        <source>Least mm</source>
+        <translation>Kleinste mm</translation>
+    </message>
+    <message>
+        <source>Length mm</source>
+        <translation>Länge mm</translation>
+    </message>
+    <message>
+        <source>Limits of the wall</source>
+        <translation>Grenzen der Wandstärke</translation>
+    </message>
+    <message>
         <source>Liquid crystal polymer</source>
         <translation>Flüssigkristallpolymer</translation>
     </message>
@@ -3330,6 +3506,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Zerspanung</translation>
     </message>
     <message>
+        <source>Made by</source>
+        <translation>Erzeugt von</translation>
+    </message>
+    <message>
         <source>Magnesium, large casting</source>
         <translation>Magnesium, großes Gussteil</translation>
     </message>
@@ -3338,8 +3518,32 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Magnesium, kleines Gussteil</translation>
     </message>
     <message>
+        <source>Margin</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Bedeutung</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Median mm</source>
+        <translation>Median mm</translation>
+    </message>
+    <message>
         <source>Median thickness of the thinnest wall region</source>
         <translation>Mediandicke des dünnsten Wandbereichs</translation>
+    </message>
+    <message>
+        <source>Median wall</source>
+        <translation>Mediane Wand</translation>
+    </message>
+    <message>
+        <source>Mesh settings</source>
+        <translation>Netzeinstellungen</translation>
     </message>
     <message>
         <source>Meshing needs Gmsh: install it (Debian: 'apt-get install gmsh', elsewhere: https://gmsh.info), and see that 'gmsh --version' runs.</source>
@@ -3358,6 +3562,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Mittlere zu kürzester Seite des Hüllquaders</translation>
     </message>
     <message>
+        <source>No criterion holds: its walls are thick all over.</source>
+        <translation>Kein Kriterium ist erfüllt: Die Wände sind überall dick.</translation>
+    </message>
+    <message>
         <source>No part is labelled {categories}: label at least {needed} parts of every category.</source>
         <translation>Kein Bauteil ist als {categories} eingeordnet: Ordnen Sie mindestens {needed} Bauteile in jede Kategorie ein.</translation>
     </message>
@@ -3372,6 +3580,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>No walls are thinner than {limit} mm, {part} of the middle side of {middle} mm: mesh it with solids.</source>
         <translation>Keine Wand ist dünner als {limit} mm, {part} der mittleren Seite von {middle} mm: mit Volumenelementen vernetzen.</translation>
+    </message>
+    <message>
+        <source>Normal part</source>
+        <translation>Normales Bauteil</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
     </message>
     <message>
         <source>Number of wall regions that are bars, shafts, wires or rings</source>
@@ -3410,8 +3626,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Nur {share} der Oberfläche liegen über Wänden, die dünner als {limit} mm sind, {part} der mittleren Seite von {middle} mm: mit Volumenelementen vernetzen.</translation>
     </message>
     <message>
+        <source>Part</source>
+        <translation>Bauteil</translation>
+    </message>
+    <message>
         <source>Part with thin features</source>
         <translation>Bauteil mit dünnen Bereichen</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Besteht</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
     </message>
     <message>
         <source>Plastic</source>
@@ -3450,8 +3678,32 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Polyurethan (PU)</translation>
     </message>
     <message>
+        <source>Probability: {probability}, next “{other}” with {others}.</source>
+        <translation>Wahrscheinlichkeit: {probability}, danach „{other}“ mit {others}.</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
         <source>Reports need the Python package Jinja2 ({problem}): install it (Debian: 'apt-get install python3-jinja2', elsewhere: 'python -m pip install Jinja2').</source>
         <translation>Berichte brauchen das Python-Paket Jinja2 ({problem}): Installieren Sie es (Debian: „apt-get install python3-jinja2“, sonst: „python -m pip install Jinja2“).</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
     </message>
     <message>
         <source>SLA printing</source>
@@ -3464,6 +3716,18 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Sand casting</source>
         <translation>Sandguss</translation>
+    </message>
+    <message>
+        <source>See</source>
+        <translation>Siehe</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Share of its box, V/VBB</source>
+        <translation>Anteil am Hüllquader, V/VBB</translation>
     </message>
     <message>
         <source>Share of the area over parallel walls from a to b of the middle side</source>
@@ -3502,6 +3766,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Anteil des Hüllquaders, den das Bauteil ausfüllt</translation>
     </message>
     <message>
+        <source>Share of the surface</source>
+        <translation>Anteil der Oberfläche</translation>
+    </message>
+    <message>
         <source>Share of the surface over parallel walls thinner than {high:g} of the diagonal</source>
         <translation>Anteil der Oberfläche über parallelen Wänden, dünner als {high:g} der Diagonale</translation>
     </message>
@@ -3518,6 +3786,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Anteil der Oberfläche über parallelen Wänden, {low:g} bis {high:g} der mittleren Seite dick</translation>
     </message>
     <message>
+        <source>Share of the surface over walls of each thickness, in mm. {unmeasured} of the surface has no wall opposite; {tapered} lies over tapered walls, which are not in the chart.</source>
+        <translation>Anteil der Oberfläche über Wänden jeder Dicke, in mm. {unmeasured} der Oberfläche haben keine Wand gegenüber; {tapered} liegen über schrägen Wänden, die nicht im Diagramm sind.</translation>
+    </message>
+    <message>
         <source>Share of the surface over walls, parallel or tapered, thinner than {high:g} of the middle side</source>
         <translation>Anteil der Oberfläche über Wänden, parallel oder verjüngt, dünner als {high:g} der mittleren Seite</translation>
     </message>
@@ -3526,12 +3798,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Anteil der Oberfläche über Wänden, parallel oder verjüngt, {low:g} bis {high:g} der mittleren Seite dick</translation>
     </message>
     <message>
+        <source>Share of the volume</source>
+        <translation>Anteil am Volumen</translation>
+    </message>
+    <message>
         <source>Sheet metal</source>
         <translation>Blech</translation>
     </message>
     <message>
         <source>Shortest side of the bounding box</source>
         <translation>Kürzeste Seite des Hüllquaders</translation>
+    </message>
+    <message>
+        <source>Software</source>
+        <translation>Software</translation>
     </message>
     <message>
         <source>Some coordinates are not finite numbers.</source>
@@ -3546,8 +3826,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Auf Wunsch vorzeitig abgebrochen.</translation>
     </message>
     <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Surface mesh</source>
+        <translation>Oberflächennetz</translation>
+    </message>
+    <message>
         <source>Surfaces touch or cross at ({place}): what lies between them is not counted as a wall.</source>
         <translation>Flächen berühren oder durchdringen sich bei ({place}): Was dazwischen liegt, zählt nicht als Wand.</translation>
+    </message>
+    <message>
+        <source>Tables:</source>
+        <translation>Tabellen:</translation>
+    </message>
+    <message>
+        <source>Takes shapes from</source>
+        <translation>Übernimmt Formen aus</translation>
     </message>
     <message>
         <source>Temporary files cannot be written ({problem}): free some disk space, or name another folder in TMPDIR.</source>
@@ -3834,6 +4130,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die Wandstärkenkarte {file} stammt von einem neueren ThinPart: Aktualisieren Sie ThinPart oder messen Sie das Bauteil erneut.</translation>
     </message>
     <message>
+        <source>The thinnest first; thin is what lies over walls under {limit} mm</source>
+        <translation>Die dünnsten zuerst; dünn ist, was über Wänden unter {limit} mm liegt</translation>
+    </message>
+    <message>
         <source>The thinnest wall is {wall:.3g} mm ± {error:.2g} mm: a finer mesh would be too large.</source>
         <translation>Die dünnste Wand ist {wall:.3g} mm ± {error:.2g} mm dick: Ein feineres Netz würde zu groß.</translation>
     </message>
@@ -3954,12 +4254,32 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Der Speicher reicht dafür nicht aus.</translation>
     </message>
     <message>
+        <source>These are not in the table above</source>
+        <translation>Diese sind nicht in der Tabelle oben</translation>
+    </message>
+    <message>
+        <source>Thickness and box in mm. The margin is how far the deciding quantities lie from another category, relative to their thresholds.</source>
+        <translation>Dicke und Hüllquader in mm. Der Abstand sagt, wie weit die entscheidenden Größen von einer anderen Kategorie entfernt sind, bezogen auf ihre Schwellen.</translation>
+    </message>
+    <message>
+        <source>Thickness by</source>
+        <translation>Dicke durch</translation>
+    </message>
+    <message>
+        <source>Thin below</source>
+        <translation>Dünn unter</translation>
+    </message>
+    <message>
         <source>Thin part</source>
         <translation>Dünnwandiges Bauteil</translation>
     </message>
     <message>
         <source>Thin plates nearly everywhere</source>
         <translation>Fast überall dünne Platten</translation>
+    </message>
+    <message>
+        <source>Thin share</source>
+        <translation>Anteil dünn</translation>
     </message>
     <message>
         <source>Thin tapered walls over a good part of its surface</source>
@@ -3978,6 +4298,22 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Dünnere Wand neben dickem Körper</translation>
     </message>
     <message>
+        <source>Thinnest</source>
+        <translation>Dünnste</translation>
+    </message>
+    <message>
+        <source>Thinnest mm</source>
+        <translation>Dünnste mm</translation>
+    </message>
+    <message>
+        <source>Thinnest towards</source>
+        <translation>Dünnste gegen</translation>
+    </message>
+    <message>
+        <source>Thinnest wall</source>
+        <translation>Dünnste Wand</translation>
+    </message>
+    <message>
         <source>This FreeCAD has no FEM workbench: install it (Debian: 'apt-get install freecad', elsewhere the installer of freecad.org, which has it), then start FreeCAD again.</source>
         <translation>Dieses FreeCAD hat keinen Arbeitsbereich FEM: Installieren Sie ihn (Debian: 'apt-get install freecad', sonst mit dem Installer von freecad.org, der ihn enthält) und starten Sie FreeCAD neu.</translation>
     </message>
@@ -3990,12 +4326,64 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Dies ist möglicherweise eine ältere Form von „{object}“, weil die letzte Neuberechnung von „{feature}“, woraus es entsteht, fehlgeschlagen ist ({reason}): Reparieren Sie das Objekt und berechnen Sie das Dokument neu.</translation>
     </message>
     <message>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Unbekannt</translation>
+    </message>
+    <message>
+        <source>Unmeasured</source>
+        <translation>Ungemessen</translation>
+    </message>
+    <message>
+        <source>Unsure: “{category}” ({probability}) or “{other}” ({others}).</source>
+        <translation>Unsicher: „{category}“ ({probability}) oder „{other}“ ({others}).</translation>
+    </message>
+    <message>
         <source>Very thin wall on a filled part</source>
         <translation>Sehr dünne Wand an massivem Bauteil</translation>
     </message>
     <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
         <source>Volume of the part</source>
         <translation>Volumen des Bauteils</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>Wall thickness of 1 part</source>
+        <translation>Wandstärke von 1 Bauteil</translation>
+    </message>
+    <message>
+        <source>Wall thickness of {count} parts</source>
+        <translation>Wandstärke von {count} Bauteilen</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>Where it is thin</source>
+        <translation>Wo es dünn ist</translation>
+    </message>
+    <message>
+        <source>Whether its walls lie within what processes allow</source>
+        <translation>Ob die Wände einhalten, was Verfahren zulassen</translation>
+    </message>
+    <message>
+        <source>Why it is in this category</source>
+        <translation>Warum diese Kategorie</translation>
+    </message>
+    <message>
+        <source>Why:</source>
+        <translation>Warum:</translation>
     </message>
     <message>
         <source>Your own limits {file} cannot be written ({problem}): make room, or name another file in THINPART_LIMITS.</source>
@@ -4012,6 +4400,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>a block of its elements is empty</source>
         <translation>ein Block seiner Elemente ist leer</translation>
+    </message>
+    <message>
+        <source>along the principal axes; diagonal {diagonal} mm</source>
+        <translation>entlang der Hauptachsen; Diagonale {diagonal} mm</translation>
     </message>
     <message>
         <source>an entry has no header</source>
@@ -4038,8 +4430,32 @@ Sein Volumen ist unbekannt.</translation>
         <translation>ein unerwarteter Fehler</translation>
     </message>
     <message>
+        <source>and {count} more</source>
+        <translation>und {count} weitere</translation>
+    </message>
+    <message>
+        <source>and {count} smaller walls, {share} of the surface</source>
+        <translation>und {count} kleinere Wände, {share} der Oberfläche</translation>
+    </message>
+    <message>
         <source>angular deflection</source>
         <translation>Winkelabweichung</translation>
+    </message>
+    <message>
+        <source>as it was open in FreeCAD, not saved</source>
+        <translation>wie es in FreeCAD offen war, nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>Stab</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>Block</translation>
+    </message>
+    <message>
+        <source>borderline</source>
+        <translation>Grenzfall</translation>
     </message>
     <message>
         <source>box as flat</source>
@@ -4050,12 +4466,32 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Quader gleich lang</translation>
     </message>
     <message>
+        <source>colours stand for the largest ball inside that touches the surface</source>
+        <translation>die Farben stehen für die größte Kugel im Innern, die die Oberfläche berührt</translation>
+    </message>
+    <message>
+        <source>colours stand for the thickness of the wall below the surface</source>
+        <translation>die Farben stehen für die Dicke der Wand unter der Oberfläche</translation>
+    </message>
+    <message>
         <source>coordinates are not numbers</source>
         <translation>Koordinaten sind keine Zahlen</translation>
     </message>
     <message>
         <source>different wall distribution</source>
         <translation>andere Wandverteilung</translation>
+    </message>
+    <message>
+        <source>element size {size} mm</source>
+        <translation>Elementgröße {size} mm</translation>
+    </message>
+    <message>
+        <source>excluded: {reason}</source>
+        <translation>ausgenommen: {reason}</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fehlgeschlagen</translation>
     </message>
     <message>
         <source>far fewer tapered walls</source>
@@ -4074,8 +4510,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Füllung nicht vergleichbar</translation>
     </message>
     <message>
+        <source>fine</source>
+        <translation>fein</translation>
+    </message>
+    <message>
         <source>flatter box</source>
         <translation>flacherer Quader</translation>
+    </message>
+    <message>
+        <source>for the verdict</source>
+        <translation>für das Urteil</translation>
     </message>
     <message>
         <source>format is not {format!r}</source>
@@ -4166,6 +4610,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Lineare Abweichung</translation>
     </message>
     <message>
+        <source>linear deflection {linear}, angular deflection {angular} degrees, at walls {wall}, at least {samples} samples, accuracy {accuracy}</source>
+        <translation>lineare Abweichung {linear}, Winkelabweichung {angular} Grad, an Wänden {wall}, mindestens {samples} Messpunkte, Genauigkeit {accuracy}</translation>
+    </message>
+    <message>
         <source>longer box</source>
         <translation>längerer Quader</translation>
     </message>
@@ -4202,6 +4650,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>viel kürzerer Quader</translation>
     </message>
     <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
         <source>no permission to read the file</source>
         <translation>keine Berechtigung, die Datei zu lesen</translation>
     </message>
@@ -4210,8 +4662,28 @@ Sein Volumen ist unbekannt.</translation>
         <translation>kein Grund angegeben</translation>
     </message>
     <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>of least volume; diagonal {diagonal} mm</source>
+        <translation>kleinsten Volumens; Diagonale {diagonal} mm</translation>
+    </message>
+    <message>
         <source>of the diagonal</source>
         <translation>der Diagonale</translation>
+    </message>
+    <message>
+        <source>plate</source>
+        <translation>Platte</translation>
     </message>
     <message>
         <source>processes[{number}]{place} has a min_mm of {least:g}, not below its max_mm of {most:g}</source>
@@ -4238,8 +4710,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>ähnliche Wandverteilung</translation>
     </message>
     <message>
+        <source>standard</source>
+        <translation>normal</translation>
+    </message>
+    <message>
         <source>stopped on request</source>
         <translation>auf Wunsch abgebrochen</translation>
+    </message>
+    <message>
+        <source>taper</source>
+        <translation>Keil</translation>
     </message>
     <message>
         <source>the cluster cannot be used</source>
@@ -4266,6 +4746,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>die Datei oder das Dokument ist leer</translation>
     </message>
     <message>
+        <source>the first wall along the inward normal</source>
+        <translation>die erste Wand entlang der Normalen nach innen</translation>
+    </message>
+    <message>
         <source>the format is not supported here</source>
         <translation>das Format wird hier nicht unterstützt</translation>
     </message>
@@ -4280,6 +4764,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>the mesh was not written ({problem})</source>
         <translation>das Netz wurde nicht geschrieben ({problem})</translation>
+    </message>
+    <message>
+        <source>the paper's pair rule</source>
+        <translation>die Paarregel des Artikels</translation>
     </message>
     <message>
         <source>the part encloses no volume</source>
@@ -4314,8 +4802,36 @@ Sein Volumen ist unbekannt.</translation>
         <translation>diese Datei gibt es nicht</translation>
     </message>
     <message>
+        <source>thickness, mm</source>
+        <translation>Dicke, mm</translation>
+    </message>
+    <message>
+        <source>thin</source>
+        <translation>dünnwandig</translation>
+    </message>
+    <message>
+        <source>thin below {limit} mm</source>
+        <translation>dünn unter {limit} mm</translation>
+    </message>
+    <message>
+        <source>thin features</source>
+        <translation>teils dünn</translation>
+    </message>
+    <message>
+        <source>tooth</source>
+        <translation>Zahn</translation>
+    </message>
+    <message>
+        <source>tube</source>
+        <translation>Rohr</translation>
+    </message>
+    <message>
         <source>two entries are called '{entry}'</source>
         <translation>zwei Einträge heißen „{entry}“</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
     </message>
     <message>
         <source>version is {version}, and this reads version 1</source>
@@ -4324,6 +4840,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>wrong usage of the command</source>
         <translation>der Befehl wurde falsch aufgerufen</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
     </message>
     <message>
         <source>{about} needs more memory than the limit allows.</source>
@@ -4344,6 +4864,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{bytes} bytes that belong to no entry lie before '{entry}'</source>
         <translation>{bytes} Bytes, die zu keinem Eintrag gehören, liegen vor „{entry}“</translation>
+    </message>
+    <message>
+        <source>{bytes} bytes, changed {time} UTC</source>
+        <translation>{bytes} Bytes, geändert {time} UTC</translation>
     </message>
     <message>
         <source>{category!r} is no category: there are {known}</source>
@@ -4374,8 +4898,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{count} doppelte Dreiecke wurden weggelassen.</translation>
     </message>
     <message>
+        <source>{count} more faces</source>
+        <translation>{count} weitere Flächen</translation>
+    </message>
+    <message>
         <source>{count} triangles of zero area were left out.</source>
         <translation>{count} Dreiecke mit Flächeninhalt null wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>{count} warnings</source>
+        <translation>{count} Warnungen</translation>
     </message>
     <message>
         <source>{file} cannot be read ({problem}).</source>
@@ -4598,6 +5130,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{low} bis {high}</translation>
     </message>
     <message>
+        <source>{low} to {high} mm: {share}</source>
+        <translation>{low} bis {high} mm: {share}</translation>
+    </message>
+    <message>
         <source>{mm} mm</source>
         <translation>{mm} mm</translation>
     </message>
@@ -4608,6 +5144,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{number!r} in the condition {condition!r} is not a number.</source>
         <translation>{number!r} in der Bedingung {condition!r} ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>{part} - wall thickness</source>
+        <translation>{part} - Wandstärke</translation>
     </message>
     <message>
         <source>{part} belongs to another document, {file}: open that one, and prepare its mesh there.</source>
@@ -4772,6 +5312,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{thin} of the surface is under {least} mm, thinnest {place}, and {thick} over {most} mm</source>
         <translation>{thin} der Oberfläche sind unter {least} mm, am dünnsten {place}, und {thick} über {most} mm</translation>
+    </message>
+    <message>
+        <source>{title} (rule {number})</source>
+        <translation>{title} (Regel {number})</translation>
+    </message>
+    <message>
+        <source>{triangles} triangles, chord error {error} mm, {samples} samples</source>
+        <translation>{triangles} Dreiecke, Sehnenfehler {error} mm, {samples} Messpunkte</translation>
     </message>
     <message>
         <source>{wall} on {face}</source>

@@ -2811,6 +2811,10 @@ Son volume est inconnu.</translation>
         <translation>oui</translation>
     </message>
     <message>
+        <source>{} (in searches and tables: {})</source>
+        <translation>{} (dans les recherches et tableaux : {})</translation>
+    </message>
+    <message>
         <source>{} (own)</source>
         <translation>{} (propre)</translation>
     </message>
@@ -3078,6 +3082,10 @@ Son volume est inconnu.</translation>
 <context>
     <name>ThinPartCore</name>
     <message>
+        <source> mm and more</source>
+        <translation> mm et plus</translation>
+    </message>
+    <message>
         <source>'{object}' has an empty shape: recompute the document or delete it.</source>
         <translation>« {object} » a une forme vide : recalculez le document ou supprimez l’objet.</translation>
     </message>
@@ -3106,6 +3114,26 @@ Son volume est inconnu.</translation>
         <translation>« {part} » est constitué de {count} solides, que FEM maille ensemble : séparez-les d'abord (atelier Part : Composé &gt; Éclater le composé), puis sélectionnez un solide.</translation>
     </message>
     <message>
+        <source>(the ring is at the thinnest wall)</source>
+        <translation>(l’anneau marque la paroi la plus mince)</translation>
+    </message>
+    <message>
+        <source>, not sure</source>
+        <translation>, sans certitude</translation>
+    </message>
+    <message>
+        <source>, not watertight</source>
+        <translation>, non fermé</translation>
+    </message>
+    <message>
+        <source>, {count} times in the document</source>
+        <translation>, {count} fois dans le document</translation>
+    </message>
+    <message>
+        <source>1 warning</source>
+        <translation>1 avertissement</translation>
+    </message>
+    <message>
         <source>A budget is at least 1 element, not {value}.</source>
         <translation>Un budget est d'au moins 1 élément, pas de {value}.</translation>
     </message>
@@ -3130,6 +3158,10 @@ Son volume est inconnu.</translation>
         <translation>Tous ses triangles ont une aire nulle.</translation>
     </message>
     <message>
+        <source>All parts of this report</source>
+        <translation>Toutes les pièces de ce rapport</translation>
+    </message>
+    <message>
         <source>All points coincide.</source>
         <translation>Tous les points coïncident.</translation>
     </message>
@@ -3146,8 +3178,40 @@ Son volume est inconnu.</translation>
         <translation>Aluminium, petite pièce</translation>
     </message>
     <message>
+        <source>Area mm²</source>
+        <translation>Aire mm²</translation>
+    </message>
+    <message>
         <source>Area of its surface</source>
         <translation>Aire de sa surface</translation>
+    </message>
+    <message>
+        <source>At least mm</source>
+        <translation>Au moins mm</translation>
+    </message>
+    <message>
+        <source>At most mm</source>
+        <translation>Au plus mm</translation>
+    </message>
+    <message>
+        <source>At the thinnest wall, {thickness} mm between {face} and {opposite}</source>
+        <translation>À la paroi la plus mince, {thickness} mm entre {face} et {opposite}</translation>
+    </message>
+    <message>
+        <source>Bar chart: share of the surface over walls of each thickness, up to {end} mm; walls under {limit} mm count as thin</source>
+        <translation>Histogramme : part de la surface sur des parois de chaque épaisseur, jusqu’à {end} mm ; les parois sous {limit} mm comptent comme minces</translation>
+    </message>
+    <message>
+        <source>Borderline: close to “{other}” ({margin} from the limit).</source>
+        <translation>Cas limite : proche de « {other} » ({margin} de la limite).</translation>
+    </message>
+    <message>
+        <source>Bounding box</source>
+        <translation>Boîte englobante</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Boîte</translation>
     </message>
     <message>
         <source>Brass, large casting</source>
@@ -3158,8 +3222,40 @@ Son volume est inconnu.</translation>
         <translation>Laiton, petite pièce</translation>
     </message>
     <message>
+        <source>By the paper’s thresholds</source>
+        <translation>D’après les seuils de l’article</translation>
+    </message>
+    <message>
         <source>Calibrated on real parts</source>
         <translation>Calibré sur des pièces réelles</translation>
+    </message>
+    <message>
+        <source>Category</source>
+        <translation>Catégorie</translation>
+    </message>
+    <message>
+        <source>Clear verdict: {margin} from the limit.</source>
+        <translation>Verdict net : {margin} de la limite.</translation>
+    </message>
+    <message>
+        <source>Colours from {low} mm to {high} mm and more; grey where nothing was measured</source>
+        <translation>Couleurs de {low} mm à {high} mm et plus ; gris là où rien n’a été mesuré</translation>
+    </message>
+    <message>
+        <source>Colours stand for the diameter of the largest ball inside that touches the surface there, which goes down to nothing at sharp edges. Verdict, tables and the thinnest wall are measured straight across.</source>
+        <translation>Les couleurs représentent le diamètre de la plus grande bille intérieure qui touche la surface à cet endroit ; il tend vers zéro aux arêtes vives. Le verdict, les tableaux et la paroi la plus mince sont mesurés tout droit à travers la paroi.</translation>
+    </message>
+    <message>
+        <source>Connected walls of like thickness, equal ones in one row; the thinnest first</source>
+        <translation>Parois continues d’épaisseur semblable, les identiques sur une ligne ; la plus mince d’abord</translation>
+    </message>
+    <message>
+        <source>Could not be measured</source>
+        <translation>N’a pas pu être mesuré</translation>
+    </message>
+    <message>
+        <source>Developed width mm</source>
+        <translation>Largeur développée mm</translation>
     </message>
     <message>
         <source>Diagonal of the bounding box</source>
@@ -3170,16 +3266,44 @@ Son volume est inconnu.</translation>
         <translation>Moulage sous pression</translation>
     </message>
     <message>
+        <source>Document</source>
+        <translation>Document</translation>
+    </message>
+    <message>
         <source>Ductile iron</source>
         <translation>Fonte ductile</translation>
+    </message>
+    <message>
+        <source>Error of a wall at most</source>
+        <translation>Erreur d’une paroi, au plus</translation>
+    </message>
+    <message>
+        <source>Every criterion of the profile “{profile}” with what was measured; the category is the first of which one criterion holds</source>
+        <translation>Chaque critère du profil « {profile} » avec les mesures ; la catégorie est la première dont un critère est rempli</translation>
     </message>
     <message>
         <source>FDM printing</source>
         <translation>Impression FDM</translation>
     </message>
     <message>
+        <source>Face</source>
+        <translation>Face</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Faces</translation>
+    </message>
+    <message>
         <source>Faces that meet in a thin wedge</source>
         <translation>Faces formant un coin mince</translation>
+    </message>
+    <message>
+        <source>Faces: {faces} and {count} more.</source>
+        <translation>Faces : {faces} et {count} autres.</translation>
+    </message>
+    <message>
+        <source>Faces: {faces}.</source>
+        <translation>Faces : {faces}.</translation>
     </message>
     <message>
         <source>Fills little of its box</source>
@@ -3234,6 +3358,18 @@ Son volume est inconnu.</translation>
         <translation>FreeCAD a besoin d’un dossier personnel, mais {folder} n’est pas accessible : donnez à FREECAD_USER_HOME un dossier accessible.</translation>
     </message>
     <message>
+        <source>From behind, below</source>
+        <translation>De derrière, par en dessous</translation>
+    </message>
+    <message>
+        <source>From the front, above</source>
+        <translation>De devant, par le dessus</translation>
+    </message>
+    <message>
+        <source>Further faces; all of them are in faces.csv as well</source>
+        <translation>Autres faces ; toutes sont aussi dans faces.csv</translation>
+    </message>
+    <message>
         <source>Giannini et al. 2012</source>
         <translation>Giannini et coll. 2012</translation>
     </message>
@@ -3266,6 +3402,18 @@ Son volume est inconnu.</translation>
         <translation>Tenue de deux côtés</translation>
     </message>
     <message>
+        <source>Holds</source>
+        <translation>Rempli</translation>
+    </message>
+    <message>
+        <source>How it was measured</source>
+        <translation>Comment la mesure a été faite</translation>
+    </message>
+    <message>
+        <source>How near it is to another category cannot be told.</source>
+        <translation>La distance à une autre catégorie ne peut pas être donnée.</translation>
+    </message>
+    <message>
         <source>Info files cannot be written into {folder} ({problem}): give another folder to --info-dir.</source>
         <translation>Les fichiers d’information ne peuvent pas être écrits dans {folder} ({problem}) : choisissez un autre dossier (--info-dir).</translation>
     </message>
@@ -3286,8 +3434,24 @@ Son volume est inconnu.</translation>
         <translation>Sa boîte englobante est vide ou infinie.</translation>
     </message>
     <message>
+        <source>Its faces</source>
+        <translation>Ses faces</translation>
+    </message>
+    <message>
         <source>Its surface encloses no volume.</source>
         <translation>Sa surface n’enferme aucun volume.</translation>
+    </message>
+    <message>
+        <source>Its walls</source>
+        <translation>Ses parois</translation>
+    </message>
+    <message>
+        <source>Judged by the profile “{profile}”.</source>
+        <translation>Jugé d’après le profil « {profile} ».</translation>
+    </message>
+    <message>
+        <source>Labels:</source>
+        <translation>Étiquettes :</translation>
     </message>
     <message>
         <source>Layers are from 0.1 to {most:g}, not {value:g}.</source>
@@ -3310,6 +3474,18 @@ Son volume est inconnu.</translation>
         <translation>Plus petite distance, en diagonales, entre parois à un angle de {low:g} à {high:g} degrés</translation>
     </message>
     <message>
+        <source>Least mm</source>
+        <translation>Minimum mm</translation>
+    </message>
+    <message>
+        <source>Length mm</source>
+        <translation>Longueur mm</translation>
+    </message>
+    <message>
+        <source>Limits of the wall</source>
+        <translation>Limites de la paroi</translation>
+    </message>
+    <message>
         <source>Liquid crystal polymer</source>
         <translation>Polymère à cristaux liquides</translation>
     </message>
@@ -3330,6 +3506,10 @@ Son volume est inconnu.</translation>
         <translation>Usinage</translation>
     </message>
     <message>
+        <source>Made by</source>
+        <translation>Créée par</translation>
+    </message>
+    <message>
         <source>Magnesium, large casting</source>
         <translation>Magnésium, grande pièce</translation>
     </message>
@@ -3338,8 +3518,32 @@ Son volume est inconnu.</translation>
         <translation>Magnésium, petite pièce</translation>
     </message>
     <message>
+        <source>Margin</source>
+        <translation>Marge</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Signification</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Mesuré</translation>
+    </message>
+    <message>
+        <source>Median mm</source>
+        <translation>Médiane mm</translation>
+    </message>
+    <message>
         <source>Median thickness of the thinnest wall region</source>
         <translation>Épaisseur médiane de la région de paroi la plus mince</translation>
+    </message>
+    <message>
+        <source>Median wall</source>
+        <translation>Paroi médiane</translation>
+    </message>
+    <message>
+        <source>Mesh settings</source>
+        <translation>Paramètres de maillage</translation>
     </message>
     <message>
         <source>Meshing needs Gmsh: install it (Debian: 'apt-get install gmsh', elsewhere: https://gmsh.info), and see that 'gmsh --version' runs.</source>
@@ -3358,6 +3562,10 @@ Son volume est inconnu.</translation>
         <translation>Rapport du côté moyen au plus petit côté de la boîte englobante</translation>
     </message>
     <message>
+        <source>No criterion holds: its walls are thick all over.</source>
+        <translation>Aucun critère n’est rempli : ses parois sont épaisses partout.</translation>
+    </message>
+    <message>
         <source>No part is labelled {categories}: label at least {needed} parts of every category.</source>
         <translation>Aucune pièce n’est étiquetée {categories} : étiquetez au moins {needed} pièces de chaque catégorie.</translation>
     </message>
@@ -3372,6 +3580,14 @@ Son volume est inconnu.</translation>
     <message>
         <source>No walls are thinner than {limit} mm, {part} of the middle side of {middle} mm: mesh it with solids.</source>
         <translation>Aucune paroi n'est plus mince que {limit} mm, {part} du côté médian de {middle} mm : mailler en éléments volumiques.</translation>
+    </message>
+    <message>
+        <source>Normal part</source>
+        <translation>Pièce normale</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
     </message>
     <message>
         <source>Number of wall regions that are bars, shafts, wires or rings</source>
@@ -3410,8 +3626,20 @@ Son volume est inconnu.</translation>
         <translation>Seulement {share} de la surface recouvre des parois plus minces que {limit} mm, {part} du côté médian de {middle} mm : mailler en éléments volumiques.</translation>
     </message>
     <message>
+        <source>Part</source>
+        <translation>Pièce</translation>
+    </message>
+    <message>
         <source>Part with thin features</source>
         <translation>Pièce à zones minces</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Conforme</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Image</translation>
     </message>
     <message>
         <source>Plastic</source>
@@ -3450,8 +3678,32 @@ Son volume est inconnu.</translation>
         <translation>Polyuréthane (PU)</translation>
     </message>
     <message>
+        <source>Probability: {probability}, next “{other}” with {others}.</source>
+        <translation>Probabilité : {probability}, puis « {other} » avec {others}.</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>Procédé</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Grandeur</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Raison</translation>
+    </message>
+    <message>
         <source>Reports need the Python package Jinja2 ({problem}): install it (Debian: 'apt-get install python3-jinja2', elsewhere: 'python -m pip install Jinja2').</source>
         <translation>Les rapports ont besoin du paquet Python Jinja2 ({problem}) : installez-le (Debian : « apt-get install python3-jinja2 », ailleurs : « python -m pip install Jinja2 »).</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
     </message>
     <message>
         <source>SLA printing</source>
@@ -3464,6 +3716,18 @@ Son volume est inconnu.</translation>
     <message>
         <source>Sand casting</source>
         <translation>Moulage en sable</translation>
+    </message>
+    <message>
+        <source>See</source>
+        <translation>Voir</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>Share of its box, V/VBB</source>
+        <translation>Part de sa boîte, V/VBB</translation>
     </message>
     <message>
         <source>Share of the area over parallel walls from a to b of the middle side</source>
@@ -3502,6 +3766,10 @@ Son volume est inconnu.</translation>
         <translation>Part de la boîte englobante que la pièce remplit</translation>
     </message>
     <message>
+        <source>Share of the surface</source>
+        <translation>Part de la surface</translation>
+    </message>
+    <message>
         <source>Share of the surface over parallel walls thinner than {high:g} of the diagonal</source>
         <translation>Part de la surface sur des parois parallèles plus minces que {high:g} de la diagonale</translation>
     </message>
@@ -3518,6 +3786,10 @@ Son volume est inconnu.</translation>
         <translation>Part de la surface sur des parois parallèles épaisses de {low:g} à {high:g} du côté médian</translation>
     </message>
     <message>
+        <source>Share of the surface over walls of each thickness, in mm. {unmeasured} of the surface has no wall opposite; {tapered} lies over tapered walls, which are not in the chart.</source>
+        <translation>Part de la surface sur des parois de chaque épaisseur, en mm. {unmeasured} de la surface n’a pas de paroi en face ; {tapered} est sur des parois en dépouille, qui ne sont pas dans l’histogramme.</translation>
+    </message>
+    <message>
         <source>Share of the surface over walls, parallel or tapered, thinner than {high:g} of the middle side</source>
         <translation>Part de la surface sur des parois, parallèles ou en dépouille, plus minces que {high:g} du côté médian</translation>
     </message>
@@ -3526,12 +3798,20 @@ Son volume est inconnu.</translation>
         <translation>Part de la surface sur des parois, parallèles ou en dépouille, épaisses de {low:g} à {high:g} du côté médian</translation>
     </message>
     <message>
+        <source>Share of the volume</source>
+        <translation>Part du volume</translation>
+    </message>
+    <message>
         <source>Sheet metal</source>
         <translation>Tôle</translation>
     </message>
     <message>
         <source>Shortest side of the bounding box</source>
         <translation>Plus petit côté de la boîte englobante</translation>
+    </message>
+    <message>
+        <source>Software</source>
+        <translation>Logiciel</translation>
     </message>
     <message>
         <source>Some coordinates are not finite numbers.</source>
@@ -3546,8 +3826,24 @@ Son volume est inconnu.</translation>
         <translation>Arrêté à la demande avant la fin.</translation>
     </message>
     <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>Surface mesh</source>
+        <translation>Maillage de la surface</translation>
+    </message>
+    <message>
         <source>Surfaces touch or cross at ({place}): what lies between them is not counted as a wall.</source>
         <translation>Des surfaces se touchent ou se croisent en ({place}) : ce qui se trouve entre elles ne compte pas comme paroi.</translation>
+    </message>
+    <message>
+        <source>Tables:</source>
+        <translation>Tableaux :</translation>
+    </message>
+    <message>
+        <source>Takes shapes from</source>
+        <translation>Reprend des formes de</translation>
     </message>
     <message>
         <source>Temporary files cannot be written ({problem}): free some disk space, or name another folder in TMPDIR.</source>
@@ -3834,6 +4130,10 @@ Son volume est inconnu.</translation>
         <translation>La carte des épaisseurs {file} vient d’un ThinPart plus récent : mettez ThinPart à jour ou mesurez la pièce à nouveau.</translation>
     </message>
     <message>
+        <source>The thinnest first; thin is what lies over walls under {limit} mm</source>
+        <translation>Les plus minces d’abord ; est mince ce qui est sur des parois sous {limit} mm</translation>
+    </message>
+    <message>
         <source>The thinnest wall is {wall:.3g} mm ± {error:.2g} mm: a finer mesh would be too large.</source>
         <translation>La paroi la plus mince mesure {wall:.3g} mm ± {error:.2g} mm : un maillage plus fin serait trop grand.</translation>
     </message>
@@ -3954,12 +4254,32 @@ Son volume est inconnu.</translation>
         <translation>La mémoire ne suffit pas pour cela.</translation>
     </message>
     <message>
+        <source>These are not in the table above</source>
+        <translation>Ils ne sont pas dans le tableau ci-dessus</translation>
+    </message>
+    <message>
+        <source>Thickness and box in mm. The margin is how far the deciding quantities lie from another category, relative to their thresholds.</source>
+        <translation>Épaisseur et boîte en mm. La marge dit à quelle distance d’une autre catégorie sont les grandeurs décisives, rapportée à leurs seuils.</translation>
+    </message>
+    <message>
+        <source>Thickness by</source>
+        <translation>Épaisseur par</translation>
+    </message>
+    <message>
+        <source>Thin below</source>
+        <translation>Mince sous</translation>
+    </message>
+    <message>
         <source>Thin part</source>
         <translation>Pièce mince</translation>
     </message>
     <message>
         <source>Thin plates nearly everywhere</source>
         <translation>Des plaques minces presque partout</translation>
+    </message>
+    <message>
+        <source>Thin share</source>
+        <translation>Part mince</translation>
     </message>
     <message>
         <source>Thin tapered walls over a good part of its surface</source>
@@ -3978,6 +4298,22 @@ Son volume est inconnu.</translation>
         <translation>Paroi plus mince à côté d’un corps épais</translation>
     </message>
     <message>
+        <source>Thinnest</source>
+        <translation>Plus mince</translation>
+    </message>
+    <message>
+        <source>Thinnest mm</source>
+        <translation>Plus mince mm</translation>
+    </message>
+    <message>
+        <source>Thinnest towards</source>
+        <translation>Plus mince vers</translation>
+    </message>
+    <message>
+        <source>Thinnest wall</source>
+        <translation>Paroi la plus mince</translation>
+    </message>
+    <message>
         <source>This FreeCAD has no FEM workbench: install it (Debian: 'apt-get install freecad', elsewhere the installer of freecad.org, which has it), then start FreeCAD again.</source>
         <translation>Ce FreeCAD n'a pas d'atelier FEM : installez-le (Debian : 'apt-get install freecad', ailleurs l'installateur de freecad.org, qui le contient), puis redémarrez FreeCAD.</translation>
     </message>
@@ -3990,12 +4326,64 @@ Son volume est inconnu.</translation>
         <translation>Il s’agit peut-être d’une ancienne forme de « {object} », car le dernier recalcul de « {feature} », dont il dépend, a échoué ({reason}) : réparez l’objet et recalculez le document.</translation>
     </message>
     <message>
+        <source>Threshold</source>
+        <translation>Seuil</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Inconnue</translation>
+    </message>
+    <message>
+        <source>Unmeasured</source>
+        <translation>Non mesuré</translation>
+    </message>
+    <message>
+        <source>Unsure: “{category}” ({probability}) or “{other}” ({others}).</source>
+        <translation>Incertain : « {category} » ({probability}) ou « {other} » ({others}).</translation>
+    </message>
+    <message>
         <source>Very thin wall on a filled part</source>
         <translation>Paroi très mince sur une pièce pleine</translation>
     </message>
     <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
         <source>Volume of the part</source>
         <translation>Volume de la pièce</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Paroi</translation>
+    </message>
+    <message>
+        <source>Wall thickness of 1 part</source>
+        <translation>Épaisseur de paroi de 1 pièce</translation>
+    </message>
+    <message>
+        <source>Wall thickness of {count} parts</source>
+        <translation>Épaisseur de paroi de {count} pièces</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Avertissements</translation>
+    </message>
+    <message>
+        <source>Where it is thin</source>
+        <translation>Où elle est mince</translation>
+    </message>
+    <message>
+        <source>Whether its walls lie within what processes allow</source>
+        <translation>Si ses parois respectent ce que permettent les procédés</translation>
+    </message>
+    <message>
+        <source>Why it is in this category</source>
+        <translation>Pourquoi cette catégorie</translation>
+    </message>
+    <message>
+        <source>Why:</source>
+        <translation>Pourquoi :</translation>
     </message>
     <message>
         <source>Your own limits {file} cannot be written ({problem}): make room, or name another file in THINPART_LIMITS.</source>
@@ -4012,6 +4400,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>a block of its elements is empty</source>
         <translation>un bloc de ses éléments est vide</translation>
+    </message>
+    <message>
+        <source>along the principal axes; diagonal {diagonal} mm</source>
+        <translation>selon les axes principaux ; diagonale {diagonal} mm</translation>
     </message>
     <message>
         <source>an entry has no header</source>
@@ -4038,8 +4430,32 @@ Son volume est inconnu.</translation>
         <translation>une erreur inattendue</translation>
     </message>
     <message>
+        <source>and {count} more</source>
+        <translation>et {count} autres</translation>
+    </message>
+    <message>
+        <source>and {count} smaller walls, {share} of the surface</source>
+        <translation>et {count} parois plus petites, {share} de la surface</translation>
+    </message>
+    <message>
         <source>angular deflection</source>
         <translation>Déflexion angulaire</translation>
+    </message>
+    <message>
+        <source>as it was open in FreeCAD, not saved</source>
+        <translation>tel qu’il était ouvert dans FreeCAD, non enregistré</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>barre</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>bloc</translation>
+    </message>
+    <message>
+        <source>borderline</source>
+        <translation>cas limite</translation>
     </message>
     <message>
         <source>box as flat</source>
@@ -4050,12 +4466,32 @@ Son volume est inconnu.</translation>
         <translation>boîte aussi longue</translation>
     </message>
     <message>
+        <source>colours stand for the largest ball inside that touches the surface</source>
+        <translation>les couleurs représentent la plus grande bille intérieure qui touche la surface</translation>
+    </message>
+    <message>
+        <source>colours stand for the thickness of the wall below the surface</source>
+        <translation>les couleurs représentent l’épaisseur de la paroi sous la surface</translation>
+    </message>
+    <message>
         <source>coordinates are not numbers</source>
         <translation>des coordonnées ne sont pas des nombres</translation>
     </message>
     <message>
         <source>different wall distribution</source>
         <translation>répartition des parois différente</translation>
+    </message>
+    <message>
+        <source>element size {size} mm</source>
+        <translation>taille d’élément {size} mm</translation>
+    </message>
+    <message>
+        <source>excluded: {reason}</source>
+        <translation>exclue : {reason}</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>échec</translation>
     </message>
     <message>
         <source>far fewer tapered walls</source>
@@ -4074,8 +4510,16 @@ Son volume est inconnu.</translation>
         <translation>remplissage non comparable</translation>
     </message>
     <message>
+        <source>fine</source>
+        <translation>fine</translation>
+    </message>
+    <message>
         <source>flatter box</source>
         <translation>boîte plus plate</translation>
+    </message>
+    <message>
+        <source>for the verdict</source>
+        <translation>pour le verdict</translation>
     </message>
     <message>
         <source>format is not {format!r}</source>
@@ -4166,6 +4610,10 @@ Son volume est inconnu.</translation>
         <translation>Déflexion linéaire</translation>
     </message>
     <message>
+        <source>linear deflection {linear}, angular deflection {angular} degrees, at walls {wall}, at least {samples} samples, accuracy {accuracy}</source>
+        <translation>déviation linéaire {linear}, déviation angulaire {angular} degrés, aux parois {wall}, au moins {samples} points de mesure, précision {accuracy}</translation>
+    </message>
+    <message>
         <source>longer box</source>
         <translation>boîte plus longue</translation>
     </message>
@@ -4202,6 +4650,10 @@ Son volume est inconnu.</translation>
         <translation>boîte beaucoup plus courte</translation>
     </message>
     <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
         <source>no permission to read the file</source>
         <translation>pas d’autorisation de lire le fichier</translation>
     </message>
@@ -4210,8 +4662,28 @@ Son volume est inconnu.</translation>
         <translation>aucune raison donnée</translation>
     </message>
     <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normale</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>non mesuré</translation>
+    </message>
+    <message>
+        <source>of least volume; diagonal {diagonal} mm</source>
+        <translation>de volume minimal ; diagonale {diagonal} mm</translation>
+    </message>
+    <message>
         <source>of the diagonal</source>
         <translation>de la diagonale</translation>
+    </message>
+    <message>
+        <source>plate</source>
+        <translation>plaque</translation>
     </message>
     <message>
         <source>processes[{number}]{place} has a min_mm of {least:g}, not below its max_mm of {most:g}</source>
@@ -4238,8 +4710,16 @@ Son volume est inconnu.</translation>
         <translation>répartition des parois similaire</translation>
     </message>
     <message>
+        <source>standard</source>
+        <translation>standard</translation>
+    </message>
+    <message>
         <source>stopped on request</source>
         <translation>arrêté à la demande</translation>
+    </message>
+    <message>
+        <source>taper</source>
+        <translation>coin</translation>
     </message>
     <message>
         <source>the cluster cannot be used</source>
@@ -4266,6 +4746,10 @@ Son volume est inconnu.</translation>
         <translation>le fichier ou le document est vide</translation>
     </message>
     <message>
+        <source>the first wall along the inward normal</source>
+        <translation>la première paroi le long de la normale intérieure</translation>
+    </message>
+    <message>
         <source>the format is not supported here</source>
         <translation>le format n’est pas pris en charge ici</translation>
     </message>
@@ -4280,6 +4764,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>the mesh was not written ({problem})</source>
         <translation>le maillage n'a pas été écrit ({problem})</translation>
+    </message>
+    <message>
+        <source>the paper's pair rule</source>
+        <translation>la règle des paires de l’article</translation>
     </message>
     <message>
         <source>the part encloses no volume</source>
@@ -4314,8 +4802,36 @@ Son volume est inconnu.</translation>
         <translation>ce fichier n’existe pas</translation>
     </message>
     <message>
+        <source>thickness, mm</source>
+        <translation>épaisseur, mm</translation>
+    </message>
+    <message>
+        <source>thin</source>
+        <translation>mince</translation>
+    </message>
+    <message>
+        <source>thin below {limit} mm</source>
+        <translation>mince sous {limit} mm</translation>
+    </message>
+    <message>
+        <source>thin features</source>
+        <translation>zones minces</translation>
+    </message>
+    <message>
+        <source>tooth</source>
+        <translation>dent</translation>
+    </message>
+    <message>
+        <source>tube</source>
+        <translation>tube</translation>
+    </message>
+    <message>
         <source>two entries are called '{entry}'</source>
         <translation>deux entrées se nomment « {entry} »</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>inconnu</translation>
     </message>
     <message>
         <source>version is {version}, and this reads version 1</source>
@@ -4324,6 +4840,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>wrong usage of the command</source>
         <translation>la commande a été mal appelée</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
     </message>
     <message>
         <source>{about} needs more memory than the limit allows.</source>
@@ -4344,6 +4864,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{bytes} bytes that belong to no entry lie before '{entry}'</source>
         <translation>{bytes} octets qui n'appartiennent à aucune entrée précèdent « {entry} »</translation>
+    </message>
+    <message>
+        <source>{bytes} bytes, changed {time} UTC</source>
+        <translation>{bytes} octets, modifié {time} UTC</translation>
     </message>
     <message>
         <source>{category!r} is no category: there are {known}</source>
@@ -4374,8 +4898,16 @@ Son volume est inconnu.</translation>
         <translation>{count} triangles en double ont été omis.</translation>
     </message>
     <message>
+        <source>{count} more faces</source>
+        <translation>{count} autres faces</translation>
+    </message>
+    <message>
         <source>{count} triangles of zero area were left out.</source>
         <translation>{count} triangles d’aire nulle ont été omis.</translation>
+    </message>
+    <message>
+        <source>{count} warnings</source>
+        <translation>{count} avertissements</translation>
     </message>
     <message>
         <source>{file} cannot be read ({problem}).</source>
@@ -4598,6 +5130,10 @@ Son volume est inconnu.</translation>
         <translation>{low} à {high}</translation>
     </message>
     <message>
+        <source>{low} to {high} mm: {share}</source>
+        <translation>{low} à {high} mm : {share}</translation>
+    </message>
+    <message>
         <source>{mm} mm</source>
         <translation>{mm} mm</translation>
     </message>
@@ -4608,6 +5144,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{number!r} in the condition {condition!r} is not a number.</source>
         <translation>{number!r} dans la condition {condition!r} n’est pas un nombre.</translation>
+    </message>
+    <message>
+        <source>{part} - wall thickness</source>
+        <translation>{part} - épaisseur de paroi</translation>
     </message>
     <message>
         <source>{part} belongs to another document, {file}: open that one, and prepare its mesh there.</source>
@@ -4772,6 +5312,14 @@ Son volume est inconnu.</translation>
     <message>
         <source>{thin} of the surface is under {least} mm, thinnest {place}, and {thick} over {most} mm</source>
         <translation>{thin} de la surface est sous {least} mm, au plus mince {place}, et {thick} au-dessus de {most} mm</translation>
+    </message>
+    <message>
+        <source>{title} (rule {number})</source>
+        <translation>{title} (règle {number})</translation>
+    </message>
+    <message>
+        <source>{triangles} triangles, chord error {error} mm, {samples} samples</source>
+        <translation>{triangles} triangles, erreur de corde {error} mm, {samples} points de mesure</translation>
     </message>
     <message>
         <source>{wall} on {face}</source>

@@ -83,6 +83,29 @@ def test_a_report_is_written_beside_the_document_and_opened(saved, browser, tmp_
     assert browser.opened == [str(overview)] * 2
 
 
+@pytest.mark.parametrize("language, code, heading", [
+    ("German", "de", "Wo es d\u00fcnn ist"), ("French", "fr", "O\u00f9 elle est mince")])
+def test_a_report_is_in_the_language_of_the_window(language, code, heading, saved, browser, tmp_path):
+    broken = saved.addObject("Part::Feature", "Open")
+    broken.Shape = Part.makePlane(10, 10)
+    saved.recompute()
+    started = Gui.getLocale()
+    Gui.setLocale(language)
+    try:
+        opened()
+        window.click("ThinPart_ReportStart")
+        wait_for_end()
+    finally:
+        Gui.setLocale(started)
+    page, = (tmp_path / "block-report").rglob("pages/*.html")
+    text = page.read_text(encoding="utf-8")
+    assert f'<html lang="{code}">' in text and heading in text and "Where it is thin" not in text
+    overview = (tmp_path / "block-report" / "index.html").read_text(encoding="utf-8")
+    assert f'<html lang="{code}">' in overview
+    # What the window read itself and sent on is translated too.
+    assert "bounds no solid" not in overview and "[" in overview
+
+
 def test_it_measures_by_the_preferences_and_has_the_notes_of_their_folder(document, browser, tmp_path):
     window.add(document, "Tube", Part.makeCylinder(20, 30).cut(Part.makeCylinder(18, 30)))
     document.saveAs(str(tmp_path / "block.FCStd"))

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import FreeCAD as App
 
-from ...api.report_folder import OVERVIEW
+from ...api.report_folder import LANGUAGES, OVERVIEW
 from ...core.analysis_settings import RAY
 from ...core.errors import ThinPartError
 from ...core.judging.criteria import load_profile
@@ -13,6 +13,7 @@ from ...freecad_adapter.additional_packages import has_package, install_folder
 from ...freecad_adapter.preferences import preference, preferred_analysis
 from ...freecad_adapter.reading.document_parts import document_content
 from ..application import lifelong
+from ..application.language import language_of
 from ..application.qt import QtCore, QtGui, QtWidgets, translate
 from ..application.sentences import translated
 from ..guide.command import help_button
@@ -112,7 +113,7 @@ class ReportDialog(QtWidgets.QDialog):
             "output": self._output, "document": file, "label": document.Label,
             "is_saved": bool(file) and os.path.exists(file) and not lifelong.observer.differs_from_file(document),
             "info_folder": preference("InfoFolder"), "checks": preference("Checks"),
-            "failures": [part.failure() for part in content.broken]})
+            "failures": [part.failure() for part in content.broken], "language": language_of(LANGUAGES)})
         self._job.progressed.connect(self._show_progress)
         self._job.ended.connect(self._show_end)
         self._job.start()
