@@ -1167,6 +1167,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Größte Größe</translation>
     </message>
     <message>
+        <source>Largest size, {}</source>
+        <translation>Größte Elementgröße, {}</translation>
+    </message>
+    <message>
         <source>Layers</source>
         <translation>Schichten</translation>
     </message>
@@ -1305,6 +1309,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Mesh and compare</source>
         <translation>Vernetzen und vergleichen</translation>
+    </message>
+    <message>
+        <source>Mesh file</source>
+        <translation>Netzdatei</translation>
     </message>
     <message>
         <source>Mesh settings</source>
@@ -1477,6 +1485,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Opens the page of the guide about this (F1)</source>
         <translation>Öffnet die Seite des Leitfadens dazu (F1)</translation>
+    </message>
+    <message>
+        <source>Order of the elements</source>
+        <translation>Ordnung der Elemente</translation>
     </message>
     <message>
         <source>Other side</source>
@@ -1753,6 +1765,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Set &amp;mesh size…</source>
         <translation>&amp;Netzweite festlegen…</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Einstellung</translation>
     </message>
     <message>
         <source>Shaded</source>
@@ -2431,8 +2447,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Ihr Name, unter dem Ihre Einordnungen von Bauteilen aufbewahrt werden. Leer: Ihr Name auf diesem Rechner</translation>
     </message>
     <message>
-        <source>a file, or a JSON object</source>
-        <translation>eine Datei oder ein JSON-Objekt</translation>
+        <source>a file with mesh settings</source>
+        <translation>eine Datei mit Netzeinstellungen</translation>
     </message>
     <message>
         <source>a folder with classified parts</source>
@@ -2865,6 +2881,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{} elements, {} poor, worst {}</source>
         <translation>{} Elemente, {} schlecht, schlechtestes {}</translation>
+    </message>
+    <message>
+        <source>{} entries</source>
+        <translation>{} Einträge</translation>
     </message>
     <message>
         <source>{} failed</source>

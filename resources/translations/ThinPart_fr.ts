@@ -1167,6 +1167,10 @@ Son volume est inconnu.</translation>
         <translation>Taille maximale</translation>
     </message>
     <message>
+        <source>Largest size, {}</source>
+        <translation>Plus grande taille, {}</translation>
+    </message>
+    <message>
         <source>Layers</source>
         <translation>Couches</translation>
     </message>
@@ -1305,6 +1309,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Mesh and compare</source>
         <translation>Mailler et comparer</translation>
+    </message>
+    <message>
+        <source>Mesh file</source>
+        <translation>Fichier de maillage</translation>
     </message>
     <message>
         <source>Mesh settings</source>
@@ -1477,6 +1485,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Opens the page of the guide about this (F1)</source>
         <translation>Ouvre la page du guide à ce sujet (F1)</translation>
+    </message>
+    <message>
+        <source>Order of the elements</source>
+        <translation>Ordre des éléments</translation>
     </message>
     <message>
         <source>Other side</source>
@@ -1753,6 +1765,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Set &amp;mesh size…</source>
         <translation>Fixer la taille de &amp;maille…</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Réglage</translation>
     </message>
     <message>
         <source>Shaded</source>
@@ -2431,8 +2447,8 @@ Son volume est inconnu.</translation>
         <translation>Votre nom, sous lequel vos étiquettes de pièces sont gardées. Vide : votre nom sur cet ordinateur</translation>
     </message>
     <message>
-        <source>a file, or a JSON object</source>
-        <translation>un fichier ou un objet JSON</translation>
+        <source>a file with mesh settings</source>
+        <translation>un fichier de paramètres de maillage</translation>
     </message>
     <message>
         <source>a folder with classified parts</source>
@@ -2865,6 +2881,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{} elements, {} poor, worst {}</source>
         <translation>{} éléments, {} mauvais, le pire {}</translation>
+    </message>
+    <message>
+        <source>{} entries</source>
+        <translation>{} entrées</translation>
     </message>
     <message>
         <source>{} failed</source>

@@ -250,7 +250,8 @@ class FindDock(QtWidgets.QDockWidget):
             lifelong.running_jobs.end(name)
             return
         lifelong.running_jobs.show(name, translate("ThinPart", "Refreshing the libraries") if name == "libraries" else
-                                   translate("ThinPart", "Classifying again by another profile"), self)
+                                   translate("ThinPart", "Classifying again by another profile"), self,
+                                   lambda: self._choices.setCurrentIndex(LIBRARIES if name == "libraries" else RECLASSIFY))
 
     def _refresh(self):
         self._show_message("")

@@ -13,7 +13,7 @@ from ..widgets.flow_layout import FlowLayout
 from ..widgets.range_filter import RangeFilter
 from ..widgets.wheel import ignore_wheel_unless_focused
 
-_LONGEST_TITLE = 32
+_LONGEST_TITLE = 36
 """Characters of a criterion's title beside its box; the whole title is in the tool tip."""
 
 _TYPING_DELAY = 300
