@@ -1,15 +1,16 @@
-"""Makes the controls of a window usable by keyboard, and safe from the mouse wheel, in every language."""
+"""Makes the controls of a window usable by keyboard, in the order of reading, and safe from the mouse wheel."""
 
 from functools import partial
 
-from ..application.qt import QtCore, QtWidgets
+from ..application.qt import QtCore, QtWidgets, flags_as_int
 from .wheel import ignore_wheel_unless_focused
 
 _TURNED = (QtWidgets.QComboBox, QtWidgets.QAbstractSpinBox, QtWidgets.QAbstractSlider)
 
 
 def prepare_controls(roots, window=None):
-    """Give each control below some widgets a letter of its own to press with Alt, and keep the wheel for scrolling.
+    """Give each control below some widgets a letter of its own to press with Alt, order them for Tab, and keep the wheel
+    for scrolling.
 
     Parameters
     ----------
@@ -29,10 +30,69 @@ def prepare_controls(roots, window=None):
         if not isinstance(field, QtWidgets.QScrollBar) and not field.property("ThinPart_KeepsWheel"):
             field.setProperty("ThinPart_KeepsWheel", True)
             ignore_wheel_unless_focused(field)
+    _order_for_tab(roots)
     taken = menu_letters(window) if window is not None else set()
     _give([entry for root in roots for entry in controls(root)], taken)
     if roots[0].findChild(_Keeper) is None:
         _Keeper(roots, window)
+
+
+def reading_order(root):
+    """The controls below a widget that Tab can reach, as one reads them: list of QWidget.
+
+    Layouts say in which order; places do not, since there are none yet before the window is shown.
+    """
+    return [each for each in _in_order(root) if flags_as_int(each.focusPolicy()) & flags_as_int(QtCore.Qt.TabFocus)]
+
+
+def tab_stops(root):
+    """The controls below a widget that Tab can reach, in the order in which it does: list of QWidget."""
+    found, each = [], root.nextInFocusChain()
+    while each is not root:
+        if root.isAncestorOf(each) and flags_as_int(each.focusPolicy()) & flags_as_int(QtCore.Qt.TabFocus):
+            found.append(each)
+        each = each.nextInFocusChain()
+    return found
+
+
+def _order_for_tab(roots):
+    for root in roots:
+        wanted = reading_order(root)
+        names = set(wanted)
+        if [each for each in tab_stops(root) if each in names] != wanted:
+            for before, after in zip(wanted, wanted[1:]):
+                QtWidgets.QWidget.setTabOrder(before, after)
+
+
+def _in_order(widget):
+    """A widget and all in it, in the order of reading; fields of several parts are one control."""
+    yield widget
+    if isinstance(widget, (QtWidgets.QComboBox, QtWidgets.QAbstractSpinBox, QtWidgets.QAbstractItemView)):
+        return
+    if isinstance(widget, QtWidgets.QTabWidget):
+        inner = [widget.tabBar(), *(widget.widget(page) for page in range(widget.count()))]
+    elif isinstance(widget, (QtWidgets.QStackedWidget, QtWidgets.QSplitter)):
+        inner = [widget.widget(page) for page in range(widget.count())]
+    elif isinstance(widget, (QtWidgets.QScrollArea, QtWidgets.QDockWidget)):
+        inner = [widget.widget()]
+    else:
+        inner = _widgets_of(widget.layout())
+    for each in inner:
+        if each is not None:
+            yield from _in_order(each)
+
+
+def _widgets_of(layout):
+    """The widgets of a layout and of those in it, in the order of reading."""
+    places = range(layout.count() if layout is not None else 0)
+    if isinstance(layout, QtWidgets.QGridLayout):
+        places = sorted(places, key=lambda place: layout.getItemPosition(place)[:2])
+    for place in places:
+        item = layout.itemAt(place)
+        if item.widget() is not None:
+            yield item.widget()
+        elif item.layout() is not None:
+            yield from _widgets_of(item.layout())
 
 
 class _Keeper(QtCore.QObject):
