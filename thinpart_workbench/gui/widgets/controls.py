@@ -1,9 +1,13 @@
 """Makes the controls of a window usable by keyboard, in the order of reading, and safe from the mouse wheel."""
 
 from functools import partial
+from weakref import WeakKeyDictionary
 
 from ..application.qt import QtCore, QtWidgets, flags_as_int
 from .wheel import ignore_wheel_unless_focused
+
+_ordered = WeakKeyDictionary()
+"""The controls of each panel, as Tab was last told to visit them."""
 
 _TURNED = (QtWidgets.QComboBox, QtWidgets.QAbstractSpinBox, QtWidgets.QAbstractSlider)
 
@@ -45,23 +49,15 @@ def reading_order(root):
     return [each for each in _in_order(root) if flags_as_int(each.focusPolicy()) & flags_as_int(QtCore.Qt.TabFocus)]
 
 
-def tab_stops(root):
-    """The controls below a widget that Tab can reach, in the order in which it does: list of QWidget."""
-    found, each = [], root.nextInFocusChain()
-    while each is not root:
-        if root.isAncestorOf(each) and flags_as_int(each.focusPolicy()) & flags_as_int(QtCore.Qt.TabFocus):
-            found.append(each)
-        each = each.nextInFocusChain()
-    return found
-
-
 def _order_for_tab(roots):
+    # The order is not asked of Qt: that leads through all widgets of FreeCAD, and PySide2 does not survive wrapping
+    # those that are about to be deleted.
     for root in roots:
         wanted = reading_order(root)
-        names = set(wanted)
-        if [each for each in tab_stops(root) if each in names] != wanted:
+        if _ordered.get(root) != wanted:
             for before, after in zip(wanted, wanted[1:]):
                 QtWidgets.QWidget.setTabOrder(before, after)
+            _ordered[root] = wanted
 
 
 def _in_order(widget):
