@@ -189,7 +189,7 @@ def test_what_is_said_outside_of_the_window_is_written_for_programs_without_qt(c
 
 def test_texts_of_report_pages_are_among_the_texts_and_nothing_else_is_written_there():
     texts = set(texts_of_code.report_texts())
-    assert {"Where it is thin", "Wall thickness of {count} parts", "thin below {limit} mm"} <= texts
+    assert {"Where it is thin", "Wall thickness of {count} parts", "thin below {limit}"} <= texts
     folder = ROOT / "resources" / "report"
     for path in [*folder.glob("*.html"), *folder.glob("*.svg")]:
         shown = re.sub(r"<style>.*?</style>|<script>.*?</script>|\{[{%#].*?[}%#]\}|<[^>]*>|&\w+;", " ",

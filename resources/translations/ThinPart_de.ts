@@ -519,6 +519,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Automatik</translation>
     </message>
     <message>
+        <source>Back to its place</source>
+        <translation>Zurück an seinen Platz</translation>
+    </message>
+    <message>
         <source>Back to the shipped limits</source>
         <translation>Zurück zu den mitgelieferten Grenzen</translation>
     </message>
@@ -735,6 +739,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Schließen</translation>
     </message>
     <message>
+        <source>Colour bar</source>
+        <translation>Farbbalken</translation>
+    </message>
+    <message>
         <source>Colour thin faces</source>
         <translation>Dünne Flächen einfärben</translation>
     </message>
@@ -833,6 +841,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Double-click: fly to its thinnest place. N, P: to the next and the previous one.</source>
         <translation>Doppelklick: zur dünnsten Stelle fliegen. N, P: zur nächsten und zur vorigen.</translation>
+    </message>
+    <message>
+        <source>Drag it in the view to move it, a corner of it to size it; a right click has more</source>
+        <translation>In der Ansicht ziehen, um ihn zu verschieben, an einer Ecke, um seine Größe zu ändern; ein Rechtsklick bietet mehr</translation>
     </message>
     <message>
         <source>E&amp;xcept</source>
@@ -1051,6 +1063,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Hier: {}</translation>
     </message>
     <message>
+        <source>Hide colour bar</source>
+        <translation>Farbbalken ausblenden</translation>
+    </message>
+    <message>
         <source>Holds</source>
         <translation>Erfüllt</translation>
     </message>
@@ -1081,6 +1097,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>I&amp;nclude again</source>
         <translation>&amp;Wieder einschließen</translation>
+    </message>
+    <message>
+        <source>In the view</source>
+        <translation>In der Ansicht</translation>
     </message>
     <message>
         <source>Info file, beside the document: {}</source>
@@ -1141,6 +1161,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Labels: {}</source>
         <translation>Einordnungen: {}</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Größer</translation>
     </message>
     <message>
         <source>Largest ball</source>
@@ -1851,6 +1875,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Größe, {}</translation>
     </message>
     <message>
+        <source>Smaller</source>
+        <translation>Kleiner</translation>
+    </message>
+    <message>
         <source>Something stands before this wall from every side: the mark shows where it is. Hide what covers it, or cut the view open with the clipping plane of the View menu.</source>
         <translation>Vor dieser Wand steht von allen Seiten etwas: Die Markierung zeigt, wo sie ist. Blenden Sie aus, was sie verdeckt, oder schneiden Sie die Ansicht mit der Schnittebene im Menü Ansicht auf.</translation>
     </message>
@@ -2107,6 +2135,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die Dickenkarte ist ausgeblendet, damit die dünnen Flächen zu sehen sind. Die Leertaste blendet sie wieder ein.</translation>
     </message>
     <message>
+        <source>The thinnest wall, the thickest one and pinned ones; those behind the part are hidden</source>
+        <translation>Die dünnste Wand, die dickste und angeheftete; was hinter dem Teil liegt, ist ausgeblendet</translation>
+    </message>
+    <message>
         <source>The threshold</source>
         <translation>Der Schwellenwert</translation>
     </message>
@@ -2177,6 +2209,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Thickness colours</source>
         <translation>Farbskala</translation>
+    </message>
+    <message>
+        <source>Thickness labels</source>
+        <translation>Dickenangaben</translation>
     </message>
     <message>
         <source>Thin</source>
@@ -2595,8 +2631,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>linear (erste Ordnung)</translation>
     </message>
     <message>
+        <source>max {}</source>
+        <translation>max. {}</translation>
+    </message>
+    <message>
         <source>measuring…</source>
         <translation>wird gemessen…</translation>
+    </message>
+    <message>
+        <source>min {}</source>
+        <translation>min. {}</translation>
     </message>
     <message>
         <source>no</source>
@@ -3102,10 +3146,6 @@ Sein Volumen ist unbekannt.</translation>
 <context>
     <name>ThinPartCore</name>
     <message>
-        <source> mm and more</source>
-        <translation> mm und mehr</translation>
-    </message>
-    <message>
         <source>'{object}' has an empty shape: recompute the document or delete it.</source>
         <translation>„{object}“ hat eine leere Form: Berechnen Sie das Dokument neu oder löschen Sie das Objekt.</translation>
     </message>
@@ -3198,28 +3238,28 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Aluminium, kleines Gussteil</translation>
     </message>
     <message>
-        <source>Area mm²</source>
-        <translation>Fläche mm²</translation>
-    </message>
-    <message>
         <source>Area of its surface</source>
         <translation>Flächeninhalt der Oberfläche</translation>
     </message>
     <message>
-        <source>At least mm</source>
-        <translation>Mindestens mm</translation>
+        <source>Area, {unit}</source>
+        <translation>Fläche, {unit}</translation>
     </message>
     <message>
-        <source>At most mm</source>
-        <translation>Höchstens mm</translation>
+        <source>At least, {unit}</source>
+        <translation>Mindestens, {unit}</translation>
     </message>
     <message>
-        <source>At the thinnest wall, {thickness} mm between {face} and {opposite}</source>
-        <translation>An der dünnsten Wand, {thickness} mm zwischen {face} und {opposite}</translation>
+        <source>At most, {unit}</source>
+        <translation>Höchstens, {unit}</translation>
     </message>
     <message>
-        <source>Bar chart: share of the surface over walls of each thickness, up to {end} mm; walls under {limit} mm count as thin</source>
-        <translation>Balkendiagramm: Anteil der Oberfläche über Wänden jeder Dicke, bis {end} mm; Wände unter {limit} mm gelten als dünn</translation>
+        <source>At the thinnest wall, {thickness} between {face} and {opposite}</source>
+        <translation>An der dünnsten Wand, {thickness} zwischen {face} und {opposite}</translation>
+    </message>
+    <message>
+        <source>Bar chart: share of the surface over walls of each thickness, up to {end}; walls under {limit} count as thin</source>
+        <translation>Balkendiagramm: Anteil der Oberfläche über Wänden jeder Dicke, bis {end}; Wände unter {limit} gelten als dünn</translation>
     </message>
     <message>
         <source>Borderline: close to “{other}” ({margin} from the limit).</source>
@@ -3258,8 +3298,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Eindeutig: {margin} von der Grenze.</translation>
     </message>
     <message>
-        <source>Colours from {low} mm to {high} mm and more; grey where nothing was measured</source>
-        <translation>Farben von {low} mm bis {high} mm und mehr; grau, wo nichts gemessen wurde</translation>
+        <source>Colours from {low} to {high} and more; grey where nothing was measured</source>
+        <translation>Farben von {low} bis {high} und mehr; grau, wo nichts gemessen wurde</translation>
     </message>
     <message>
         <source>Colours stand for the diameter of the largest ball inside that touches the surface there, which goes down to nothing at sharp edges. Verdict, tables and the thinnest wall are measured straight across.</source>
@@ -3274,8 +3314,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Konnte nicht gemessen werden</translation>
     </message>
     <message>
-        <source>Developed width mm</source>
-        <translation>Abgewickelte Breite mm</translation>
+        <source>Developed width, {unit}</source>
+        <translation>Abgewickelte Breite, {unit}</translation>
     </message>
     <message>
         <source>Diagonal of the bounding box</source>
@@ -3494,12 +3534,12 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Kleinster Abstand, in Diagonalen, zwischen Wänden im Winkel von {low:g} bis {high:g} Grad</translation>
     </message>
     <message>
-        <source>Least mm</source>
-        <translation>Kleinste mm</translation>
+        <source>Least, {unit}</source>
+        <translation>Kleinste, {unit}</translation>
     </message>
     <message>
-        <source>Length mm</source>
-        <translation>Länge mm</translation>
+        <source>Length, {unit}</source>
+        <translation>Länge, {unit}</translation>
     </message>
     <message>
         <source>Limits of the wall</source>
@@ -3550,16 +3590,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Gemessen</translation>
     </message>
     <message>
-        <source>Median mm</source>
-        <translation>Median mm</translation>
-    </message>
-    <message>
         <source>Median thickness of the thinnest wall region</source>
         <translation>Mediandicke des dünnsten Wandbereichs</translation>
     </message>
     <message>
         <source>Median wall</source>
         <translation>Mediane Wand</translation>
+    </message>
+    <message>
+        <source>Median, {unit}</source>
+        <translation>Median, {unit}</translation>
     </message>
     <message>
         <source>Mesh settings</source>
@@ -3806,8 +3846,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Anteil der Oberfläche über parallelen Wänden, {low:g} bis {high:g} der mittleren Seite dick</translation>
     </message>
     <message>
-        <source>Share of the surface over walls of each thickness, in mm. {unmeasured} of the surface has no wall opposite; {tapered} lies over tapered walls, which are not in the chart.</source>
-        <translation>Anteil der Oberfläche über Wänden jeder Dicke, in mm. {unmeasured} der Oberfläche haben keine Wand gegenüber; {tapered} liegen über schrägen Wänden, die nicht im Diagramm sind.</translation>
+        <source>Share of the surface over walls of each thickness ({unit}). {unmeasured} of the surface has no wall opposite; {tapered} lies over tapered walls, which are not in the chart.</source>
+        <translation>Anteil der Oberfläche über Wänden jeder Dicke ({unit}). {unmeasured} der Oberfläche haben keine Wand gegenüber; {tapered} liegen über schrägen Wänden, die nicht im Diagramm sind.</translation>
     </message>
     <message>
         <source>Share of the surface over walls, parallel or tapered, thinner than {high:g} of the middle side</source>
@@ -4150,8 +4190,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die Wandstärkenkarte {file} stammt von einem neueren ThinPart: Aktualisieren Sie ThinPart oder messen Sie das Bauteil erneut.</translation>
     </message>
     <message>
-        <source>The thinnest first; thin is what lies over walls under {limit} mm</source>
-        <translation>Die dünnsten zuerst; dünn ist, was über Wänden unter {limit} mm liegt</translation>
+        <source>The thinnest first; thin is what lies over walls under {limit}</source>
+        <translation>Die dünnsten zuerst; dünn ist, was über Wänden unter {limit} liegt</translation>
     </message>
     <message>
         <source>The thinnest wall is {wall:.3g} mm ± {error:.2g} mm: a finer mesh would be too large.</source>
@@ -4278,8 +4318,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Diese sind nicht in der Tabelle oben</translation>
     </message>
     <message>
-        <source>Thickness and box in mm. The margin is how far the deciding quantities lie from another category, relative to their thresholds.</source>
-        <translation>Dicke und Hüllquader in mm. Der Abstand sagt, wie weit die entscheidenden Größen von einer anderen Kategorie entfernt sind, bezogen auf ihre Schwellen.</translation>
+        <source>Thickness and box: {unit}. The margin is how far the deciding quantities lie from another category, relative to their thresholds.</source>
+        <translation>Dicke und Hüllquader: {unit}. Der Abstand sagt, wie weit die entscheidenden Größen von einer anderen Kategorie entfernt sind, bezogen auf ihre Schwellen.</translation>
     </message>
     <message>
         <source>Thickness by</source>
@@ -4322,16 +4362,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Dünnste</translation>
     </message>
     <message>
-        <source>Thinnest mm</source>
-        <translation>Dünnste mm</translation>
-    </message>
-    <message>
         <source>Thinnest towards</source>
         <translation>Dünnste gegen</translation>
     </message>
     <message>
         <source>Thinnest wall</source>
         <translation>Dünnste Wand</translation>
+    </message>
+    <message>
+        <source>Thinnest, {unit}</source>
+        <translation>Dünnste, {unit}</translation>
     </message>
     <message>
         <source>This FreeCAD has no FEM workbench: install it (Debian: 'apt-get install freecad', elsewhere the installer of freecad.org, which has it), then start FreeCAD again.</source>
@@ -4422,8 +4462,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>ein Block seiner Elemente ist leer</translation>
     </message>
     <message>
-        <source>along the principal axes; diagonal {diagonal} mm</source>
-        <translation>entlang der Hauptachsen; Diagonale {diagonal} mm</translation>
+        <source>along the principal axes; diagonal {diagonal}</source>
+        <translation>entlang der Hauptachsen; Diagonale {diagonal}</translation>
     </message>
     <message>
         <source>an entry has no header</source>
@@ -4502,8 +4542,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>andere Wandverteilung</translation>
     </message>
     <message>
-        <source>element size {size} mm</source>
-        <translation>Elementgröße {size} mm</translation>
+        <source>element size {size}</source>
+        <translation>Elementgröße {size}</translation>
     </message>
     <message>
         <source>excluded: {reason}</source>
@@ -4694,8 +4734,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>nicht gemessen</translation>
     </message>
     <message>
-        <source>of least volume; diagonal {diagonal} mm</source>
-        <translation>kleinsten Volumens; Diagonale {diagonal} mm</translation>
+        <source>of least volume; diagonal {diagonal}</source>
+        <translation>kleinsten Volumens; Diagonale {diagonal}</translation>
     </message>
     <message>
         <source>of the diagonal</source>
@@ -4822,16 +4862,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>diese Datei gibt es nicht</translation>
     </message>
     <message>
-        <source>thickness, mm</source>
-        <translation>Dicke, mm</translation>
+        <source>thickness, {unit}</source>
+        <translation>Dicke, {unit}</translation>
     </message>
     <message>
         <source>thin</source>
         <translation>dünnwandig</translation>
     </message>
     <message>
-        <source>thin below {limit} mm</source>
-        <translation>dünn unter {limit} mm</translation>
+        <source>thin below {limit}</source>
+        <translation>dünn unter {limit}</translation>
     </message>
     <message>
         <source>thin features</source>
@@ -5150,8 +5190,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{low} bis {high}</translation>
     </message>
     <message>
-        <source>{low} to {high} mm: {share}</source>
-        <translation>{low} bis {high} mm: {share}</translation>
+        <source>{low} to {high}: {share}</source>
+        <translation>{low} bis {high}: {share}</translation>
     </message>
     <message>
         <source>{mm} mm</source>
@@ -5326,6 +5366,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{table} ist ein Bauteil und keine Tabelle und blieb unverändert: Nennen Sie nach --csv eine .csv-Datei.</translation>
     </message>
     <message>
+        <source>{thickness} and more</source>
+        <translation>{thickness} und mehr</translation>
+    </message>
+    <message>
         <source>{thin} of the surface is under {least} mm, thinnest {place}</source>
         <translation>{thin} der Oberfläche sind unter {least} mm, am dünnsten {place}</translation>
     </message>
@@ -5338,8 +5382,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{title} (Regel {number})</translation>
     </message>
     <message>
-        <source>{triangles} triangles, chord error {error} mm, {samples} samples</source>
-        <translation>{triangles} Dreiecke, Sehnenfehler {error} mm, {samples} Messpunkte</translation>
+        <source>{triangles} triangles, chord error {error}, {samples} samples</source>
+        <translation>{triangles} Dreiecke, Sehnenfehler {error}, {samples} Messpunkte</translation>
     </message>
     <message>
         <source>{wall} on {face}</source>

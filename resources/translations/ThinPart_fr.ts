@@ -519,6 +519,10 @@ Son volume est inconnu.</translation>
         <translation>Automatique</translation>
     </message>
     <message>
+        <source>Back to its place</source>
+        <translation>Remettre à sa place</translation>
+    </message>
+    <message>
         <source>Back to the shipped limits</source>
         <translation>Revenir aux limites fournies</translation>
     </message>
@@ -735,6 +739,10 @@ Son volume est inconnu.</translation>
         <translation>Fermer</translation>
     </message>
     <message>
+        <source>Colour bar</source>
+        <translation>Barre de couleurs</translation>
+    </message>
+    <message>
         <source>Colour thin faces</source>
         <translation>Colorer les faces minces</translation>
     </message>
@@ -833,6 +841,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Double-click: fly to its thinnest place. N, P: to the next and the previous one.</source>
         <translation>Double-clic : aller à son endroit le plus mince. N, P : au suivant et au précédent.</translation>
+    </message>
+    <message>
+        <source>Drag it in the view to move it, a corner of it to size it; a right click has more</source>
+        <translation>Dans la vue, la faire glisser pour la déplacer, par un coin pour en changer la taille ; un clic droit offre plus</translation>
     </message>
     <message>
         <source>E&amp;xcept</source>
@@ -1051,6 +1063,10 @@ Son volume est inconnu.</translation>
         <translation>Ici : {}</translation>
     </message>
     <message>
+        <source>Hide colour bar</source>
+        <translation>Masquer la barre de couleurs</translation>
+    </message>
+    <message>
         <source>Holds</source>
         <translation>Rempli</translation>
     </message>
@@ -1081,6 +1097,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>I&amp;nclude again</source>
         <translation>I&amp;nclure à nouveau</translation>
+    </message>
+    <message>
+        <source>In the view</source>
+        <translation>Dans la vue</translation>
     </message>
     <message>
         <source>Info file, beside the document: {}</source>
@@ -1141,6 +1161,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Labels: {}</source>
         <translation>Étiquettes : {}</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Plus grand</translation>
     </message>
     <message>
         <source>Largest ball</source>
@@ -1851,6 +1875,10 @@ Son volume est inconnu.</translation>
         <translation>Taille, {}</translation>
     </message>
     <message>
+        <source>Smaller</source>
+        <translation>Plus petit</translation>
+    </message>
+    <message>
         <source>Something stands before this wall from every side: the mark shows where it is. Hide what covers it, or cut the view open with the clipping plane of the View menu.</source>
         <translation>Quelque chose se trouve devant cette paroi de tous les côtés : le repère montre où elle est. Masquez ce qui la couvre, ou ouvrez la vue avec le plan de coupe du menu Affichage.</translation>
     </message>
@@ -2107,6 +2135,10 @@ Son volume est inconnu.</translation>
         <translation>La carte d’épaisseur est masquée pour montrer les faces minces. La barre d’espace la réaffiche.</translation>
     </message>
     <message>
+        <source>The thinnest wall, the thickest one and pinned ones; those behind the part are hidden</source>
+        <translation>La paroi la plus mince, la plus épaisse et celles épinglées ; ce qui est derrière la pièce est masqué</translation>
+    </message>
+    <message>
         <source>The threshold</source>
         <translation>Le seuil</translation>
     </message>
@@ -2177,6 +2209,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Thickness colours</source>
         <translation>Échelle de couleurs</translation>
+    </message>
+    <message>
+        <source>Thickness labels</source>
+        <translation>Étiquettes d’épaisseur</translation>
     </message>
     <message>
         <source>Thin</source>
@@ -2595,8 +2631,16 @@ Son volume est inconnu.</translation>
         <translation>linéaires (premier ordre)</translation>
     </message>
     <message>
+        <source>max {}</source>
+        <translation>max. {}</translation>
+    </message>
+    <message>
         <source>measuring…</source>
         <translation>mesure…</translation>
+    </message>
+    <message>
+        <source>min {}</source>
+        <translation>min. {}</translation>
     </message>
     <message>
         <source>no</source>
@@ -3102,10 +3146,6 @@ Son volume est inconnu.</translation>
 <context>
     <name>ThinPartCore</name>
     <message>
-        <source> mm and more</source>
-        <translation> mm et plus</translation>
-    </message>
-    <message>
         <source>'{object}' has an empty shape: recompute the document or delete it.</source>
         <translation>« {object} » a une forme vide : recalculez le document ou supprimez l’objet.</translation>
     </message>
@@ -3198,28 +3238,28 @@ Son volume est inconnu.</translation>
         <translation>Aluminium, petite pièce</translation>
     </message>
     <message>
-        <source>Area mm²</source>
-        <translation>Aire mm²</translation>
-    </message>
-    <message>
         <source>Area of its surface</source>
         <translation>Aire de sa surface</translation>
     </message>
     <message>
-        <source>At least mm</source>
-        <translation>Au moins mm</translation>
+        <source>Area, {unit}</source>
+        <translation>Aire, {unit}</translation>
     </message>
     <message>
-        <source>At most mm</source>
-        <translation>Au plus mm</translation>
+        <source>At least, {unit}</source>
+        <translation>Au moins, {unit}</translation>
     </message>
     <message>
-        <source>At the thinnest wall, {thickness} mm between {face} and {opposite}</source>
-        <translation>À la paroi la plus mince, {thickness} mm entre {face} et {opposite}</translation>
+        <source>At most, {unit}</source>
+        <translation>Au plus, {unit}</translation>
     </message>
     <message>
-        <source>Bar chart: share of the surface over walls of each thickness, up to {end} mm; walls under {limit} mm count as thin</source>
-        <translation>Histogramme : part de la surface sur des parois de chaque épaisseur, jusqu’à {end} mm ; les parois sous {limit} mm comptent comme minces</translation>
+        <source>At the thinnest wall, {thickness} between {face} and {opposite}</source>
+        <translation>À la paroi la plus mince, {thickness} entre {face} et {opposite}</translation>
+    </message>
+    <message>
+        <source>Bar chart: share of the surface over walls of each thickness, up to {end}; walls under {limit} count as thin</source>
+        <translation>Histogramme : part de la surface sur des parois de chaque épaisseur, jusqu’à {end} ; les parois sous {limit} comptent comme minces</translation>
     </message>
     <message>
         <source>Borderline: close to “{other}” ({margin} from the limit).</source>
@@ -3258,8 +3298,8 @@ Son volume est inconnu.</translation>
         <translation>Verdict net : {margin} de la limite.</translation>
     </message>
     <message>
-        <source>Colours from {low} mm to {high} mm and more; grey where nothing was measured</source>
-        <translation>Couleurs de {low} mm à {high} mm et plus ; gris là où rien n’a été mesuré</translation>
+        <source>Colours from {low} to {high} and more; grey where nothing was measured</source>
+        <translation>Couleurs de {low} à {high} et plus ; gris là où rien n’a été mesuré</translation>
     </message>
     <message>
         <source>Colours stand for the diameter of the largest ball inside that touches the surface there, which goes down to nothing at sharp edges. Verdict, tables and the thinnest wall are measured straight across.</source>
@@ -3274,8 +3314,8 @@ Son volume est inconnu.</translation>
         <translation>N’a pas pu être mesuré</translation>
     </message>
     <message>
-        <source>Developed width mm</source>
-        <translation>Largeur développée mm</translation>
+        <source>Developed width, {unit}</source>
+        <translation>Largeur développée, {unit}</translation>
     </message>
     <message>
         <source>Diagonal of the bounding box</source>
@@ -3494,12 +3534,12 @@ Son volume est inconnu.</translation>
         <translation>Plus petite distance, en diagonales, entre parois à un angle de {low:g} à {high:g} degrés</translation>
     </message>
     <message>
-        <source>Least mm</source>
-        <translation>Minimum mm</translation>
+        <source>Least, {unit}</source>
+        <translation>Minimum, {unit}</translation>
     </message>
     <message>
-        <source>Length mm</source>
-        <translation>Longueur mm</translation>
+        <source>Length, {unit}</source>
+        <translation>Longueur, {unit}</translation>
     </message>
     <message>
         <source>Limits of the wall</source>
@@ -3550,16 +3590,16 @@ Son volume est inconnu.</translation>
         <translation>Mesuré</translation>
     </message>
     <message>
-        <source>Median mm</source>
-        <translation>Médiane mm</translation>
-    </message>
-    <message>
         <source>Median thickness of the thinnest wall region</source>
         <translation>Épaisseur médiane de la région de paroi la plus mince</translation>
     </message>
     <message>
         <source>Median wall</source>
         <translation>Paroi médiane</translation>
+    </message>
+    <message>
+        <source>Median, {unit}</source>
+        <translation>Médiane, {unit}</translation>
     </message>
     <message>
         <source>Mesh settings</source>
@@ -3806,8 +3846,8 @@ Son volume est inconnu.</translation>
         <translation>Part de la surface sur des parois parallèles épaisses de {low:g} à {high:g} du côté médian</translation>
     </message>
     <message>
-        <source>Share of the surface over walls of each thickness, in mm. {unmeasured} of the surface has no wall opposite; {tapered} lies over tapered walls, which are not in the chart.</source>
-        <translation>Part de la surface sur des parois de chaque épaisseur, en mm. {unmeasured} de la surface n’a pas de paroi en face ; {tapered} est sur des parois en dépouille, qui ne sont pas dans l’histogramme.</translation>
+        <source>Share of the surface over walls of each thickness ({unit}). {unmeasured} of the surface has no wall opposite; {tapered} lies over tapered walls, which are not in the chart.</source>
+        <translation>Part de la surface sur des parois de chaque épaisseur ({unit}). {unmeasured} de la surface n’a pas de paroi en face ; {tapered} est sur des parois en dépouille, qui ne sont pas dans l’histogramme.</translation>
     </message>
     <message>
         <source>Share of the surface over walls, parallel or tapered, thinner than {high:g} of the middle side</source>
@@ -4150,8 +4190,8 @@ Son volume est inconnu.</translation>
         <translation>La carte des épaisseurs {file} vient d’un ThinPart plus récent : mettez ThinPart à jour ou mesurez la pièce à nouveau.</translation>
     </message>
     <message>
-        <source>The thinnest first; thin is what lies over walls under {limit} mm</source>
-        <translation>Les plus minces d’abord ; est mince ce qui est sur des parois sous {limit} mm</translation>
+        <source>The thinnest first; thin is what lies over walls under {limit}</source>
+        <translation>Les plus minces d’abord ; est mince ce qui est sur des parois sous {limit}</translation>
     </message>
     <message>
         <source>The thinnest wall is {wall:.3g} mm ± {error:.2g} mm: a finer mesh would be too large.</source>
@@ -4278,8 +4318,8 @@ Son volume est inconnu.</translation>
         <translation>Ils ne sont pas dans le tableau ci-dessus</translation>
     </message>
     <message>
-        <source>Thickness and box in mm. The margin is how far the deciding quantities lie from another category, relative to their thresholds.</source>
-        <translation>Épaisseur et boîte en mm. La marge dit à quelle distance d’une autre catégorie sont les grandeurs décisives, rapportée à leurs seuils.</translation>
+        <source>Thickness and box: {unit}. The margin is how far the deciding quantities lie from another category, relative to their thresholds.</source>
+        <translation>Épaisseur et boîte : {unit}. La marge dit à quelle distance d’une autre catégorie sont les grandeurs décisives, rapportée à leurs seuils.</translation>
     </message>
     <message>
         <source>Thickness by</source>
@@ -4322,16 +4362,16 @@ Son volume est inconnu.</translation>
         <translation>Plus mince</translation>
     </message>
     <message>
-        <source>Thinnest mm</source>
-        <translation>Plus mince mm</translation>
-    </message>
-    <message>
         <source>Thinnest towards</source>
         <translation>Plus mince vers</translation>
     </message>
     <message>
         <source>Thinnest wall</source>
         <translation>Paroi la plus mince</translation>
+    </message>
+    <message>
+        <source>Thinnest, {unit}</source>
+        <translation>Plus mince, {unit}</translation>
     </message>
     <message>
         <source>This FreeCAD has no FEM workbench: install it (Debian: 'apt-get install freecad', elsewhere the installer of freecad.org, which has it), then start FreeCAD again.</source>
@@ -4422,8 +4462,8 @@ Son volume est inconnu.</translation>
         <translation>un bloc de ses éléments est vide</translation>
     </message>
     <message>
-        <source>along the principal axes; diagonal {diagonal} mm</source>
-        <translation>selon les axes principaux ; diagonale {diagonal} mm</translation>
+        <source>along the principal axes; diagonal {diagonal}</source>
+        <translation>selon les axes principaux ; diagonale {diagonal}</translation>
     </message>
     <message>
         <source>an entry has no header</source>
@@ -4502,8 +4542,8 @@ Son volume est inconnu.</translation>
         <translation>répartition des parois différente</translation>
     </message>
     <message>
-        <source>element size {size} mm</source>
-        <translation>taille d’élément {size} mm</translation>
+        <source>element size {size}</source>
+        <translation>taille d’élément {size}</translation>
     </message>
     <message>
         <source>excluded: {reason}</source>
@@ -4694,8 +4734,8 @@ Son volume est inconnu.</translation>
         <translation>non mesuré</translation>
     </message>
     <message>
-        <source>of least volume; diagonal {diagonal} mm</source>
-        <translation>de volume minimal ; diagonale {diagonal} mm</translation>
+        <source>of least volume; diagonal {diagonal}</source>
+        <translation>de volume minimal ; diagonale {diagonal}</translation>
     </message>
     <message>
         <source>of the diagonal</source>
@@ -4822,16 +4862,16 @@ Son volume est inconnu.</translation>
         <translation>ce fichier n’existe pas</translation>
     </message>
     <message>
-        <source>thickness, mm</source>
-        <translation>épaisseur, mm</translation>
+        <source>thickness, {unit}</source>
+        <translation>épaisseur, {unit}</translation>
     </message>
     <message>
         <source>thin</source>
         <translation>mince</translation>
     </message>
     <message>
-        <source>thin below {limit} mm</source>
-        <translation>mince sous {limit} mm</translation>
+        <source>thin below {limit}</source>
+        <translation>mince sous {limit}</translation>
     </message>
     <message>
         <source>thin features</source>
@@ -5150,8 +5190,8 @@ Son volume est inconnu.</translation>
         <translation>{low} à {high}</translation>
     </message>
     <message>
-        <source>{low} to {high} mm: {share}</source>
-        <translation>{low} à {high} mm : {share}</translation>
+        <source>{low} to {high}: {share}</source>
+        <translation>{low} à {high} : {share}</translation>
     </message>
     <message>
         <source>{mm} mm</source>
@@ -5326,6 +5366,10 @@ Son volume est inconnu.</translation>
         <translation>{table} est une pièce et non un tableau, et est resté inchangé : nommez un fichier .csv après --csv.</translation>
     </message>
     <message>
+        <source>{thickness} and more</source>
+        <translation>{thickness} et plus</translation>
+    </message>
+    <message>
         <source>{thin} of the surface is under {least} mm, thinnest {place}</source>
         <translation>{thin} de la surface est sous {least} mm, au plus mince {place}</translation>
     </message>
@@ -5338,8 +5382,8 @@ Son volume est inconnu.</translation>
         <translation>{title} (règle {number})</translation>
     </message>
     <message>
-        <source>{triangles} triangles, chord error {error} mm, {samples} samples</source>
-        <translation>{triangles} triangles, erreur de corde {error} mm, {samples} points de mesure</translation>
+        <source>{triangles} triangles, chord error {error}, {samples} samples</source>
+        <translation>{triangles} triangles, erreur de corde {error}, {samples} points de mesure</translation>
     </message>
     <message>
         <source>{wall} on {face}</source>

@@ -28,7 +28,6 @@ from folder_dialog_use import (  # noqa: F401 - fixtures among them
     run,
 )
 from folder_dialog_use import select as select_row
-from pivy import coin
 from seen_texts import seen
 from test_automatic import notice, save, switched_on  # noqa: F401 - a fixture among them
 from test_preferences import field, in_preferences
@@ -45,6 +44,7 @@ from thinpart_workbench.gui.folder.results_model import BOX, PART
 from thinpart_workbench.gui.folder.results_model import THINNEST as THINNEST_OF_FOLDER
 from thinpart_workbench.gui.library.results_model import SIZE, THINNEST
 from thinpart_workbench.gui.preferences.fields import new_field
+from thinpart_workbench.gui.view3d.label_node import shown_labels
 from thinpart_workbench.storage.info.info_file import read_info
 
 STANDARD, BUILDING_EURO, INCHES, FRACTIONS = 0, 4, 3, 5
@@ -158,7 +158,7 @@ def ribbed(document):
 
 
 BOXES = ("ThinPart_ThicknessHead", "ThinPart_DistributionBox", "ThinPart_ScaleBox", "ThinPart_FaceBox",
-         "ThinPart_ProbeBox")
+         "ThinPart_ProbeBox", "ThinPart_RegionBox", "ThinPart_SectionBox")
 
 
 def test_every_box_of_the_thickness_panel_is_in_inches_and_follows(ribbed):
@@ -227,15 +227,8 @@ def test_a_line_that_is_dragged_lands_on_a_round_number_of_inches(ribbed):
 
 
 def labels(thickness):
-    """What stands at the probes in the 3D view; each is there once for every display mode."""
-    search = coin.SoSearchAction()
-    search.setType(coin.SoType.fromName("SoFrameLabel"))
-    search.setInterest(coin.SoSearchAction.ALL)
-    search.setSearchingAll(True)
-    search.apply(view_of(thickness.Document).getSceneGraph())
-    paths = search.getPaths()
-    nodes = [paths[number].getTail() for number in range(paths.getLength())]
-    return {node.getField("string").getValues()[0] for node in nodes}
+    """What stands at walls in the 3D view."""
+    return {text for text, _, _ in shown_labels(view_of(thickness.Document))}
 
 
 def test_colour_bar_probes_and_the_wall_under_the_cursor(ribbed):
@@ -253,12 +246,11 @@ def test_colour_bar_probes_and_the_wall_under_the_cursor(ribbed):
     probes = window.widget("ThinPart_ProbeTable")
     window.wait_until(lambda: len(probes.rows) == 1)
     assert probes.model().index(0, 1).data() == "1.57\u00a0in"
-    window.settle(300)
-    assert labels(ribbed) == {"1.57\u00a0in"}
+    window.wait_until(lambda: labels(ribbed) == {"1: 1.57\u00a0in", "min 0.236\u00a0in", "max 3.94\u00a0in"})
     in_inches = bar_image(bar, 900)
     choose(STANDARD)
     assert probes.model().index(0, 1).data() == "40\u00a0mm"
-    window.wait_until(lambda: labels(ribbed) == {"40\u00a0mm"})
+    window.wait_until(lambda: labels(ribbed) == {"1: 40\u00a0mm", "min 6\u00a0mm", "max 100\u00a0mm"})
     assert ribbed.ViewObject.Proxy.bar.unit == MILLIMETRE
     assert bar_image(ribbed.ViewObject.Proxy.bar, 900) != in_inches
     assert ribbed.ProbeValues[0] == pytest.approx(40.0, abs=1e-2)

@@ -208,3 +208,29 @@ def test_the_document_may_be_closed_meanwhile(saved, browser, tmp_path):
     assert Path(browser.opened[0]).exists()
     window.click("ThinPart_ReportStart")
     assert "is closed" in message()
+
+
+@pytest.mark.parametrize("language, thinnest, said, caption", [
+    ("English", "0.236", "thickness, in", "Thickness and box: in."),
+    ("German", "0,236", "Dicke, in", "Dicke und H\u00fcllquader: in.")])
+def test_a_report_in_inches_has_tables_in_mm(language, thinnest, said, caption, saved, browser, tmp_path):
+    started = Gui.getLocale()
+    Gui.setLocale(language)
+    App.Units.setSchema(3)
+    if "UnitSystem" in saved.PropertiesList:
+        saved.UnitSystem = 3
+    try:
+        opened()
+        window.click("ThinPart_ReportStart")
+        wait_for_end()
+    finally:
+        App.Units.setSchema(0)
+        Gui.setLocale(started)
+    folder = tmp_path / "block-report"
+    page, = (file.read_text(encoding="utf-8") for file in folder.rglob("pages/*.html"))
+    text = re.sub(r"<style>.*?</style>", " ", page, flags=re.S)
+    assert not re.search(r"\bmm\b", re.sub(r"<[^>]*>", " ", text)), re.findall(r".{30}\bmm\b.{10}", text)
+    assert f"{thinnest} <small>in</small>" in text and f"{thinnest}\u00a0in" in text and said in text
+    overview = (folder / "index.html").read_text(encoding="utf-8")
+    assert caption in overview and f">{thinnest}<" in overview
+    assert "\n" in (folder / "parts.csv").read_text() and ",6.0" in (folder / "parts.csv").read_text()

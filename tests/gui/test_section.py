@@ -21,6 +21,7 @@ from thinpart_workbench.gui.view3d.picking import ThicknessPicker
 @pytest.fixture
 def ribbed(document):
     set_preference("HeatMapShading", False)
+    set_preference("MapLabels", False)  # they take other places after a section, and pictures are compared
     document.UndoMode = 1
     window.add_ribbed_block(document)
     window.show_thickness()
@@ -29,6 +30,7 @@ def ribbed(document):
     thickness, = thickness_objects(document)
     yield thickness
     set_preference("HeatMapShading", None)
+    set_preference("MapLabels", None)
 
 
 def switch():
@@ -156,3 +158,43 @@ def test_what_is_cut_off_is_not_pointed_at_and_flying_there_ends_the_section(rib
     proxy.section = SectionPlane((0.0, 0.0, 1.0), 10.0)  # without the rib, which is the thinnest wall
     window.click("ThinPart_NextWall")
     assert proxy.section is None
+
+
+def test_the_section_in_inches_cuts_links_and_stays_when_measured_again(document, tmp_path):
+    set_preference("HeatMapShading", False)
+    set_preference("MapLabels", False)
+    before = App.Units.getSchema()
+    block = window.add_ribbed_block(document)
+    link = document.addObject("App::Link", "Copy")
+    link.LinkedObject = block
+    link.Placement.Base = V(150, 0, 0)
+    document.recompute()
+    App.Units.setSchema(3)
+    if "UnitSystem" in document.PropertiesList:
+        document.UnitSystem = 3
+    try:
+        window.show_thickness()
+        thickness, = thickness_objects(document)
+        view = look_at(document)
+        switch()
+        choose("y")
+        place, proxy = window.widget("ThinPart_SectionPlace"), thickness.ViewObject.Proxy
+        assert place.suffix().strip() == "in" and place.value() == pytest.approx(30.0 / 25.4, abs=1e-3)
+        place.setValue(0.5)
+        assert proxy.section.offset == pytest.approx(-12.7) and proxy.section.normal == (0.0, -1.0, 0.0)
+        for x in (50.0, 200.0):  # the material of the block and of its link
+            spot = place_of(view, V(x, 12.7, 20))
+            image = picture(view, tmp_path)
+            colours = np.array([pixel(image, spot + QtCore.QPoint(each, 0)) for each in range(-20, 21)])
+            assert np.ptp(colours, axis=1).max() < 12, x
+        block.Shape = block.Shape.fuse(window.Part.makeBox(10, 60, 50, V(0, 0, 0))).removeSplitter()
+        document.recompute()
+        window.wait_until(lambda: thickness.Stale)
+        window.click("ThinPart_AgainButton")
+        window.wait_until(lambda: not thickness.Stale and window.is_thickness_told())
+        assert proxy.section.offset == pytest.approx(-12.7)
+        window.wait_until(lambda: place.value() == pytest.approx(0.5, abs=1e-3))
+    finally:
+        App.Units.setSchema(before)
+        set_preference("HeatMapShading", None)
+        set_preference("MapLabels", None)

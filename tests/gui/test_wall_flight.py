@@ -6,7 +6,6 @@ import numpy as np
 import Part
 import pytest
 import window_actions as window
-from pivy import coin
 from thickness_window import look_at, view_of, widget_of
 from window_actions import V
 
@@ -18,6 +17,7 @@ from thinpart_workbench.gui.application.qt import QtCore
 from thinpart_workbench.gui.document.free_area import free_area
 from thinpart_workbench.gui.scene.drawn_triangles import drawn_triangles
 from thinpart_workbench.gui.scene.view_ray import first_object
+from thinpart_workbench.gui.view3d.label_node import MARK, shown_labels
 from thinpart_workbench.gui.view3d.wall_flight import Wall, WallFlight
 
 
@@ -50,13 +50,7 @@ def closed_box_with_rib():
 
 def all_texts(document):
     """The labels of the mark in the view, [] without one."""
-    search = coin.SoSearchAction()
-    search.setType(coin.SoType.fromName("SoFrameLabel"))
-    search.setInterest(coin.SoSearchAction.ALL)
-    search.apply(view_of(document).getSceneGraph())
-    paths = search.getPaths()
-    labels = [paths[number].getTail() for number in range(paths.getLength())]
-    return [label.getField("string").get().getString().strip('[] "') for label in labels]
+    return [text for text, _, _ in shown_labels(view_of(document), MARK)]
 
 
 def seen_in_the_middle(document):
@@ -71,7 +65,20 @@ def fly(document, press=None):
         window.widget("ThinPart_FlyButton").click()
     else:
         press()
-    window.settle(600)
+    arrive(document)
+
+
+def arrive(document):
+    """Wait until the camera stands still, which takes longer than the flight where the machine is busy."""
+    window.settle(400)
+    last = [None, None]
+
+    def stands_still():
+        last[:] = last[1], view_of(document).getCamera()
+        window.settle(150)
+        return last[0] == last[1]
+
+    window.wait_until(stands_still)
 
 
 def mapped(document, camera="Orthographic"):
@@ -153,7 +160,7 @@ def test_a_place_linked_part_is_seen_where_it_stands(document):
     view = look_at(document)
     flight = WallFlight()
     assert flight.fly(document, Wall(0.6, [ends]), 100.0, MILLIMETRE)
-    window.settle(600)
+    arrive(document)
     assert is_near_wall(seen_in_the_middle(document), 0.6, ends, 0.1)
     assert wall.ViewObject.Visibility and all_texts(document) == [MILLIMETRE.text(0.6)]
     flight.clear()

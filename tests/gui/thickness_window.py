@@ -103,3 +103,11 @@ def click_at(view, place, to=None):
             mouse(view, QtCore.QEvent.MouseMove, step, QtCore.Qt.NoButton, QtCore.Qt.LeftButton)
     mouse(view, QtCore.QEvent.MouseButtonRelease, to or place, QtCore.Qt.LeftButton, QtCore.Qt.NoButton)
     window.settle(50)
+
+
+def wheel(view, place, delta):
+    """Turn the wheel at a place."""
+    widget = widget_of(view)
+    QtWidgets.QApplication.sendEvent(widget, QtGui.QWheelEvent(
+        QtCore.QPointF(place), QtCore.QPointF(widget.mapToGlobal(place)), QtCore.QPoint(0, 0), QtCore.QPoint(0, delta),
+        QtCore.Qt.NoButton, QtCore.Qt.NoModifier, QtCore.Qt.NoScrollPhase, False))

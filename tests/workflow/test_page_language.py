@@ -1,7 +1,10 @@
 """The languages of report pages: what is translated, how numbers look, and that fields are escaped in all of them."""
 
+from dataclasses import replace
+
 import pytest
 
+from thinpart_workbench.core.length_unit import INCH
 from thinpart_workbench.core.message import message
 from thinpart_workbench.workflow.report.page_language import LANGUAGES, page_language
 
@@ -36,8 +39,22 @@ def test_sentences_are_translated_with_those_within_them_and_have_the_decimal_ma
     ("fr", ("1,25", "6,8\u00a0%", "0,15", "128\u202f035", "\u2013"))])
 def test_numbers(code, shown):
     language = page_language(code)
-    assert shown == (language.number(1.25), language.percent(0.068), language.bound(0.15), language.large(128035.2),
-                     language.number(None))
+    assert shown == (language.number(1.25), language.percent(0.068), language.length.bound_number(0.15),
+                     language.large(128035.2), language.number(None))
+
+
+@pytest.mark.parametrize("code, limit, middle", [
+    ("en", "0.0492\u00a0in", "1.57\u00a0in"),
+    ("de", "0,0492\u00a0in", "1,57\u00a0in"),
+    ("fr", "0,0492\u00a0in", "1,57\u00a0in")])
+def test_lengths_in_sentences_are_in_the_unit_with_the_decimal_mark_of_the_language(code, limit, middle):
+    said = message("No walls are thinner than {limit} mm, {part} of the middle side of {middle} mm: mesh it with "
+                   "solids.", limit="1.25", part="3.1\u00a0%", middle="40")
+    shown = page_language(code, INCH).sentence(said)
+    assert limit in shown and middle in shown and "mm" not in shown
+    assert ("3.1\u00a0%" if code == "en" else "3,1\u00a0%") in shown
+    # The mark of whoever asks, as of the window, is not that of the page.
+    assert page_language(code, replace(INCH, decimal_mark=",")).sentence(said) == shown
 
 
 @pytest.mark.parametrize("code", LANGUAGES)

@@ -10,6 +10,7 @@ from ..core.analysis_settings import RAY
 from ..core.errors import ThinPartError
 from ..core.judging.criteria import NORMAL, UNKNOWN, profile_from
 from ..core.judging.wall_check import check_walls
+from ..core.length_unit import MILLIMETRE, UNITS
 from ..core.message import message
 from ..freecad_adapter.reading.linked_files import linked_files
 from ..storage.atomic_file import write_atomically
@@ -57,6 +58,8 @@ class ReportFolder:
         What the overview names as the place of the documents; by default their common folder.
     language : str, optional
         Of the pages: one of `LANGUAGES`.
+    unit : LengthUnit, optional
+        Of all lengths on the pages; tables are in mm.
 
     Raises
     ------
@@ -66,13 +69,13 @@ class ReportFolder:
     """
 
     def __init__(self, folder, tree, profile, info_for, limits=(), shown_measure=RAY, subject=None,
-                 language=ENGLISH):
+                 language=ENGLISH, unit=MILLIMETRE):
         self.folder = os.path.abspath(folder)
         self._tree = tree
         self._subject = os.fspath(tree) if subject is None else subject
         self._profile, self._limits = profile, limits
         self._info_for = info_for
-        self._shown_measure, self._language = shown_measure, language
+        self._shown_measure, self._language, self._unit = shown_measure, language, unit
         self._parts, self._failures, self._part_blocks = [], [], []
         self._face_blocks = []  # (document, start, length) of its rows in the temporary file
         check_templates()
@@ -87,7 +90,7 @@ class ReportFolder:
     def pages_for(self, file):
         """ReportPages of a document."""
         return ReportPages(self.folder, os.path.relpath(file, self._tree), self._info_for(file),
-                           self._limits, self._shown_measure, self._language)
+                           self._limits, self._shown_measure, self._language, self._unit)
 
     def add(self, outcome):
         """Add the outcome of one document."""
@@ -142,7 +145,7 @@ class ReportFolder:
         names = [category.name for category in profile.categories] + [NORMAL, UNKNOWN]
         count = Counter(part.category for part in self._parts)
         return fill_in(
-            "index.html", self._language, software=__version__, tree=self._subject, profile=self._profile,
+            "index.html", self._language, self._unit, software=__version__, tree=self._subject, profile=self._profile,
             titles={category.name: category.title for category in profile.categories},
             counts={"parts": len(self._parts),
                     "categories": [(name, count[name]) for name in names if count[name]]},
@@ -174,6 +177,8 @@ class OpenDocumentReport:
         Objects that cannot be read as parts.
     language : str, optional
         Of the pages: one of `LANGUAGES`.
+    unit : str, optional
+        Symbol of the unit of all lengths on the pages; tables are in mm.
 
     Raises
     ------
@@ -182,14 +187,14 @@ class OpenDocumentReport:
     """
 
     def __init__(self, settings, profile, output, document, label, is_saved, info_folder, checks, failures,
-                 language=ENGLISH):
+                 language=ENGLISH, unit=MILLIMETRE.symbol):
         self._file = document or os.path.join(os.path.dirname(output), label.replace(os.sep, "_"))
         self._outcome = {"file": self._file, "parts": [], "failures": list(failures), "faces": {}}
         info_file = os.fspath(info_location(document, info_folder)) if document else ""
         self._folder = ReportFolder(
             output, os.path.dirname(self._file), profile, lambda _: info_file,
             limits_named(checks.split(","), None) if checks.strip() else (), RAY,
-            subject=os.path.dirname(document) if document else "", language=language)
+            subject=os.path.dirname(document) if document else "", language=language, unit=UNITS[unit])
         self._pages = self._folder.pages_for(self._file)
         source = new_source(document, linked_files(document), info_file) if is_saved else {"file": document or label}
         self._maker = call_in_folder(info_folder, lambda: PageMaker(self._pages, source, settings, profile))

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..columns import cross, dot
 from .box_tree import box_tree
-from .ray_casting import INNER, OUTER, first_hits
+from .ray_casting import INNER, OUTER, first_hits, first_hits_within
 
 _TILTS = np.radians([50.0, 40.0, 60.0, 30.0, 70.0, 20.0, 10.0, 78.0, 3.0])
 """Angles between a line of sight and the outward normal, the best first: at 50 degrees one sees the outer side of a wall and
@@ -63,7 +63,7 @@ class Scene:
     def __init__(self, corners):
         low, high = (corners.reshape(-1, 3).min(axis=0), corners.reshape(-1, 3).max(axis=0)) if len(corners) else (
             np.zeros(3), np.zeros(3))
-        self._origin = 0.5 * (low + high)
+        self._origin, self._half = 0.5 * (low + high), 0.5 * (high - low)
         columns = np.ascontiguousarray((corners - self._origin).transpose(2, 1, 0))
         vectors = cross(columns[:, 1] - columns[:, 0], columns[:, 2] - columns[:, 0])
         double = np.sqrt(dot(vectors, vectors))
@@ -98,6 +98,35 @@ class Scene:
         origins = np.repeat((start - self._origin)[:, None], len(directions), axis=1)
         columns = np.ascontiguousarray(directions.T, dtype=float)
         return np.minimum(*(first_hits(self._tree, origins, columns, side)[0] for side in (INNER, OUTER)))
+
+    def distances_within(self, starts, directions, limits, side=INNER):
+        """Distance from points to what lines meet first from one side, as far as a limit.
+
+        Parameters
+        ----------
+        starts : ndarray of shape (m, 3), mm
+        directions : ndarray of shape (m, 3)
+            Unit vectors.
+        limits : ndarray of shape (m,), mm
+        side : float
+            `INNER`, which a line out of the material meets, or `OUTER`.
+
+        Returns
+        -------
+        ndarray of shape (m,), mm
+            The limit where they meet nothing before.
+        """
+        if self._tree is None:
+            return limits
+        starts = starts - self._origin
+        # Rays are followed as far as the scene extends: from where they enter its box.
+        steep = np.where(np.abs(directions) > 1e-12, directions, 1e-12)
+        entry = (np.minimum((-self._half - starts) / steep, (self._half - starts) / steep)).max(axis=1)
+        entry = np.maximum(entry - 1e-3 * self.extent, 0.0)
+        origins = np.ascontiguousarray((starts + entry[:, None] * directions).T)
+        columns = np.ascontiguousarray(directions.T, dtype=float)
+        distance, _ = first_hits_within(self._tree, origins, columns, np.maximum(limits - entry, 0.0), side)
+        return np.minimum(distance + entry, limits)
 
 
 def best_sight(scene, walls, current):

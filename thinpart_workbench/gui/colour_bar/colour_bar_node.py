@@ -2,17 +2,25 @@
 
 from pivy import coin
 
-from ..application.qt import QtCore, flipped_vertically
-from ..document.free_area import free_area
+from ..application.qt import QtCore
+from ..scene.view_pixels import free_pixels, is_size_of, pixels_drawn, place_on_screen, set_image
+from .bar_handle import BarHandle
+from .bar_place import BarPlace
 from .colour_bar import bar_image
 
 
 class ColourBarNode:
-    """A colour bar at the left edge of a view, drawn over the scene; "fit all" and picking ignore it.
+    """A colour bar in a view, drawn over the scene; "fit all" and picking ignore it. The mouse moves it and sizes it.
 
     Parameters
     ----------
     view : View3DInventorPy
+
+    Attributes
+    ----------
+    rect : QRect
+        Where it was drawn last, in pixels of the window or of the picture.
+    place : BarPlace
 
     Notes
     -----
@@ -23,7 +31,9 @@ class ColourBarNode:
     def __init__(self, view):
         self._root = root = view.getSceneGraph()
         self._widget = view.graphicsView().viewport()
-        self._content = self._size = None
+        self._content = self._drawn_for = None
+        self._image_size = 1, 1
+        self.place, self.rect, self._window_rect = BarPlace.kept(), QtCore.QRect(), QtCore.QRect()
         # A group class of FreeCAD: 'fit all' ignores its children.
         self.node = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
         self.node.set("mode EXCLUDE_BBOX")
@@ -36,60 +46,79 @@ class ColourBarNode:
         light.model = coin.SoLightModel.BASE_COLOR
         self._translation, self._image = coin.SoTranslation(), coin.SoImage()
         self._translation.enableNotify(False)  # set during rendering, which must not trigger another rendering
-        self._image.vertAlignment = coin.SoImage.HALF
+        self._image.vertAlignment = coin.SoImage.BOTTOM
         self._image.horAlignment = coin.SoImage.LEFT
         # All inside the annotation, so that none of it affects the nodes after the bar.
         for node in (unpicked, fit, light, self._translation, self._image):
             annotation.addChild(node)
         self.node.addChild(annotation)
         root.insertChild(self.node, 0)  # before FreeCAD's clipping plane, which cuts all that follows
+        self._handle = BarHandle(self._widget, self)
 
     def is_in(self, root):
         """Whether the bar belongs to the view with this scene graph."""
         return root.findChild(self.node) >= 0
 
     def show(self, content):
-        """Show a BarContent."""
-        if content != self._content:
-            self._content, self._size = content, None
+        """Show a BarContent where the user has put the bar."""
+        place = self.place if self._handle.is_dragging else BarPlace.kept()
+        if content != self._content or place != self.place:
+            self._content, self.place, self._drawn_for = content, place, None
             self.node.touch()
+
+    def put(self, place):
+        """Show the bar at a BarPlace."""
+        self.place = place
+        self.node.touch()
 
     def remove(self):
         """Take the bar out of the view."""
+        self._handle.end()
         self._root.removeChild(self.node)
+
+    @property
+    def window_rect(self):
+        """QRect of the bar in the window, in device pixels."""
+        return self._window_rect
+
+    def layout(self, place):
+        """Where the bar would stand in the window: the free QRect, the size of the bar and its margin, in device pixels."""
+        ratio = self._widget.devicePixelRatioF()
+        width, height = round(self._widget.width() * ratio), round(self._widget.height() * ratio)
+        free = free_pixels(self._widget, width, height)
+        image = self._drawn(free, place)
+        return free, (image.width(), image.height()), _margin(height)
 
     def _fit_to_view(self, _data, action):
         """Draw at the resolution being rendered: a saved image has another size than the window."""
-        if self._content is None or not action.isOfType(coin.SoGLRenderAction.getClassTypeId()):
+        size = pixels_drawn(action) if self._content is not None else None
+        if size is None:
             return
-        state = action.getState()
-        # By index: getValue() returns a bare pointer in newer versions of pivy.
-        size = coin.SoViewportRegionElement.get(state).getViewportSizePixels()
-        width, height = size[0], size[1]
-        if not width or not height:
-            return
-        free = self._free_area(width, height)
-        if (free.width(), free.height()) != self._size:
-            self._size = free.width(), free.height()
-            # A narrow image limits the size of the bar.
-            image = bar_image(self._content, min(free.height(), round(1.2 * free.width())))
-            size = coin.SbVec2s(image.width(), image.height())
-            self._image.image.setValue(size, 4, bytes(flipped_vertically(image).constBits()))
-        volume = coin.SoViewVolumeElement.get(state)
-        left = free.left() + max(4, round(0.012 * height)) + 0.5
-        middle = 1.0 - (free.top() + 0.5 * free.height()) / height
-        depth = volume.getNearDist() + 0.5 * volume.getDepth()
-        self._translation.translation = volume.getPlanePoint(depth, coin.SbVec2f(left / width, middle))
+        width, height = size
+        free = free_pixels(self._widget, width, height)
+        drawn_for = free.width(), free.height(), self.place.size
+        if drawn_for != self._drawn_for:
+            self._drawn_for = drawn_for
+            image = self._drawn(free, self.place)
+            self._image_size = image.width(), image.height()
+            set_image(self._image, image)
+        corner = self.place.corner(free, *self._image_size, _margin(height))
+        self.rect = QtCore.QRect(corner, QtCore.QSize(*self._image_size))
+        if is_size_of(self._widget, width, height):
+            self._window_rect = self.rect
+            self._handle.cover()
+        self._translation.translation = place_on_screen(
+            coin.SoViewVolumeElement.get(action.getState()), corner.x() + 0.5,
+            height - corner.y() - self._image_size[1] + 0.5, width, height)
 
-    def _free_area(self, width, height):
-        """QRect of the pixels that no dock covers; all pixels when an image is saved."""
-        full = QtCore.QRect(0, 0, width, height)
-        try:
-            ratio = self._widget.devicePixelRatioF()
-            if (round(self._widget.width() * ratio), round(self._widget.height() * ratio)) != (width, height):
-                return full
-            free = free_area(self._widget)
-        except RuntimeError:
-            return full  # the view is being closed
-        return QtCore.QRect(*(round(ratio * length) for length in (
-            free.left(), free.top(), free.width(), free.height())))
+    def _drawn(self, free, place):
+        """QImage of the bar, no larger than the room there is."""
+        # A narrow image limits the size of the bar.
+        image = bar_image(self._content, round(place.size * min(free.height(), round(1.2 * free.width()))))
+        if image.width() > free.width() or image.height() > free.height():
+            image = image.scaled(free.size(), QtCore.Qt.KeepAspectRatio, QtCore.Qt.SmoothTransformation)
+        return image
+
+
+def _margin(height):
+    return max(4, round(0.012 * height))

@@ -14,6 +14,7 @@ from ...freecad_adapter.preferences import preference, preferred_analysis
 from ...freecad_adapter.reading.document_parts import document_content
 from ..application import lifelong
 from ..application.language import language_of
+from ..application.length_unit import length_unit
 from ..application.qt import QtCore, QtGui, QtWidgets, translate
 from ..application.sentences import translated
 from ..guide.command import help_button
@@ -113,7 +114,8 @@ class ReportDialog(QtWidgets.QDialog):
             "output": self._output, "document": file, "label": document.Label,
             "is_saved": bool(file) and os.path.exists(file) and not lifelong.observer.differs_from_file(document),
             "info_folder": preference("InfoFolder"), "checks": preference("Checks"),
-            "failures": [part.failure() for part in content.broken], "language": language_of(LANGUAGES)})
+            "failures": [part.failure() for part in content.broken], "language": language_of(LANGUAGES),
+            "unit": length_unit(document).symbol})
         self._job.progressed.connect(self._show_progress)
         self._job.ended.connect(self._show_end)
         self._job.start()

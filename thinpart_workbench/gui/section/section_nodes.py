@@ -6,12 +6,14 @@ from pivy import coin
 from ...core.maps.map_section import map_section
 from ...core.rigid_transform import inverse, transform_points
 from ..scene.coin_arrays import fill_numbers, fill_points
+from ..scene.view_pixels import pixels_drawn
 
 _MATERIAL = (0.86, 0.86, 0.87)
-_HATCHES = 14
-"""Lines of the hatch across the part."""
+_PITCH = 6.0
+"""Pixels from one line of the hatch to the next, measured along the screen; it is kept between this and twice as much while
+the view is zoomed, so that the lines stay where they are on the part."""
 
-_SIZE = 64
+_SIZE = 32
 _EDGE_WIDTH = 5.0
 
 
@@ -46,7 +48,13 @@ class SectionNodes:
         grey.rgb = _MATERIAL
         hatch.model = coin.SoTexture2.MODULATE
         hatch.image.setValue(coin.SbVec2s(_SIZE, _SIZE), 1, _hatch().tobytes())
-        for node in (behind, grey, hatch, self._points, self._places, self._pieces):
+        fine, self._scale, fit = coin.SoComplexity(), coin.SoTexture2Transform(), coin.SoCallback()
+        fine.textureQuality = 1.0  # smooth also where it is drawn smaller
+        self._scale.enableNotify(False)  # set during rendering, which must not trigger another rendering
+        self._middle, self._fit = None, self._fit_hatch  # pivy does not hold a reference to it
+        fit.setCallback(self._fit)
+        material.renderCaching = coin.SoSeparator.OFF
+        for node in (behind, grey, fine, hatch, fit, self._scale, self._points, self._places, self._pieces):
             material.addChild(node)
         for node in (light, material, edges):
             content.addChild(node)
@@ -90,6 +98,20 @@ class SectionNodes:
             clip.on = True
         self.root.whichChild = coin.SO_SWITCH_ALL
 
+    def _fit_hatch(self, _data, action):
+        """Make the hatch as fine on the screen at any zoom."""
+        size = pixels_drawn(action)
+        if size is None or self._middle is None:
+            return
+        volume = coin.SoViewVolumeElement.get(action.getState())
+        # What a circle of this share of the picture's height measures on the part.
+        middle = coin.SbVec3f(*map(float, self._middle))
+        pitch = volume.getWorldToScreenScale(middle, _PITCH / size[1])
+        if not np.isfinite(pitch) or pitch <= 0.0:
+            return
+        pitch = 2.0 ** np.ceil(np.log2(pitch))
+        self._scale.scaleFactor = (1.0 / pitch, 1.0 / pitch)
+
     def _show_edges(self, points, colours):
         fill_points(self._edge_points.point, points)
         red, green, blue = colours.reshape(-1, 3).T
@@ -102,9 +124,9 @@ class SectionNodes:
         across = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
         across /= np.linalg.norm(across)
         flat = np.stack([points @ across, points @ np.cross(normal, across)], axis=1)
-        size = max(float(np.ptp(flat, axis=0).max()), 1e-9) if len(flat) else 1.0
         fill_points(self._points.point, points)
-        places = (flat - (flat.min(axis=0) if len(flat) else 0.0)) * (_HATCHES / size)
+        places = flat - (flat.min(axis=0) if len(flat) else 0.0)
+        self._middle = points.mean(axis=0) if len(points) else None
         self._places.point.setNum(0)
         if len(places):
             self._places.point.setValues(0, len(places), places.tolist())
@@ -114,6 +136,7 @@ class SectionNodes:
 
 
 def _hatch():
-    """One square of a hatch at 45 degrees: ndarray of shape (n, n), uint8."""
+    """One square of a hatch at 45 degrees, with soft edges: ndarray of shape (n, n), uint8."""
     row, column = np.mgrid[:_SIZE, :_SIZE]
-    return np.where((row + column) % _SIZE < _SIZE // 6, 150, 255).astype(np.uint8)
+    off = np.abs((row + column) % _SIZE - 0.5 * (_SIZE - 1)) / _SIZE  # from the middle of the line
+    return np.round(255.0 - 125.0 * np.clip(1.0 - (off - 0.07) / 0.06, 0.0, 1.0)).astype(np.uint8)

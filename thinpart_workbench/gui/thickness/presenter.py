@@ -15,10 +15,12 @@ from ...core.maps.map_summary import (
 from ...core.rigid_transform import transform_points
 from ...freecad_adapter.objects.thickness_object import OWN_CHECK, unit_in_mm
 from ...freecad_adapter.objects.thickness_probes import moved_matrix, probes_of
+from ...freecad_adapter.preferences import preference
 from ..application import lifelong
 from ..application.length_unit import length_unit
 from ..application.qt import QtCore, Signal, disconnect, translate
 from ..application.sentences import translated
+from ..colour_bar.bar_handle import switch as switch_in_view
 from ..colour_bar.colours import ThicknessColours
 from ..document.object_observer import ObjectObserver
 from ..document.transaction import transaction
@@ -104,7 +106,7 @@ class ThicknessPresenter(QtCore.QObject):
             (boxes.head.fly_requested, lambda: self._fly_to_wall(0)),
             (boxes.head.export_requested, self._export),
             (boxes.head.step_requested, self._step), (boxes.scale.changed, self._change),
-            (boxes.scale.typical_requested, self._show_typical_range),
+            (boxes.scale.typical_requested, self._show_typical_range), (boxes.scale.switched, switch_in_view),
             (boxes.distribution.range_chosen, self._choose_range),
             (boxes.distribution.threshold_changed, self._set_threshold),
             (boxes.distribution.thin_only_changed, lambda on: self._change({"ThinOnly": on})),
@@ -120,6 +122,7 @@ class ThicknessPresenter(QtCore.QObject):
         for signal, slot in self._connections:
             signal.connect(slot)
         lifelong.map_events.refresh_due.add(self._leave_what_moved)
+        lifelong.map_events.refresh_due.add(self._show_in_view)
         self.regions = RegionPresenter(thickness, boxes.regions, self)
         self._section = SectionPresenter(thickness, self._parts, boxes.section, self)
         self._show_all()
@@ -141,6 +144,7 @@ class ThicknessPresenter(QtCore.QObject):
         self.regions.leave()
         self._section.leave()
         lifelong.map_events.refresh_due.remove(self._leave_what_moved)
+        lifelong.map_events.refresh_due.remove(self._show_in_view)
         self._picker.stop()
         self._picker.deleteLater()
         try:
@@ -175,6 +179,7 @@ class ThicknessPresenter(QtCore.QObject):
         self._show_head()
         self._show_bars()
         self._show_scale()
+        self._show_in_view()
         self._show_regions()
         self._show_faces()
         self._show_probes()
@@ -193,6 +198,9 @@ class ThicknessPresenter(QtCore.QObject):
 
     def _show_scale(self):
         self._boxes.scale.show_properties({name: getattr(self.thickness, name) for name in _SCALE}, self._unit)
+
+    def _show_in_view(self):
+        self._boxes.scale.show_in_view({name: preference(name) for name in ("ColourBarShown", "MapLabels")})
 
     def _show_head(self):
         rows = [PartsTableRow(part.record["name"], part.record["label"], len(part.matrices), part.record)

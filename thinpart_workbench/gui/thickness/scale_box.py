@@ -5,6 +5,7 @@ from ...freecad_adapter.objects.thickness_object import MILLIMETRES, SHARE
 from ...freecad_adapter.preferences import PREFERENCES
 from ..application.length_unit import MILLIMETRE
 from ..application.qt import QtCore, QtGui, QtWidgets, Signal, colour, translate, translated_mark
+from ..widgets.flow_layout import FlowLayout
 from ..widgets.wheel import ignore_wheel_unless_focused
 
 
@@ -17,9 +18,12 @@ class ScaleBox(QtWidgets.QWidget):
         Properties of the map that the user has changed: dict by name.
     typical_requested
         The user wants the range that most of the surface has.
+    switched(str, bool)
+        What is shown in the view, by the name of its preference.
     """
 
     changed = Signal(object)
+    switched = Signal(str, bool)
     typical_requested = Signal()
 
     def __init__(self, parent=None):
@@ -29,6 +33,16 @@ class ScaleBox(QtWidgets.QWidget):
         form = new_form(self)
         self._add_range(form)
         self._add_colours(form)
+        self._add_in_view(form)
+
+    def show_in_view(self, states):
+        """Show what is shown in the view: dict of bool by the name of the preference."""
+        self._is_updating = True
+        try:
+            for name, is_on in states.items():
+                self._in_view[name].setChecked(is_on)
+        finally:
+            self._is_updating = False
 
     def show_properties(self, values, unit):
         """Show properties of a map.
@@ -121,6 +135,20 @@ class ScaleBox(QtWidgets.QWidget):
         self._button.setToolTip(translate("ThinPart", "Colour where no wall could be measured"))
         self._button.clicked.connect(self._ask_colour)
         form.addRow(translate("ThinPart", "Unmeasured"), self._button)
+
+    def _add_in_view(self, form):
+        self._in_view, flow = {}, FlowLayout()
+        for name, title, meaning in (
+                ("ColourBarShown", translate("ThinPart", "Colour bar"), translate(
+                    "ThinPart", "Drag it in the view to move it, a corner of it to size it; a right click has more")),
+                ("MapLabels", translate("ThinPart", "Thickness labels"), translate(
+                    "ThinPart", "The thinnest wall, the thickest one and pinned ones; those behind the part are hidden"))):
+            box = self._in_view[name] = QtWidgets.QCheckBox(title, self)
+            box.setObjectName(f"ThinPart_{name}")
+            box.setToolTip(meaning)
+            box.toggled.connect(lambda on, name=name: self._is_updating or self.switched.emit(name, on))
+            flow.addWidget(box)
+        form.addRow(translate("ThinPart", "In the view"), flow)
 
     def _check(self, form, name, title, meaning):
         """A check box for a property of this name, in a row of its own."""

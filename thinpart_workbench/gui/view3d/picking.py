@@ -12,6 +12,7 @@ from ...freecad_adapter.guard import guarded_methods
 from ...freecad_adapter.objects.thickness_probes import Probe, moved_matrix, probes_of, set_probes, wall_at_placement
 from ..application.length_unit import length_unit
 from ..application.qt import QtCore, QtWidgets, Signal, call_later, mouse_position, translate
+from ..colour_bar.bar_handle import is_on_bar
 from ..document.transaction import transaction
 from ..record.measure_text import here_sentence
 from ..scene.view_ray import first_object, line_of_sight
@@ -155,7 +156,8 @@ class ThicknessPicker(QtCore.QObject):
             # A second button held down turns or moves the view in most navigation styles.
             alone = self._pins and event.button() == event.buttons() == QtCore.Qt.LeftButton
             plain = event.modifiers() == QtCore.Qt.NoModifier
-            self._pressed = mouse_position(event) if alone and plain else None
+            self._pressed = mouse_position(event) if alone and plain and not is_on_bar(
+                widget, mouse_position(event)) else None
         elif kind == QtCore.QEvent.MouseButtonRelease and self._pressed is not None:
             if event.button() == QtCore.Qt.LeftButton and (
                     (mouse_position(event) - self._pressed).manhattanLength() <= _CLICK_DISTANCE):
@@ -185,7 +187,7 @@ class ThicknessPicker(QtCore.QObject):
         view, _, label, _ = entry
         if not _exists(label):
             return  # the view was closed since the mouse was moved over it
-        wall = None if position is None else self.wall_at(view, position)
+        wall = None if position is None or is_on_bar(widget, position) else self.wall_at(view, position)
         if wall is None:
             label.hide()
         else:

@@ -4,10 +4,12 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from ...freecad_adapter.objects.thickness_object import thickness_objects
+from ...freecad_adapter.preferences import preference
 from ..application import lifelong
 from ..application.qt import QtWidgets
 from ..colour_bar.colour_bar_node import ColourBarNode
 from .covered_sources import CoveredSources
+from .label_node import LabelNode
 from .view_provider import ThicknessView
 
 
@@ -22,7 +24,7 @@ class SceneSync:
 
     def __init__(self):
         self._shown = []  # (document name, object name) of visible maps, the most recent last
-        self._bars = []
+        self._bars, self._labels = [], []
         self._covered = CoveredSources()
         area = Gui.getMainWindow().findChild(QtWidgets.QMdiArea)
         if area is not None:
@@ -65,7 +67,7 @@ class SceneSync:
 
     def _show_bars(self):
         last = dict(self._shown)  # the most recently shown map of each document
-        bars = []
+        bars, labels = [], []
         for document in App.listDocuments():
             gui_document = Gui.getDocument(document)
             for view in gui_document.mdiViewsOfType("Gui::View3DInventor"):
@@ -78,9 +80,28 @@ class SceneSync:
                     bars.append(bar)
                 elif bar is not None:
                     bar.remove()
-        self._bars = bars
+                    bar = None
+                node = self._show_labels(view, root, document, last.get(document), bar)
+                if node is not None:
+                    labels.append(node)
+        self._bars, self._labels = bars, labels
+
+    def _show_labels(self, view, root, document, name, bar):
+        """The LabelNode of a view; None where nothing is labelled."""
+        node = next((node for node in self._labels if node.is_in(root)), None)
+        content = None if name is None or not preference("MapLabels") else _proxy(document, name).labels
+        if content is None:
+            if node is not None:
+                node.remove()
+            return None
+        node = node or LabelNode(view)
+        node.obstacles = [] if bar is None else [bar]
+        node.show(content)
+        return node
 
     def _content(self, document, name):
-        if name is None:
-            return None
-        return App.getDocument(document).getObject(name).ViewObject.Proxy.bar
+        return None if name is None or not preference("ColourBarShown") else _proxy(document, name).bar
+
+
+def _proxy(document, name):
+    return App.getDocument(document).getObject(name).ViewObject.Proxy

@@ -18,7 +18,7 @@ from ..colour_bar.colour_bar import BarContent
 from ..colour_bar.colours import ThicknessColours
 from ..section.section_nodes import SectionNodes
 from .facet_nodes import FacetNodes
-from .probe_nodes import ProbeNodes
+from .map_labels import WallsFoundLater
 
 _ICONS = Path(__file__).resolve().parents[3] / "resources" / "icons"
 QT_TRANSLATE_NOOP = App.Qt.QT_TRANSLATE_NOOP
@@ -51,7 +51,7 @@ class ThicknessView:
         view.DisplayMode = MODES[0]
 
     def _reset(self):
-        self._view = self._nodes = self._probes = self._shown_version = self._failed_version = None
+        self._view = self._nodes = self._walls = self._shown_version = self._failed_version = None
         self._range = self._faces = self._isolated = self._section = self._cut = self._shown_section = None
         self._has_unmeasured = False
 
@@ -72,13 +72,13 @@ class ThicknessView:
     def attach(self, view):
         """Create the nodes; FreeCAD calls this once, when it adds the object to the window."""
         self._view = view
-        self._nodes, self._probes, self._cut = FacetNodes(), ProbeNodes(), SectionNodes()
+        self._nodes, self._cut = FacetNodes(), SectionNodes()
         facets, edges = self._nodes.facets, self._nodes.edges
         for nodes, clip in zip((facets, edges), self._cut.clips):
             nodes.insertChild(clip, 0)
         for mode, nodes in zip(MODES, ((facets, edges), (facets,), (edges,))):
             group = coin.SoGroup()
-            for node in (*nodes, self._cut.root, self._probes.root):
+            for node in (*nodes, self._cut.root):
                 group.addChild(node)
             view.addDisplayMode(group, mode)
         self.refresh()
@@ -109,7 +109,7 @@ class ThicknessView:
         elif name in _COLOURING:
             self._colour()
         elif name == "ProbeValues":  # the last of the three lists
-            self._probes.show(probes_of(thickness), length_unit(thickness.Document))
+            lifelong.map_events.refresh_soon()  # the labels
         if name == "Stale":
             self._view.signalChangeIcon()
 
@@ -137,7 +137,7 @@ class ThicknessView:
             try:
                 parts = parts_of(thickness)
                 self._nodes.show(parts)
-                self._isolated = None
+                self._isolated = self._walls = None
                 self._shown_version, self._failed_version = version, None
                 self._has_unmeasured = not all(part.map.measured.all() for part in parts)
             except ThinPartError as error:
@@ -145,7 +145,6 @@ class ThicknessView:
                 self._shown_version, self._failed_version = None, version
                 lifelong.notifications.report_error(f"{thickness.Label}: {translated(error)}", thickness.Document.Label)
             self._colour()
-        self._probes.show(probes_of(thickness), length_unit(thickness.Document))
         self.move()
 
     def show_in_batches(self):
@@ -158,7 +157,6 @@ class ThicknessView:
         if self._shown_version is not None:
             matrix = moved_matrix(self._view.Object)
             self._nodes.move(matrix)
-            self._probes.move(matrix)
             self._show_section()
 
     def highlight(self, low, high=None, faces=None):
@@ -197,6 +195,7 @@ class ThicknessView:
     def section(self, plane):
         self._section = plane
         self._show_section()
+        lifelong.map_events.refresh_soon()  # what is cut off has no label
 
     @property
     def colours(self):
@@ -217,6 +216,23 @@ class ThicknessView:
         diagonal = thickness.Diagonal if thickness.RangeUnit == SHARE else 0.0
         return BarContent(self.colours, length_unit(thickness.Document), diagonal, thickness.Thinnest,
                           thickness.Thickest, thickness.Threshold, self._has_unmeasured, thickness.Measure)
+
+    @property
+    def labels(self):
+        """The current LabelContent; None if no map is shown, or not all of it yet."""
+        if self._shown_version is None or not self.is_complete:
+            return None
+        thickness = self._view.Object
+        if self._walls is None:
+            self._walls = WallsFoundLater(parts_of(thickness), lifelong.map_events.refresh_soon)
+        if self._walls.found is None:
+            return None
+        moved, unit, probes, colours = (moved_matrix(thickness), length_unit(thickness.Document), probes_of(thickness),
+                                        ThicknessColours.of(thickness))
+        has_others = _shows_others(thickness)
+        key = (self._shown_version, moved.tobytes(), unit, tuple(probes), colours, self._section, has_others)
+        return self._walls.found.content(
+            key, moved, probes, unit, lambda value: tuple(colours.of_values([value])[0].tolist()), self._section, has_others)
 
     def doubleClicked(self, view):
         """Open the panel on a double click in the tree."""
@@ -247,3 +263,10 @@ class ThicknessView:
             self._nodes.colour(self.colours, opacity)
             self._show_section()
             lifelong.map_events.refresh_soon()  # the colour bar changes with the colours
+
+
+def _shows_others(thickness):
+    """Whether the document shows objects other than a map and its sources, which may hide places of the map."""
+    own = {member.Name for member in (thickness, *thickness.Sources) if member.Document == thickness.Document}
+    return any(each.Name not in own and (hasattr(each, "Shape") or hasattr(each, "Mesh")) and each.ViewObject.Visibility
+               for each in thickness.Document.Objects if getattr(each, "ViewObject", None) is not None)

@@ -2,12 +2,14 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from ...core.rays.line_of_sight import Scene, best_sight
-from ...freecad_adapter.objects.thickness_probes import Probe
 from ..application.qt import translate
 from ..scene.camera_flight import fly_to, look_direction, view_of, visible_height
 from ..scene.drawn_triangles import drawn_triangles
-from .probe_nodes import ProbeNodes
+from .label_node import MARK, LabelNode
+from .map_labels import LabelContent, MapLabel
 
 
 @dataclass(frozen=True)
@@ -40,7 +42,7 @@ class WallFlight:
     """
 
     def __init__(self):
-        self._nodes = self._root = self.target = None
+        self._mark = self.target = None
 
     def fly(self, document, wall, diagonal, unit):
         """Fly to a wall and mark it.
@@ -64,18 +66,19 @@ class WallFlight:
             return True
         root = view.getSceneGraph()
         sight = best_sight(Scene(drawn_triangles(root)), wall.places, look_direction(view))
-        self._nodes, self._root = ProbeNodes(), root
-        self._nodes.show([Probe(tuple(map(float, sight.target)), tuple(map(float, sight.other)), wall.value)], unit)
-        root.addChild(self._nodes.root)
+        self._mark, text = LabelNode(view, MARK), unit.text(wall.value)
+        ends = np.array([[sight.target, sight.other]], dtype=float)
+        label = MapLabel(text, ends, has_line=True, is_always_shown=True)
+        self._mark.show(LabelContent((text, ends.tobytes()), [label], np.empty((0, 3))))
         fly_to(view, sight.target, sight.direction, visible_height(wall.value, diagonal))
         self.target = sight.target
         return sight.is_free
 
     def clear(self):
         """Remove the mark."""
-        nodes, root, self._nodes, self._root, self.target = self._nodes, self._root, None, None, None
-        if nodes is not None and root.findChild(nodes.root) >= 0:
-            root.removeChild(nodes.root)
+        mark, self._mark, self.target = self._mark, None, None
+        if mark is not None:
+            mark.remove()
 
 
 def hidden_sentence():

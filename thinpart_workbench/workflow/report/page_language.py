@@ -1,14 +1,16 @@
-"""The languages that pages of reports are written in: texts, sentences of other layers, and the decimal mark.
+"""The languages that pages of reports are written in: texts, sentences of other layers, numbers and lengths.
 
 The translations are those of the window. Where there is no Qt to read them, they are taken from the tables that
 `resources/translations/update_translations.py` writes beside its own files.
 """
 
 import json
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
 from ...core import number_text
+from ...core.length_unit import MILLIMETRE
 from ...core.message import in_other_words
 
 FOLDER = Path(__file__).resolve().parents[3] / "resources" / "translations"
@@ -22,21 +24,25 @@ _DECIMAL_COMMA = ("de", "fr")
 
 
 class PageLanguage:
-    """Texts and numbers of a page.
+    """Texts, numbers and lengths of a page.
 
     Parameters
     ----------
     code : str
         One of `LANGUAGES`.
+    unit : LengthUnit
+        Of all lengths; its decimal mark does not matter.
 
     Attributes
     ----------
     code : str
+    length : LengthUnit
+        The unit, with the decimal mark of the language.
     """
 
-    def __init__(self, code):
+    def __init__(self, code, unit):
         self.code = code
-        self._mark = "," if code in _DECIMAL_COMMA else "."
+        self.length = replace(unit, decimal_mark="," if code in _DECIMAL_COMMA else ".")
         path = FOLDER / f"sentences_{code}.json"
         self._texts = json.loads(path.read_text(encoding="utf-8")) if code != ENGLISH else {}
 
@@ -45,9 +51,12 @@ class PageLanguage:
         return self._texts.get(template, template)
 
     def sentence(self, sentence):
-        """A sentence, title or meaning of another layer: str. What has no translation stays as it is."""
-        return number_text.with_decimal_mark(
-            in_other_words(sentence, self.text), self._mark)
+        """A sentence, title or meaning of another layer, with its lengths in the unit: str.
+
+        What has no translation stays in English.
+        """
+        # Lengths are recognized by their decimal points: the mark comes last.
+        return self.length.convert_sentence(in_other_words(sentence, self.text))
 
     def number(self, value):
         """See `number_text.number`."""
@@ -57,10 +66,6 @@ class PageLanguage:
         """See `number_text.percent`."""
         return self._marked(number_text.percent(share))
 
-    def bound(self, millimetres):
-        """See `number_text.bound_text`."""
-        return self._marked(number_text.bound_text(millimetres))
-
     def large(self, value):
         """A number with separated thousands: str."""
         if value is None or abs(value) < 1e4:
@@ -68,10 +73,10 @@ class PageLanguage:
         return f"{value:,.0f}".replace(",", "\u202f")
 
     def _marked(self, text):
-        return number_text.with_decimal_mark(text, self._mark)
+        return number_text.with_decimal_mark(text, self.length.decimal_mark)
 
 
 @cache
-def page_language(code):
-    """The language of a code, read once: PageLanguage."""
-    return PageLanguage(code)
+def page_language(code, unit=MILLIMETRE):
+    """The language of a code with a unit of lengths, read once: PageLanguage."""
+    return PageLanguage(code, unit)

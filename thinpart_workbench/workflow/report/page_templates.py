@@ -5,14 +5,15 @@ from functools import cache, partial
 from pathlib import Path
 
 from ...core.errors import ThinPartError
+from ...core.length_unit import MILLIMETRE
 from ...core.message import message
 from .page_language import ENGLISH, page_language
 
 TEMPLATES = Path(__file__).resolve().parents[3] / "resources" / "report"
 
 
-def fill_in(template, language=ENGLISH, **values):
-    """Render a template.
+def fill_in(template, language=ENGLISH, unit=MILLIMETRE, **values):
+    """Render a template, which finds the methods of `LengthUnit` in ``length``.
 
     Parameters
     ----------
@@ -20,13 +21,15 @@ def fill_in(template, language=ENGLISH, **values):
         Name of a file in ``resources/report``.
     language : str, optional
         One of `LANGUAGES`.
+    unit : LengthUnit, optional
+        Of all lengths, those in sentences included.
 
     Returns
     -------
     bytes
         UTF-8. Bytes of file names that are not valid text are shown as escapes.
     """
-    return _environment(language).get_template(template).render(**values).encode("utf-8", "backslashreplace")
+    return _environment(language, unit).get_template(template).render(**values).encode("utf-8", "backslashreplace")
 
 
 def check_templates():
@@ -38,7 +41,7 @@ def check_templates():
         kind ``unsupported``.
     """
     try:
-        _environment(ENGLISH)
+        _environment(ENGLISH, MILLIMETRE)
     except ImportError as error:
         raise ThinPartError(
             message("Reports need the Python package Jinja2 ({problem}): install it (Debian: 'apt-get install "
@@ -47,16 +50,16 @@ def check_templates():
 
 
 @cache
-def _environment(code):
+def _environment(code, unit):
     # Imported here: only reports need Jinja2, and FreeCAD does not include it.
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
     environment = Environment(loader=FileSystemLoader(TEMPLATES), autoescape=True, finalize=_printable,
                               undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
-    language = page_language(code)
-    environment.globals.update(_=partial(_text, language), language=code)
+    language = page_language(code, unit)
+    environment.globals.update(_=partial(_text, language), language=code, length=language.length)
     environment.filters.update(sentence=language.sentence, number=language.number, percent=language.percent,
-                               bound=language.bound, large=language.large)
+                               large=language.large)
     return environment
 
 

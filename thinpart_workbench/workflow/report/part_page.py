@@ -13,6 +13,7 @@ from ...core.judging.criteria import profile_from
 from ...core.judging.verdict_reasons import deciding_criteria, nearest_other, reason_of
 from ...core.judging.verdict_sentence import verdict_sentence
 from ...core.judging.wall_check import check_sentence, check_walls
+from ...core.length_unit import MILLIMETRE
 from ...core.record.part_record import face_number
 from ...core.record.region_groups import region_groups
 from ...core.rendering.part_views import HEIGHT, WIDTH, thinnest_wall
@@ -29,8 +30,11 @@ _LEFT, _RIGHT, _TOP, _BOTTOM = 90.0, 880.0, 40.0, 530.0
 _BAR_LEFT, _BAR_RIGHT = 20.0, 660.0
 _STOP_COUNT, _TICK_COUNT = 16, 4
 
+_POWERS = {"mm": (1, ""), "mm2": (2, "\u00b2"), "mm3": (3, "\u00b3")}
+"""Of the length, as a number and after the symbol, by the unit of a quantity."""
 
-def part_page(record, pictures, features, about, file, overview, language=ENGLISH):
+
+def part_page(record, pictures, features, about, file, overview, language=ENGLISH, unit=MILLIMETRE):
     """Create a self-contained page.
 
     Parameters
@@ -49,6 +53,8 @@ def part_page(record, pictures, features, about, file, overview, language=ENGLIS
         URL of the overview, relative to the page.
     language : str, optional
         One of `LANGUAGES`.
+    unit : LengthUnit, optional
+        Of all lengths on the page.
 
     Returns
     -------
@@ -58,14 +64,14 @@ def part_page(record, pictures, features, about, file, overview, language=ENGLIS
     titles = {category.name: category.title for category in profile.categories}
     meanings = {category.name: category.meaning for category in profile.categories}
     return fill_in(
-        "part.html", language, part=record, file=file, overview=overview, software=__version__,
+        "part.html", language, unit, part=record, file=file, overview=overview, software=__version__,
         titles=titles, meaning=meanings.get(record["category"], ""), profile=about["profile"],
         reason=_reason(record), deciding=deciding_criteria(record), other=nearest_other(record), chances=_chances(record),
         thickness=record["descriptors"]["thickness_mm"], shares=record["descriptors"]["shares"],
         source=about["source"], settings=about["settings"], kept=_annotations(about["kept"]),
         views=[_view(view) for view in pictures.views()], width=WIDTH, height=HEIGHT,
         thinnest=_thinnest_wall(record), scale=_scale(pictures, record), shows_balls=pictures.measure == SPHERE,
-        chart=_chart(record), evidence=_evidence(record), faces=_faces(record, features), features=features,
+        chart=_chart(record, unit), evidence=_evidence(record, unit), faces=_faces(record, features), features=features,
         regions=region_groups(record, about["kept"].get("region_notes") or ()), other_regions=record.get("regions"),
         shown_faces=SHOWN_FACES,
         checks=_checks(record, about["limits"]),
@@ -154,8 +160,8 @@ def _hexadecimal(colour):
     return "#" + "".join(f"{int(value):02x}" for value in colour)
 
 
-def _chart(record):
-    """The distribution in the units of the chart."""
+def _chart(record, unit):
+    """The distribution in the units of the chart; its ticks are round numbers in the unit of the page."""
     measured = record["descriptors"]
     diagonal = measured["diagonal_mm"]
     limit = record["thin_limit_mm"] / diagonal
@@ -178,7 +184,7 @@ def _chart(record):
                 "high": bar.high / BINS * diagonal, "share": bar.area,
                 "is_thin": bar.high <= round(limit * BINS),
             })
-    step = round_up(span * diagonal / 5.0)
+    step = unit.millimetres * round_up(unit.value(span * diagonal) / 5.0)
     return {
         "bars": shown, "end": span * diagonal, "limit": x(limit),
         "limit_text": min(max(x(limit), _LEFT + 90.0), _RIGHT - 110.0),
@@ -188,14 +194,17 @@ def _chart(record):
     }
 
 
-def _evidence(record):
-    return [{**row, "conditions": [_condition(condition) for condition in row["conditions"]]}
+def _evidence(record, unit):
+    return [{**row, "conditions": [_condition(condition, unit) for condition in row["conditions"]]}
             for row in record["evidence"]]
 
 
-def _condition(condition):
+def _condition(condition, unit):
     quantity = quantity_named(condition["quantity"])
-    return {**condition, "symbol": quantity.symbol, "meaning": quantity.meaning, "bounds": quantity.bounds,
+    power, sign = _POWERS.get(quantity.unit, (0, ""))
+    return {**condition, "value": unit.value(condition["value"], power),
+            "threshold": unit.value(condition["threshold"], power), "unit": unit.symbol + sign if power else "",
+            "symbol": quantity.symbol, "meaning": quantity.meaning, "bounds": quantity.bounds,
             "is_absent": condition["value"] is None and quantity.absent_means is not None}
 
 

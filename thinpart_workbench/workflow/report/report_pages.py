@@ -7,6 +7,7 @@ from urllib.parse import quote
 
 from ...core.analysis_settings import RAY
 from ...core.errors import ThinPartError
+from ...core.length_unit import MILLIMETRE, LengthUnit
 from ...core.message import message
 from ...storage.atomic_file import write_atomically
 from ...storage.info.info_file import stored_info
@@ -43,6 +44,8 @@ class ReportPages:
         One of `SHOWN_MEASURES`: what the colours of the pictures stand for.
     language : str
         One of `LANGUAGES`.
+    unit : LengthUnit
+        Of all lengths on the pages; the tables beside them are in mm.
     """
 
     folder: str
@@ -51,6 +54,7 @@ class ReportPages:
     limits: tuple = ()
     shown_measure: str = RAY
     language: str = ENGLISH
+    unit: LengthUnit = MILLIMETRE
 
     def page(self, part_name, ending=".html"):
         """Path of a part's page relative to the folder of the report, the same in every run."""
@@ -155,6 +159,6 @@ class PageMaker:
         overview = address(os.path.relpath("index.html", os.path.dirname(page)))
         about = {**self._about, "kept": self._annotations.get(part.name, {}), "limits": self._pages.limits}
         content = part_page(record, pictures, features, about, self._pages.document, overview,
-                            self._pages.language)
+                            self._pages.language, self._pages.unit)
         self.faces[part.name] = csv_text(face_rows(self._pages.document, record, features))
         return content, png_bytes(pictures.small(PICTURE_WIDTH, PICTURE_HEIGHT))
