@@ -1,6 +1,7 @@
 """Every text of the window is translated, whole, into every language, and none escapes translation."""
 
 import ast
+import json
 import re
 import string
 import sys
@@ -174,6 +175,26 @@ def test_the_files_are_as_the_command_writes_them(copied):
     update_translations.main()
     for path in FILES:
         assert (copied / path.name).read_bytes() == path.read_bytes()
+
+
+def test_what_is_said_outside_of_the_window_is_written_for_programs_without_qt(copied):
+    update_translations.main()
+    for path in FILES:
+        name = f"sentences_{path.stem.partition('_')[2]}.json"
+        written = (copied / name).read_text(encoding="utf-8")
+        assert (TRANSLATIONS / name).read_text(encoding="utf-8") == written, CALL
+        assert json.loads(written) == {text: translation for (context, text), translation in ts_file.read_ts(path).items()
+                                       if context == texts_of_code.BELOW}
+
+
+def test_texts_of_report_pages_are_among_the_texts_and_nothing_else_is_written_there():
+    texts = set(texts_of_code.report_texts())
+    assert {"Where it is thin", "Wall thickness of {count} parts", "thin below {limit}"} <= texts
+    folder = ROOT / "resources" / "report"
+    for path in [*folder.glob("*.html"), *folder.glob("*.svg")]:
+        shown = re.sub(r"<style>.*?</style>|<script>.*?</script>|\{[{%#].*?[}%#]\}|<[^>]*>|&\w+;", " ",
+                       path.read_text(encoding="utf-8"), flags=re.DOTALL)
+        assert set(re.findall(r"[A-Za-z]{2,}", shown)) <= {"mm", "Face", "ThinPart", "SHA", "parts", "faces", "csv"}, path
 
 
 def test_what_is_translated_is_kept_and_what_is_gone_is_dropped(copied, capsys):

@@ -151,6 +151,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Alle Bauteile &amp;zusammen</translation>
     </message>
     <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
         <source>&amp;Browse…</source>
         <translation>&amp;Durchsuchen…</translation>
     </message>
@@ -161,6 +165,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>&amp;Colours show</source>
         <translation>&amp;Farben zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Contents</source>
+        <translation>&amp;Inhalt</translation>
     </message>
     <message>
         <source>&amp;Exclude…</source>
@@ -181,6 +189,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>&amp;Folder:</source>
         <translation>&amp;Ordner:</translation>
+    </message>
+    <message>
+        <source>&amp;Forward</source>
+        <translation>&amp;Vor</translation>
     </message>
     <message>
         <source>&amp;Install {}</source>
@@ -1059,6 +1071,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Farbkarte der Wandstärke</translation>
     </message>
     <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
         <source>Here: {}</source>
         <translation>Hier: {}</translation>
     </message>
@@ -1189,6 +1205,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Largest size</source>
         <translation>Größte Größe</translation>
+    </message>
+    <message>
+        <source>Largest size, {}</source>
+        <translation>Größte Elementgröße, {}</translation>
     </message>
     <message>
         <source>Layers</source>
@@ -1349,6 +1369,8 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Mesh as</source>
         <translation>Vernetzen als</translation>
+        <source>Mesh file</source>
+        <translation>Netzdatei</translation>
     </message>
     <message>
         <source>Mesh settings</source>
@@ -1517,6 +1539,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Opens a profile that somebody has given you</source>
         <translation>Öffnet ein Profil, das Ihnen jemand gegeben hat</translation>
+    </message>
+    <message>
+        <source>Opens the page of the guide about this (F1)</source>
+        <translation>Öffnet die Seite des Leitfadens dazu (F1)</translation>
+    </message>
+    <message>
+        <source>Order of the elements</source>
+        <translation>Ordnung der Elemente</translation>
     </message>
     <message>
         <source>Other side</source>
@@ -1809,6 +1839,8 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Settings that worked for {} ({} alike): {}</source>
         <translation>Einstellungen, die sich für {} bewährt haben (zu {} ähnlich): {}</translation>
+        <source>Setting</source>
+        <translation>Einstellung</translation>
     </message>
     <message>
         <source>Shaded</source>
@@ -2263,6 +2295,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Dünnwandiges Bauteil</translation>
     </message>
     <message>
+        <source>ThinPart guide</source>
+        <translation>ThinPart-Leitfaden</translation>
+    </message>
+    <message>
         <source>ThinPart is installed twice: {} is used, {} is not. Remove one of them.</source>
         <translation>ThinPart ist zweimal installiert: {} wird benutzt, {} nicht. Entfernen Sie eines davon.</translation>
     </message>
@@ -2519,8 +2555,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Ihr Name, unter dem Ihre Einordnungen von Bauteilen aufbewahrt werden. Leer: Ihr Name auf diesem Rechner</translation>
     </message>
     <message>
-        <source>a file, or a JSON object</source>
-        <translation>eine Datei oder ein JSON-Objekt</translation>
+        <source>a file with mesh settings</source>
+        <translation>eine Datei mit Netzeinstellungen</translation>
     </message>
     <message>
         <source>a folder with classified parts</source>
@@ -2927,6 +2963,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>ja</translation>
     </message>
     <message>
+        <source>{} (in searches and tables: {})</source>
+        <translation>{} (in Suchen und Tabellen: {})</translation>
+    </message>
+    <message>
         <source>{} (own)</source>
         <translation>{} (eigene)</translation>
     </message>
@@ -2977,6 +3017,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{} elements, {} poor, worst {}</source>
         <translation>{} Elemente, {} schlecht, schlechtestes {}</translation>
+    </message>
+    <message>
+        <source>{} entries</source>
+        <translation>{} Einträge</translation>
     </message>
     <message>
         <source>{} failed</source>
@@ -3248,6 +3292,24 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>--like is for one part: name one file.</source>
         <translation>--like gilt für ein Teil: nennen Sie eine Datei.</translation>
+        <source>(the ring is at the thinnest wall)</source>
+        <translation>(der Ring ist an der dünnsten Wand)</translation>
+    </message>
+    <message>
+        <source>, not sure</source>
+        <translation>, nicht sicher</translation>
+    </message>
+    <message>
+        <source>, not watertight</source>
+        <translation>, nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>, {count} times in the document</source>
+        <translation>, {count}-mal im Dokument</translation>
+    </message>
+    <message>
+        <source>1 warning</source>
+        <translation>1 Warnung</translation>
     </message>
     <message>
         <source>A budget is at least 1 element, not {value}.</source>
@@ -3274,6 +3336,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Alle Dreiecke haben den Flächeninhalt null.</translation>
     </message>
     <message>
+        <source>All parts of this report</source>
+        <translation>Alle Bauteile dieses Berichts</translation>
+    </message>
+    <message>
         <source>All points coincide.</source>
         <translation>Alle Punkte fallen zusammen.</translation>
     </message>
@@ -3294,6 +3360,38 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Flächeninhalt der Oberfläche</translation>
     </message>
     <message>
+        <source>Area, {unit}</source>
+        <translation>Fläche, {unit}</translation>
+    </message>
+    <message>
+        <source>At least, {unit}</source>
+        <translation>Mindestens, {unit}</translation>
+    </message>
+    <message>
+        <source>At most, {unit}</source>
+        <translation>Höchstens, {unit}</translation>
+    </message>
+    <message>
+        <source>At the thinnest wall, {thickness} between {face} and {opposite}</source>
+        <translation>An der dünnsten Wand, {thickness} zwischen {face} und {opposite}</translation>
+    </message>
+    <message>
+        <source>Bar chart: share of the surface over walls of each thickness, up to {end}; walls under {limit} count as thin</source>
+        <translation>Balkendiagramm: Anteil der Oberfläche über Wänden jeder Dicke, bis {end}; Wände unter {limit} gelten als dünn</translation>
+    </message>
+    <message>
+        <source>Borderline: close to “{other}” ({margin} from the limit).</source>
+        <translation>Grenzfall: nahe an „{other}“ ({margin} von der Grenze).</translation>
+    </message>
+    <message>
+        <source>Bounding box</source>
+        <translation>Hüllquader</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Hüllquader</translation>
+    </message>
+    <message>
         <source>Brass, large casting</source>
         <translation>Messing, großes Gussteil</translation>
     </message>
@@ -3302,8 +3400,40 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Messing, kleines Gussteil</translation>
     </message>
     <message>
+        <source>By the paper’s thresholds</source>
+        <translation>Nach den Schwellen des Artikels</translation>
+    </message>
+    <message>
         <source>Calibrated on real parts</source>
         <translation>An echten Teilen kalibriert</translation>
+    </message>
+    <message>
+        <source>Category</source>
+        <translation>Kategorie</translation>
+    </message>
+    <message>
+        <source>Clear verdict: {margin} from the limit.</source>
+        <translation>Eindeutig: {margin} von der Grenze.</translation>
+    </message>
+    <message>
+        <source>Colours from {low} to {high} and more; grey where nothing was measured</source>
+        <translation>Farben von {low} bis {high} und mehr; grau, wo nichts gemessen wurde</translation>
+    </message>
+    <message>
+        <source>Colours stand for the diameter of the largest ball inside that touches the surface there, which goes down to nothing at sharp edges. Verdict, tables and the thinnest wall are measured straight across.</source>
+        <translation>Die Farben stehen für den Durchmesser der größten Kugel im Innern, die die Oberfläche dort berührt; zu scharfen Kanten hin geht er auf null zurück. Urteil, Tabellen und dünnste Wand sind gerade hindurch gemessen.</translation>
+    </message>
+    <message>
+        <source>Connected walls of like thickness, equal ones in one row; the thinnest first</source>
+        <translation>Zusammenhängende Wände ähnlicher Dicke, gleiche in einer Zeile; die dünnste zuerst</translation>
+    </message>
+    <message>
+        <source>Could not be measured</source>
+        <translation>Konnte nicht gemessen werden</translation>
+    </message>
+    <message>
+        <source>Developed width, {unit}</source>
+        <translation>Abgewickelte Breite, {unit}</translation>
     </message>
     <message>
         <source>Diagonal of the bounding box</source>
@@ -3314,16 +3444,44 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Druckguss</translation>
     </message>
     <message>
+        <source>Document</source>
+        <translation>Dokument</translation>
+    </message>
+    <message>
         <source>Ductile iron</source>
         <translation>Gusseisen mit Kugelgraphit</translation>
+    </message>
+    <message>
+        <source>Error of a wall at most</source>
+        <translation>Fehler einer Wand höchstens</translation>
+    </message>
+    <message>
+        <source>Every criterion of the profile “{profile}” with what was measured; the category is the first of which one criterion holds</source>
+        <translation>Jedes Kriterium des Profils „{profile}“ mit den Messwerten; die Kategorie ist die erste, von der ein Kriterium zutrifft</translation>
     </message>
     <message>
         <source>FDM printing</source>
         <translation>FDM-Druck</translation>
     </message>
     <message>
+        <source>Face</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
         <source>Faces that meet in a thin wedge</source>
         <translation>Flächen bilden einen dünnen Keil</translation>
+    </message>
+    <message>
+        <source>Faces: {faces} and {count} more.</source>
+        <translation>Flächen: {faces} und {count} weitere.</translation>
+    </message>
+    <message>
+        <source>Faces: {faces}.</source>
+        <translation>Flächen: {faces}.</translation>
     </message>
     <message>
         <source>Fills little of its box</source>
@@ -3378,6 +3536,18 @@ Sein Volumen ist unbekannt.</translation>
         <translation>FreeCAD braucht einen Benutzerordner, aber {folder} ist nicht zugänglich: Setzen Sie FREECAD_USER_HOME auf einen zugänglichen Ordner.</translation>
     </message>
     <message>
+        <source>From behind, below</source>
+        <translation>Von hinten unten</translation>
+    </message>
+    <message>
+        <source>From the front, above</source>
+        <translation>Von vorn oben</translation>
+    </message>
+    <message>
+        <source>Further faces; all of them are in faces.csv as well</source>
+        <translation>Weitere Flächen; alle stehen auch in faces.csv</translation>
+    </message>
+    <message>
         <source>Giannini et al. 2012</source>
         <translation>Giannini u. a. 2012</translation>
     </message>
@@ -3410,6 +3580,18 @@ Sein Volumen ist unbekannt.</translation>
         <translation>An zwei Seiten gehalten</translation>
     </message>
     <message>
+        <source>Holds</source>
+        <translation>Erfüllt</translation>
+    </message>
+    <message>
+        <source>How it was measured</source>
+        <translation>Wie gemessen wurde</translation>
+    </message>
+    <message>
+        <source>How near it is to another category cannot be told.</source>
+        <translation>Wie nahe es einer anderen Kategorie ist, lässt sich nicht sagen.</translation>
+    </message>
+    <message>
         <source>Info files cannot be written into {folder} ({problem}): give another folder to --info-dir.</source>
         <translation>In {folder} können keine Infodateien geschrieben werden ({problem}): Wählen Sie einen anderen Ordner dafür (--info-dir).</translation>
     </message>
@@ -3430,8 +3612,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Der Hüllquader ist leer oder nicht endlich.</translation>
     </message>
     <message>
+        <source>Its faces</source>
+        <translation>Die Flächen</translation>
+    </message>
+    <message>
         <source>Its surface encloses no volume.</source>
         <translation>Die Oberfläche umschließt kein Volumen.</translation>
+    </message>
+    <message>
+        <source>Its walls</source>
+        <translation>Die Wände</translation>
+    </message>
+    <message>
+        <source>Judged by the profile “{profile}”.</source>
+        <translation>Beurteilt nach dem Profil „{profile}“.</translation>
+    </message>
+    <message>
+        <source>Labels:</source>
+        <translation>Einstufungen:</translation>
     </message>
     <message>
         <source>Layers are from 0.1 to {most:g}, not {value:g}.</source>
@@ -3454,6 +3652,18 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Kleinster Abstand, in Diagonalen, zwischen Wänden im Winkel von {low:g} bis {high:g} Grad</translation>
     </message>
     <message>
+        <source>Least, {unit}</source>
+        <translation>Kleinste, {unit}</translation>
+    </message>
+    <message>
+        <source>Length, {unit}</source>
+        <translation>Länge, {unit}</translation>
+    </message>
+    <message>
+        <source>Limits of the wall</source>
+        <translation>Grenzen der Wandstärke</translation>
+    </message>
+    <message>
         <source>Liquid crystal polymer</source>
         <translation>Flüssigkristallpolymer</translation>
     </message>
@@ -3474,6 +3684,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Zerspanung</translation>
     </message>
     <message>
+        <source>Made by</source>
+        <translation>Erzeugt von</translation>
+    </message>
+    <message>
         <source>Magnesium, large casting</source>
         <translation>Magnesium, großes Gussteil</translation>
     </message>
@@ -3482,8 +3696,32 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Magnesium, kleines Gussteil</translation>
     </message>
     <message>
+        <source>Margin</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Bedeutung</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
         <source>Median thickness of the thinnest wall region</source>
         <translation>Mediandicke des dünnsten Wandbereichs</translation>
+    </message>
+    <message>
+        <source>Median wall</source>
+        <translation>Mediane Wand</translation>
+    </message>
+    <message>
+        <source>Median, {unit}</source>
+        <translation>Median, {unit}</translation>
+    </message>
+    <message>
+        <source>Mesh settings</source>
+        <translation>Netzeinstellungen</translation>
     </message>
     <message>
         <source>Meshing needs Gmsh: install it (Debian: 'apt-get install gmsh', elsewhere: https://gmsh.info), and see that 'gmsh --version' runs.</source>
@@ -3500,6 +3738,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Middle to shortest side of the bounding box</source>
         <translation>Mittlere zu kürzester Seite des Hüllquaders</translation>
+    </message>
+    <message>
+        <source>No criterion holds: its walls are thick all over.</source>
+        <translation>Kein Kriterium ist erfüllt: Die Wände sind überall dick.</translation>
     </message>
     <message>
         <source>No part is labelled {categories}: label at least {needed} parts of every category.</source>
@@ -3524,6 +3766,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>No walls are thinner than {limit} mm, {part} of the middle side of {middle} mm: mesh it with solids.</source>
         <translation>Keine Wand ist dünner als {limit} mm, {part} der mittleren Seite von {middle} mm: mit Volumenelementen vernetzen.</translation>
+    </message>
+    <message>
+        <source>Normal part</source>
+        <translation>Normales Bauteil</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
     </message>
     <message>
         <source>Number of wall regions that are bars, shafts, wires or rings</source>
@@ -3562,8 +3812,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Nur {share} der Oberfläche liegen über Wänden, die dünner als {limit} mm sind, {part} der mittleren Seite von {middle} mm: mit Volumenelementen vernetzen.</translation>
     </message>
     <message>
+        <source>Part</source>
+        <translation>Bauteil</translation>
+    </message>
+    <message>
         <source>Part with thin features</source>
         <translation>Bauteil mit dünnen Bereichen</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Besteht</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
     </message>
     <message>
         <source>Plastic</source>
@@ -3602,8 +3864,32 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Polyurethan (PU)</translation>
     </message>
     <message>
+        <source>Probability: {probability}, next “{other}” with {others}.</source>
+        <translation>Wahrscheinlichkeit: {probability}, danach „{other}“ mit {others}.</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
         <source>Reports need the Python package Jinja2 ({problem}): install it (Debian: 'apt-get install python3-jinja2', elsewhere: 'python -m pip install Jinja2').</source>
         <translation>Berichte brauchen das Python-Paket Jinja2 ({problem}): Installieren Sie es (Debian: „apt-get install python3-jinja2“, sonst: „python -m pip install Jinja2“).</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
     </message>
     <message>
         <source>SLA printing</source>
@@ -3620,6 +3906,16 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Settings that worked for {part} ({alike:.0f} % alike) in {file}.</source>
         <translation>Einstellungen, die sich für {part} (zu {alike:.0f} % ähnlich) in {file} bewährt haben.</translation>
+        <source>See</source>
+        <translation>Siehe</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Share of its box, V/VBB</source>
+        <translation>Anteil am Hüllquader, V/VBB</translation>
     </message>
     <message>
         <source>Share of the area over parallel walls from a to b of the middle side</source>
@@ -3658,6 +3954,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Anteil des Hüllquaders, den das Bauteil ausfüllt</translation>
     </message>
     <message>
+        <source>Share of the surface</source>
+        <translation>Anteil der Oberfläche</translation>
+    </message>
+    <message>
         <source>Share of the surface over parallel walls thinner than {high:g} of the diagonal</source>
         <translation>Anteil der Oberfläche über parallelen Wänden, dünner als {high:g} der Diagonale</translation>
     </message>
@@ -3674,6 +3974,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Anteil der Oberfläche über parallelen Wänden, {low:g} bis {high:g} der mittleren Seite dick</translation>
     </message>
     <message>
+        <source>Share of the surface over walls of each thickness ({unit}). {unmeasured} of the surface has no wall opposite; {tapered} lies over tapered walls, which are not in the chart.</source>
+        <translation>Anteil der Oberfläche über Wänden jeder Dicke ({unit}). {unmeasured} der Oberfläche haben keine Wand gegenüber; {tapered} liegen über schrägen Wänden, die nicht im Diagramm sind.</translation>
+    </message>
+    <message>
         <source>Share of the surface over walls, parallel or tapered, thinner than {high:g} of the middle side</source>
         <translation>Anteil der Oberfläche über Wänden, parallel oder verjüngt, dünner als {high:g} der mittleren Seite</translation>
     </message>
@@ -3682,12 +3986,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Anteil der Oberfläche über Wänden, parallel oder verjüngt, {low:g} bis {high:g} der mittleren Seite dick</translation>
     </message>
     <message>
+        <source>Share of the volume</source>
+        <translation>Anteil am Volumen</translation>
+    </message>
+    <message>
         <source>Sheet metal</source>
         <translation>Blech</translation>
     </message>
     <message>
         <source>Shortest side of the bounding box</source>
         <translation>Kürzeste Seite des Hüllquaders</translation>
+    </message>
+    <message>
+        <source>Software</source>
+        <translation>Software</translation>
     </message>
     <message>
         <source>Some coordinates are not finite numbers.</source>
@@ -3702,8 +4014,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Auf Wunsch vorzeitig abgebrochen.</translation>
     </message>
     <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Surface mesh</source>
+        <translation>Oberflächennetz</translation>
+    </message>
+    <message>
         <source>Surfaces touch or cross at ({place}): what lies between them is not counted as a wall.</source>
         <translation>Flächen berühren oder durchdringen sich bei ({place}): Was dazwischen liegt, zählt nicht als Wand.</translation>
+    </message>
+    <message>
+        <source>Tables:</source>
+        <translation>Tabellen:</translation>
+    </message>
+    <message>
+        <source>Takes shapes from</source>
+        <translation>Übernimmt Formen aus</translation>
     </message>
     <message>
         <source>Temporary files cannot be written ({problem}): free some disk space, or name another folder in TMPDIR.</source>
@@ -3998,6 +4326,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die Wandstärkenkarte {file} stammt von einem neueren ThinPart: Aktualisieren Sie ThinPart oder messen Sie das Bauteil erneut.</translation>
     </message>
     <message>
+        <source>The thinnest first; thin is what lies over walls under {limit}</source>
+        <translation>Die dünnsten zuerst; dünn ist, was über Wänden unter {limit} liegt</translation>
+    </message>
+    <message>
         <source>The thinnest wall is {wall:.3g} mm ± {error:.2g} mm: a finer mesh would be too large.</source>
         <translation>Die dünnste Wand ist {wall:.3g} mm ± {error:.2g} mm dick: Ein feineres Netz würde zu groß.</translation>
     </message>
@@ -4118,12 +4450,32 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Der Speicher reicht dafür nicht aus.</translation>
     </message>
     <message>
+        <source>These are not in the table above</source>
+        <translation>Diese sind nicht in der Tabelle oben</translation>
+    </message>
+    <message>
+        <source>Thickness and box: {unit}. The margin is how far the deciding quantities lie from another category, relative to their thresholds.</source>
+        <translation>Dicke und Hüllquader: {unit}. Der Abstand sagt, wie weit die entscheidenden Größen von einer anderen Kategorie entfernt sind, bezogen auf ihre Schwellen.</translation>
+    </message>
+    <message>
+        <source>Thickness by</source>
+        <translation>Dicke durch</translation>
+    </message>
+    <message>
+        <source>Thin below</source>
+        <translation>Dünn unter</translation>
+    </message>
+    <message>
         <source>Thin part</source>
         <translation>Dünnwandiges Bauteil</translation>
     </message>
     <message>
         <source>Thin plates nearly everywhere</source>
         <translation>Fast überall dünne Platten</translation>
+    </message>
+    <message>
+        <source>Thin share</source>
+        <translation>Anteil dünn</translation>
     </message>
     <message>
         <source>Thin tapered walls over a good part of its surface</source>
@@ -4142,6 +4494,22 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Dünnere Wand neben dickem Körper</translation>
     </message>
     <message>
+        <source>Thinnest</source>
+        <translation>Dünnste</translation>
+    </message>
+    <message>
+        <source>Thinnest towards</source>
+        <translation>Dünnste gegen</translation>
+    </message>
+    <message>
+        <source>Thinnest wall</source>
+        <translation>Dünnste Wand</translation>
+    </message>
+    <message>
+        <source>Thinnest, {unit}</source>
+        <translation>Dünnste, {unit}</translation>
+    </message>
+    <message>
         <source>This FreeCAD has no FEM workbench: install it (Debian: 'apt-get install freecad', elsewhere the installer of freecad.org, which has it), then start FreeCAD again.</source>
         <translation>Dieses FreeCAD hat keinen Arbeitsbereich FEM: Installieren Sie ihn (Debian: 'apt-get install freecad', sonst mit dem Installer von freecad.org, der ihn enthält) und starten Sie FreeCAD neu.</translation>
     </message>
@@ -4154,12 +4522,64 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Dies ist möglicherweise eine ältere Form von „{object}“, weil die letzte Neuberechnung von „{feature}“, woraus es entsteht, fehlgeschlagen ist ({reason}): Reparieren Sie das Objekt und berechnen Sie das Dokument neu.</translation>
     </message>
     <message>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Unbekannt</translation>
+    </message>
+    <message>
+        <source>Unmeasured</source>
+        <translation>Ungemessen</translation>
+    </message>
+    <message>
+        <source>Unsure: “{category}” ({probability}) or “{other}” ({others}).</source>
+        <translation>Unsicher: „{category}“ ({probability}) oder „{other}“ ({others}).</translation>
+    </message>
+    <message>
         <source>Very thin wall on a filled part</source>
         <translation>Sehr dünne Wand an massivem Bauteil</translation>
     </message>
     <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
         <source>Volume of the part</source>
         <translation>Volumen des Bauteils</translation>
+    </message>
+    <message>
+        <source>Wall</source>
+        <translation>Wand</translation>
+    </message>
+    <message>
+        <source>Wall thickness of 1 part</source>
+        <translation>Wandstärke von 1 Bauteil</translation>
+    </message>
+    <message>
+        <source>Wall thickness of {count} parts</source>
+        <translation>Wandstärke von {count} Bauteilen</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>Where it is thin</source>
+        <translation>Wo es dünn ist</translation>
+    </message>
+    <message>
+        <source>Whether its walls lie within what processes allow</source>
+        <translation>Ob die Wände einhalten, was Verfahren zulassen</translation>
+    </message>
+    <message>
+        <source>Why it is in this category</source>
+        <translation>Warum diese Kategorie</translation>
+    </message>
+    <message>
+        <source>Why:</source>
+        <translation>Warum:</translation>
     </message>
     <message>
         <source>Your own limits {file} cannot be written ({problem}): make room, or name another file in THINPART_LIMITS.</source>
@@ -4176,6 +4596,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>a block of its elements is empty</source>
         <translation>ein Block seiner Elemente ist leer</translation>
+    </message>
+    <message>
+        <source>along the principal axes; diagonal {diagonal}</source>
+        <translation>entlang der Hauptachsen; Diagonale {diagonal}</translation>
     </message>
     <message>
         <source>an entry has no header</source>
@@ -4202,12 +4626,34 @@ Sein Volumen ist unbekannt.</translation>
         <translation>ein unerwarteter Fehler</translation>
     </message>
     <message>
+        <source>and {count} more</source>
+        <translation>und {count} weitere</translation>
+    </message>
+    <message>
+        <source>and {count} smaller walls, {share} of the surface</source>
+        <translation>und {count} kleinere Wände, {share} der Oberfläche</translation>
+    </message>
+    <message>
         <source>angular deflection</source>
         <translation>Winkelabweichung</translation>
     </message>
     <message>
         <source>as proposed</source>
         <translation>wie vorgeschlagen</translation>
+        <source>as it was open in FreeCAD, not saved</source>
+        <translation>wie es in FreeCAD offen war, nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>Stab</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>Block</translation>
+    </message>
+    <message>
+        <source>borderline</source>
+        <translation>Grenzfall</translation>
     </message>
     <message>
         <source>box as flat</source>
@@ -4216,6 +4662,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>box as long</source>
         <translation>Quader gleich lang</translation>
+    </message>
+    <message>
+        <source>colours stand for the largest ball inside that touches the surface</source>
+        <translation>die Farben stehen für die größte Kugel im Innern, die die Oberfläche berührt</translation>
+    </message>
+    <message>
+        <source>colours stand for the thickness of the wall below the surface</source>
+        <translation>die Farben stehen für die Dicke der Wand unter der Oberfläche</translation>
     </message>
     <message>
         <source>coordinates are not numbers</source>
@@ -4228,6 +4682,16 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>faces that lie on each other taken out</source>
         <translation>ohne Flächen, die aufeinander liegen</translation>
+        <source>element size {size}</source>
+        <translation>Elementgröße {size}</translation>
+    </message>
+    <message>
+        <source>excluded: {reason}</source>
+        <translation>ausgenommen: {reason}</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fehlgeschlagen</translation>
     </message>
     <message>
         <source>far fewer tapered walls</source>
@@ -4256,10 +4720,16 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>finer where Gmsh failed, surfaces by Delaunay's method</source>
         <translation>feiner, wo Gmsh scheiterte, Flächen nach Delaunay</translation>
+        <source>fine</source>
+        <translation>fein</translation>
     </message>
     <message>
         <source>flatter box</source>
         <translation>flacherer Quader</translation>
+    </message>
+    <message>
+        <source>for the verdict</source>
+        <translation>für das Urteil</translation>
     </message>
     <message>
         <source>format is not {format!r}</source>
@@ -4350,6 +4820,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Lineare Abweichung</translation>
     </message>
     <message>
+        <source>linear deflection {linear}, angular deflection {angular} degrees, at walls {wall}, at least {samples} samples, accuracy {accuracy}</source>
+        <translation>lineare Abweichung {linear}, Winkelabweichung {angular} Grad, an Wänden {wall}, mindestens {samples} Messpunkte, Genauigkeit {accuracy}</translation>
+    </message>
+    <message>
         <source>longer box</source>
         <translation>längerer Quader</translation>
     </message>
@@ -4388,6 +4862,8 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>no element larger than the part is thick there</source>
         <translation>kein Element größer als die Dicke des Teils an der Stelle</translation>
+        <source>no</source>
+        <translation>nein</translation>
     </message>
     <message>
         <source>no permission to read the file</source>
@@ -4398,12 +4874,30 @@ Sein Volumen ist unbekannt.</translation>
         <translation>kein Grund angegeben</translation>
     </message>
     <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>of least volume; diagonal {diagonal}</source>
+        <translation>kleinsten Volumens; Diagonale {diagonal}</translation>
+    </message>
+    <message>
         <source>of the diagonal</source>
         <translation>der Diagonale</translation>
     </message>
     <message>
         <source>one size, since nothing finer is meshed</source>
         <translation>eine einzige Größe, da nichts Feineres vernetzt wird</translation>
+        <source>plate</source>
+        <translation>Platte</translation>
     </message>
     <message>
         <source>processes[{number}]{place} has a min_mm of {least:g}, not below its max_mm of {most:g}</source>
@@ -4434,12 +4928,18 @@ Sein Volumen ist unbekannt.</translation>
         <translation>ähnliche Wandverteilung</translation>
     </message>
     <message>
+        <source>standard</source>
+        <translation>normal</translation>
+    </message>
+    <message>
         <source>stopped on request</source>
         <translation>auf Wunsch abgebrochen</translation>
     </message>
     <message>
         <source>surfaces by Delaunay's method</source>
         <translation>Flächen nach Delaunay</translation>
+        <source>taper</source>
+        <translation>Keil</translation>
     </message>
     <message>
         <source>the cluster cannot be used</source>
@@ -4466,6 +4966,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>die Datei oder das Dokument ist leer</translation>
     </message>
     <message>
+        <source>the first wall along the inward normal</source>
+        <translation>die erste Wand entlang der Normalen nach innen</translation>
+    </message>
+    <message>
         <source>the format is not supported here</source>
         <translation>das Format wird hier nicht unterstützt</translation>
     </message>
@@ -4480,6 +4984,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>the mesh was not written ({problem})</source>
         <translation>das Netz wurde nicht geschrieben ({problem})</translation>
+    </message>
+    <message>
+        <source>the paper's pair rule</source>
+        <translation>die Paarregel des Artikels</translation>
     </message>
     <message>
         <source>the part encloses no volume</source>
@@ -4514,8 +5022,36 @@ Sein Volumen ist unbekannt.</translation>
         <translation>diese Datei gibt es nicht</translation>
     </message>
     <message>
+        <source>thickness, {unit}</source>
+        <translation>Dicke, {unit}</translation>
+    </message>
+    <message>
+        <source>thin</source>
+        <translation>dünnwandig</translation>
+    </message>
+    <message>
+        <source>thin below {limit}</source>
+        <translation>dünn unter {limit}</translation>
+    </message>
+    <message>
+        <source>thin features</source>
+        <translation>teils dünn</translation>
+    </message>
+    <message>
+        <source>tooth</source>
+        <translation>Zahn</translation>
+    </message>
+    <message>
+        <source>tube</source>
+        <translation>Rohr</translation>
+    </message>
+    <message>
         <source>two entries are called '{entry}'</source>
         <translation>zwei Einträge heißen „{entry}“</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
     </message>
     <message>
         <source>version is {version}, and this reads version 1</source>
@@ -4524,6 +5060,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>wrong usage of the command</source>
         <translation>der Befehl wurde falsch aufgerufen</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
     </message>
     <message>
         <source>{about} needs more memory than the limit allows.</source>
@@ -4544,6 +5084,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{bytes} bytes that belong to no entry lie before '{entry}'</source>
         <translation>{bytes} Bytes, die zu keinem Eintrag gehören, liegen vor „{entry}“</translation>
+    </message>
+    <message>
+        <source>{bytes} bytes, changed {time} UTC</source>
+        <translation>{bytes} Bytes, geändert {time} UTC</translation>
     </message>
     <message>
         <source>{category!r} is no category: there are {known}</source>
@@ -4574,8 +5118,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{count} doppelte Dreiecke wurden weggelassen.</translation>
     </message>
     <message>
+        <source>{count} more faces</source>
+        <translation>{count} weitere Flächen</translation>
+    </message>
+    <message>
         <source>{count} triangles of zero area were left out.</source>
         <translation>{count} Dreiecke mit Flächeninhalt null wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>{count} warnings</source>
+        <translation>{count} Warnungen</translation>
     </message>
     <message>
         <source>{file} cannot be read ({problem}).</source>
@@ -4798,6 +5350,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{low} bis {high}</translation>
     </message>
     <message>
+        <source>{low} to {high}: {share}</source>
+        <translation>{low} bis {high}: {share}</translation>
+    </message>
+    <message>
         <source>{mm} mm</source>
         <translation>{mm} mm</translation>
     </message>
@@ -4808,6 +5364,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{number!r} in the condition {condition!r} is not a number.</source>
         <translation>{number!r} in der Bedingung {condition!r} ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>{part} - wall thickness</source>
+        <translation>{part} - Wandstärke</translation>
     </message>
     <message>
         <source>{part} belongs to another document, {file}: open that one, and prepare its mesh there.</source>
@@ -4970,12 +5530,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{table} ist ein Bauteil und keine Tabelle und blieb unverändert: Nennen Sie nach --csv eine .csv-Datei.</translation>
     </message>
     <message>
+        <source>{thickness} and more</source>
+        <translation>{thickness} und mehr</translation>
+    </message>
+    <message>
         <source>{thin} of the surface is under {least} mm, thinnest {place}</source>
         <translation>{thin} der Oberfläche sind unter {least} mm, am dünnsten {place}</translation>
     </message>
     <message>
         <source>{thin} of the surface is under {least} mm, thinnest {place}, and {thick} over {most} mm</source>
         <translation>{thin} der Oberfläche sind unter {least} mm, am dünnsten {place}, und {thick} über {most} mm</translation>
+    </message>
+    <message>
+        <source>{title} (rule {number})</source>
+        <translation>{title} (Regel {number})</translation>
+    </message>
+    <message>
+        <source>{triangles} triangles, chord error {error}, {samples} samples</source>
+        <translation>{triangles} Dreiecke, Sehnenfehler {error}, {samples} Messpunkte</translation>
     </message>
     <message>
         <source>{wall} on {face}</source>
@@ -5055,6 +5627,17 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Shows or hides the panel that finds classified parts by their category, walls, size and notes, and parts like another one</source>
         <translation>Zeigt oder verbirgt das Fenster, das klassifizierte Bauteile nach Kategorie, Wänden, Größe und Notizen sowie ähnliche Bauteile findet</translation>
+    </message>
+</context>
+<context>
+    <name>ThinPart_Guide</name>
+    <message>
+        <source>Opens the guide: a page for each job, with pictures and examples</source>
+        <translation>Öffnet den Leitfaden: eine Seite für jede Aufgabe, mit Bildern und Beispielen</translation>
+    </message>
+    <message>
+        <source>ThinPart guide</source>
+        <translation>ThinPart-Leitfaden</translation>
     </message>
 </context>
 <context>

@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>Greatest wall that the process allows, mm; 0: any</source>
-        <translation>Paroi la plus épaisse que le procédé admet, mm ; 0 : toutes</translation>
+        <translation>Paroi la plus épaisse que le procédé admet, mm ; 0 : toutes</translation>
     </message>
     <message>
         <source>How it was measured: across the wall, or as the largest ball inside</source>
@@ -121,7 +121,7 @@
     </message>
     <message>
         <source>Whether the map is lit; off: flat colours, exactly those of the colour bar</source>
-        <translation>Si la carte est éclairée ; sinon : couleurs plates, exactement celles de la barre de couleurs</translation>
+        <translation>Si la carte est éclairée ; sinon : couleurs plates, exactement celles de la barre de couleurs</translation>
     </message>
     <message>
         <source>Whether the sources have changed since</source>
@@ -151,6 +151,10 @@ Son volume est inconnu.</translation>
         <translation>&amp;Toutes les pièces ensemble</translation>
     </message>
     <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Retour</translation>
+    </message>
+    <message>
         <source>&amp;Browse…</source>
         <translation>&amp;Parcourir…</translation>
     </message>
@@ -161,6 +165,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>&amp;Colours show</source>
         <translation>Les &amp;couleurs montrent</translation>
+    </message>
+    <message>
+        <source>&amp;Contents</source>
+        <translation>&amp;Sommaire</translation>
     </message>
     <message>
         <source>&amp;Exclude…</source>
@@ -181,6 +189,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>&amp;Folder:</source>
         <translation>&amp;Dossier :</translation>
+    </message>
+    <message>
+        <source>&amp;Forward</source>
+        <translation>&amp;Suivant</translation>
     </message>
     <message>
         <source>&amp;Install {}</source>
@@ -248,7 +260,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>&amp;Profile:</source>
-        <translation>&amp;Profil :</translation>
+        <translation>&amp;Profil :</translation>
     </message>
     <message>
         <source>&amp;Remove</source>
@@ -324,11 +336,11 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>'Find parts' searches this folder from now on.</source>
-        <translation>« Trouver des pièces » cherche désormais dans ce dossier.</translation>
+        <translation>« Trouver des pièces » cherche désormais dans ce dossier.</translation>
     </message>
     <message>
         <source>'normal' and 'unknown' mean that no criterion holds, or that it cannot be told: choose another name.</source>
-        <translation>« normal » et « unknown » signifient qu’aucun critère n’est rempli ou que c’est indécidable : choisissez un autre nom.</translation>
+        <translation>« normal » et « unknown » signifient qu’aucun critère n’est rempli ou que c’est indécidable : choisissez un autre nom.</translation>
     </message>
     <message>
         <source>'{}' has not been classified yet: classify the part first.</source>
@@ -336,11 +348,11 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>'{}' is still being measured.</source>
-        <translation>« {} » est encore en cours de mesure.</translation>
+        <translation>« {} » est encore en cours de mesure.</translation>
     </message>
     <message>
         <source>'{}' no longer has a part that can be measured.</source>
-        <translation>« {} » n’a plus de pièce mesurable.</translation>
+        <translation>« {} » n’a plus de pièce mesurable.</translation>
     </message>
     <message>
         <source>, layers in {} of the thin walls</source>
@@ -348,7 +360,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>1 probe was removed: the surface is no longer at its position.</source>
-        <translation>1 sonde a été retirée : la surface ne se trouve plus à cet endroit.</translation>
+        <translation>1 sonde a été retirée : la surface ne se trouve plus à cet endroit.</translation>
     </message>
     <message>
         <source>A click on the part pins the wall there</source>
@@ -364,7 +376,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>A profile that comes with ThinPart stays as it is: save under another name</source>
-        <translation>Un profil fourni avec ThinPart reste inchangé : enregistrez sous un autre nom</translation>
+        <translation>Un profil fourni avec ThinPart reste inchangé : enregistrez sous un autre nom</translation>
     </message>
     <message>
         <source>A smaller share of the surface counts as none, because single rays may stray</source>
@@ -428,7 +440,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Adds the folder to the libraries of 'Find parts'</source>
-        <translation>Ajoute le dossier aux bibliothèques de « Trouver des pièces »</translation>
+        <translation>Ajoute le dossier aux bibliothèques de « Trouver des pièces »</translation>
     </message>
     <message>
         <source>Add…</source>
@@ -452,7 +464,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>An unexpected error occurred ({}): try again, and if it happens again, report it with FreeCAD's log.</source>
-        <translation>Une erreur inattendue s’est produite ({}) : réessayez et, si cela se reproduit, signalez-le avec le journal de FreeCAD.</translation>
+        <translation>Une erreur inattendue s’est produite ({}) : réessayez et, si cela se reproduit, signalez-le avec le journal de FreeCAD.</translation>
     </message>
     <message>
         <source>Angle between neighbouring facets of a curved face</source>
@@ -484,15 +496,15 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>As proposed: {}</source>
-        <translation>Comme proposé : {}</translation>
+        <translation>Comme proposé : {}</translation>
     </message>
     <message>
         <source>Ask for this category earlier: a part gets the first one that applies</source>
-        <translation>Examiner cette catégorie plus tôt : une pièce reçoit la première qui convient</translation>
+        <translation>Examiner cette catégorie plus tôt : une pièce reçoit la première qui convient</translation>
     </message>
     <message>
         <source>Ask for this category later: a part gets the first one that applies</source>
-        <translation>Examiner cette catégorie plus tard : une pièce reçoit la première qui convient</translation>
+        <translation>Examiner cette catégorie plus tard : une pièce reçoit la première qui convient</translation>
     </message>
     <message>
         <source>At least</source>
@@ -544,11 +556,11 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>By the thresholds of the paper: {}</source>
-        <translation>Selon les seuils de l'article : {}</translation>
+        <translation>Selon les seuils de l'article : {}</translation>
     </message>
     <message>
         <source>By the thresholds of the paper: {} (criteria {})</source>
-        <translation>Selon les seuils de l'article : {} (critères {})</translation>
+        <translation>Selon les seuils de l'article : {} (critères {})</translation>
     </message>
     <message>
         <source>By which the process is chosen, as in --check</source>
@@ -620,7 +632,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Checks use the thickness across the wall: choose it under 'Colours show' to see where the limits are broken.</source>
-        <translation>Les contrôles utilisent l’épaisseur à travers la paroi : choisissez-la sous « Les couleurs montrent » pour voir où les limites ne sont pas respectées.</translation>
+        <translation>Les contrôles utilisent l’épaisseur à travers la paroi : choisissez-la sous « Les couleurs montrent » pour voir où les limites ne sont pas respectées.</translation>
     </message>
     <message>
         <source>Choose a file with mesh settings</source>
@@ -640,7 +652,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Choose a folder with classified parts, or add one under 'Libraries' in the panel 'Find parts'.</source>
-        <translation>Choisissez un dossier de pièces classifiées, ou ajoutez-en un sous « Bibliothèques » dans le panneau « Trouver des pièces ».</translation>
+        <translation>Choisissez un dossier de pièces classifiées, ou ajoutez-en un sous « Bibliothèques » dans le panneau « Trouver des pièces ».</translation>
     </message>
     <message>
         <source>Choose a part in the list to see its faces.</source>
@@ -728,7 +740,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Click: fly to its thinnest place. N, P: to the next and the previous one.</source>
-        <translation>Clic : voler vers son endroit le plus mince. N, P : vers le suivant et le précédent.</translation>
+        <translation>Clic : voler vers son endroit le plus mince. N, P : vers le suivant et le précédent.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -752,7 +764,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Colours and shares are of the largest balls inside, which shrink to nothing towards sharp edges; the line above is of the thickness across the wall.</source>
-        <translation>Les couleurs et les parts sont celles des plus grandes boules à l'intérieur, qui disparaissent vers les arêtes vives ; la ligne ci-dessus concerne l'épaisseur à travers la paroi.</translation>
+        <translation>Les couleurs et les parts sont celles des plus grandes boules à l'intérieur, qui disparaissent vers les arêtes vives ; la ligne ci-dessus concerne l'épaisseur à travers la paroi.</translation>
     </message>
     <message>
         <source>Colours from the thinnest to the thickest wall</source>
@@ -784,11 +796,11 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Continue in the background? 'Classify folder' shows the progress again. Finished results are saved either way.</source>
-        <translation>Continuer en arrière-plan ? « Classifier un dossier » affiche à nouveau la progression. Les résultats obtenus restent enregistrés dans tous les cas.</translation>
+        <translation>Continuer en arrière-plan ? « Classifier un dossier » affiche à nouveau la progression. Les résultats obtenus restent enregistrés dans tous les cas.</translation>
     </message>
     <message>
         <source>Copied: {}</source>
-        <translation>Copié : {}</translation>
+        <translation>Copié : {}</translation>
     </message>
     <message>
         <source>Copy path</source>
@@ -820,7 +832,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Cuts the map and the part; the edge of the cut has the colours of the walls</source>
-        <translation>Coupe la carte et la pièce ; le bord de la coupe a les couleurs des parois</translation>
+        <translation>Coupe la carte et la pièce ; le bord de la coupe a les couleurs des parois</translation>
     </message>
     <message>
         <source>Display</source>
@@ -836,7 +848,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Double-click: fly to its thinnest place. N, P: to the next and the previous one.</source>
-        <translation>Double-clic : aller à son endroit le plus mince. N, P : au suivant et au précédent.</translation>
+        <translation>Double-clic : aller à son endroit le plus mince. N, P : au suivant et au précédent.</translation>
     </message>
     <message>
         <source>Drag it in the view to move it, a corner of it to size it; a right click has more</source>
@@ -864,7 +876,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Edit profile: {}</source>
-        <translation>Modifier le profil : {}</translation>
+        <translation>Modifier le profil : {}</translation>
     </message>
     <message>
         <source>Edit your own limits…</source>
@@ -992,15 +1004,15 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>FreeCAD may crash in the same way when it opens the file: save your documents first. Open it anyway?</source>
-        <translation>FreeCAD peut planter de la même façon en ouvrant le fichier : enregistrez d’abord vos documents. L’ouvrir quand même ?</translation>
+        <translation>FreeCAD peut planter de la même façon en ouvrant le fichier : enregistrez d’abord vos documents. L’ouvrir quand même ?</translation>
     </message>
     <message>
         <source>FreeCAD shows one task at a time: close the one that is open, then try again.</source>
-        <translation>FreeCAD n'affiche qu'une tâche à la fois : fermez celle qui est ouverte, puis réessayez.</translation>
+        <translation>FreeCAD n'affiche qu'une tâche à la fois : fermez celle qui est ouverte, puis réessayez.</translation>
     </message>
     <message>
         <source>FreeCAD's Python has no pip, so {} was not installed: install it into {} by another Python's 'pip install --target'.</source>
-        <translation>Le Python de FreeCAD n’a pas pip, {} n’a donc pas été installé : installez-le dans {} avec « pip install --target » d’un autre Python.</translation>
+        <translation>Le Python de FreeCAD n’a pas pip, {} n’a donc pas été installé : installez-le dans {} avec « pip install --target » d’un autre Python.</translation>
     </message>
     <message>
         <source>From</source>
@@ -1032,7 +1044,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Gmsh made no mesh ({}): try fewer layers, a smaller largest size, or switch a wall off. Nothing was changed.</source>
-        <translation>Gmsh n'a produit aucun maillage ({}) : essayez moins de couches, une plus petite taille maximale, ou désactivez une paroi. Rien n'a été modifié.</translation>
+        <translation>Gmsh n'a produit aucun maillage ({}) : essayez moins de couches, une plus petite taille maximale, ou désactivez une paroi. Rien n'a été modifié.</translation>
     </message>
     <message>
         <source>Gmsh meshes {}</source>
@@ -1059,6 +1071,10 @@ Son volume est inconnu.</translation>
         <translation>Carte des épaisseurs</translation>
     </message>
     <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
         <source>Here: {}</source>
         <translation>Ici : {}</translation>
     </message>
@@ -1080,7 +1096,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>How finely parts are measured at first; where the error of a quantity could turn the verdict, a part is measured again, more finely</source>
-        <translation>Finesse de la première mesure ; là où l’erreur d’une grandeur pourrait changer le verdict, la pièce est mesurée de nouveau, plus finement</translation>
+        <translation>Finesse de la première mesure ; là où l’erreur d’une grandeur pourrait changer le verdict, la pièce est mesurée de nouveau, plus finement</translation>
     </message>
     <message>
         <source>How often the part stands in the document</source>
@@ -1140,7 +1156,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Kept in the info file, also when the part is measured again; the verdict does not change</source>
-        <translation>Gardé dans le fichier d'information, même si la pièce est mesurée à nouveau ; le verdict ne change pas</translation>
+        <translation>Gardé dans le fichier d'information, même si la pièce est mesurée à nouveau ; le verdict ne change pas</translation>
     </message>
     <message>
         <source>L&amp;abels</source>
@@ -1189,6 +1205,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Largest size</source>
         <translation>Taille maximale</translation>
+    </message>
+    <message>
+        <source>Largest size, {}</source>
+        <translation>Plus grande taille, {}</translation>
     </message>
     <message>
         <source>Layers</source>
@@ -1312,7 +1332,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Measurements, notes, mesh settings and links stay unchanged. Write the info files now?</source>
-        <translation>Les mesures, notes, paramètres de maillage et liens restent inchangés. Écrire les fichiers d’information maintenant ?</translation>
+        <translation>Les mesures, notes, paramètres de maillage et liens restent inchangés. Écrire les fichiers d’information maintenant ?</translation>
     </message>
     <message>
         <source>Measuring and drawing…</source>
@@ -1320,7 +1340,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Measuring needs Python {} beside FreeCAD, which was not found: install it.</source>
-        <translation>La mesure demande Python {} à côté de FreeCAD, qui n’a pas été trouvé : installez-le.</translation>
+        <translation>La mesure demande Python {} à côté de FreeCAD, qui n’a pas été trouvé : installez-le.</translation>
     </message>
     <message>
         <source>Measuring needs more than {} MB of memory: raise the limit in the preferences.</source>
@@ -1349,6 +1369,8 @@ Son volume est inconnu.</translation>
     <message>
         <source>Mesh as</source>
         <translation>Mailler en</translation>
+        <source>Mesh file</source>
+        <translation>Fichier de maillage</translation>
     </message>
     <message>
         <source>Mesh settings</source>
@@ -1392,11 +1414,11 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>No file manager was found: open the folder {} yourself.</source>
-        <translation>Aucun gestionnaire de fichiers n’a été trouvé : ouvrez vous-même le dossier {}.</translation>
+        <translation>Aucun gestionnaire de fichiers n’a été trouvé : ouvrez vous-même le dossier {}.</translation>
     </message>
     <message>
         <source>No file manager was found: open the info file {} yourself.</source>
-        <translation>Aucun gestionnaire de fichiers n’a été trouvé : ouvrez vous-même le fichier d’information {}.</translation>
+        <translation>Aucun gestionnaire de fichiers n’a été trouvé : ouvrez vous-même le fichier d’information {}.</translation>
     </message>
     <message>
         <source>No info file was written, because the document is not saved.</source>
@@ -1420,7 +1442,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>No thin walls: one size is enough. About {} elements of {}.</source>
-        <translation>Aucune paroi mince : une seule taille suffit. Environ {} éléments de {}.</translation>
+        <translation>Aucune paroi mince : une seule taille suffit. Environ {} éléments de {}.</translation>
     </message>
     <message>
         <source>No wall could be measured.</source>
@@ -1428,7 +1450,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>No wall regions are recorded: measure the part again.</source>
-        <translation>Aucune région de paroi n’est enregistrée : mesurez de nouveau la pièce.</translation>
+        <translation>Aucune région de paroi n’est enregistrée : mesurez de nouveau la pièce.</translation>
     </message>
     <message>
         <source>No wall was measured here.</source>
@@ -1440,7 +1462,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Not counted: {}</source>
-        <translation>Pas de décompte : {}</translation>
+        <translation>Pas de décompte : {}</translation>
     </message>
     <message>
         <source>Not measured</source>
@@ -1484,7 +1506,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>One size: {}</source>
-        <translation>Taille unique : {}</translation>
+        <translation>Taille unique : {}</translation>
     </message>
     <message>
         <source>Only failures</source>
@@ -1517,6 +1539,14 @@ Son volume est inconnu.</translation>
     <message>
         <source>Opens a profile that somebody has given you</source>
         <translation>Ouvre un profil que quelqu’un vous a donné</translation>
+    </message>
+    <message>
+        <source>Opens the page of the guide about this (F1)</source>
+        <translation>Ouvre la page du guide à ce sujet (F1)</translation>
+    </message>
+    <message>
+        <source>Order of the elements</source>
+        <translation>Ordre des éléments</translation>
     </message>
     <message>
         <source>Other side</source>
@@ -1552,7 +1582,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Parts are judged by '{}' from now on. Parts that were classified before keep their verdicts until you reclassify them.</source>
-        <translation>Les pièces sont désormais jugées selon « {} ». Celles classifiées auparavant gardent leur verdict jusqu’à ce que vous les reclassifiiez.</translation>
+        <translation>Les pièces sont désormais jugées selon « {} ». Celles classifiées auparavant gardent leur verdict jusqu’à ce que vous les reclassifiiez.</translation>
     </message>
     <message>
         <source>Parts like the active one</source>
@@ -1596,7 +1626,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Probability: {}, next '{}' with {}</source>
-        <translation>Probabilité : {}, puis « {} » avec {}</translation>
+        <translation>Probabilité : {}, puis « {} » avec {}</translation>
     </message>
     <message>
         <source>Probe</source>
@@ -1612,7 +1642,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Processes whose least and greatest wall the parts are checked against: a column each</source>
-        <translation>Procédés dont les parois minimale et maximale servent à vérifier les pièces : une colonne chacun</translation>
+        <translation>Procédés dont les parois minimale et maximale servent à vérifier les pièces : une colonne chacun</translation>
     </message>
     <message>
         <source>Processes, with commas between them, whose least and greatest wall every part is checked against</source>
@@ -1665,6 +1695,8 @@ Son volume est inconnu.</translation>
     <message>
         <source>Recommended: solid.</source>
         <translation>Recommandé : volume.</translation>
+        <source>Red: elements of {}, light blue: of {}</source>
+        <translation>Rouge : éléments de {}, bleu clair : de {}</translation>
     </message>
     <message>
         <source>Refresh</source>
@@ -1712,7 +1744,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Reports need the Python package {}, which this FreeCAD does not have: install it from the internet into {}?</source>
-        <translation>Les rapports ont besoin du paquet Python {}, que ce FreeCAD n’a pas : l’installer depuis Internet dans {} ?</translation>
+        <translation>Les rapports ont besoin du paquet Python {}, que ce FreeCAD n’a pas : l’installer depuis Internet dans {} ?</translation>
     </message>
     <message>
         <source>Reset to saved</source>
@@ -1760,7 +1792,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Save them?</source>
-        <translation>Les enregistrer ?</translation>
+        <translation>Les enregistrer ?</translation>
     </message>
     <message>
         <source>Saved in {}, without the probabilities, which belong to other thresholds.</source>
@@ -1809,6 +1841,8 @@ Son volume est inconnu.</translation>
     <message>
         <source>Settings that worked for {} ({} alike): {}</source>
         <translation>Réglages qui ont fait leurs preuves pour {} (semblable à {}) : {}</translation>
+        <source>Setting</source>
+        <translation>Réglage</translation>
     </message>
     <message>
         <source>Shaded</source>
@@ -1844,7 +1878,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Show in Find parts</source>
-        <translation>Montrer dans « Trouver des pièces »</translation>
+        <translation>Montrer dans « Trouver des pièces »</translation>
     </message>
     <message>
         <source>Show in file manager</source>
@@ -1908,7 +1942,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Something stands before this wall from every side: the mark shows where it is. Hide what covers it, or cut the view open with the clipping plane of the View menu.</source>
-        <translation>Quelque chose se trouve devant cette paroi de tous les côtés : le repère montre où elle est. Masquez ce qui la couvre, ou ouvrez la vue avec le plan de coupe du menu Affichage.</translation>
+        <translation>Quelque chose se trouve devant cette paroi de tous les côtés : le repère montre où elle est. Masquez ce qui la couvre, ou ouvrez la vue avec le plan de coupe du menu Affichage.</translation>
     </message>
     <message>
         <source>Source</source>
@@ -1916,19 +1950,19 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Source: address</source>
-        <translation>Source : adresse</translation>
+        <translation>Source : adresse</translation>
     </message>
     <message>
         <source>Source: author</source>
-        <translation>Source : auteur</translation>
+        <translation>Source : auteur</translation>
     </message>
     <message>
         <source>Source: title</source>
-        <translation>Source : titre</translation>
+        <translation>Source : titre</translation>
     </message>
     <message>
         <source>Source: year</source>
-        <translation>Source : année</translation>
+        <translation>Source : année</translation>
     </message>
     <message>
         <source>Start</source>
@@ -1948,7 +1982,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Stop it, and go on here?</source>
-        <translation>L’arrêter et continuer ici ?</translation>
+        <translation>L’arrêter et continuer ici ?</translation>
     </message>
     <message>
         <source>Stopped after {} of {} info files.</source>
@@ -1976,11 +2010,11 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Temporary files cannot be written ({}): free some disk space. Nothing was classified.</source>
-        <translation>Impossible d’écrire des fichiers temporaires ({}) : libérez de l’espace disque. Rien n’a été classé.</translation>
+        <translation>Impossible d’écrire des fichiers temporaires ({}) : libérez de l’espace disque. Rien n’a été classé.</translation>
     </message>
     <message>
         <source>Temporary files cannot be written ({}): free some disk space. Nothing was measured.</source>
-        <translation>Impossible d’écrire des fichiers temporaires ({}) : libérez de l’espace disque. Rien n’a été mesuré.</translation>
+        <translation>Impossible d’écrire des fichiers temporaires ({}) : libérez de l’espace disque. Rien n’a été mesuré.</translation>
     </message>
     <message>
         <source>The active document as it was saved. Click to classify it in the panel.</source>
@@ -1988,7 +2022,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The camera looks at it from where nothing stands before it. N, P: the next thicker wall, and the previous one</source>
-        <translation>La caméra la regarde d’où rien ne se trouve devant elle. N, P : la paroi suivante, plus épaisse, et la précédente</translation>
+        <translation>La caméra la regarde d’où rien ne se trouve devant elle. N, P : la paroi suivante, plus épaisse, et la précédente</translation>
     </message>
     <message>
         <source>The category needs a short name.</source>
@@ -2004,7 +2038,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The classification process ended unexpectedly; finished results are saved. Start again for the rest; the report view shows its last output.</source>
-        <translation>Le processus de classification s’est terminé de façon inattendue ; les résultats obtenus sont enregistrés. Démarrez à nouveau pour le reste ; ses derniers messages sont dans la vue rapport.</translation>
+        <translation>Le processus de classification s’est terminé de façon inattendue ; les résultats obtenus sont enregistrés. Démarrez à nouveau pour le reste ; ses derniers messages sont dans la vue rapport.</translation>
     </message>
     <message>
         <source>The colours in the view are the first, coarse ones: they are not saved, and go when this panel is closed.</source>
@@ -2012,7 +2046,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The content of {} was copied into {}: a link needs a saved document.</source>
-        <translation>Le contenu de {} a été copié dans {} : un lien demande un document enregistré.</translation>
+        <translation>Le contenu de {} a été copié dans {} : un lien demande un document enregistré.</translation>
     </message>
     <message>
         <source>The criterion needs a short name.</source>
@@ -2036,7 +2070,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The document has changed while it was meshed: start again. Nothing was changed.</source>
-        <translation>Le document a changé pendant le maillage : recommencez. Rien n'a été modifié.</translation>
+        <translation>Le document a changé pendant le maillage : recommencez. Rien n'a été modifié.</translation>
     </message>
     <message>
         <source>The document is closed: open it again for a report about it.</source>
@@ -2044,7 +2078,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The failures are folders that could not be searched: make them readable and start again.</source>
-        <translation>Les échecs sont des dossiers qui n’ont pas pu être parcourus : rendez-les lisibles et démarrez à nouveau.</translation>
+        <translation>Les échecs sont des dossiers qui n’ont pas pu être parcourus : rendez-les lisibles et démarrez à nouveau.</translation>
     </message>
     <message>
         <source>The file {} no longer exists.</source>
@@ -2064,7 +2098,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The folder {} for Python packages cannot be created ({}): {} was not installed.</source>
-        <translation>Le dossier {} pour les paquets Python ne peut pas être créé ({}) : {} n’a pas été installé.</translation>
+        <translation>Le dossier {} pour les paquets Python ne peut pas être créé ({}) : {} n’a pas été installé.</translation>
     </message>
     <message>
         <source>The folder {} has not answered for {} s: connect it, or choose another one for the info files.</source>
@@ -2072,7 +2106,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The folder {} is not writable: choose another folder for the info files.</source>
-        <translation>Le dossier {} n’est pas accessible en écriture : choisissez un autre dossier pour les fichiers d’information.</translation>
+        <translation>Le dossier {} n’est pas accessible en écriture : choisissez un autre dossier pour les fichiers d’information.</translation>
     </message>
     <message>
         <source>The folder {} no longer exists.</source>
@@ -2100,11 +2134,11 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The least wall; another one is a limit of your own</source>
-        <translation>La paroi minimale ; une autre est une limite personnelle</translation>
+        <translation>La paroi minimale ; une autre est une limite personnelle</translation>
     </message>
     <message>
         <source>The limit costs layers: {} instead of {}, which would take about {} elements.</source>
-        <translation>La limite coûte des couches : {} au lieu de {}, qui demanderaient environ {} éléments.</translation>
+        <translation>La limite coûte des couches : {} au lieu de {}, qui demanderaient environ {} éléments.</translation>
     </message>
     <message>
         <source>The limits of the wall have unsaved changes.</source>
@@ -2112,7 +2146,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The map is lit, so that its shape is seen: colours get darker away from the light. Off: flat colours, exactly those of the colour bar</source>
-        <translation>La carte est éclairée pour que sa forme se voie : les couleurs sont plus sombres à l'écart de la lumière. Sinon : couleurs plates, exactement celles de la barre de couleurs</translation>
+        <translation>La carte est éclairée pour que sa forme se voie : les couleurs sont plus sombres à l'écart de la lumière. Sinon : couleurs plates, exactement celles de la barre de couleurs</translation>
     </message>
     <message>
         <source>The measuring process could not be started.</source>
@@ -2124,7 +2158,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The probabilities of this profile belong to its thresholds before your change: they say how often engineers agreed with verdicts by those. The changed profile is saved without them, and its verdicts are borderline near a threshold instead. 'thinpart learn' makes new ones from labels.</source>
-        <translation>Les probabilités de ce profil appartiennent à ses seuils d’avant votre modification : elles disent à quelle fréquence des ingénieurs approuvaient les verdicts selon ceux-ci. Le profil modifié est enregistré sans elles, et ses verdicts sont à la place des cas limites près d’un seuil. « thinpart learn » en tire de nouvelles à partir d’étiquettes.</translation>
+        <translation>Les probabilités de ce profil appartiennent à ses seuils d’avant votre modification : elles disent à quelle fréquence des ingénieurs approuvaient les verdicts selon ceux-ci. Le profil modifié est enregistré sans elles, et ses verdicts sont à la place des cas limites près d’un seuil. « thinpart learn » en tire de nouvelles à partir d’étiquettes.</translation>
     </message>
     <message>
         <source>The profile has unsaved changes.</source>
@@ -2152,7 +2186,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The table was not written to {}: choose a file name that ends with .csv.</source>
-        <translation>Le tableau n’a pas été écrit dans {} : choisissez un nom de fichier qui se termine par .csv.</translation>
+        <translation>Le tableau n’a pas été écrit dans {} : choisissez un nom de fichier qui se termine par .csv.</translation>
     </message>
     <message>
         <source>The table {} could not be written ({}): choose another place for it.</source>
@@ -2160,7 +2194,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The thickness map cannot be written ({}): free some disk space. Nothing was changed.</source>
-        <translation>Impossible d’écrire la carte d’épaisseurs ({}) : libérez de l’espace disque. Rien n’a été modifié.</translation>
+        <translation>Impossible d’écrire la carte d’épaisseurs ({}) : libérez de l’espace disque. Rien n’a été modifié.</translation>
     </message>
     <message>
         <source>The thickness map is hidden, to show the thin faces. Space shows it again.</source>
@@ -2184,7 +2218,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The worker process ended unexpectedly; the report view shows its last output.</source>
-        <translation>Le processus de travail s’est terminé de façon inattendue ; ses derniers messages sont dans la vue rapport.</translation>
+        <translation>Le processus de travail s’est terminé de façon inattendue ; ses derniers messages sont dans la vue rapport.</translation>
     </message>
     <message>
         <source>The {} parts most like {}, among {} of {}</source>
@@ -2228,7 +2262,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>There is no info file to keep this in: press 'Save and write info file' above, or classify the document.</source>
-        <translation>Il n'y a pas de fichier d'information où le garder : appuyez plus haut sur « Enregistrer et écrire le fichier d'information », ou classez le document.</translation>
+        <translation>Il n'y a pas de fichier d'information où le garder : appuyez plus haut sur « Enregistrer et écrire le fichier d'information », ou classez le document.</translation>
     </message>
     <message>
         <source>Thick, {}</source>
@@ -2263,8 +2297,12 @@ Son volume est inconnu.</translation>
         <translation>Pièce mince</translation>
     </message>
     <message>
+        <source>ThinPart guide</source>
+        <translation>Guide de ThinPart</translation>
+    </message>
+    <message>
         <source>ThinPart is installed twice: {} is used, {} is not. Remove one of them.</source>
-        <translation>ThinPart est installé deux fois : {} est utilisé, {} ne l’est pas. Supprimez l’un des deux.</translation>
+        <translation>ThinPart est installé deux fois : {} est utilisé, {} ne l’est pas. Supprimez l’un des deux.</translation>
     </message>
     <message>
         <source>ThinPart: {}</source>
@@ -2292,11 +2330,11 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>This link is stored with the part. Open it outside FreeCAD?</source>
-        <translation>Ce lien est enregistré avec la pièce. L’ouvrir en dehors de FreeCAD ?</translation>
+        <translation>Ce lien est enregistré avec la pièce. L’ouvrir en dehors de FreeCAD ?</translation>
     </message>
     <message>
         <source>Three colours: red is thinner than the limit, yellow up to a tenth above it, blue passes. Violet is thicker than the process allows; the edge of a wall is violet too, where the ray runs along the wall</source>
-        <translation>Trois couleurs : le rouge est plus mince que la limite, le jaune jusqu'à un dixième au-dessus, le bleu est conforme. Le violet est plus épais que le procédé ne le permet ; le bord d'une paroi est violet aussi, là où le rayon longe la paroi</translation>
+        <translation>Trois couleurs : le rouge est plus mince que la limite, le jaune jusqu'à un dixième au-dessus, le bleu est conforme. Le violet est plus épais que le procédé ne le permet ; le bord d'une paroi est violet aussi, là où le rayon longe la paroi</translation>
     </message>
     <message>
         <source>Threshold</source>
@@ -2336,7 +2374,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>To be measured again, because an earlier version did not measure what decides: {}.</source>
-        <translation>À mesurer de nouveau, car une version antérieure n’a pas mesuré ce qui décide : {}.</translation>
+        <translation>À mesurer de nouveau, car une version antérieure n’a pas mesuré ce qui décide : {}.</translation>
     </message>
     <message>
         <source>To classify a part, open a document and close the task that is open.</source>
@@ -2364,7 +2402,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Unsure: '{}' ({}) or '{}' ({})</source>
-        <translation>Incertain : « {} » ({}) ou « {} » ({})</translation>
+        <translation>Incertain : « {} » ({}) ou « {} » ({})</translation>
     </message>
     <message>
         <source>Use these settings</source>
@@ -2408,7 +2446,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Walls are in the order of their thickness. Key: {}</source>
-        <translation>Les parois sont dans l'ordre de leur épaisseur. Touche : {}</translation>
+        <translation>Les parois sont dans l'ordre de leur épaisseur. Touche : {}</translation>
     </message>
     <message>
         <source>Walls that are shown as thin</source>
@@ -2420,7 +2458,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Walls thinner than this are coloured as thin; the verdict does not depend on it</source>
-        <translation>Les parois plus minces que cette épaisseur sont colorées comme minces ; le verdict n’en dépend pas</translation>
+        <translation>Les parois plus minces que cette épaisseur sont colorées comme minces ; le verdict n’en dépend pas</translation>
     </message>
     <message>
         <source>Walls thinner than this share of the part's diagonal are coloured as thin</source>
@@ -2476,7 +2514,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Why it is left out, such as: a crush rib, thin on purpose</source>
-        <translation>Pourquoi elle est écartée, par exemple : nervure d'écrasement, mince à dessein</translation>
+        <translation>Pourquoi elle est écartée, par exemple : nervure d'écrasement, mince à dessein</translation>
     </message>
     <message>
         <source>Why: {}</source>
@@ -2504,7 +2542,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Written: {}</source>
-        <translation>Écrit : {}</translation>
+        <translation>Écrit : {}</translation>
     </message>
     <message>
         <source>Your label is kept once the document is saved and its info file is written.</source>
@@ -2519,8 +2557,8 @@ Son volume est inconnu.</translation>
         <translation>Votre nom, sous lequel vos étiquettes de pièces sont gardées. Vide : votre nom sur cet ordinateur</translation>
     </message>
     <message>
-        <source>a file, or a JSON object</source>
-        <translation>un fichier ou un objet JSON</translation>
+        <source>a file with mesh settings</source>
+        <translation>un fichier de paramètres de maillage</translation>
     </message>
     <message>
         <source>a folder with classified parts</source>
@@ -2588,7 +2626,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>automatic: {}</source>
-        <translation>automatique : {}</translation>
+        <translation>automatique : {}</translation>
     </message>
     <message>
         <source>bar</source>
@@ -2604,7 +2642,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>cancelled: finished results are saved, Start continues with the rest</source>
-        <translation>annulé : les résultats obtenus sont enregistrés, « Démarrer » continue avec le reste</translation>
+        <translation>annulé : les résultats obtenus sont enregistrés, « Démarrer » continue avec le reste</translation>
     </message>
     <message>
         <source>element size {}</source>
@@ -2612,7 +2650,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>excluded: {}</source>
-        <translation>exclue : {}</translation>
+        <translation>exclue : {}</translation>
     </message>
     <message>
         <source>failed</source>
@@ -2640,7 +2678,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>gamma: three times the inscribed by the circumscribed radius; 1 for regular tetrahedra, under 0.3 poor</source>
-        <translation>gamma : trois fois le rayon inscrit sur le rayon circonscrit ; 1 pour des tétraèdres réguliers, mauvais sous 0,3</translation>
+        <translation>gamma : trois fois le rayon inscrit sur le rayon circonscrit ; 1 pour des tétraèdres réguliers, mauvais sous 0,3</translation>
     </message>
     <message>
         <source>in</source>
@@ -2720,7 +2758,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>none, or such as: FDM, die_casting:zinc</source>
-        <translation>aucun, ou par exemple : FDM, die_casting:zinc</translation>
+        <translation>aucun, ou par exemple : FDM, die_casting:zinc</translation>
     </message>
     <message>
         <source>normal</source>
@@ -2764,7 +2802,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>over {}: too thick</source>
-        <translation>plus de {} : trop épais</translation>
+        <translation>plus de {} : trop épais</translation>
     </message>
     <message>
         <source>own limit</source>
@@ -2784,7 +2822,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>pip could not install {}; the report view shows its output.</source>
-        <translation>pip n’a pas pu installer {} ; ses messages sont dans la vue rapport.</translation>
+        <translation>pip n’a pas pu installer {} ; ses messages sont dans la vue rapport.</translation>
     </message>
     <message>
         <source>pixels</source>
@@ -2904,7 +2942,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>under {}: fails</source>
-        <translation>moins de {} : non conforme</translation>
+        <translation>moins de {} : non conforme</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -2925,6 +2963,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>yes</source>
         <translation>oui</translation>
+    </message>
+    <message>
+        <source>{} (in searches and tables: {})</source>
+        <translation>{} (dans les recherches et tableaux : {})</translation>
     </message>
     <message>
         <source>{} (own)</source>
@@ -2964,7 +3006,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{} cannot be written ({}): choose another place.</source>
-        <translation>{} ne peut pas être écrit ({}) : choisissez un autre emplacement.</translation>
+        <translation>{} ne peut pas être écrit ({}) : choisissez un autre emplacement.</translation>
     </message>
     <message>
         <source>{} contains {}, which was removed from the list.</source>
@@ -2977,6 +3019,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{} elements, {} poor, worst {}</source>
         <translation>{} éléments, {} mauvais, le pire {}</translation>
+    </message>
+    <message>
+        <source>{} entries</source>
+        <translation>{} entrées</translation>
     </message>
     <message>
         <source>{} failed</source>
@@ -3020,7 +3066,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{} jobs: {}</source>
-        <translation>{} tâches : {}</translation>
+        <translation>{} tâches : {}</translation>
     </message>
     <message>
         <source>{} just above</source>
@@ -3068,7 +3114,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{} of {}: elements of {}</source>
-        <translation>{} de {} : éléments de {}</translation>
+        <translation>{} de {} : éléments de {}</translation>
     </message>
     <message>
         <source>{} of {}: {} % ({} to {})</source>
@@ -3080,7 +3126,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{} probes were removed: the surface is no longer at their positions.</source>
-        <translation>{} sondes ont été retirées : la surface ne se trouve plus à ces endroits.</translation>
+        <translation>{} sondes ont été retirées : la surface ne se trouve plus à ces endroits.</translation>
     </message>
     <message>
         <source>{} s</source>
@@ -3136,11 +3182,11 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{} was not found in the index of Python packages: connect this computer to the internet, or set up pip's proxy, and try again.</source>
-        <translation>{} est introuvable dans l’index des paquets Python : connectez cet ordinateur à Internet ou configurez le proxy de pip, puis réessayez.</translation>
+        <translation>{} est introuvable dans l’index des paquets Python : connectez cet ordinateur à Internet ou configurez le proxy de pip, puis réessayez.</translation>
     </message>
     <message>
         <source>{} was not opened: it is not a CAD file that ThinPart reads.</source>
-        <translation>{} n’a pas été ouvert : ce n’est pas un fichier CAO que ThinPart lit.</translation>
+        <translation>{} n’a pas été ouvert : ce n’est pas un fichier CAO que ThinPart lit.</translation>
     </message>
     <message>
         <source>{}, and share of the diagonal</source>
@@ -3148,7 +3194,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{}, {}: {}</source>
-        <translation>{}, {} : {}</translation>
+        <translation>{}, {} : {}</translation>
     </message>
     <message>
         <source>{}. {}, where one of these holds</source>
@@ -3200,15 +3246,15 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>✓ {}: within the limits</source>
-        <translation>✓ {} : dans les limites</translation>
+        <translation>✓ {} : dans les limites</translation>
     </message>
     <message>
         <source>✗ {}: at least {} are needed here</source>
-        <translation>✗ {} : il faut au moins {} ici</translation>
+        <translation>✗ {} : il faut au moins {} ici</translation>
     </message>
     <message>
         <source>✗ {}: at most {} are allowed here</source>
-        <translation>✗ {} : au plus {} sont admis ici</translation>
+        <translation>✗ {} : au plus {} sont admis ici</translation>
     </message>
 </context>
 <context>
@@ -3239,7 +3285,27 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>'{part}' consists of {count} solids, which FEM meshes as one: take it apart first (Part workbench: Compound &gt; Explode compound), then select one solid.</source>
-        <translation>« {part} » est constitué de {count} solides, que FEM maille ensemble : séparez-les d'abord (atelier Part : Composé &gt; Éclater le composé), puis sélectionnez un solide.</translation>
+        <translation>« {part} » est constitué de {count} solides, que FEM maille ensemble : séparez-les d'abord (atelier Part : Composé &gt; Éclater le composé), puis sélectionnez un solide.</translation>
+    </message>
+    <message>
+        <source>(the ring is at the thinnest wall)</source>
+        <translation>(l’anneau marque la paroi la plus mince)</translation>
+    </message>
+    <message>
+        <source>, not sure</source>
+        <translation>, sans certitude</translation>
+    </message>
+    <message>
+        <source>, not watertight</source>
+        <translation>, non fermé</translation>
+    </message>
+    <message>
+        <source>, {count} times in the document</source>
+        <translation>, {count} fois dans le document</translation>
+    </message>
+    <message>
+        <source>1 warning</source>
+        <translation>1 avertissement</translation>
     </message>
     <message>
         <source>--keep goes with --check, which shows what works.</source>
@@ -3274,6 +3340,10 @@ Son volume est inconnu.</translation>
         <translation>Tous ses triangles ont une aire nulle.</translation>
     </message>
     <message>
+        <source>All parts of this report</source>
+        <translation>Toutes les pièces de ce rapport</translation>
+    </message>
+    <message>
         <source>All points coincide.</source>
         <translation>Tous les points coïncident.</translation>
     </message>
@@ -3294,6 +3364,38 @@ Son volume est inconnu.</translation>
         <translation>Aire de sa surface</translation>
     </message>
     <message>
+        <source>Area, {unit}</source>
+        <translation>Aire, {unit}</translation>
+    </message>
+    <message>
+        <source>At least, {unit}</source>
+        <translation>Au moins, {unit}</translation>
+    </message>
+    <message>
+        <source>At most, {unit}</source>
+        <translation>Au plus, {unit}</translation>
+    </message>
+    <message>
+        <source>At the thinnest wall, {thickness} between {face} and {opposite}</source>
+        <translation>À la paroi la plus mince, {thickness} entre {face} et {opposite}</translation>
+    </message>
+    <message>
+        <source>Bar chart: share of the surface over walls of each thickness, up to {end}; walls under {limit} count as thin</source>
+        <translation>Histogramme : part de la surface sur des parois de chaque épaisseur, jusqu’à {end} ; les parois sous {limit} comptent comme minces</translation>
+    </message>
+    <message>
+        <source>Borderline: close to “{other}” ({margin} from the limit).</source>
+        <translation>Cas limite : proche de « {other} » ({margin} de la limite).</translation>
+    </message>
+    <message>
+        <source>Bounding box</source>
+        <translation>Boîte englobante</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Boîte</translation>
+    </message>
+    <message>
         <source>Brass, large casting</source>
         <translation>Laiton, grande pièce</translation>
     </message>
@@ -3302,8 +3404,40 @@ Son volume est inconnu.</translation>
         <translation>Laiton, petite pièce</translation>
     </message>
     <message>
+        <source>By the paper’s thresholds</source>
+        <translation>D’après les seuils de l’article</translation>
+    </message>
+    <message>
         <source>Calibrated on real parts</source>
         <translation>Calibré sur des pièces réelles</translation>
+    </message>
+    <message>
+        <source>Category</source>
+        <translation>Catégorie</translation>
+    </message>
+    <message>
+        <source>Clear verdict: {margin} from the limit.</source>
+        <translation>Verdict net : {margin} de la limite.</translation>
+    </message>
+    <message>
+        <source>Colours from {low} to {high} and more; grey where nothing was measured</source>
+        <translation>Couleurs de {low} à {high} et plus ; gris là où rien n’a été mesuré</translation>
+    </message>
+    <message>
+        <source>Colours stand for the diameter of the largest ball inside that touches the surface there, which goes down to nothing at sharp edges. Verdict, tables and the thinnest wall are measured straight across.</source>
+        <translation>Les couleurs représentent le diamètre de la plus grande bille intérieure qui touche la surface à cet endroit ; il tend vers zéro aux arêtes vives. Le verdict, les tableaux et la paroi la plus mince sont mesurés tout droit à travers la paroi.</translation>
+    </message>
+    <message>
+        <source>Connected walls of like thickness, equal ones in one row; the thinnest first</source>
+        <translation>Parois continues d’épaisseur semblable, les identiques sur une ligne ; la plus mince d’abord</translation>
+    </message>
+    <message>
+        <source>Could not be measured</source>
+        <translation>N’a pas pu être mesuré</translation>
+    </message>
+    <message>
+        <source>Developed width, {unit}</source>
+        <translation>Largeur développée, {unit}</translation>
     </message>
     <message>
         <source>Diagonal of the bounding box</source>
@@ -3314,16 +3448,44 @@ Son volume est inconnu.</translation>
         <translation>Moulage sous pression</translation>
     </message>
     <message>
+        <source>Document</source>
+        <translation>Document</translation>
+    </message>
+    <message>
         <source>Ductile iron</source>
         <translation>Fonte ductile</translation>
+    </message>
+    <message>
+        <source>Error of a wall at most</source>
+        <translation>Erreur d’une paroi, au plus</translation>
+    </message>
+    <message>
+        <source>Every criterion of the profile “{profile}” with what was measured; the category is the first of which one criterion holds</source>
+        <translation>Chaque critère du profil « {profile} » avec les mesures ; la catégorie est la première dont un critère est rempli</translation>
     </message>
     <message>
         <source>FDM printing</source>
         <translation>Impression FDM</translation>
     </message>
     <message>
+        <source>Face</source>
+        <translation>Face</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Faces</translation>
+    </message>
+    <message>
         <source>Faces that meet in a thin wedge</source>
         <translation>Faces formant un coin mince</translation>
+    </message>
+    <message>
+        <source>Faces: {faces} and {count} more.</source>
+        <translation>Faces : {faces} et {count} autres.</translation>
+    </message>
+    <message>
+        <source>Faces: {faces}.</source>
+        <translation>Faces : {faces}.</translation>
     </message>
     <message>
         <source>Fills little of its box</source>
@@ -3339,7 +3501,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>FreeCAD cannot be imported by {program} ({problem}): install it (Debian: 'apt-get install freecad') or set FREECAD_LIB to the folder with its FreeCAD.so or FreeCAD.pyd.</source>
-        <translation>FreeCAD ne peut pas être importé par {program} ({problem}) : installez-le (Debian : « apt-get install freecad ») ou donnez à FREECAD_LIB le dossier de son FreeCAD.so ou FreeCAD.pyd.</translation>
+        <translation>FreeCAD ne peut pas être importé par {program} ({problem}) : installez-le (Debian : « apt-get install freecad ») ou donnez à FREECAD_LIB le dossier de son FreeCAD.so ou FreeCAD.pyd.</translation>
     </message>
     <message>
         <source>FreeCAD cannot open {file} ({problem}).</source>
@@ -3371,11 +3533,23 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>FreeCAD does not follow links from a document whose path is not UTF-8 text or has a backslash: rename {file} or its folder.</source>
-        <translation>FreeCAD ne suit aucun lien depuis un document dont le chemin n'est pas du texte UTF-8 ou contient une barre oblique inverse : renommez {file} ou son dossier.</translation>
+        <translation>FreeCAD ne suit aucun lien depuis un document dont le chemin n'est pas du texte UTF-8 ou contient une barre oblique inverse : renommez {file} ou son dossier.</translation>
     </message>
     <message>
         <source>FreeCAD needs a home folder, but {folder} is not accessible: set FREECAD_USER_HOME to a folder that is.</source>
-        <translation>FreeCAD a besoin d’un dossier personnel, mais {folder} n’est pas accessible : donnez à FREECAD_USER_HOME un dossier accessible.</translation>
+        <translation>FreeCAD a besoin d’un dossier personnel, mais {folder} n’est pas accessible : donnez à FREECAD_USER_HOME un dossier accessible.</translation>
+    </message>
+    <message>
+        <source>From behind, below</source>
+        <translation>De derrière, par en dessous</translation>
+    </message>
+    <message>
+        <source>From the front, above</source>
+        <translation>De devant, par le dessus</translation>
+    </message>
+    <message>
+        <source>Further faces; all of them are in faces.csv as well</source>
+        <translation>Autres faces ; toutes sont aussi dans faces.csv</translation>
     </message>
     <message>
         <source>Giannini et al. 2012</source>
@@ -3410,6 +3584,18 @@ Son volume est inconnu.</translation>
         <translation>Tenue de deux côtés</translation>
     </message>
     <message>
+        <source>Holds</source>
+        <translation>Rempli</translation>
+    </message>
+    <message>
+        <source>How it was measured</source>
+        <translation>Comment la mesure a été faite</translation>
+    </message>
+    <message>
+        <source>How near it is to another category cannot be told.</source>
+        <translation>La distance à une autre catégorie ne peut pas être donnée.</translation>
+    </message>
+    <message>
         <source>Info files cannot be written into {folder} ({problem}): give another folder to --info-dir.</source>
         <translation>Les fichiers d’information ne peuvent pas être écrits dans {folder} ({problem}) : choisissez un autre dossier (--info-dir).</translation>
     </message>
@@ -3430,8 +3616,24 @@ Son volume est inconnu.</translation>
         <translation>Sa boîte englobante est vide ou infinie.</translation>
     </message>
     <message>
+        <source>Its faces</source>
+        <translation>Ses faces</translation>
+    </message>
+    <message>
         <source>Its surface encloses no volume.</source>
         <translation>Sa surface n’enferme aucun volume.</translation>
+    </message>
+    <message>
+        <source>Its walls</source>
+        <translation>Ses parois</translation>
+    </message>
+    <message>
+        <source>Judged by the profile “{profile}”.</source>
+        <translation>Jugé d’après le profil « {profile} ».</translation>
+    </message>
+    <message>
+        <source>Labels:</source>
+        <translation>Étiquettes :</translation>
     </message>
     <message>
         <source>Layers are from 0.1 to {most:g}, not {value:g}.</source>
@@ -3443,7 +3645,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Learning needs the Python package scikit-learn ({problem}): install it (Debian: 'apt-get install python3-sklearn', elsewhere: 'python -m pip install scikit-learn').</source>
-        <translation>L’apprentissage a besoin du paquet Python scikit-learn ({problem}) : installez-le (Debian : « apt-get install python3-sklearn », ailleurs : « python -m pip install scikit-learn »).</translation>
+        <translation>L’apprentissage a besoin du paquet Python scikit-learn ({problem}) : installez-le (Debian : « apt-get install python3-sklearn », ailleurs : « python -m pip install scikit-learn »).</translation>
     </message>
     <message>
         <source>Least distance, in diagonals, between walls at a to b degrees</source>
@@ -3452,6 +3654,18 @@ Son volume est inconnu.</translation>
     <message>
         <source>Least distance, in diagonals, between walls at {low:g} to {high:g} degrees</source>
         <translation>Plus petite distance, en diagonales, entre parois à un angle de {low:g} à {high:g} degrés</translation>
+    </message>
+    <message>
+        <source>Least, {unit}</source>
+        <translation>Minimum, {unit}</translation>
+    </message>
+    <message>
+        <source>Length, {unit}</source>
+        <translation>Longueur, {unit}</translation>
+    </message>
+    <message>
+        <source>Limits of the wall</source>
+        <translation>Limites de la paroi</translation>
     </message>
     <message>
         <source>Liquid crystal polymer</source>
@@ -3474,6 +3688,10 @@ Son volume est inconnu.</translation>
         <translation>Usinage</translation>
     </message>
     <message>
+        <source>Made by</source>
+        <translation>Créée par</translation>
+    </message>
+    <message>
         <source>Magnesium, large casting</source>
         <translation>Magnésium, grande pièce</translation>
     </message>
@@ -3482,12 +3700,36 @@ Son volume est inconnu.</translation>
         <translation>Magnésium, petite pièce</translation>
     </message>
     <message>
+        <source>Margin</source>
+        <translation>Marge</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Signification</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Mesuré</translation>
+    </message>
+    <message>
         <source>Median thickness of the thinnest wall region</source>
         <translation>Épaisseur médiane de la région de paroi la plus mince</translation>
     </message>
     <message>
+        <source>Median wall</source>
+        <translation>Paroi médiane</translation>
+    </message>
+    <message>
+        <source>Median, {unit}</source>
+        <translation>Médiane, {unit}</translation>
+    </message>
+    <message>
+        <source>Mesh settings</source>
+        <translation>Paramètres de maillage</translation>
+    </message>
+    <message>
         <source>Meshing needs Gmsh: install it (Debian: 'apt-get install gmsh', elsewhere: https://gmsh.info), and see that 'gmsh --version' runs.</source>
-        <translation>Le maillage demande Gmsh : installez-le (Debian : 'apt-get install gmsh', ailleurs : https://gmsh.info), et vérifiez que 'gmsh --version' fonctionne.</translation>
+        <translation>Le maillage demande Gmsh : installez-le (Debian : 'apt-get install gmsh', ailleurs : https://gmsh.info), et vérifiez que 'gmsh --version' fonctionne.</translation>
     </message>
     <message>
         <source>Metal</source>
@@ -3502,8 +3744,12 @@ Son volume est inconnu.</translation>
         <translation>Rapport du côté moyen au plus petit côté de la boîte englobante</translation>
     </message>
     <message>
+        <source>No criterion holds: its walls are thick all over.</source>
+        <translation>Aucun critère n’est rempli : ses parois sont épaisses partout.</translation>
+    </message>
+    <message>
         <source>No part is labelled {categories}: label at least {needed} parts of every category.</source>
-        <translation>Aucune pièce n’est étiquetée {categories} : étiquetez au moins {needed} pièces de chaque catégorie.</translation>
+        <translation>Aucune pièce n’est étiquetée {categories} : étiquetez au moins {needed} pièces de chaque catégorie.</translation>
     </message>
     <message>
         <source>No part like {part} has mesh settings that worked: the usual ones are used.</source>
@@ -3523,7 +3769,15 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>No walls are thinner than {limit} mm, {part} of the middle side of {middle} mm: mesh it with solids.</source>
-        <translation>Aucune paroi n'est plus mince que {limit} mm, {part} du côté médian de {middle} mm : mailler en éléments volumiques.</translation>
+        <translation>Aucune paroi n'est plus mince que {limit} mm, {part} du côté médian de {middle} mm : mailler en éléments volumiques.</translation>
+    </message>
+    <message>
+        <source>Normal part</source>
+        <translation>Pièce normale</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
     </message>
     <message>
         <source>Number of wall regions that are bars, shafts, wires or rings</source>
@@ -3559,11 +3813,23 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Only {share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm: mesh it with solids.</source>
-        <translation>Seulement {share} de la surface recouvre des parois plus minces que {limit} mm, {part} du côté médian de {middle} mm : mailler en éléments volumiques.</translation>
+        <translation>Seulement {share} de la surface recouvre des parois plus minces que {limit} mm, {part} du côté médian de {middle} mm : mailler en éléments volumiques.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Pièce</translation>
     </message>
     <message>
         <source>Part with thin features</source>
         <translation>Pièce à zones minces</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Conforme</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Image</translation>
     </message>
     <message>
         <source>Plastic</source>
@@ -3602,8 +3868,32 @@ Son volume est inconnu.</translation>
         <translation>Polyuréthane (PU)</translation>
     </message>
     <message>
+        <source>Probability: {probability}, next “{other}” with {others}.</source>
+        <translation>Probabilité : {probability}, puis « {other} » avec {others}.</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>Procédé</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Grandeur</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Raison</translation>
+    </message>
+    <message>
         <source>Reports need the Python package Jinja2 ({problem}): install it (Debian: 'apt-get install python3-jinja2', elsewhere: 'python -m pip install Jinja2').</source>
-        <translation>Les rapports ont besoin du paquet Python Jinja2 ({problem}) : installez-le (Debian : « apt-get install python3-jinja2 », ailleurs : « python -m pip install Jinja2 »).</translation>
+        <translation>Les rapports ont besoin du paquet Python Jinja2 ({problem}) : installez-le (Debian : « apt-get install python3-jinja2 », ailleurs : « python -m pip install Jinja2 »).</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
     </message>
     <message>
         <source>SLA printing</source>
@@ -3620,6 +3910,16 @@ Son volume est inconnu.</translation>
     <message>
         <source>Settings that worked for {part} ({alike:.0f} % alike) in {file}.</source>
         <translation>Réglages qui ont fait leurs preuves pour {part} ({alike:.0f} % de ressemblance) dans {file}.</translation>
+        <source>See</source>
+        <translation>Voir</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>Share of its box, V/VBB</source>
+        <translation>Part de sa boîte, V/VBB</translation>
     </message>
     <message>
         <source>Share of the area over parallel walls from a to b of the middle side</source>
@@ -3627,7 +3927,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Share of the area over plates and tubes: walls that are wider than thick</source>
-        <translation>Part de la surface sur des plaques et des tubes : des parois plus larges qu’épaisses</translation>
+        <translation>Part de la surface sur des plaques et des tubes : des parois plus larges qu’épaisses</translation>
     </message>
     <message>
         <source>Share of the area over walls, parallel or under 60 degrees, from a to b of the middle side</source>
@@ -3658,6 +3958,10 @@ Son volume est inconnu.</translation>
         <translation>Part de la boîte englobante que la pièce remplit</translation>
     </message>
     <message>
+        <source>Share of the surface</source>
+        <translation>Part de la surface</translation>
+    </message>
+    <message>
         <source>Share of the surface over parallel walls thinner than {high:g} of the diagonal</source>
         <translation>Part de la surface sur des parois parallèles plus minces que {high:g} de la diagonale</translation>
     </message>
@@ -3674,6 +3978,10 @@ Son volume est inconnu.</translation>
         <translation>Part de la surface sur des parois parallèles épaisses de {low:g} à {high:g} du côté médian</translation>
     </message>
     <message>
+        <source>Share of the surface over walls of each thickness ({unit}). {unmeasured} of the surface has no wall opposite; {tapered} lies over tapered walls, which are not in the chart.</source>
+        <translation>Part de la surface sur des parois de chaque épaisseur ({unit}). {unmeasured} de la surface n’a pas de paroi en face ; {tapered} est sur des parois en dépouille, qui ne sont pas dans l’histogramme.</translation>
+    </message>
+    <message>
         <source>Share of the surface over walls, parallel or tapered, thinner than {high:g} of the middle side</source>
         <translation>Part de la surface sur des parois, parallèles ou en dépouille, plus minces que {high:g} du côté médian</translation>
     </message>
@@ -3682,12 +3990,20 @@ Son volume est inconnu.</translation>
         <translation>Part de la surface sur des parois, parallèles ou en dépouille, épaisses de {low:g} à {high:g} du côté médian</translation>
     </message>
     <message>
+        <source>Share of the volume</source>
+        <translation>Part du volume</translation>
+    </message>
+    <message>
         <source>Sheet metal</source>
         <translation>Tôle</translation>
     </message>
     <message>
         <source>Shortest side of the bounding box</source>
         <translation>Plus petit côté de la boîte englobante</translation>
+    </message>
+    <message>
+        <source>Software</source>
+        <translation>Logiciel</translation>
     </message>
     <message>
         <source>Some coordinates are not finite numbers.</source>
@@ -3702,16 +4018,32 @@ Son volume est inconnu.</translation>
         <translation>Arrêté à la demande avant la fin.</translation>
     </message>
     <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>Surface mesh</source>
+        <translation>Maillage de la surface</translation>
+    </message>
+    <message>
         <source>Surfaces touch or cross at ({place}): what lies between them is not counted as a wall.</source>
-        <translation>Des surfaces se touchent ou se croisent en ({place}) : ce qui se trouve entre elles ne compte pas comme paroi.</translation>
+        <translation>Des surfaces se touchent ou se croisent en ({place}) : ce qui se trouve entre elles ne compte pas comme paroi.</translation>
+    </message>
+    <message>
+        <source>Tables:</source>
+        <translation>Tableaux :</translation>
+    </message>
+    <message>
+        <source>Takes shapes from</source>
+        <translation>Reprend des formes de</translation>
     </message>
     <message>
         <source>Temporary files cannot be written ({problem}): free some disk space, or name another folder in TMPDIR.</source>
-        <translation>Impossible d’écrire des fichiers temporaires ({problem}) : libérez de l’espace disque ou nommez un autre dossier dans TMPDIR.</translation>
+        <translation>Impossible d’écrire des fichiers temporaires ({problem}) : libérez de l’espace disque ou nommez un autre dossier dans TMPDIR.</translation>
     </message>
     <message>
         <source>Temporary files cannot be written ({problem}): free some disk space. Nothing was meshed.</source>
-        <translation>Impossible d'écrire les fichiers temporaires ({problem}) : libérez de l'espace disque. Rien n'a été maillé.</translation>
+        <translation>Impossible d'écrire les fichiers temporaires ({problem}) : libérez de l'espace disque. Rien n'a été maillé.</translation>
     </message>
     <message>
         <source>The Python module {module} is missing: install it to have documents classified automatically (Debian: python3-{module}).</source>
@@ -3727,11 +4059,11 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The document has no such part any more: classify it again.</source>
-        <translation>Le document n’a plus cette pièce : classifiez-le à nouveau.</translation>
+        <translation>Le document n’a plus cette pièce : classifiez-le à nouveau.</translation>
     </message>
     <message>
         <source>The document names Python modules that are not FreeCAD's ({names}): they were not loaded, and objects that need them may lack their shape.</source>
-        <translation>Le document nomme des modules Python qui ne sont pas de FreeCAD ({names}) : ils n'ont pas été chargés, et la forme des objets qui en ont besoin peut manquer.</translation>
+        <translation>Le document nomme des modules Python qui ne sont pas de FreeCAD ({names}) : ils n'ont pas été chargés, et la forme des objets qui en ont besoin peut manquer.</translation>
     </message>
     <message>
         <source>The document's folder has not answered for {seconds:g} s: connect it, or choose a folder for info files in the preferences.</source>
@@ -3771,15 +4103,15 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The folder {folder} cannot be listed ({problem}): its parts are shown as they were last read.</source>
-        <translation>Le contenu du dossier {folder} ne peut pas être lu ({problem}) : ses pièces sont montrées telles qu’à la dernière lecture.</translation>
+        <translation>Le contenu du dossier {folder} ne peut pas être lu ({problem}) : ses pièces sont montrées telles qu’à la dernière lecture.</translation>
     </message>
     <message>
         <source>The folder {folder} cannot be listed ({problem}): make it readable, or move it away.</source>
-        <translation>Le dossier {folder} ne peut pas être parcouru ({problem}) : rendez-le lisible ou déplacez-le.</translation>
+        <translation>Le dossier {folder} ne peut pas être parcouru ({problem}) : rendez-le lisible ou déplacez-le.</translation>
     </message>
     <message>
         <source>The folder {folder} cannot be listed ({problem}): the files in it were not changed.</source>
-        <translation>Le contenu du dossier {folder} ne peut pas être lu ({problem}) : ses fichiers n’ont pas été modifiés.</translation>
+        <translation>Le contenu du dossier {folder} ne peut pas être lu ({problem}) : ses fichiers n’ont pas été modifiés.</translation>
     </message>
     <message>
         <source>The folder {folder} cannot be reached ({problem}).</source>
@@ -3823,7 +4155,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The info file {info_file} is damaged ({problem}): move it away and classify its document again.</source>
-        <translation>Le fichier d’information {info_file} est endommagé ({problem}) : déplacez-le et classez de nouveau son document.</translation>
+        <translation>Le fichier d’information {info_file} est endommagé ({problem}) : déplacez-le et classez de nouveau son document.</translation>
     </message>
     <message>
         <source>The info file {info_file} needs more memory than the limit allows.</source>
@@ -3835,11 +4167,11 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The info file {info_file} was not written: {problem}.</source>
-        <translation>Le fichier d’information {info_file} n’a pas été écrit : {problem}.</translation>
+        <translation>Le fichier d’information {info_file} n’a pas été écrit : {problem}.</translation>
     </message>
     <message>
         <source>The labels could not be written to {file} ({problem}): choose another place for them.</source>
-        <translation>Les étiquettes n’ont pas pu être écrites dans {file} ({problem}) : choisissez un autre emplacement.</translation>
+        <translation>Les étiquettes n’ont pas pu être écrites dans {file} ({problem}) : choisissez un autre emplacement.</translation>
     </message>
     <message>
         <source>The library {folder} cannot be read ({problem}).</source>
@@ -3847,7 +4179,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The limits of walls {file} are not well formed: {problem}.</source>
-        <translation>Les limites de paroi {file} sont mal formées : {problem}.</translation>
+        <translation>Les limites de paroi {file} sont mal formées : {problem}.</translation>
     </message>
     <message>
         <source>The limits of walls {file} cannot be read ({problem}).</source>
@@ -3867,7 +4199,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The list {list} names {file!r}, which is not an absolute path: write absolute paths, each ended by a NUL byte.</source>
-        <translation>La liste {list} nomme {file!r}, qui n’est pas un chemin absolu : écrivez des chemins absolus, chacun terminé par un octet NUL.</translation>
+        <translation>La liste {list} nomme {file!r}, qui n’est pas un chemin absolu : écrivez des chemins absolus, chacun terminé par un octet NUL.</translation>
     </message>
     <message>
         <source>The list {list} names {file}, which does not lie below {top}: name a PATH that holds it, or leave out --info-dir.</source>
@@ -3875,7 +4207,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The mesh cannot be read ({problem}): free some disk space and try again.</source>
-        <translation>Impossible de lire le maillage ({problem}) : libérez de l'espace disque et réessayez.</translation>
+        <translation>Impossible de lire le maillage ({problem}) : libérez de l'espace disque et réessayez.</translation>
     </message>
     <message>
         <source>The mesh settings</source>
@@ -3895,15 +4227,15 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The mid-surface of {part} could not be meshed ({problem}): name another element size.</source>
-        <translation>La surface moyenne de {part} n’a pas pu être maillée ({problem}) : indiquez une autre taille d’élément.</translation>
+        <translation>La surface moyenne de {part} n’a pas pu être maillée ({problem}) : indiquez une autre taille d’élément.</translation>
     </message>
     <message>
         <source>The mid-surface of {part} falls into {count} pieces that do not meet: mesh it as a solid.</source>
-        <translation>La surface moyenne de {part} se compose de {count} morceaux qui ne se rejoignent pas : maillez la pièce comme solide.</translation>
+        <translation>La surface moyenne de {part} se compose de {count} morceaux qui ne se rejoignent pas : maillez la pièce comme solide.</translation>
     </message>
     <message>
         <source>The name is too long for an info file, which adds {ending} to it: it has {bytes} bytes, at most {most} are possible; rename it, or use --no-info.</source>
-        <translation>Le nom est trop long pour un fichier d’information, qui y ajoute {ending} : il a {bytes} octets, {most} au plus sont possibles ; renommez le fichier ou utilisez --no-info.</translation>
+        <translation>Le nom est trop long pour un fichier d’information, qui y ajoute {ending} : il a {bytes} octets, {most} au plus sont possibles ; renommez le fichier ou utilisez --no-info.</translation>
     </message>
     <message>
         <source>The order of elements is 1 or 2, not {value}.</source>
@@ -3923,11 +4255,11 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The part is slender: its lengths are accurate to {error:.2g} mm only, a finer mesh would be too large.</source>
-        <translation>La pièce est élancée : ses longueurs ne sont connues qu'à {error:.2g} mm près, un maillage plus fin serait trop grand.</translation>
+        <translation>La pièce est élancée : ses longueurs ne sont connues qu'à {error:.2g} mm près, un maillage plus fin serait trop grand.</translation>
     </message>
     <message>
         <source>The part is too slender or too fine to be measured: it needs more than {triangles:,} triangles, with fewer its lengths are accurate to {mm:.2g} mm only.</source>
-        <translation>La pièce est trop élancée ou trop fine pour être mesurée : il faut plus de {triangles:,} triangles, avec moins ses longueurs ne sont connues qu'à {mm:.2g} mm près.</translation>
+        <translation>La pièce est trop élancée ou trop fine pour être mesurée : il faut plus de {triangles:,} triangles, avec moins ses longueurs ne sont connues qu'à {mm:.2g} mm près.</translation>
     </message>
     <message>
         <source>The part is {mm:.3g} mm across: check that the file's unit is millimetres.</source>
@@ -3935,11 +4267,11 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The parts lie on several drives: name those of one drive at a time.</source>
-        <translation>Les pièces se trouvent sur plusieurs lecteurs : indiquez celles d’un seul lecteur à la fois.</translation>
+        <translation>Les pièces se trouvent sur plusieurs lecteurs : indiquez celles d’un seul lecteur à la fois.</translation>
     </message>
     <message>
         <source>The profile {file} could not be written ({problem}): choose another place for it.</source>
-        <translation>Le profil {file} n’a pas pu être écrit ({problem}) : choisissez un autre emplacement.</translation>
+        <translation>Le profil {file} n’a pas pu être écrit ({problem}) : choisissez un autre emplacement.</translation>
     </message>
     <message>
         <source>The profile {profile} cannot be read ({problem}).</source>
@@ -3947,7 +4279,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The profile {profile} has no category {categories}: labels from meshing are of these.</source>
-        <translation>Le profil {profile} n’a pas de catégorie {categories} : les étiquettes par maillage en sont.</translation>
+        <translation>Le profil {profile} n’a pas de catégorie {categories} : les étiquettes par maillage en sont.</translation>
     </message>
     <message>
         <source>The search index {file} cannot be saved ({problem}): it was built in memory, and the next search has to build it again.</source>
@@ -3959,23 +4291,23 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The shell has {share:.0f} % of the part's volume: the rest is not in the file.</source>
-        <translation>La coque a {share:.0f} % du volume de la pièce : le reste n’est pas dans le fichier.</translation>
+        <translation>La coque a {share:.0f} % du volume de la pièce : le reste n’est pas dans le fichier.</translation>
     </message>
     <message>
         <source>The shell is in {count} pieces: what is left solid lies between them.</source>
-        <translation>La coque est en {count} morceaux : ce qui reste solide se trouve entre eux.</translation>
+        <translation>La coque est en {count} morceaux : ce qui reste solide se trouve entre eux.</translation>
     </message>
     <message>
         <source>The shell was written to {file}: {elements} elements, {nodes} nodes.</source>
-        <translation>La coque a été écrite dans {file} : {elements} éléments, {nodes} nœuds.</translation>
+        <translation>La coque a été écrite dans {file} : {elements} éléments, {nodes} nœuds.</translation>
     </message>
     <message>
         <source>The sizes were written to {file}: open it in Gmsh.</source>
-        <translation>Les tailles sont écrites dans {file} : ouvrez ce fichier dans Gmsh.</translation>
+        <translation>Les tailles sont écrites dans {file} : ouvrez ce fichier dans Gmsh.</translation>
     </message>
     <message>
         <source>The surface intersects itself, for example below ({place}): repair it, its thickness and volume are not certain.</source>
-        <translation>La surface se recoupe, par exemple sous ({place}) : réparez-la, son épaisseur et son volume ne sont pas certains.</translation>
+        <translation>La surface se recoupe, par exemple sous ({place}) : réparez-la, son épaisseur et son volume ne sont pas certains.</translation>
     </message>
     <message>
         <source>The surface is open ({edges} free edges), so it has no certain volume.</source>
@@ -3998,8 +4330,12 @@ Son volume est inconnu.</translation>
         <translation>La carte des épaisseurs {file} vient d’un ThinPart plus récent : mettez ThinPart à jour ou mesurez la pièce à nouveau.</translation>
     </message>
     <message>
+        <source>The thinnest first; thin is what lies over walls under {limit}</source>
+        <translation>Les plus minces d’abord ; est mince ce qui est sur des parois sous {limit}</translation>
+    </message>
+    <message>
         <source>The thinnest wall is {wall:.3g} mm ± {error:.2g} mm: a finer mesh would be too large.</source>
-        <translation>La paroi la plus mince mesure {wall:.3g} mm ± {error:.2g} mm : un maillage plus fin serait trop grand.</translation>
+        <translation>La paroi la plus mince mesure {wall:.3g} mm ± {error:.2g} mm : un maillage plus fin serait trop grand.</translation>
     </message>
     <message>
         <source>The thinnest wall, {wall:.3g} mm, is below what the mesh resolves ({error:.2g} mm).</source>
@@ -4011,7 +4347,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>The walls of {part} do not meet: {inside:.3g} mm of the {free:.3g} mm of free edges of its mid-surface lie inside the material. Mesh it as a solid.</source>
-        <translation>Les parois de {part} ne se rejoignent pas : {inside:.3g} mm des {free:.3g} mm d’arêtes libres de sa surface moyenne sont dans la matière. Maillez la pièce comme solide.</translation>
+        <translation>Les parois de {part} ne se rejoignent pas : {inside:.3g} mm des {free:.3g} mm d’arêtes libres de sa surface moyenne sont dans la matière. Maillez la pièce comme solide.</translation>
     </message>
     <message>
         <source>The worker process failed ({problem}).</source>
@@ -4031,11 +4367,11 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>There are no labels in {folder}: label parts in the window, or by 'thinpart note --label', or name CSV files of labels.</source>
-        <translation>Il n’y a pas d’étiquettes dans {folder} : étiquetez des pièces dans la fenêtre ou par 'thinpart note --label', ou nommez des fichiers CSV d’étiquettes.</translation>
+        <translation>Il n’y a pas d’étiquettes dans {folder} : étiquetez des pièces dans la fenêtre ou par 'thinpart note --label', ou nommez des fichiers CSV d’étiquettes.</translation>
     </message>
     <message>
         <source>There are no limits of walls for {process!r}: there are {known}.</source>
-        <translation>Il n’y a pas de limites de paroi pour {process!r} : il y a {known}.</translation>
+        <translation>Il n’y a pas de limites de paroi pour {process!r} : il y a {known}.</translation>
     </message>
     <message>
         <source>There are no parts in {paths}: name a CAD file or a folder that holds some.</source>
@@ -4043,11 +4379,11 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>There are too few labels: {counts}. At least {needed} parts of every category are needed: even if the verdicts on so few were all right, only {percent:.0f} % right could be claimed with confidence.</source>
-        <translation>Il y a trop peu d’étiquettes : {counts}. Il faut au moins {needed} pièces de chaque catégorie : même si tous les verdicts sur si peu de pièces étaient justes, on ne pourrait affirmer avec confiance que {percent:.0f} % de justes.</translation>
+        <translation>Il y a trop peu d’étiquettes : {counts}. Il faut au moins {needed} pièces de chaque catégorie : même si tous les verdicts sur si peu de pièces étaient justes, on ne pourrait affirmer avec confiance que {percent:.0f} % de justes.</translation>
     </message>
     <message>
         <source>There is no accuracy {accuracy!r}: use {known}.</source>
-        <translation>La précision {accuracy!r} n’existe pas : utilisez {known}.</translation>
+        <translation>La précision {accuracy!r} n’existe pas : utilisez {known}.</translation>
     </message>
     <message>
         <source>There is no box {box!r}: use minimal or principal.</source>
@@ -4067,7 +4403,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>There is no file {file} with limits of walls: copy {shipped} and edit it.</source>
-        <translation>Il n’y a pas de fichier {file} avec des limites de paroi : copiez {shipped} et modifiez la copie.</translation>
+        <translation>Il n’y a pas de fichier {file} avec des limites de paroi : copiez {shipped} et modifiez la copie.</translation>
     </message>
     <message>
         <source>There is no file {file}.</source>
@@ -4079,7 +4415,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>There is no folder {folder}: name the one with the info files.</source>
-        <translation>Le dossier {folder} n’existe pas : nommez celui des fichiers d’information.</translation>
+        <translation>Le dossier {folder} n’existe pas : nommez celui des fichiers d’information.</translation>
     </message>
     <message>
         <source>There is no info file {info_file}: classify {file} first, or name the folder of its info file with --info-dir.</source>
@@ -4095,7 +4431,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>There is no permission to read {file}: check its permissions.</source>
-        <translation>{file} ne peut pas être lu, faute d’autorisation : vérifiez ses droits d’accès.</translation>
+        <translation>{file} ne peut pas être lu, faute d’autorisation : vérifiez ses droits d’accès.</translation>
     </message>
     <message>
         <source>There is no permission to search the folder {folder}: check its permissions.</source>
@@ -4111,11 +4447,27 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>There is no quantity {quantity!r}: there are {known}.</source>
-        <translation>La grandeur {quantity!r} n’existe pas : il y a {known}.</translation>
+        <translation>La grandeur {quantity!r} n’existe pas : il y a {known}.</translation>
     </message>
     <message>
         <source>There is not enough memory for this.</source>
         <translation>La mémoire ne suffit pas pour cela.</translation>
+    </message>
+    <message>
+        <source>These are not in the table above</source>
+        <translation>Ils ne sont pas dans le tableau ci-dessus</translation>
+    </message>
+    <message>
+        <source>Thickness and box: {unit}. The margin is how far the deciding quantities lie from another category, relative to their thresholds.</source>
+        <translation>Épaisseur et boîte : {unit}. La marge dit à quelle distance d’une autre catégorie sont les grandeurs décisives, rapportée à leurs seuils.</translation>
+    </message>
+    <message>
+        <source>Thickness by</source>
+        <translation>Épaisseur par</translation>
+    </message>
+    <message>
+        <source>Thin below</source>
+        <translation>Mince sous</translation>
     </message>
     <message>
         <source>Thin part</source>
@@ -4124,6 +4476,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Thin plates nearly everywhere</source>
         <translation>Des plaques minces presque partout</translation>
+    </message>
+    <message>
+        <source>Thin share</source>
+        <translation>Part mince</translation>
     </message>
     <message>
         <source>Thin tapered walls over a good part of its surface</source>
@@ -4142,8 +4498,24 @@ Son volume est inconnu.</translation>
         <translation>Paroi plus mince à côté d’un corps épais</translation>
     </message>
     <message>
+        <source>Thinnest</source>
+        <translation>Plus mince</translation>
+    </message>
+    <message>
+        <source>Thinnest towards</source>
+        <translation>Plus mince vers</translation>
+    </message>
+    <message>
+        <source>Thinnest wall</source>
+        <translation>Paroi la plus mince</translation>
+    </message>
+    <message>
+        <source>Thinnest, {unit}</source>
+        <translation>Plus mince, {unit}</translation>
+    </message>
+    <message>
         <source>This FreeCAD has no FEM workbench: install it (Debian: 'apt-get install freecad', elsewhere the installer of freecad.org, which has it), then start FreeCAD again.</source>
-        <translation>Ce FreeCAD n'a pas d'atelier FEM : installez-le (Debian : 'apt-get install freecad', ailleurs l'installateur de freecad.org, qui le contient), puis redémarrez FreeCAD.</translation>
+        <translation>Ce FreeCAD n'a pas d'atelier FEM : installez-le (Debian : 'apt-get install freecad', ailleurs l'installateur de freecad.org, qui le contient), puis redémarrez FreeCAD.</translation>
     </message>
     <message>
         <source>This may be an older shape of '{object}', because its last recompute failed ({reason}): repair it and recompute the document.</source>
@@ -4154,16 +4526,68 @@ Son volume est inconnu.</translation>
         <translation>Il s’agit peut-être d’une ancienne forme de « {object} », car le dernier recalcul de « {feature} », dont il dépend, a échoué ({reason}) : réparez l’objet et recalculez le document.</translation>
     </message>
     <message>
+        <source>Threshold</source>
+        <translation>Seuil</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Inconnue</translation>
+    </message>
+    <message>
+        <source>Unmeasured</source>
+        <translation>Non mesuré</translation>
+    </message>
+    <message>
+        <source>Unsure: “{category}” ({probability}) or “{other}” ({others}).</source>
+        <translation>Incertain : « {category} » ({probability}) ou « {other} » ({others}).</translation>
+    </message>
+    <message>
         <source>Very thin wall on a filled part</source>
         <translation>Paroi très mince sur une pièce pleine</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
     </message>
     <message>
         <source>Volume of the part</source>
         <translation>Volume de la pièce</translation>
     </message>
     <message>
+        <source>Wall</source>
+        <translation>Paroi</translation>
+    </message>
+    <message>
+        <source>Wall thickness of 1 part</source>
+        <translation>Épaisseur de paroi de 1 pièce</translation>
+    </message>
+    <message>
+        <source>Wall thickness of {count} parts</source>
+        <translation>Épaisseur de paroi de {count} pièces</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Avertissements</translation>
+    </message>
+    <message>
+        <source>Where it is thin</source>
+        <translation>Où elle est mince</translation>
+    </message>
+    <message>
+        <source>Whether its walls lie within what processes allow</source>
+        <translation>Si ses parois respectent ce que permettent les procédés</translation>
+    </message>
+    <message>
+        <source>Why it is in this category</source>
+        <translation>Pourquoi cette catégorie</translation>
+    </message>
+    <message>
+        <source>Why:</source>
+        <translation>Pourquoi :</translation>
+    </message>
+    <message>
         <source>Your own limits {file} cannot be written ({problem}): make room, or name another file in THINPART_LIMITS.</source>
-        <translation>Vos propres limites {file} ne peuvent pas être écrites ({problem}) : faites de la place ou nommez un autre fichier dans THINPART_LIMITS.</translation>
+        <translation>Vos propres limites {file} ne peuvent pas être écrites ({problem}) : faites de la place ou nommez un autre fichier dans THINPART_LIMITS.</translation>
     </message>
     <message>
         <source>Zinc, large casting</source>
@@ -4178,6 +4602,10 @@ Son volume est inconnu.</translation>
         <translation>un bloc de ses éléments est vide</translation>
     </message>
     <message>
+        <source>along the principal axes; diagonal {diagonal}</source>
+        <translation>selon les axes principaux ; diagonale {diagonal}</translation>
+    </message>
+    <message>
         <source>an entry has no header</source>
         <translation>une entrée n'a pas d'en-tête</translation>
     </message>
@@ -4187,7 +4615,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>an entry is called '{entry}'</source>
-        <translation>une entrée se nomme « {entry} »</translation>
+        <translation>une entrée se nomme « {entry} »</translation>
     </message>
     <message>
         <source>an entry is cut off</source>
@@ -4202,12 +4630,34 @@ Son volume est inconnu.</translation>
         <translation>une erreur inattendue</translation>
     </message>
     <message>
+        <source>and {count} more</source>
+        <translation>et {count} autres</translation>
+    </message>
+    <message>
+        <source>and {count} smaller walls, {share} of the surface</source>
+        <translation>et {count} parois plus petites, {share} de la surface</translation>
+    </message>
+    <message>
         <source>angular deflection</source>
         <translation>Déflexion angulaire</translation>
     </message>
     <message>
         <source>as proposed</source>
         <translation>comme proposé</translation>
+        <source>as it was open in FreeCAD, not saved</source>
+        <translation>tel qu’il était ouvert dans FreeCAD, non enregistré</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>barre</translation>
+    </message>
+    <message>
+        <source>block</source>
+        <translation>bloc</translation>
+    </message>
+    <message>
+        <source>borderline</source>
+        <translation>cas limite</translation>
     </message>
     <message>
         <source>box as flat</source>
@@ -4216,6 +4666,14 @@ Son volume est inconnu.</translation>
     <message>
         <source>box as long</source>
         <translation>boîte aussi longue</translation>
+    </message>
+    <message>
+        <source>colours stand for the largest ball inside that touches the surface</source>
+        <translation>les couleurs représentent la plus grande bille intérieure qui touche la surface</translation>
+    </message>
+    <message>
+        <source>colours stand for the thickness of the wall below the surface</source>
+        <translation>les couleurs représentent l’épaisseur de la paroi sous la surface</translation>
     </message>
     <message>
         <source>coordinates are not numbers</source>
@@ -4228,6 +4686,16 @@ Son volume est inconnu.</translation>
     <message>
         <source>faces that lie on each other taken out</source>
         <translation>sans les faces superposées</translation>
+        <source>element size {size}</source>
+        <translation>taille d’élément {size}</translation>
+    </message>
+    <message>
+        <source>excluded: {reason}</source>
+        <translation>exclue : {reason}</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>échec</translation>
     </message>
     <message>
         <source>far fewer tapered walls</source>
@@ -4256,10 +4724,16 @@ Son volume est inconnu.</translation>
     <message>
         <source>finer where Gmsh failed, surfaces by Delaunay's method</source>
         <translation>plus fin là où Gmsh a échoué, surfaces selon Delaunay</translation>
+        <source>fine</source>
+        <translation>fine</translation>
     </message>
     <message>
         <source>flatter box</source>
         <translation>boîte plus plate</translation>
+    </message>
+    <message>
+        <source>for the verdict</source>
+        <translation>pour le verdict</translation>
     </message>
     <message>
         <source>format is not {format!r}</source>
@@ -4271,7 +4745,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>it has {count} cells, and the header has {columns}: put quotes around what holds a comma</source>
-        <translation>la ligne a {count} cellules et l’en-tête {columns} : mettez entre guillemets ce qui contient une virgule</translation>
+        <translation>la ligne a {count} cellules et l’en-tête {columns} : mettez entre guillemets ce qui contient une virgule</translation>
     </message>
     <message>
         <source>it is a file</source>
@@ -4295,7 +4769,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>it is not text in UTF-8: save the table as CSV</source>
-        <translation>ce n’est pas du texte en UTF-8 : enregistrez le tableau au format CSV</translation>
+        <translation>ce n’est pas du texte en UTF-8 : enregistrez le tableau au format CSV</translation>
     </message>
     <message>
         <source>it names no file</source>
@@ -4303,11 +4777,11 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>it stores a file as '{path}'</source>
-        <translation>il range un fichier sous « {path} »</translation>
+        <translation>il range un fichier sous « {path} »</translation>
     </message>
     <message>
         <source>it stores a resource as '{path}'</source>
-        <translation>il range une ressource sous « {path} »</translation>
+        <translation>il range une ressource sous « {path} »</translation>
     </message>
     <message>
         <source>its parts are not those of {file}</source>
@@ -4350,6 +4824,10 @@ Son volume est inconnu.</translation>
         <translation>Déflexion linéaire</translation>
     </message>
     <message>
+        <source>linear deflection {linear}, angular deflection {angular} degrees, at walls {wall}, at least {samples} samples, accuracy {accuracy}</source>
+        <translation>déviation linéaire {linear}, déviation angulaire {angular} degrés, aux parois {wall}, au moins {samples} points de mesure, précision {accuracy}</translation>
+    </message>
+    <message>
         <source>longer box</source>
         <translation>boîte plus longue</translation>
     </message>
@@ -4388,6 +4866,8 @@ Son volume est inconnu.</translation>
     <message>
         <source>no element larger than the part is thick there</source>
         <translation>aucun élément plus grand que l'épaisseur locale de la pièce</translation>
+        <source>no</source>
+        <translation>non</translation>
     </message>
     <message>
         <source>no permission to read the file</source>
@@ -4398,12 +4878,30 @@ Son volume est inconnu.</translation>
         <translation>aucune raison donnée</translation>
     </message>
     <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normale</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>non mesuré</translation>
+    </message>
+    <message>
+        <source>of least volume; diagonal {diagonal}</source>
+        <translation>de volume minimal ; diagonale {diagonal}</translation>
+    </message>
+    <message>
         <source>of the diagonal</source>
         <translation>de la diagonale</translation>
     </message>
     <message>
         <source>one size, since nothing finer is meshed</source>
         <translation>une seule taille, car rien de plus fin ne se maille</translation>
+        <source>plate</source>
+        <translation>plaque</translation>
     </message>
     <message>
         <source>processes[{number}]{place} has a min_mm of {least:g}, not below its max_mm of {most:g}</source>
@@ -4434,12 +4932,18 @@ Son volume est inconnu.</translation>
         <translation>répartition des parois similaire</translation>
     </message>
     <message>
+        <source>standard</source>
+        <translation>standard</translation>
+    </message>
+    <message>
         <source>stopped on request</source>
         <translation>arrêté à la demande</translation>
     </message>
     <message>
         <source>surfaces by Delaunay's method</source>
         <translation>surfaces selon Delaunay</translation>
+        <source>taper</source>
+        <translation>coin</translation>
     </message>
     <message>
         <source>the cluster cannot be used</source>
@@ -4447,7 +4951,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>the column {columns} is missing; there have to be {required}, and there may be {optional}</source>
-        <translation>la colonne {columns} manque ; il faut {required}, et il peut y avoir {optional}</translation>
+        <translation>la colonne {columns} manque ; il faut {required}, et il peut y avoir {optional}</translation>
     </message>
     <message>
         <source>the column {columns} is there twice</source>
@@ -4466,6 +4970,10 @@ Son volume est inconnu.</translation>
         <translation>le fichier ou le document est vide</translation>
     </message>
     <message>
+        <source>the first wall along the inward normal</source>
+        <translation>la première paroi le long de la normale intérieure</translation>
+    </message>
+    <message>
         <source>the format is not supported here</source>
         <translation>le format n’est pas pris en charge ici</translation>
     </message>
@@ -4480,6 +4988,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>the mesh was not written ({problem})</source>
         <translation>le maillage n'a pas été écrit ({problem})</translation>
+    </message>
+    <message>
+        <source>the paper's pair rule</source>
+        <translation>la règle des paires de l’article</translation>
     </message>
     <message>
         <source>the part encloses no volume</source>
@@ -4507,15 +5019,43 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>there is no info file of {file!r} in {library}: classify it first, write its path as it is below that folder, or take the row out</source>
-        <translation>il n’y a pas de fichier d’information de {file!r} dans {library} : classifiez d’abord le fichier, écrivez son chemin tel qu’il est sous ce dossier, ou supprimez la ligne</translation>
+        <translation>il n’y a pas de fichier d’information de {file!r} dans {library} : classifiez d’abord le fichier, écrivez son chemin tel qu’il est sous ce dossier, ou supprimez la ligne</translation>
     </message>
     <message>
         <source>there is no such file</source>
         <translation>ce fichier n’existe pas</translation>
     </message>
     <message>
+        <source>thickness, {unit}</source>
+        <translation>épaisseur, {unit}</translation>
+    </message>
+    <message>
+        <source>thin</source>
+        <translation>mince</translation>
+    </message>
+    <message>
+        <source>thin below {limit}</source>
+        <translation>mince sous {limit}</translation>
+    </message>
+    <message>
+        <source>thin features</source>
+        <translation>zones minces</translation>
+    </message>
+    <message>
+        <source>tooth</source>
+        <translation>dent</translation>
+    </message>
+    <message>
+        <source>tube</source>
+        <translation>tube</translation>
+    </message>
+    <message>
         <source>two entries are called '{entry}'</source>
-        <translation>deux entrées se nomment « {entry} »</translation>
+        <translation>deux entrées se nomment « {entry} »</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>inconnu</translation>
     </message>
     <message>
         <source>version is {version}, and this reads version 1</source>
@@ -4524,6 +5064,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>wrong usage of the command</source>
         <translation>la commande a été mal appelée</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
     </message>
     <message>
         <source>{about} needs more memory than the limit allows.</source>
@@ -4543,15 +5087,19 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{bytes} bytes that belong to no entry lie before '{entry}'</source>
-        <translation>{bytes} octets qui n'appartiennent à aucune entrée précèdent « {entry} »</translation>
+        <translation>{bytes} octets qui n'appartiennent à aucune entrée précèdent « {entry} »</translation>
+    </message>
+    <message>
+        <source>{bytes} bytes, changed {time} UTC</source>
+        <translation>{bytes} octets, modifié {time} UTC</translation>
     </message>
     <message>
         <source>{category!r} is no category: there are {known}</source>
-        <translation>{category!r} n’est pas une catégorie : il y a {known}</translation>
+        <translation>{category!r} n’est pas une catégorie : il y a {known}</translation>
     </message>
     <message>
         <source>{category!r} is no category: there are {known}.</source>
-        <translation>{category!r} n’est pas une catégorie : il y a {known}.</translation>
+        <translation>{category!r} n’est pas une catégorie : il y a {known}.</translation>
     </message>
     <message>
         <source>{condition} never holds, because it is never above {limit:g}</source>
@@ -4567,15 +5115,23 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{count} documents of the library are called {file!r}: write the path</source>
-        <translation>{count} documents de la bibliothèque s’appellent {file!r} : écrivez le chemin</translation>
+        <translation>{count} documents de la bibliothèque s’appellent {file!r} : écrivez le chemin</translation>
     </message>
     <message>
         <source>{count} duplicate triangles were left out.</source>
         <translation>{count} triangles en double ont été omis.</translation>
     </message>
     <message>
+        <source>{count} more faces</source>
+        <translation>{count} autres faces</translation>
+    </message>
+    <message>
         <source>{count} triangles of zero area were left out.</source>
         <translation>{count} triangles d’aire nulle ont été omis.</translation>
+    </message>
+    <message>
+        <source>{count} warnings</source>
+        <translation>{count} avertissements</translation>
     </message>
     <message>
         <source>{file} cannot be read ({problem}).</source>
@@ -4583,7 +5139,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{file} cannot be written ({problem}): name another place.</source>
-        <translation>{file} ne peut pas être écrit ({problem}) : indiquez un autre emplacement.</translation>
+        <translation>{file} ne peut pas être écrit ({problem}) : indiquez un autre emplacement.</translation>
     </message>
     <message>
         <source>{file} changed while it was read: classify it again.</source>
@@ -4603,15 +5159,15 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{file} failed: its result cannot be stored ({problem}).</source>
-        <translation>{file} a échoué : son résultat ne peut pas être enregistré ({problem}).</translation>
+        <translation>{file} a échoué : son résultat ne peut pas être enregistré ({problem}).</translation>
     </message>
     <message>
         <source>{file} failed: its result cannot be used ({problem}).</source>
-        <translation>{file} a échoué : son résultat est inutilisable ({problem}).</translation>
+        <translation>{file} a échoué : son résultat est inutilisable ({problem}).</translation>
     </message>
     <message>
         <source>{file} has changed since it was classified, or is gone: classify it again.</source>
-        <translation>{file} a changé depuis sa classification, ou n’existe plus : classifiez-le à nouveau.</translation>
+        <translation>{file} a changé depuis sa classification, ou n’existe plus : classifiez-le à nouveau.</translation>
     </message>
     <message>
         <source>{file} has coordinates that are not finite numbers: export it again.</source>
@@ -4627,7 +5183,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{file} has no part {part!r}: it has {parts}</source>
-        <translation>{file} n’a pas de pièce {part!r} : il a {parts}</translation>
+        <translation>{file} n’a pas de pièce {part!r} : il a {parts}</translation>
     </message>
     <message>
         <source>{file} has no part {part!r}: it has {parts}.</source>
@@ -4639,15 +5195,15 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{file} holds no labels: write a row per part below the header.</source>
-        <translation>{file} ne contient aucune étiquette : écrivez une ligne par pièce sous l’en-tête.</translation>
+        <translation>{file} ne contient aucune étiquette : écrivez une ligne par pièce sous l’en-tête.</translation>
     </message>
     <message>
         <source>{file} holds {count} parts: choose one with --part, by name or label: {parts}.</source>
-        <translation>{file} contient {count} pièces : choisissez-en une avec --part, par son nom ou son étiquette : {parts}.</translation>
+        <translation>{file} contient {count} pièces : choisissez-en une avec --part, par son nom ou son étiquette : {parts}.</translation>
     </message>
     <message>
         <source>{file} holds {count} parts: name one in the column part: {parts}</source>
-        <translation>{file} contient {count} pièces : nommez-en une dans la colonne part : {parts}</translation>
+        <translation>{file} contient {count} pièces : nommez-en une dans la colonne part : {parts}</translation>
     </message>
     <message>
         <source>{file} is a link that leads back to itself: remove it or link it to a part.</source>
@@ -4687,23 +5243,23 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{file} is for one part, and there are {count}: name one after --part, as {example}.</source>
-        <translation>{file} est pour une pièce, et il y en a {count} : nommez-en une après --part, par exemple {example}.</translation>
+        <translation>{file} est pour une pièce, et il y en a {count} : nommez-en une après --part, par exemple {example}.</translation>
     </message>
     <message>
         <source>{file} is no file of labels that was written here, and is not overwritten: choose another name.</source>
-        <translation>{file} n’est pas un fichier d’étiquettes écrit ici et n’est pas remplacé : choisissez un autre nom.</translation>
+        <translation>{file} n’est pas un fichier d’étiquettes écrit ici et n’est pas remplacé : choisissez un autre nom.</translation>
     </message>
     <message>
         <source>{file} is no name for a script of Gmsh: give it the ending .geo.</source>
-        <translation>{file} n'est pas un nom de script Gmsh : donnez-lui l'extension .geo.</translation>
+        <translation>{file} n'est pas un nom de script Gmsh : donnez-lui l'extension .geo.</translation>
     </message>
     <message>
         <source>{file} is no name for a shell: give it one of the endings {endings}.</source>
-        <translation>{file} n’est pas un nom de coque : donnez-lui l’une des extensions {endings}.</translation>
+        <translation>{file} n’est pas un nom de coque : donnez-lui l’une des extensions {endings}.</translation>
     </message>
     <message>
         <source>{file} is no profile and is not overwritten: write the new profile elsewhere.</source>
-        <translation>{file} n’est pas un profil et n’est pas remplacé : écrivez le nouveau profil ailleurs.</translation>
+        <translation>{file} n’est pas un profil et n’est pas remplacé : écrivez le nouveau profil ailleurs.</translation>
     </message>
     <message>
         <source>{file} is not a FreeCAD document.</source>
@@ -4715,7 +5271,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{file} is truncated or not an STL file: its header says {announced} triangles, it holds {held}.</source>
-        <translation>{file} est tronqué ou n’est pas un fichier STL : l’en-tête annonce {announced} triangles, il en contient {held}.</translation>
+        <translation>{file} est tronqué ou n’est pas un fichier STL : l’en-tête annonce {announced} triangles, il en contient {held}.</translation>
     </message>
     <message>
         <source>{file} is truncated: its end is missing.</source>
@@ -4723,7 +5279,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{file} is what is learned from: write the new profile elsewhere.</source>
-        <translation>{file} est ce dont on apprend : écrivez le nouveau profil ailleurs.</translation>
+        <translation>{file} est ce dont on apprend : écrivez le nouveau profil ailleurs.</translation>
     </message>
     <message>
         <source>{file} needs more memory than {megabytes} MB.</source>
@@ -4735,7 +5291,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{file} was not opened: {problem}, so it would write outside its own folder or hide some of its content. Get it from a source that you trust.</source>
-        <translation>{file} n'a pas été ouvert : {problem}, il écrirait donc hors de son propre dossier ou cacherait une partie de son contenu. Procurez-vous-le auprès d’une source de confiance.</translation>
+        <translation>{file} n'a pas été ouvert : {problem}, il écrirait donc hors de son propre dossier ou cacherait une partie de son contenu. Procurez-vous-le auprès d’une source de confiance.</translation>
     </message>
     <message>
         <source>{file} was not written. {reason}</source>
@@ -4743,11 +5299,11 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{file} was saved again meanwhile: classify it again.</source>
-        <translation>{file} a été réenregistré entre-temps : classifiez-le à nouveau.</translation>
+        <translation>{file} a été réenregistré entre-temps : classifiez-le à nouveau.</translation>
     </message>
     <message>
         <source>{file} would have the name of a profile that comes with ThinPart: choose another.</source>
-        <translation>{file} porterait le nom d’un profil fourni avec ThinPart : choisissez-en un autre.</translation>
+        <translation>{file} porterait le nom d’un profil fourni avec ThinPart : choisissez-en un autre.</translation>
     </message>
     <message>
         <source>{file}, line {line}</source>
@@ -4767,7 +5323,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{folder} already exists and is not the folder of a report: it was not changed; give a new or an empty folder.</source>
-        <translation>{folder} existe déjà et n’est pas le dossier d’un rapport : il est resté inchangé ; indiquez un dossier nouveau ou vide.</translation>
+        <translation>{folder} existe déjà et n’est pas le dossier d’un rapport : il est resté inchangé ; indiquez un dossier nouveau ou vide.</translation>
     </message>
     <message>
         <source>{folder} does not lie below {top}: name a folder after --info-tree that holds all PATHs.</source>
@@ -4787,15 +5343,19 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{inside:.3g} mm of the {free:.3g} mm of free edges lie inside the material: there, walls do not meet, or go over into what is left solid. Close these gaps before solving.</source>
-        <translation>{inside:.3g} mm des {free:.3g} mm d’arêtes libres sont dans la matière : là, des parois ne se rejoignent pas ou passent à ce qui reste solide. Fermez ces lacunes avant le calcul.</translation>
+        <translation>{inside:.3g} mm des {free:.3g} mm d’arêtes libres sont dans la matière : là, des parois ne se rejoignent pas ou passent à ce qui reste solide. Fermez ces lacunes avant le calcul.</translation>
     </message>
     <message>
         <source>{link} was not opened: a link may lead to http:// or https://, or to a file of the library.</source>
-        <translation>{link} n’a pas été ouvert : un lien peut mener à http:// ou https://, ou à un fichier de la bibliothèque.</translation>
+        <translation>{link} n’a pas été ouvert : un lien peut mener à http:// ou https://, ou à un fichier de la bibliothèque.</translation>
     </message>
     <message>
         <source>{low} to {high}</source>
         <translation>{low} à {high}</translation>
+    </message>
+    <message>
+        <source>{low} to {high}: {share}</source>
+        <translation>{low} à {high} : {share}</translation>
     </message>
     <message>
         <source>{mm} mm</source>
@@ -4810,8 +5370,12 @@ Son volume est inconnu.</translation>
         <translation>{number!r} dans la condition {condition!r} n’est pas un nombre.</translation>
     </message>
     <message>
+        <source>{part} - wall thickness</source>
+        <translation>{part} - épaisseur de paroi</translation>
+    </message>
+    <message>
         <source>{part} belongs to another document, {file}: open that one, and prepare its mesh there.</source>
-        <translation>{part} appartient à un autre document, {file} : ouvrez celui-ci et préparez-y son maillage.</translation>
+        <translation>{part} appartient à un autre document, {file} : ouvrez celui-ci et préparez-y son maillage.</translation>
     </message>
     <message>
         <source>{part} has no shell, since it is not closed or was measured by pairs: close its gaps (Part workbench, Check geometry), or measure it by rays.</source>
@@ -4824,6 +5388,8 @@ Son volume est inconnu.</translation>
     <message>
         <source>{part} has no shell: walls with a mid-surface have only {share:.0f} % of its volume. Mesh it as a solid.</source>
         <translation>{part} n’a pas de coque : les parois qui ont une surface moyenne ne font que {share:.0f} % de son volume. Maillez-la en volume.</translation>
+        <source>{part} has no shell: walls of even thickness account for {share:.0f} % of its volume. Mesh it as a solid.</source>
+        <translation>{part} n'a pas de coque : les parois d'épaisseur constante représentent {share:.0f} % de son volume. Maillez-la en volume.</translation>
     </message>
     <message>
         <source>{part} is made of triangles, which are no solid to mesh.</source>
@@ -4832,6 +5398,12 @@ Son volume est inconnu.</translation>
     <message>
         <source>{part} is made of triangles, which have no mid-surface: use its STEP file, or mesh it as a solid.</source>
         <translation>{part} est fait de triangles, qui n’ont pas de surface moyenne : utilisez son fichier STEP, ou maillez-le en volume.</translation>
+        <source>{part} is made of triangles: a shell needs the faces of a solid, as STEP files have them.</source>
+        <translation>{part} est fait de triangles : une coque a besoin des faces d’un solide, comme en ont les fichiers STEP.</translation>
+    </message>
+    <message>
+        <source>{part} is not closed, or was measured by pairs: a shell needs a closed solid that was measured by rays.</source>
+        <translation>{part} n’est pas fermé, ou a été mesuré par paires : une coque a besoin d’un solide fermé, mesuré par rayons.</translation>
     </message>
     <message>
         <source>{part} needs more than {megabytes} MB of memory: raise the limit in the preferences.</source>
@@ -4839,11 +5411,11 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{person!r} cannot be kept as a person's name: choose a shorter one, in one line.</source>
-        <translation>{person!r} ne peut pas être gardé comme nom de personne : choisissez-en un plus court, sur une ligne.</translation>
+        <translation>{person!r} ne peut pas être gardé comme nom de personne : choisissez-en un plus court, sur une ligne.</translation>
     </message>
     <message>
         <source>{person} calls it {category!r}, which is no category of the start: there are {known}</source>
-        <translation>{person} l’appelle {category!r}, qui n’est pas une catégorie du profil de départ : il y a {known}</translation>
+        <translation>{person} l’appelle {category!r}, qui n’est pas une catégorie du profil de départ : il y a {known}</translation>
     </message>
     <message>
         <source>{person} calls this part {category} here and {other} before ({earlier})</source>
@@ -4863,11 +5435,11 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{place} names {quantity!r}, which is no quantity: there are {known}, a below b</source>
-        <translation>{place} nomme {quantity!r}, qui n’est pas une grandeur : il y a {known}, a inférieur à b</translation>
+        <translation>{place} nomme {quantity!r}, qui n’est pas une grandeur : il y a {known}, a inférieur à b</translation>
     </message>
     <message>
         <source>{place}: {reason}.</source>
-        <translation>{place} : {reason}.</translation>
+        <translation>{place} : {reason}.</translation>
     </message>
     <message>
         <source>{process} ({material})</source>
@@ -4875,55 +5447,55 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{process}: cannot be told: no wall could be measured.</source>
-        <translation>{process} : indécidable : aucune paroi n’a pu être mesurée.</translation>
+        <translation>{process} : indécidable : aucune paroi n’a pu être mesurée.</translation>
     </message>
     <message>
         <source>{process}: cannot be told: the surface is open, and there may be walls thinner than the {thinnest} mm that were found.</source>
-        <translation>{process} : indécidable : la surface est ouverte, et il peut y avoir des parois plus minces que les {thinnest} mm trouvés.</translation>
+        <translation>{process} : indécidable : la surface est ouverte, et il peut y avoir des parois plus minces que les {thinnest} mm trouvés.</translation>
     </message>
     <message>
         <source>{process}: cannot be told: the thinnest wall is {thinnest} mm, give or take {error} mm, the limit is {least} mm.</source>
-        <translation>{process} : indécidable : la paroi la plus mince fait {thinnest} mm, à {error} mm près, la limite est {least} mm.</translation>
+        <translation>{process} : indécidable : la paroi la plus mince fait {thinnest} mm, à {error} mm près, la limite est {least} mm.</translation>
     </message>
     <message>
         <source>{process}: cannot be told: {share} of the surface lies over more than {most} mm, but a ray may run along a wall there: look at the thickness map.</source>
-        <translation>{process} : indécidable : {share} de la surface est au-dessus de plus de {most} mm, mais un rayon peut y suivre une paroi : regardez la carte d’épaisseur.</translation>
+        <translation>{process} : indécidable : {share} de la surface est au-dessus de plus de {most} mm, mais un rayon peut y suivre une paroi : regardez la carte d’épaisseur.</translation>
     </message>
     <message>
         <source>{process}: fails: {findings}.</source>
-        <translation>{process} : échoue : {findings}.</translation>
+        <translation>{process} : échoue : {findings}.</translation>
     </message>
     <message>
         <source>{process}: passes within tolerance: the thinnest wall is {thinnest} mm, give or take {error} mm, the limit is {least} mm.</source>
-        <translation>{process} : conforme dans la tolérance : la paroi la plus mince fait {thinnest} mm, à {error} mm près, la limite est {least} mm.</translation>
+        <translation>{process} : conforme dans la tolérance : la paroi la plus mince fait {thinnest} mm, à {error} mm près, la limite est {least} mm.</translation>
     </message>
     <message>
         <source>{process}: passes: no wall is over {most} mm.</source>
-        <translation>{process} : conforme : aucune paroi ne dépasse {most} mm.</translation>
+        <translation>{process} : conforme : aucune paroi ne dépasse {most} mm.</translation>
     </message>
     <message>
         <source>{process}: passes: the thinnest wall is {thinnest} mm, the limit {least} mm.</source>
-        <translation>{process} : conforme : la paroi la plus mince fait {thinnest} mm, la limite {least} mm.</translation>
+        <translation>{process} : conforme : la paroi la plus mince fait {thinnest} mm, la limite {least} mm.</translation>
     </message>
     <message>
         <source>{process}: passes: the thinnest wall is {thinnest} mm, the limit {least} mm; towards their edges, tapered walls are thinner on {share} of the surface.</source>
-        <translation>{process} : conforme : la paroi la plus mince fait {thinnest} mm, la limite {least} mm ; vers leurs arêtes, des parois en dépouille sont plus minces sur {share} de la surface.</translation>
+        <translation>{process} : conforme : la paroi la plus mince fait {thinnest} mm, la limite {least} mm ; vers leurs arêtes, des parois en dépouille sont plus minces sur {share} de la surface.</translation>
     </message>
     <message>
         <source>{process}: passes: walls from {thinnest} mm on, the limits are {least} and {most} mm.</source>
-        <translation>{process} : conforme : parois à partir de {thinnest} mm, les limites sont {least} et {most} mm.</translation>
+        <translation>{process} : conforme : parois à partir de {thinnest} mm, les limites sont {least} et {most} mm.</translation>
     </message>
     <message>
         <source>{profile} cannot be used: {problem} ({place}).</source>
-        <translation>{profile} n’est pas utilisable : {problem} ({place}).</translation>
+        <translation>{profile} n’est pas utilisable : {problem} ({place}).</translation>
     </message>
     <message>
         <source>{profile} defines 'normal' or 'unknown', which are reserved: rename the category.</source>
-        <translation>{profile} définit « normal » ou « unknown », qui sont réservés : renommez la catégorie.</translation>
+        <translation>{profile} définit « normal » ou « unknown », qui sont réservés : renommez la catégorie.</translation>
     </message>
     <message>
         <source>{profile} has version {version}; ThinPart reads version 1.</source>
-        <translation>{profile} a la version {version} ; ThinPart lit la version 1.</translation>
+        <translation>{profile} a la version {version} ; ThinPart lit la version 1.</translation>
     </message>
     <message>
         <source>{profile} is not a ThinPart profile.</source>
@@ -4935,7 +5507,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{profile} uses a criterion's id twice: {id!r}.</source>
-        <translation>{profile} utilise deux fois l’identifiant d’un critère : {id!r}.</translation>
+        <translation>{profile} utilise deux fois l’identifiant d’un critère : {id!r}.</translation>
     </message>
     <message>
         <source>{quantities} could not be measured, so criterion {criteria} cannot be decided.</source>
@@ -4956,10 +5528,12 @@ Son volume est inconnu.</translation>
     <message>
         <source>{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm, and {plates} over walls that are plates: consider shells (Prepare mesh says whether they can be made).</source>
         <translation>{share} de la surface recouvre des parois plus minces que {limit} mm, {part} du côté médian de {middle} mm, et {plates} des plaques : envisager des éléments de coque (Préparer le maillage dit s’ils sont possibles).</translation>
+        <source>{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm, and {plates} over walls that are plates: consider shells.</source>
+        <translation>{share} de la surface recouvre des parois plus minces que {limit} mm, {part} du côté médian de {middle} mm, et {plates} des plaques : envisager des éléments de coque.</translation>
     </message>
     <message>
         <source>{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm: refine the mesh there.</source>
-        <translation>{share} de la surface recouvre des parois plus minces que {limit} mm, {part} du côté médian de {middle} mm : y raffiner le maillage.</translation>
+        <translation>{share} de la surface recouvre des parois plus minces que {limit} mm, {part} du côté médian de {middle} mm : y raffiner le maillage.</translation>
     </message>
     <message>
         <source>{table} already exists and is not a table of ThinPart: it was not changed; give another file to --csv.</source>
@@ -4970,12 +5544,24 @@ Son volume est inconnu.</translation>
         <translation>{table} est une pièce et non un tableau, et est resté inchangé : nommez un fichier .csv après --csv.</translation>
     </message>
     <message>
+        <source>{thickness} and more</source>
+        <translation>{thickness} et plus</translation>
+    </message>
+    <message>
         <source>{thin} of the surface is under {least} mm, thinnest {place}</source>
         <translation>{thin} de la surface est sous {least} mm, au plus mince {place}</translation>
     </message>
     <message>
         <source>{thin} of the surface is under {least} mm, thinnest {place}, and {thick} over {most} mm</source>
         <translation>{thin} de la surface est sous {least} mm, au plus mince {place}, et {thick} au-dessus de {most} mm</translation>
+    </message>
+    <message>
+        <source>{title} (rule {number})</source>
+        <translation>{title} (règle {number})</translation>
+    </message>
+    <message>
+        <source>{triangles} triangles, chord error {error}, {samples} samples</source>
+        <translation>{triangles} triangles, erreur de corde {error}, {samples} points de mesure</translation>
     </message>
     <message>
         <source>{wall} on {face}</source>
@@ -5055,6 +5641,17 @@ Son volume est inconnu.</translation>
     <message>
         <source>Shows or hides the panel that finds classified parts by their category, walls, size and notes, and parts like another one</source>
         <translation>Affiche ou masque le panneau qui trouve les pièces classifiées par catégorie, parois, taille et notes, et les pièces similaires à une autre</translation>
+    </message>
+</context>
+<context>
+    <name>ThinPart_Guide</name>
+    <message>
+        <source>Opens the guide: a page for each job, with pictures and examples</source>
+        <translation>Ouvre le guide : une page par tâche, avec des images et des exemples</translation>
+    </message>
+    <message>
+        <source>ThinPart guide</source>
+        <translation>Guide de ThinPart</translation>
     </message>
 </context>
 <context>

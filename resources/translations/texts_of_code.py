@@ -20,6 +20,7 @@ TABLES = (("core/descriptors/descriptor_table.py", "QUANTITIES"), ("core/errors.
 """Tables with texts that are shown one by one: the module and the name of each."""
 
 _WORDS = re.compile(r"[A-Za-z]{2,} [a-z]{2,}|[a-z]{2,} .*\.$", re.DOTALL)
+_OF_TEMPLATE = re.compile(r'\b_\("([^"]+)"')
 _SQL = re.compile(r"\b(SELECT|INSERT|DELETE|UPDATE|CREATE|PRAGMA|BEGIN|ORDER|JOIN|TEXT|BLOB|NULL|OR|IN|LIKE)\b")
 
 
@@ -36,7 +37,7 @@ def all_texts():
     ValueError
         Where a text is put together before it is translated.
     """
-    texts = {(BELOW, text) for text in [*texts_from_below(), *profile_titles(), *limit_titles()]}
+    texts = {(BELOW, text) for text in [*texts_from_below(), *profile_titles(), *limit_titles(), *report_texts()]}
     return sorted(texts.union(marked_texts(), form_texts()))
 
 
@@ -108,6 +109,12 @@ def limit_titles():
     for process in table["processes"]:
         yield process["title"]
         yield from (material["title"] for material in process.get("materials", ()))
+
+
+def report_texts():
+    """Texts of the pages of reports."""
+    for path in sorted((ROOT / "resources" / "report").iterdir()):
+        yield from _OF_TEMPLATE.findall(path.read_text(encoding="utf-8"))
 
 
 def prose(tree):

@@ -1,5 +1,6 @@
 """Translation files as Qt reads them: .ts for people, compiled to .qm for programs."""
 
+import json
 import shutil
 import subprocess
 import xml.etree.ElementTree as ElementTree
@@ -52,6 +53,20 @@ def write_ts(path, language, translations):
                       f"        <translation{mark}>{escape(translation)}</translation>", "    </message>"]
         lines.append("</context>")
     path.write_text("\n".join([*lines, "</TS>", ""]), encoding="utf-8")
+
+
+def write_sentences(path, translations, context):
+    """Write the translations of a context for programs without Qt: a JSON object, by text.
+
+    Parameters
+    ----------
+    path : Path
+    translations : dict of (str, str) to str
+        As `read_ts` gives them.
+    context : str
+    """
+    found = {text: translation for (of, text), translation in translations.items() if of == context and translation}
+    path.write_text(json.dumps(found, ensure_ascii=False, indent=0, sort_keys=True) + "\n", encoding="utf-8")
 
 
 def compile_ts(path):

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Brings ThinPart_*.ts up to date with the texts of the code and compiles them to ThinPart_*.qm.
+"""Brings ThinPart_*.ts up to date with the texts of the code, compiles them to ThinPart_*.qm for Qt, and writes what is
+said outside of the window to sentences_*.json.
 
     /usr/bin/python3 resources/translations/update_translations.py
 
@@ -11,8 +12,8 @@ once more. A new language is an empty file ThinPart_CODE.ts.
 import sys
 from pathlib import Path
 
-from texts_of_code import all_texts
-from ts_file import compile_ts, read_ts, write_ts
+from texts_of_code import BELOW, all_texts
+from ts_file import compile_ts, read_ts, write_sentences, write_ts
 
 HERE = Path(__file__).resolve().parent
 
@@ -23,7 +24,9 @@ def main():
     for path in sorted(HERE.glob("ThinPart_*.ts")):
         before = read_ts(path) if path.stat().st_size else {}
         after = {key: before.get(key, "") for key in texts}
-        write_ts(path, path.stem.partition("_")[2], after)
+        language = path.stem.partition("_")[2]
+        write_ts(path, language, after)
+        write_sentences(path.with_name(f"sentences_{language}.json"), after, BELOW)
         waiting = [text for (_, text), translation in after.items() if not translation]
         print(f"{path.name}: {len(after)} texts, {len(set(before) - set(after))} dropped, "
               f"{len(waiting)} to be translated{':' if waiting else '.'}")

@@ -3,6 +3,9 @@
     python3 tests/gui/run_in_freecad.py [OPTIONS] [PYTEST ARGUMENTS]
     python3 tests/gui/run_in_freecad.py --close part|folder|library|document
     python3 tests/gui/run_in_freecad.py [OPTIONS] --screenshots docs/screenshots
+    python3 tests/gui/run_in_freecad.py --every-look FOLDER [LOOK...]
+
+The last writes a picture of every panel, dialog and page for each language, scale, theme and unit: see EVERY_LOOK.
 
 Options: --language German starts FreeCAD in that language, --scale 1.5 draws everything larger,
 --theme "FreeCAD Dark" takes the colours of one of FreeCAD's own preference packs, --again runs a few tests that
@@ -57,6 +60,19 @@ class Look(NamedTuple):
 
 
 PLAIN = Look()
+
+EVERY_LOOK = {
+    "english": (PLAIN, "mm"),
+    "inches": (PLAIN, "inches"),
+    "german": (Look("German"), "mm"),
+    "french": (Look("French"), "mm"),
+    "light": (Look(theme="FreeCAD Light"), "mm"),
+    "dark": (Look(theme="FreeCAD Dark"), "mm"),
+    "150": (Look(scale=1.5), "mm"),
+    "200": (Look(scale=2.0), "mm"),
+    "german-dark-150-inches": (Look("German", 1.5, "FreeCAD Dark"), "inches"),
+}
+"""How each picture of --every-look looks, by its name, and its unit of length: each once, and all together."""
 
 
 def run(script, arguments, home, seconds=SECONDS, look=PLAIN):
@@ -124,6 +140,7 @@ def main(arguments):
     """Run the tests, or make the screenshots, and return the status."""
     parser = argparse.ArgumentParser(add_help=False, allow_abbrev=False)
     parser.add_argument("--screenshots")
+    parser.add_argument("--every-look")
     parser.add_argument("--close", choices=CLOSED_WHILE)
     parser.add_argument("--language", default=PLAIN.language)
     parser.add_argument("--scale", type=float, default=PLAIN.scale)
@@ -135,6 +152,9 @@ def main(arguments):
     compileall.compile_dir(ROOT / "thinpart_workbench", quiet=2)
     if options.screenshots:
         return _in_a_home(lambda home: _make_screenshots(Path(options.screenshots), home, look))
+    if options.every_look:
+        return max(_in_a_home(lambda home, name=name: _make_contact_sheet(Path(options.every_look), home, name))
+                   for name in rest or EVERY_LOOK)
     everything = not [each for each in arguments if each != "--again"]
     status = 0 if options.close else _run_tests(rest, look, options.again)
     if status == 0 and everything:
@@ -156,6 +176,13 @@ def _make_screenshots(folder, home, look):
     folder.mkdir(parents=True, exist_ok=True)
     arguments = [os.fspath(HERE), os.fspath(folder)]
     return _shown(run(HERE / "make_screenshots.py", arguments, home, look=look), home)
+
+
+def _make_contact_sheet(folder, home, name):
+    look, unit = EVERY_LOOK[name]
+    folder.mkdir(parents=True, exist_ok=True)
+    arguments = [os.fspath(HERE), os.fspath(folder.resolve() / f"{name}.png"), unit]
+    return _shown(run(HERE / "make_contact_sheet.py", arguments, home, look=look), home)
 
 
 def _run_tests(arguments, look, again=False):

@@ -63,7 +63,8 @@ def test_a_folder_becomes_rows_counts_and_info_files(dialog, folder):
                                                             str(Path("inner", "plate.step"))]
     index = select("Cover plate")
     cells = [index.siblingAtColumn(number).data() for number in range(model().columnCount())]
-    assert cells[CATEGORY] == "Thin part" and cells[CRITERIA] == "1, 4, 5"
+    assert cells[CATEGORY] == "Thin part" and cells[CRITERIA].split(", ") == [
+        "Plate", "Thin walls over most of its surface", "Very thin wall on a filled part"]
     assert cells[BOX] == "100 \u00d7 70 \u00d7 5" and cells[THINNEST] == "5"
     assert cells[RATIO] == "0.965" and cells[INSTANCES] == "1"
     red = index.siblingAtColumn(CATEGORY).data(QtCore.Qt.DecorationRole)

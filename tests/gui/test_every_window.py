@@ -1,5 +1,7 @@
 """What holds for every panel, dialog and page: small screens, the keyboard in three languages, the mouse wheel."""
 
+import re
+
 import FreeCADGui as Gui
 import pytest
 import window_actions as window
@@ -8,7 +10,8 @@ from every_window import IN_MAIN_WINDOW, WINDOWS, document_to_show, wheel_over
 from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
 from thinpart_workbench.gui.classify.command import current_session
 from thinpart_workbench.gui.commands import COMMANDS
-from thinpart_workbench.gui.widgets.controls import controls, menu_letters, mnemonic, plain
+from thinpart_workbench.gui.guide.pages import FOLDER, PAGE_OF
+from thinpart_workbench.gui.widgets.controls import controls, menu_letters, mnemonic, plain, reading_order
 
 LANGUAGES = ("English", "German", "French")
 WIDTH, HEIGHT = 1024, 700
@@ -96,6 +99,51 @@ def _value(field):
     return field.value() if hasattr(field, "value") else field.text()
 
 
+@pytest.mark.timeout(120)
+@pytest.mark.parametrize("name", WINDOWS)
+def test_tab_goes_through_the_controls_as_one_reads_them(name, part):
+    with WINDOWS[name](part) as widgets:
+        window.settle(200)
+        for root in widgets:
+            stops = [each for each in _tab_stops(root) if each.isVisible() and each.isEnabled()]
+            places = [QtCore.QRect(each.mapTo(root, QtCore.QPoint(0, 0)), each.size()) for each in stops]
+            wrong = [(before.objectName(), after.objectName()) for before, after, here, there in zip(
+                stops, stops[1:], places, places[1:]) if _is_back(here, there)]
+            assert wrong == []
+            assert {each.objectName() for each in _stops_by_hand(root)} <= {each.objectName() for each in stops}
+        if name not in IN_MAIN_WINDOW and widgets[0].isWindow():
+            # The first Tab starts where reading does.
+            first = stops[0]
+            assert places[stops.index(first)] == min(places, key=lambda place: (place.top(), place.left()))
+
+
+def _tab_stops(root):
+    """The controls below a widget as Tab visits them, until it leaves it."""
+    known = reading_order(root)
+    if not known:
+        return []
+    found, each = [known[0]], known[0].nextInFocusChain()
+    while root.isAncestorOf(each) and each is not known[0]:
+        found += [each] if each in known else []
+        each = each.nextInFocusChain()
+    return found
+
+
+def _is_back(here, there):
+    """Whether a place lies before another one that was to be read first: above and not to the right, or left in its row."""
+    if there.bottom() < here.top():
+        return there.left() < here.right()
+    shared = min(here.bottom(), there.bottom()) - max(here.top(), there.top())
+    return shared > 0.5 * min(here.height(), there.height()) and there.right() < here.left()
+
+
+def _stops_by_hand(root):
+    """Buttons and fields that are seen: no Tab may leave them out."""
+    kinds = (QtWidgets.QAbstractButton, QtWidgets.QComboBox, QtWidgets.QAbstractSpinBox, QtWidgets.QLineEdit)
+    return [each for kind in kinds for each in root.findChildren(kind)
+            if each.isVisible() and each.isEnabled() and each.objectName().startswith("ThinPart_")]
+
+
 def test_commands_have_shortcuts_that_nothing_else_has():
     taken = {}
     for action in Gui.getMainWindow().findChildren(QtWidgets.QAction if hasattr(QtWidgets, "QAction") else type(
@@ -108,6 +156,21 @@ def test_commands_have_shortcuts_that_nothing_else_has():
         window.tool_button(name)
         assert taken.get(keys, {name}) == {name}, (keys, taken.get(keys))
         assert [other for other in taken if other and keys.startswith(other + ",")] == [], keys
+
+
+def test_the_guide_lists_the_keys_of_all_commands():
+    page = (FOLDER / "keys.md").read_text(encoding="utf-8")
+    rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in page.splitlines() if line.startswith("| T, ")]
+    listed = {keys: (title, re.search(r"\]\((.*)\)", link).group(1)) for keys, title, link in rows}
+    texts = {name: command().GetResources() for name, command in COMMANDS.items()}
+    assert listed == {each["Accel"]: (each["MenuText"], PAGE_OF[name]) for name, each in texts.items()}
+
+
+@pytest.mark.parametrize("name", ["folder", "report", "profile", "learning"])
+def test_escape_closes_a_window_from_the_start(name, part):
+    with WINDOWS[name](part) as widgets:
+        window.key(widgets[0].focusWidget() or widgets[0], QtCore.Qt.Key_Escape)
+        window.wait_until(lambda: not widgets[0].isVisible())
 
 
 def test_escape_closes_a_panel_from_the_start(part):

@@ -36,11 +36,13 @@ from find_panel import (  # noqa: F401 - fixtures among them
 
 from thinpart_workbench.core.judging.criteria import load_profile
 from thinpart_workbench.freecad_adapter.preferences import preference_list, set_preference_list
+from thinpart_workbench.gui.application import lifelong
 from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
 from thinpart_workbench.gui.library import command as find_parts
 from thinpart_workbench.gui.library.results_model import FILE, PART, WAITING
 from thinpart_workbench.gui.library.search_client import SearchClient
 from thinpart_workbench.gui.processes.json_client import JsonClient
+from thinpart_workbench.gui.widgets.controls import plain
 from thinpart_workbench.storage.info.info_file import read_info
 
 
@@ -299,3 +301,32 @@ def test_cancelling_a_preview(many_opened):
     window.click("ThinPart_ReclassifyCancel")
     window.wait_until(lambda: "Stopped after" in window.text("ThinPart_ReclassifyMessage"))
     window.wait_until(window.widget("ThinPart_ReclassifyPreview").isEnabled)
+
+
+@uses_many
+def test_the_status_bar_leads_to_the_page_of_each_job(many, tmp_path, monkeypatch):
+    monkeypatch.setenv("THINPART_CACHE", str(tmp_path / "cache"))
+    set_preference_list("Libraries", [str(many)])
+    dock = find_parts.show_find_parts()
+    window.wait_until(lambda: window.is_shown("ThinPart_RunningJobs"))
+    pages = window.widget("ThinPart_FindChoices")
+    other = QtWidgets.QDialog(dock)
+    try:
+        choose(dock, 2)
+        dock.hide()
+        window.click("ThinPart_RunningJobs")
+        assert dock.isVisible() and plain(pages.tabText(pages.currentIndex())).startswith("Libraries")
+        lifelong.running_jobs.show("reading", "Reading something", other, lambda: choose(dock, 0))
+        assert window.widget("ThinPart_RunningJobs").text().startswith("2 jobs: ")
+        window.click("ThinPart_RunningJobs")
+        menu = QtWidgets.QApplication.activePopupWidget()
+        assert [action.text() for action in menu.actions()] == ["Refreshing the libraries", "Reading something"]
+        menu.actions()[1].trigger()
+        menu.close()
+        assert other.isVisible() and pages.currentIndex() == 0
+    finally:
+        lifelong.running_jobs.end("reading")
+        other.deleteLater()
+    dock.close()
+    window.wait_until(lambda: not workers())
+    assert not window.is_shown("ThinPart_RunningJobs")

@@ -25,6 +25,8 @@ from find_panel import (  # noqa: F401 - fixtures among them
     write,
 )
 
+from thinpart_workbench.api.annotations import annotate_part
+from thinpart_workbench.gui.application import lifelong
 from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
 from thinpart_workbench.gui.library.details import COMPARISON, NOTES
 from thinpart_workbench.gui.library.results_model import CATEGORY, FILE, PART, REASONS, SCORE
@@ -129,13 +131,92 @@ def test_dragged_rows_are_files(library):
     assert QtWidgets.QApplication.clipboard().text() == str(library / "plate.step")
 
 
+def set_mesh(key, value):
+    """Type the value of a mesh setting into its row."""
+    row, settings = mesh_row(key)
+    settings.item(row, 1).setText(value)
+
+
+def mesh_row(key):
+    settings = window.widget("ThinPart_MeshSettings")
+    return next(row for row in range(settings.rowCount())
+                if settings.item(row, 0).data(QtCore.Qt.UserRole) == key), settings
+
+
+def stored_mesh(library):
+    part, = read_info(library / "tube.step.thinpart.json")["parts"]
+    return part["mesh"]
+
+
+def test_mesh_settings_are_fields_and_what_they_cannot_show_is_kept(library):
+    kept = {"algorithm": "HXT", "layers": 3, "zones": [{"size": 1}, {"size": 2}], "optimised": True, "size": 2.5}
+    annotate_part(library / "tube.step.thinpart.json", mesh={"settings": kept})
+    dock = opened(library)
+    select(dock, "tube")
+    tab(dock, NOTES)
+    shown = {}
+    settings = window.widget("ThinPart_MeshSettings")
+    for row in range(settings.rowCount()):
+        shown[settings.item(row, 0).text()] = settings.item(row, 1).text()
+    assert shown == {"Largest size, mm": "2.5", "Layers in thin walls": "3", "Order of the elements": "", "Growth": "",
+                     "Most elements": "", "algorithm": "HXT", "zones": "2 entries", "optimised": "yes", "": ""}
+    assert "{" not in "".join(shown.values()) and window.widget("ThinPart_KeptMesh").text() == ""
+    assert not window.widget("ThinPart_KeepNotes").isEnabled()
+    set_mesh("layers", "")
+    set_mesh("growth", "1.3")
+    last = settings.rowCount() - 1
+    settings.item(last, 0).setText("surface")
+    settings.item(last, 1).setText("fine")
+    assert settings.rowCount() == last + 2
+    window.click("ThinPart_KeepNotes")
+    window.wait_until(lambda: window.text("ThinPart_KeptMessage") == "Saved.")
+    expected = {**kept, "growth": 1.3, "surface": "fine"}
+    del expected["layers"]
+    assert stored_mesh(library) == {"settings": expected}
+    for key in ("size", "growth", "algorithm", "optimised"):
+        set_mesh(key, "")
+    row, _ = mesh_row("zones")
+    assert not settings.item(row, 1).flags() & QtCore.Qt.ItemIsEditable
+
+
+def test_the_size_of_elements_is_in_the_unit_of_the_window(library):
+    dock = opened(library)
+    select(dock, "tube")
+    tab(dock, NOTES)
+    before = App.Units.getSchema()
+    try:
+        App.Units.setSchema(3)  # inches
+        lifelong.units.changed.emit()
+        row, settings = mesh_row("size")
+        assert settings.item(row, 0).text() == "Largest size, in"
+        set_mesh("size", "0.5")
+        window.click("ThinPart_KeepNotes")
+        window.wait_until(lambda: window.text("ThinPart_KeptMessage") == "Saved.")
+    finally:
+        App.Units.setSchema(before)
+        lifelong.units.changed.emit()
+    assert stored_mesh(library) == {"settings": {"size": 12.7}}
+    row, settings = mesh_row("size")
+    assert settings.item(row, 1).text() == "12.7"
+
+
+def test_settings_that_are_in_a_file_are_not_fields(library, tmp_path):
+    dock = opened(library)
+    select(dock, "tube")
+    tab(dock, NOTES)
+    window.widget("ThinPart_KeptMesh").setText(str(tmp_path / "settings.geo"))
+    assert not window.widget("ThinPart_MeshSettings").isEnabled()
+    window.widget("ThinPart_KeptMesh").setText("")
+    assert window.widget("ThinPart_MeshSettings").isEnabled()
+
+
 def test_notes_are_saved_and_found(library):
     dock = opened(library)
     select(dock, "tube")
     trigger("ThinPart_FoundNotes")
     notes = window.widget("ThinPart_KeptNotes")
     notes.setPlainText("swept mesh, Zweischalengeh\u00e4use")
-    window.widget("ThinPart_KeptMesh").setText('{"size": 2.5}')
+    set_mesh("size", "2.5")
     window.widget("ThinPart_KeptLink").setText("https://example.org/job/7")
     window.click("ThinPart_KeepNotes")
     window.wait_until(lambda: window.text("ThinPart_KeptMessage") == "Saved.")

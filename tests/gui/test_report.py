@@ -83,6 +83,29 @@ def test_a_report_is_written_beside_the_document_and_opened(saved, browser, tmp_
     assert browser.opened == [str(overview)] * 2
 
 
+@pytest.mark.parametrize("language, code, heading", [
+    ("German", "de", "Wo es d\u00fcnn ist"), ("French", "fr", "O\u00f9 elle est mince")])
+def test_a_report_is_in_the_language_of_the_window(language, code, heading, saved, browser, tmp_path):
+    broken = saved.addObject("Part::Feature", "Open")
+    broken.Shape = Part.makePlane(10, 10)
+    saved.recompute()
+    started = Gui.getLocale()
+    Gui.setLocale(language)
+    try:
+        opened()
+        window.click("ThinPart_ReportStart")
+        wait_for_end()
+    finally:
+        Gui.setLocale(started)
+    page, = (tmp_path / "block-report").rglob("pages/*.html")
+    text = page.read_text(encoding="utf-8")
+    assert f'<html lang="{code}">' in text and heading in text and "Where it is thin" not in text
+    overview = (tmp_path / "block-report" / "index.html").read_text(encoding="utf-8")
+    assert f'<html lang="{code}">' in overview
+    # What the window read itself and sent on is translated too.
+    assert "bounds no solid" not in overview and "[" in overview
+
+
 def test_it_measures_by_the_preferences_and_has_the_notes_of_their_folder(document, browser, tmp_path):
     window.add(document, "Tube", Part.makeCylinder(20, 30).cut(Part.makeCylinder(18, 30)))
     document.saveAs(str(tmp_path / "block.FCStd"))
@@ -188,7 +211,12 @@ def test_the_document_may_be_closed_meanwhile(saved, browser, tmp_path):
     assert "is closed" in message()
 
 
-def test_a_report_in_inches_has_tables_in_mm(saved, browser, tmp_path):
+@pytest.mark.parametrize("language, thinnest, said, caption", [
+    ("English", "0.236", "thickness, in", "Thickness and box: in."),
+    ("German", "0,236", "Dicke, in", "Dicke und H\u00fcllquader: in.")])
+def test_a_report_in_inches_has_tables_in_mm(language, thinnest, said, caption, saved, browser, tmp_path):
+    started = Gui.getLocale()
+    Gui.setLocale(language)
     App.Units.setSchema(3)
     if "UnitSystem" in saved.PropertiesList:
         saved.UnitSystem = 3
@@ -198,11 +226,12 @@ def test_a_report_in_inches_has_tables_in_mm(saved, browser, tmp_path):
         wait_for_end()
     finally:
         App.Units.setSchema(0)
+        Gui.setLocale(started)
     folder = tmp_path / "block-report"
-    page, = (file.read_text() for file in folder.rglob("pages/*.html"))
+    page, = (file.read_text(encoding="utf-8") for file in folder.rglob("pages/*.html"))
     text = re.sub(r"<style>.*?</style>", " ", page, flags=re.S)
     assert not re.search(r"\bmm\b", re.sub(r"<[^>]*>", " ", text)), re.findall(r".{30}\bmm\b.{10}", text)
-    assert "0.236 <small>in</small>" in text and "0.236\u00a0in" in text and "thickness, in" in text
-    overview = (folder / "index.html").read_text()
-    assert "Thickness and box: in." in overview and ">0.236<" in overview
+    assert f"{thinnest} <small>in</small>" in text and f"{thinnest}\u00a0in" in text and said in text
+    overview = (folder / "index.html").read_text(encoding="utf-8")
+    assert caption in overview and f">{thinnest}<" in overview
     assert "\n" in (folder / "parts.csv").read_text() and ",6.0" in (folder / "parts.csv").read_text()

@@ -125,6 +125,49 @@ def test_every_part_has_a_page_that_is_whole(report):
             assert page.references.count("../index.html" if "inner" not in name else "../../index.html") == 1
 
 
+@pytest.mark.timeout(120)  # two reports, on a busy machine
+@pytest.mark.parametrize("language", ["de", "fr"])
+def test_a_report_in_another_language_has_no_english_texts_and_the_same_tables(language, tmp_path):
+    parts = tmp_path / "parts"
+    parts.mkdir()
+    for name in ("wedge.step", "tube.step"):
+        shutil.copy(SAMPLES / name, parts)
+    (parts / "damaged.step").write_text("ISO-10303-21;\nthis is no STEP file\n")
+    options = ("--check", "die_casting:zinc")
+    assert thinpart("report", parts, "-o", tmp_path / "en", *options).returncode == 1
+    run = thinpart("report", parts, "-o", tmp_path / language, "--language", language, *options)
+    assert run.returncode == 1, run.stderr
+    english, found = pages(tmp_path / "en"), pages(tmp_path / language)
+    assert set(english) == set(found) and len(found) == 3
+    sentences = json.loads((ROOT / "resources" / "translations" / f"sentences_{language}.json").read_text(encoding="utf-8"))
+    whole = [text for text, other in sentences.items() if text != other and len(text) > 12 and "{" not in text]
+    assert len(whole) > 150
+    for name, page in found.items():
+        assert dict(page.tags)["html"]["lang"] == language and dict(english[name].tags)["html"]["lang"] == "en"
+        assert [text for text in whole if text in page.text] == []
+        assert re.search(r"\d,\d", page.text) and not re.search(r" \d+\.\d+ ", page.text)
+        said = english[name].text
+        assert [text for text in whole if text in said] and not re.search(r" \d+,\d+ ", said)
+    tube = next(page for name, page in found.items() if "tube" in name)
+    assert sentences["Thin part"] in tube.text and sentences["Thin plates nearly everywhere"] in tube.text
+    for table in ("parts.csv", "faces.csv"):
+        assert (tmp_path / language / table).read_bytes() == (tmp_path / "en" / table).read_bytes()
+
+
+def test_a_language_that_there_is_not_is_refused(tmp_path):
+    run = thinpart("report", SAMPLES / "tube.step", "-o", tmp_path / "out", "--language", "xx")
+    assert run.returncode == 2 and "--language" in run.stderr and not (tmp_path / "out").exists()
+
+
+def test_the_verdict_is_said_in_words_and_not_by_the_name_of_a_criterion(tmp_path):
+    shutil.copy(SAMPLES / "plate.step", tmp_path)
+    assert thinpart("report", tmp_path / "plate.step", "-o", tmp_path / "out").returncode == 0
+    page, = [page for name, page in pages(tmp_path / "out").items() if name != "index.html"]
+    said = re.search(r"of the surface lies over walls thinner than [\d.]+ mm.*: consider shells\. Probability: ", page.text)
+    assert said
+    assert "thin_walls" not in page.text and "Thin plates nearly everywhere" in page.text
+
+
 def test_the_overview_counts_and_lists(report):
     _, folder = report
     page = Page(folder / "index.html")
@@ -139,7 +182,7 @@ def test_the_overview_counts_and_lists(report):
 def test_the_page_of_a_part_says_what_was_measured(report):
     _, folder = report
     page = Page(folder / "pages/inner/ribbed_block.FCStd~RibbedBlock.html")
-    assert "Part with thin features" in page.text and "It meets criteri" in page.text
+    assert "Part with thin features" in page.text and "Why: Very thin wall on a filled part (rule 5)" in page.text
     assert "Thinnest wall 6 mm" in page.text and "100 \u00d7 60 \u00d7 60 mm" in page.text
     assert "ThinPart 0.1.0" in page.text and "changed 20" in page.text
     faces = page.text.partition("Its faces")[2].partition("How it was measured")[0]

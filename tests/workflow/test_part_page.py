@@ -10,6 +10,7 @@ from thinpart_workbench.core.length_unit import INCH
 from thinpart_workbench.core.number_text import percent
 from thinpart_workbench.core.rendering.colour_scale import ColourScale
 from thinpart_workbench.storage.info.info_file import read_info
+from thinpart_workbench.storage.user_limits import limits_named
 from thinpart_workbench.workflow.report.part_page import part_page
 
 pytest.importorskip("jinja2")
@@ -23,7 +24,7 @@ def test_a_face_without_triangles_shifts_no_feature(tmp_path):
     pictures = SimpleNamespace(scale=None, views=list, measure="ray")
     page = part_page(record, pictures, ["Pad", "Sliver", "Pocket"], about, "plate.step", "")
     rows = [re.findall(r"<t[dh][^>]*>\s*(.*?)\s*</t[dh]>", row, re.S) for row in page.decode().split("<tr")]
-    assert [row[:2] for row in rows if row and row[0].startswith("Face") and row[0] != "Face"] == [
+    assert [row[:2] for row in rows if row and re.fullmatch(r"Face\d", row[0])] == [
         ["Face3", "Pocket"], ["Face1", "Pad"], ["Face4", ""]]
 
 
@@ -74,21 +75,58 @@ def test_a_record_of_an_earlier_version_has_no_walls_to_list(tmp_path):
     assert "Its walls" not in part_page(record, pictures, [], about, "plate.step", "").decode()
 
 
-def test_a_page_in_inches_tells_of_no_millimetre(tmp_path):
-    record = record_of("plate", warnings=["A wall of 2.54 mm was left out."], regions={
+def _record_with_lengths():
+    return record_of("plate", warnings=["A wall of 2.54 mm was left out."], regions={
         "listed": [_wall(min=2.54, median=5.08, length_mm=25.4, width_mm=50.8)], "others": 0, "others_share": 0.0})
-    about = {**read_info(store(tmp_path, "plate.step", [record])), "kept": {}, "limits": ()}
+
+
+def _page_in_inches(tmp_path, record, language):
+    """The page, and the same without styles."""
+    limits = limits_named(["die_casting:zinc"])
+    about = {**read_info(store(tmp_path, "plate.step", [record])), "kept": {}, "limits": limits}
     pictures = SimpleNamespace(scale=ColourScale(2.54, 25.4), views=list, measure="ray", greatest=50.0)
-    page = part_page(record, pictures, [], about, "plate.step", "", INCH).decode()
-    text = re.sub(r"<(style|title)>.*?</\1>", " ", page, flags=re.S)
+    page = part_page(record, pictures, [], about, "plate.step", "", language, INCH).decode()
+    return page, re.sub(r"<style>.*?</style>", " ", page, flags=re.S)
+
+
+def test_a_page_in_inches_tells_of_no_millimetre(tmp_path):
+    record = _record_with_lengths()
+    page, text = _page_in_inches(tmp_path, record, "en")
     assert "A wall of 0.1\u00a0in was left out." in text
     assert not re.search(r"\bmm\b", re.sub(r"<[^>]*>", " ", text))
     assert "aria-label=\"Colours from 0.1\u00a0in to 1\u00a0in" in text
     assert "0.1\u00a0in" in text and "1\u00a0in and more" in text and "thickness, in" in text
     row = re.search(r"<h2>Its walls</h2>.*?</table>", text, re.S).group(0)
-    assert "Least in" in row and all(f'<td class="n">{value}</td>' in row for value in ("0.1", "0.2", "1", "2"))
+    assert "Least, in" in row and all(f'<td class="n">{value}</td>' in row for value in ("0.1", "0.2", "1", "2"))
     # Bars of the chart end at round numbers of inches.
     ticks = re.findall(r'y="558" text-anchor="middle">([^<]*)<', text)
     assert len(ticks) > 2 and all(len(tick.strip("0.")) <= 2 for tick in ticks)
     box = record["descriptors"]["box_mm"]
     assert INCH.number(box[0]) in re.search(r"<dt>Bounding box</dt><dd>(.*?)</dd>", page).group(1)
+
+
+def test_a_part_with_an_open_surface_has_no_volume_in_inches_either(tmp_path):
+    record = _record_with_lengths()
+    record["descriptors"] = {**record["descriptors"], "volume_mm3": None}
+    page, _ = _page_in_inches(tmp_path, record, "en")
+    assert "<dt>Volume</dt><dd>\u2013 <small>in&sup3;</small></dd>" in page
+
+
+@pytest.mark.parametrize("language, said", [
+    ("de", ("A wall of 0,1\u00a0in was left out.", "0,1\u00a0in bis 1\u00a0in", "1\u00a0in und mehr", "Dicke, in",
+            "Kleinste, in", "d\u00fcnn unter 0,")),
+    ("fr", ("A wall of 0,1\u00a0in was left out.", "0,1\u00a0in \u00e0 1\u00a0in", "1\u00a0in et plus",
+            "\u00e9paisseur, in", "Minimum, in", "mince sous 0,"))])
+def test_a_page_has_the_unit_and_the_decimal_mark_of_its_language(tmp_path, language, said):
+    record = _record_with_lengths()
+    page, text = _page_in_inches(tmp_path, record, language)
+    assert [each for each in said if each not in text] == []
+    shown = re.sub(r"<[^>]*>", " ", re.sub(r"</?title>", " ", text))
+    labels = " ".join(re.findall(r'(?:aria-label|title)="([^"]*)"', text))
+    for seen in (shown, labels):
+        assert not re.search(r"\bmm\b", seen), re.findall(r".{30}\bmm\b.{10}", seen)
+        assert not re.search(r"\d\.\d+\u00a0in", seen)
+    numbers = re.findall(r'<td class="n">([\d.,]+)</td>|<text[^>]*>([\d.,]+)', text) + re.findall(r"<dd>([\d.,]+) ", text)
+    assert len(numbers) > 20 and "." not in str(numbers).replace("', '", "")
+    box = record["descriptors"]["box_mm"]
+    assert INCH.number(box[0]).replace(".", ",") in page

@@ -19,6 +19,8 @@ from ..storage.info.info_file import new_source
 from ..storage.info.info_location import call_in_folder, info_location
 from ..storage.part_table import check_cells, check_titles, csv_text, failed_row, measured_row, write_part_table
 from ..storage.user_limits import limits_named
+from ..workflow.report import page_language
+from ..workflow.report.page_language import ENGLISH
 from ..workflow.report.page_templates import check_templates, fill_in
 from ..workflow.report.report_pages import PageMaker, ReportPages, address
 
@@ -26,6 +28,9 @@ MARK = "thinpart-report.json"
 """File that marks the folder of a report; it is written before the first page."""
 
 OVERVIEW = "index.html"
+
+LANGUAGES = page_language.LANGUAGES
+"""Of pages: codes, English first."""
 
 PartSummary = namedtuple("PartSummary", (
     "file", "label", "instances", "category", "thinnest", "thin_share", "margin", "borderline", "box",
@@ -51,6 +56,8 @@ class ReportFolder:
         One of `SHOWN_MEASURES`: what the colours of the pictures stand for.
     subject : str, optional
         What the overview names as the place of the documents; by default their common folder.
+    language : str, optional
+        Of the pages: one of `LANGUAGES`.
     unit : LengthUnit, optional
         Of all lengths on the pages; tables are in mm.
 
@@ -62,13 +69,13 @@ class ReportFolder:
     """
 
     def __init__(self, folder, tree, profile, info_for, limits=(), shown_measure=RAY, subject=None,
-                 unit=MILLIMETRE):
+                 language=ENGLISH, unit=MILLIMETRE):
         self.folder = os.path.abspath(folder)
         self._tree = tree
         self._subject = os.fspath(tree) if subject is None else subject
         self._profile, self._limits = profile, limits
         self._info_for = info_for
-        self._shown_measure, self._unit = shown_measure, unit
+        self._shown_measure, self._language, self._unit = shown_measure, language, unit
         self._parts, self._failures, self._part_blocks = [], [], []
         self._face_blocks = []  # (document, start, length) of its rows in the temporary file
         check_templates()
@@ -83,7 +90,7 @@ class ReportFolder:
     def pages_for(self, file):
         """ReportPages of a document."""
         return ReportPages(self.folder, os.path.relpath(file, self._tree), self._info_for(file),
-                           self._limits, self._shown_measure, self._unit)
+                           self._limits, self._shown_measure, self._language, self._unit)
 
     def add(self, outcome):
         """Add the outcome of one document."""
@@ -138,7 +145,7 @@ class ReportFolder:
         names = [category.name for category in profile.categories] + [NORMAL, UNKNOWN]
         count = Counter(part.category for part in self._parts)
         return fill_in(
-            "index.html", software=__version__, unit=self._unit, tree=self._subject, profile=self._profile,
+            "index.html", self._language, self._unit, software=__version__, tree=self._subject, profile=self._profile,
             titles={category.name: category.title for category in profile.categories},
             counts={"parts": len(self._parts),
                     "categories": [(name, count[name]) for name in names if count[name]]},
@@ -168,7 +175,9 @@ class OpenDocumentReport:
         Names of processes with commas between them, against whose limits the walls are checked.
     failures : list of dict
         Objects that cannot be read as parts.
-    unit : str
+    language : str, optional
+        Of the pages: one of `LANGUAGES`.
+    unit : str, optional
         Symbol of the unit of all lengths on the pages; tables are in mm.
 
     Raises
@@ -178,14 +187,14 @@ class OpenDocumentReport:
     """
 
     def __init__(self, settings, profile, output, document, label, is_saved, info_folder, checks, failures,
-                 unit=MILLIMETRE.symbol):
+                 language=ENGLISH, unit=MILLIMETRE.symbol):
         self._file = document or os.path.join(os.path.dirname(output), label.replace(os.sep, "_"))
         self._outcome = {"file": self._file, "parts": [], "failures": list(failures), "faces": {}}
         info_file = os.fspath(info_location(document, info_folder)) if document else ""
         self._folder = ReportFolder(
             output, os.path.dirname(self._file), profile, lambda _: info_file,
             limits_named(checks.split(","), None) if checks.strip() else (), RAY,
-            subject=os.path.dirname(document) if document else "", unit=UNITS[unit])
+            subject=os.path.dirname(document) if document else "", language=language, unit=UNITS[unit])
         self._pages = self._folder.pages_for(self._file)
         source = new_source(document, linked_files(document), info_file) if is_saved else {"file": document or label}
         self._maker = call_in_folder(info_folder, lambda: PageMaker(self._pages, source, settings, profile))

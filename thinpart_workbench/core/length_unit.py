@@ -29,9 +29,9 @@ class LengthUnit:
     decimals: int
     decimal_mark: str = "."
 
-    def value(self, millimetres):
-        """A length in this unit: float, None for None."""
-        return None if millimetres is None else millimetres / self.millimetres
+    def value(self, millimetres, power=1):
+        """A length in this unit, for the powers 2 and 3 an area and a volume: float, None for None."""
+        return None if millimetres is None else millimetres / self.millimetres ** power
 
     def number(self, millimetres):
         """A length in this unit without its symbol, with three significant digits; a dash for None."""

@@ -86,6 +86,28 @@ def joined(sentences):
     return text or ""
 
 
+def in_other_words(text, look_up):
+    """A sentence, reason, title or meaning in another language.
+
+    Parameters
+    ----------
+    text : str
+        For a Message, the template is looked up, and so are those of its fields that are messages themselves. Any
+        other text, such as a title, is looked up as it is.
+    look_up : callable
+        Returns the translation of a text, or the text where there is none.
+
+    Returns
+    -------
+    str
+    """
+    if not isinstance(text, Message):
+        return look_up(text) if text else text
+    return look_up(text.template).format_map({
+        name: in_other_words(value, look_up) if isinstance(value, Message) else value
+        for name, value in text.fields.items()})
+
+
 def to_data(sentence):
     """Convert a message to JSON data.
 

@@ -7,6 +7,7 @@ from ..freecad_adapter.guard import guarded_methods
 from .application import lifelong
 from .classify.command import can_classify, classify_active_document
 from .folder.command import show_folder_dialog
+from .guide.command import show_guide
 from .learning.command import show_learn_dialog
 from .library.command import toggle_find_parts
 from .mesh_sizes.command import can_prepare_mesh, prepare_mesh
@@ -256,6 +257,28 @@ class Preferences:
         show_preferences()
 
 
+class Guide:
+    """Open the guide."""
+
+    def GetResources(self):
+        """Icon, text and tool tip."""
+        return {
+            "Pixmap": "ThinPart_Guide",
+            "Accel": "T, H",
+            "MenuText": QT_TRANSLATE_NOOP("ThinPart_Guide", "ThinPart guide"),
+            "ToolTip": QT_TRANSLATE_NOOP(
+                "ThinPart_Guide", "Opens the guide: a page for each job, with pictures and examples"),
+        }
+
+    def IsActive(self):
+        """Always."""
+        return True
+
+    def Activated(self):
+        """Show its contents."""
+        show_guide()
+
+
 COMMANDS = {
     "ThinPart_Classify": Classify,
     "ThinPart_ShowThickness": ShowThickness,
@@ -267,6 +290,7 @@ COMMANDS = {
     "ThinPart_LearnThresholds": LearnThresholds,
     "ThinPart_ClearColours": ClearColours,
     "ThinPart_Preferences": Preferences,
+    "ThinPart_Guide": Guide,
 }
 
 

@@ -4,6 +4,8 @@ Modules only emit signals and call hooks; all connections between application-wi
 imports numpy, so that FreeCAD starts as fast as without ThinPart.
 """
 
+import FreeCADGui as Gui
+
 from ..freecad_adapter.objects.map_recompute import RECOMPUTED
 from ..freecad_adapter.objects.wall_measurement import add_wall_measurement
 from .application import lifelong
@@ -17,6 +19,7 @@ from .document.face_colours import FaceColours
 from .document.measurement_signals import MeasurementSignals
 from .document.measurement_watch import MeasurementWatch
 from .document.notifications import Notifications
+from .guide.command import WhatsThis
 from .on_save.auto_classifier import AutoClassifier
 from .preferences.pages import add_pages
 from .processes.label_keeper import LabelKeeper
@@ -46,6 +49,8 @@ def start():
     lifelong.label_keeper = LabelKeeper()
     lifelong.region_notes = RegionNoteKeeper()
     lifelong.mesh_settings = MeshSettingsKeeper()
+    lifelong.whats_this = WhatsThis()
+    lifelong.whats_this.watch(Gui.getMainWindow())
     lifelong.units = UnitWatch(observer)
     lifelong.profile_signals = ProfileSignals()
     lifelong.profile_signals.edit_requested.connect(show_profile_editor)

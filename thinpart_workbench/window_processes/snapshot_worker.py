@@ -23,7 +23,7 @@ import sys
 from contextlib import ExitStack, closing
 
 from ..api.classified_parts import PartFailure
-from ..core.message import with_messages
+from ..core.message import restored, with_messages
 from ..system.confinement import confine_running_process
 from ..system.pipe_input import is_readable
 from ..system.process_limits import limit_memory
@@ -113,7 +113,7 @@ def _read_request():
         if not byte:
             return None
         line += byte
-    return json.loads(line)
+    return restored(json.loads(line))
 
 
 def _wait_for_end_of_input():

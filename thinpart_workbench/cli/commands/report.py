@@ -2,7 +2,7 @@
 
 from contextlib import closing
 
-from ...api.report_folder import ReportFolder
+from ...api.report_folder import LANGUAGES, ReportFolder
 from ...core.judging.criteria import load_profile
 from ...core.run_control import RunControl
 from ...storage.common_folder import common_folder
@@ -32,6 +32,8 @@ def add_arguments(parser):
     parser.add_argument("-o", "--output", metavar="DIR", required=True,
                         help="folder of the report: a new or an empty one, or that of an earlier report, "
                              "whose pages are replaced")
+    parser.add_argument("--language", choices=LANGUAGES, default=LANGUAGES[0],
+                        help="of the pages (default: %(default)s); the tables are the same in all")
     add_info_folder_options(parser, "take notes that are kept with the parts from the info files in this folder "
                            "instead of those beside the parts")
     add_measurement_options(parser, has_pictures=True)
@@ -52,7 +54,7 @@ def run(options):
         file_run = new_file_run(options, control, report)
         tree = common_folder(options.paths)
         folder = ReportFolder(options.output, tree, profile, info_path_getter(options.info_dir, info_tree(options)),
-                              checks.limits, shown_measure_of(options))
+                              checks.limits, shown_measure_of(options), language=options.language)
         with closing(folder):
             failed = analyse_and_report(file_run, report, folder.add, checks=checks, profile=profile,
                                         settings=settings_of(options), limits=limits_of(options),

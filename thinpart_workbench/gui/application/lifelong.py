@@ -42,5 +42,8 @@ scene_sync = None
 running_jobs = None
 """RunningJobs: shows in the status bar what runs in the background, and leads to its window."""
 
+whats_this = None
+"""WhatsThis: answers FreeCAD's What's This with pages of the guide."""
+
 auto_classifier = None
 """AutoClassifier: classifies documents when they are saved."""

@@ -4,7 +4,7 @@ Those layers write English, which info files, tables and other programs store. E
 its template is looked up in the translations, then its fields are filled in.
 """
 
-from ...core.message import Message
+from ...core.message import in_other_words
 from .qt import translate
 
 CONTEXT = "ThinPartCore"
@@ -24,11 +24,11 @@ def translated(text):
     str
         The text itself where there is no translation, for example for titles of the user's own profile.
     """
-    text = str(text)
-    if not isinstance(text, Message):
-        return translate(CONTEXT, text) if text and _is_encodable(text) else text
-    fields = {name: translated(value) if isinstance(value, Message) else value for name, value in text.fields.items()}
-    return translate(CONTEXT, text.template).format_map(fields)
+    return in_other_words(str(text), _looked_up)
+
+
+def _looked_up(text):
+    return translate(CONTEXT, text) if _is_encodable(text) else text
 
 
 def translated_list(text):

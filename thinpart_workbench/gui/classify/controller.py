@@ -46,7 +46,7 @@ class ClassificationController(TaskController):
         self._flight = WallFlight()
         self._shown_name = None  # name of the part whose result is shown
         self._form = ClassifyPanel()
-        self.panel = TaskDialog(self._form)
+        self.panel = TaskDialog(self._form, "ThinPart_Classify")
         self._form.cancelled.connect(self.cancel)
         self._form.save_requested.connect(self.measured.save)
         self._form.repeat_requested.connect(self._repeat)

@@ -4,10 +4,11 @@ import FreeCADGui as Gui
 
 from ...freecad_adapter.guard import guarded_methods
 from ..application.qt import QtCore, QtWidgets, Signal, flags_as_int
+from ..guide.command import lead_to_guide, show_guide
 from ..widgets.controls import prepare_controls
 
 
-@guarded_methods(reject=True)
+@guarded_methods("helpRequested", reject=True)
 class TaskDialog(QtCore.QObject):
     """The task dialog object that FreeCAD's task view expects.
 
@@ -15,6 +16,8 @@ class TaskDialog(QtCore.QObject):
     ----------
     form : QWidget or list of QWidget
         Each becomes a box of the task view.
+    name : str
+        The command that it belongs to, for the page of the guide.
 
     Signals
     -------
@@ -28,9 +31,10 @@ class TaskDialog(QtCore.QObject):
 
     closed = Signal()
 
-    def __init__(self, form):
+    def __init__(self, form, name):
         super().__init__()
         self.form = form
+        self._name = name
         self._is_open = False
 
     @property
@@ -55,6 +59,7 @@ class TaskDialog(QtCore.QObject):
     def prepare(self):
         """Prepare the controls, also those that were added since."""
         prepare_controls(self.form, Gui.getMainWindow())
+        lead_to_guide(self.form, self._name)
 
     def hide(self):
         """Close the panel."""
@@ -68,8 +73,12 @@ class TaskDialog(QtCore.QObject):
         return True
 
     def getStandardButtons(self):
-        """Only Close, since there is nothing to accept."""
-        return flags_as_int(QtWidgets.QDialogButtonBox.Close)
+        """Close, since there is nothing to accept, and Help."""
+        return flags_as_int(QtWidgets.QDialogButtonBox.Close) | flags_as_int(QtWidgets.QDialogButtonBox.Help)
+
+    def helpRequested(self):
+        """Called by FreeCAD for the Help button."""
+        show_guide(self._name)
 
     def isAllowedAlterSelection(self):
         """True, so that the user can go on working while the panel is open."""

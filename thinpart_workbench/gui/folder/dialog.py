@@ -12,6 +12,7 @@ from ...freecad_adapter.preferences import preference_list, set_preference_list
 from ..application import lifelong
 from ..application.qt import QtCore, QtGui, QtWidgets, execute, translate
 from ..application.sentences import translated
+from ..guide.command import help_button
 from ..processes.command_line_run import DONE, STOPPED, CommandLineRun
 from ..record.record_view import show_text, text_line
 from ..widgets.folder_field import contains
@@ -182,6 +183,7 @@ class FolderDialog(QtWidgets.QDialog):
                        self._results.export_button):
             row.addWidget(button)
         row.addStretch(1)
+        row.addWidget(help_button(self, "ThinPart_ClassifyFolder"))
         row.addWidget(self._button(
             "ThinPart_FolderClose", translate("ThinPart", "Close"), self.reject))
         column.addLayout(row)

@@ -7,7 +7,7 @@ from ..application.qt import QtCore, QtGui, Signal, colour, flags_as_int, transl
 from ..application.sentences import translated
 from ..record.category_marks import FAILED_COLOUR
 from ..record.label_button import labels_sentence
-from ..record.verdict_text import category_colour, category_title
+from ..record.verdict_text import category_colour, category_title, criterion_titles
 from ..record.wall_checks import SYMBOLS
 from ..widgets.record_table_view import RecordColumn
 from .results_order import ResultsOrder
@@ -30,7 +30,7 @@ class ResultsModel(QtCore.QAbstractTableModel):
     def __init__(self, parent=None):
         super().__init__(parent)
         self._order = ResultsOrder()
-        self._profile, self._limits, self._unit = None, (), MILLIMETRE
+        self._profile, self._limits, self._unit, self._titles = None, (), MILLIMETRE, {}
         self._columns = self._new_columns()
         self._sort_timer = QtCore.QTimer(self, singleShot=True, interval=_SORT_DELAY)
         self._sort_timer.timeout.connect(lambda: self._change_order(self._order.arrange))
@@ -70,7 +70,7 @@ class ResultsModel(QtCore.QAbstractTableModel):
             What the next rows are checked against.
         """
         self.beginResetModel()
-        self._profile, self._limits = profile, limits
+        self._profile, self._limits, self._titles = profile, limits, criterion_titles(profile)
         self._columns = self._new_columns()
         self._order.clear()
         self.endResetModel()
@@ -198,6 +198,9 @@ class ResultsModel(QtCore.QAbstractTableModel):
     def _labels_text(self, row):
         return labels_sentence(getattr(row, "said", ()), self._profile)
 
+    def _criteria_text(self, row):
+        return ", ".join(self._titles.get(name, name) for name in (row.criteria or "").split())
+
     def _new_columns(self):
         return (
             RecordColumn(translate("ThinPart", "File"), lambda row: row.file,
@@ -208,7 +211,7 @@ class ResultsModel(QtCore.QAbstractTableModel):
             *(RecordColumn(translated(limits.full_title), lambda row, number=number: _check_text(row, number),
                            lambda row, number=number: _check_text(row, number))
               for number, limits in enumerate(self._limits)),
-            RecordColumn(translate("ThinPart", "Criteria"), _criteria, _criteria),
+            RecordColumn(translate("ThinPart", "Criteria"), self._criteria_text, self._criteria_text),
             RecordColumn(translate("ThinPart", "Box, {}").format(self._unit.symbol), self._box,
                          lambda row: row.d1_mm, True),
             _quantity("V/VBB", "volume_ratio", number),
@@ -263,8 +266,3 @@ def _check_text(row, number):
 
 def _part(row):
     return row.label or row.part or ""
-
-
-def _criteria(row):
-    return (row.criteria or "").replace(" ", ", ")
-

@@ -8,6 +8,7 @@ from ...freecad_adapter.preferences import set_preference
 from ..application import lifelong
 from ..application.qt import QtCore, QtGui, QtWidgets, execute, grouped, translate
 from ..application.sentences import translated
+from ..guide.command import help_button
 from ..processes.conversation import Conversation
 from ..processes.package_installation import PackageInstallation
 from ..record.record_view import show_text, text_line
@@ -236,6 +237,7 @@ class LearnDialog(QtWidgets.QDialog):
         self._save = add_button(row, self, "ThinPart_LearnSave", translate("ThinPart", "&Save as\u2026"), self.save)
         self._use = add_button(row, self, "ThinPart_LearnUse", translate("ThinPart", "&Use as my profile"), self.use)
         row.addStretch(1)
+        row.addWidget(help_button(self, "ThinPart_LearnThresholds"))
         close = add_button(row, self, "ThinPart_LearnClose", translate("ThinPart", "Close"), self.close)
         for button in (self._save, self._use, close):
             button.setAutoDefault(False)

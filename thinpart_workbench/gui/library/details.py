@@ -95,6 +95,7 @@ class PartDetails(QtWidgets.QTabWidget):
 
     def show_unit(self):
         """Show lengths in the current unit."""
+        self.notes.show_unit()
         if self._response is not None:
             self._show_result(self._response)
 

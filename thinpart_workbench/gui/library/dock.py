@@ -11,6 +11,7 @@ from ..application import lifelong
 from ..application.length_unit import length_unit
 from ..application.qt import QtCore, QtGui, QtWidgets, grouped, translate
 from ..application.sentences import translated
+from ..guide.command import help_button
 from ..record.record_view import show_text, text_line
 from ..widgets.flow_layout import FlowLayout
 from ..widgets.folder_field import contains
@@ -173,6 +174,7 @@ class FindDock(QtWidgets.QDockWidget):
         row.addWidget(self._same_size)
         self._all = add_button(
             row, self, "ThinPart_EndLike", translate("ThinPart", "All parts"), self._end_like)
+        row.addWidget(help_button(self, "ThinPart_FindParts"))
         column.addWidget(container)
         self._typing_timer = QtCore.QTimer(self, singleShot=True, interval=_TYPING_DELAY)
 
@@ -248,7 +250,8 @@ class FindDock(QtWidgets.QDockWidget):
             lifelong.running_jobs.end(name)
             return
         lifelong.running_jobs.show(name, translate("ThinPart", "Refreshing the libraries") if name == "libraries" else
-                                   translate("ThinPart", "Classifying again by another profile"), self)
+                                   translate("ThinPart", "Classifying again by another profile"), self,
+                                   lambda: self._choices.setCurrentIndex(LIBRARIES if name == "libraries" else RECLASSIFY))
 
     def _refresh(self):
         self._show_message("")

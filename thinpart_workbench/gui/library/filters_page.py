@@ -8,10 +8,13 @@ from ..application.qt import QtCore, QtWidgets, Signal, grouped, translate
 from ..application.sentences import translated
 from ..record.category_marks import colour_icon, group_title
 from ..record.record_view import show_text, text_line
-from ..record.verdict_text import category_colour
+from ..record.verdict_text import category_colour, criterion_titles
 from ..widgets.flow_layout import FlowLayout
 from ..widgets.range_filter import RangeFilter
 from ..widgets.wheel import ignore_wheel_unless_focused
+
+_LONGEST_TITLE = 36
+"""Characters of a criterion's title beside its box; the whole title is in the tool tip."""
 
 _TYPING_DELAY = 300
 """Milliseconds after the last key press before the filter is applied."""
@@ -39,7 +42,7 @@ class FiltersPage(QtWidgets.QWidget):
     def __init__(self, profile, parent=None):
         super().__init__(parent)
         self._profile = profile
-        self._titles = {str(criterion.id): translated(criterion.title) for criterion in profile.criteria}
+        self._titles = criterion_titles(profile)
         self._categories, self._criteria = {}, {}
         self._typing_timer = QtCore.QTimer(self, singleShot=True, interval=_TYPING_DELAY)
         self._typing_timer.timeout.connect(self.changed)
@@ -50,7 +53,7 @@ class FiltersPage(QtWidgets.QWidget):
             column, translate("ThinPart", "Criteria that hold (none chosen: any)"))
         for name in [category.name for category in profile.categories] + [NORMAL, UNKNOWN, FAILED]:
             self._category_box(name)
-        for name in self._titles:
+        for name in (str(criterion.id) for criterion in profile.criteria):
             self._criterion_box(name)
         self._ranges = {
             "thinnest_mm": RangeFilter("Thinnest", translate("ThinPart", "Thinnest wall, {}"), self),
@@ -143,9 +146,11 @@ class FiltersPage(QtWidgets.QWidget):
 
     def _criterion_box(self, name):
         box = self._box(f"ThinPart_Criterion_{name}")
-        box.setToolTip(self._titles.get(name, ""))
+        title = self._titles.get(name, name)
+        box.setToolTip(title if title == name else translate(
+            "ThinPart", "{} (in searches and tables: {})").format(title, name))
         self._criterion_flow.addWidget(box)
-        self._criteria[name] = box, name
+        self._criteria[name] = box, title if len(title) <= _LONGEST_TITLE else f"{title[:_LONGEST_TITLE].rstrip()}\u2026"
 
     def _add_conditions(self, column):
         row = QtWidgets.QHBoxLayout()

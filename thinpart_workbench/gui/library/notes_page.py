@@ -9,6 +9,7 @@ from ..application.sentences import translated
 from ..processes.path_check import check_path_in_thread
 from ..record.record_view import show_text, text_line
 from ..widgets.confirmation import is_confirmed
+from .mesh_settings import MeshSettings, settings_text
 
 
 class NotesPage(QtWidgets.QWidget):
@@ -40,9 +41,15 @@ class NotesPage(QtWidgets.QWidget):
         self._notes.setMinimumHeight(3 * self.fontMetrics().height())
         self._notes.textChanged.connect(self._show_state)
         column.addWidget(self._notes, 1)
+        label = QtWidgets.QLabel(translate("ThinPart", "Mesh settings"), self)
+        column.addWidget(label)
+        self._settings = MeshSettings(self)
+        self._settings.edited.connect(self._show_state)
+        label.setBuddy(self._settings)
+        column.addWidget(self._settings)
         grid = QtWidgets.QGridLayout()
-        self._mesh = self._line(grid, 0, "ThinPart_KeptMesh", translate("ThinPart", "Mesh settings"),
-                                translate("ThinPart", "a file, or a JSON object"))
+        self._mesh = self._line(grid, 0, "ThinPart_KeptMesh", translate("ThinPart", "Mesh file"),
+                                translate("ThinPart", "a file with mesh settings"))
         self._button(grid, 0, "ThinPart_ChooseMesh", translate("ThinPart", "Choose\u2026"), self._choose)
         self._link = self._line(grid, 1, "ThinPart_KeptLink", translate("ThinPart", "Link"),
                                 translate("ThinPart", "an address or a folder"))
@@ -113,23 +120,31 @@ class NotesPage(QtWidgets.QWidget):
             self._show_state()
         show_text(self._message, "\u26a0 " + sentence if sentence else translate("ThinPart", "Saved."))
 
+    def show_unit(self):
+        """Show lengths in the current unit."""
+        self._settings.show_unit()
+
     def edit(self):
         """Put the cursor at the end of the notes."""
         self._notes.setFocus()
         self._notes.moveCursor(QtGui.QTextCursor.End)
 
     def _texts(self):
-        return {"notes": self._notes.toPlainText(), "mesh": self._mesh.text(), "link": self._link.text()}
+        return {"notes": self._notes.toPlainText(), "mesh": self._mesh.text() or settings_text(self._settings.settings()),
+                "link": self._link.text()}
 
     def _fill(self, texts):
         self._notes.setPlainText(texts["notes"])
-        self._mesh.setText(texts["mesh"])
+        settings = _settings_in(texts["mesh"])
+        self._mesh.setText("" if settings else texts["mesh"])
+        self._settings.show_settings(settings)
         self._link.setText(texts["link"])
         self._show_state()
 
     def _show_state(self, *_):
         self._save.setEnabled(self.is_changed)
         self._open.setEnabled(bool(self._link.text().strip()))
+        self._settings.setEnabled(not self._mesh.text())  # those are in the file
         if self.is_changed:
             show_text(self._message, "")
 
@@ -196,4 +211,13 @@ def _mesh_text(mesh):
         return ""
     if "file" in mesh:
         return mesh["file"]
-    return json.dumps(mesh.get("settings"), ensure_ascii=False)
+    return settings_text(mesh.get("settings"))
+
+
+def _settings_in(text):
+    """The settings of a text of `_mesh_text`, empty for the name of a file."""
+    try:
+        settings = json.loads(text)
+    except ValueError:
+        return {}
+    return settings if isinstance(settings, dict) else {}

@@ -47,12 +47,13 @@ class MeshDialog(TaskDialog):
     """A panel with OK and Cancel; OK calls a function that says whether the panel is to be closed."""
 
     def __init__(self, form, accept):
-        super().__init__(form)
+        super().__init__(form, "ThinPart_MeshSizes")
         self._accept = accept
 
     def getStandardButtons(self):
         """OK makes the mesh."""
-        return flags_as_int(QtWidgets.QDialogButtonBox.Ok) | flags_as_int(QtWidgets.QDialogButtonBox.Cancel)
+        box = QtWidgets.QDialogButtonBox
+        return flags_as_int(box.Ok) | flags_as_int(box.Cancel) | flags_as_int(box.Help)
 
     def accept(self):
         """Called by FreeCAD for OK."""

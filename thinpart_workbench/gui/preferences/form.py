@@ -9,6 +9,7 @@ from ...storage.user_limits import limits_named
 from ..application import lifelong
 from ..application.qt import QtCore, QtWidgets, translate, translated_mark
 from ..application.sentences import translated
+from ..guide.command import lead_to_guide
 from ..processes.path_check import PATIENCE, check_path_in_thread
 from ..record.record_view import show_text, text_line
 from ..widgets.controls import prepare_controls
@@ -55,6 +56,7 @@ class PreferencesForm(QtWidgets.QWidget):
         for name, field in self._fields.items():
             field.changed.connect(lambda name=name: self._on_changed(name))
         prepare_controls(self)
+        lead_to_guide(self, "ThinPart_Preferences")
         self.load()
 
     def load(self):

@@ -1,8 +1,8 @@
-"""The button in the status bar that names what runs in the background, and leads to its window."""
+"""The button in the status bar that names what runs in the background, and leads to its window and page."""
 
 import FreeCADGui as Gui
 
-from ..application.qt import translate
+from ..application.qt import QtWidgets, translate
 from ..widgets.elided_button import ElidedButton
 
 _MAX_CHARACTERS = 40
@@ -17,10 +17,10 @@ class RunningJobs:
     """
 
     def __init__(self):
-        self._jobs = {}  # name -> (text, window)
+        self._jobs = {}  # name -> (text, window, function that shows its page)
         self._button = None
 
-    def show(self, name, text, window):
+    def show(self, name, text, window, show_page=lambda: None):
         """Show a job, or how far it is.
 
         Parameters
@@ -30,8 +30,10 @@ class RunningJobs:
         text : str
         window : QWidget
             Shown when the button is clicked.
+        show_page : callable, optional
+            Shows the page of the window that the job belongs to.
         """
-        self._jobs[name] = text, window
+        self._jobs[name] = text, window, show_page
         self._show()
 
     def end(self, name):
@@ -46,18 +48,33 @@ class RunningJobs:
             return
         if self._button is None:
             self._button = ElidedButton("ThinPart_RunningJobs", _MAX_CHARACTERS)
-            self._button.clicked.connect(lambda *_: self._show_window())
+            self._button.clicked.connect(lambda *_: self._on_clicked())
             Gui.getMainWindow().statusBar().addPermanentWidget(self._button)
-        texts = [text for text, _ in self._jobs.values()]
+        texts = [text for text, _, _ in self._jobs.values()]
         last = texts[-1]
         self._button.setText(last if len(texts) == 1 else translate("ThinPart", "{} jobs: {}").format(len(texts), last))
         self._button.setToolTip("\n".join([*texts, translate("ThinPart", "Click to show its window.")]))
         self._button.updateGeometry()
         self._button.show()
 
-    def _show_window(self):
-        if self._jobs:
-            window = list(self._jobs.values())[-1][1]
-            window.show()
-            window.raise_()
-            window.activateWindow()
+    def _on_clicked(self):
+        if len(self._jobs) == 1:
+            self._show_window(*self._jobs)
+        elif self._jobs:
+            menu = QtWidgets.QMenu(self._button)
+            menu.setObjectName("ThinPart_RunningJobsMenu")
+            for name, (text, _, _) in self._jobs.items():
+                action = menu.addAction(text)
+                action.setObjectName(f"ThinPart_RunningJob_{name}")
+                action.triggered.connect(lambda *_, name=name: self._show_window(name))
+            menu.aboutToHide.connect(menu.deleteLater)
+            menu.popup(self._button.mapToGlobal(self._button.rect().topLeft()))
+
+    def _show_window(self, name):
+        if name not in self._jobs:
+            return  # it has ended while the menu was open
+        _, window, show_page = self._jobs[name]
+        show_page()
+        window.show()
+        window.raise_()
+        window.activateWindow()

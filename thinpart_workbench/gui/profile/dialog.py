@@ -10,6 +10,7 @@ from ...storage.user_profiles import user_profiles_folder, write_profile
 from ..application import lifelong
 from ..application.qt import QtCore, QtGui, QtWidgets, execute, translate
 from ..application.sentences import translated
+from ..guide.command import help_button
 from ..library.command import show_find_parts
 from ..record.record_view import show_text, text_line
 from ..widgets.profile_combo import ProfileCombo
@@ -59,6 +60,7 @@ class ProfileDialog(QtWidgets.QDialog):
         column.addWidget(self._tabs, 1)
         row = QtWidgets.QHBoxLayout()
         row.addStretch(1)
+        row.addWidget(help_button(self, "ThinPart_EditProfile"))
         add_button(row, self, "ThinPart_ProfileClose", translate("ThinPart", "Close"), self.close).setAutoDefault(False)
         column.addLayout(row)
         self._check_timer = QtCore.QTimer(self, singleShot=True, interval=0)

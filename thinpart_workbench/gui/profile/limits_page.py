@@ -9,6 +9,8 @@ from ...storage.user_limits import user_limits, user_limits_file, write_user_lim
 from ..application.length_unit import length_unit
 from ..application.qt import QtCore, QtWidgets, Signal, translate
 from ..application.sentences import translated
+from ..guide.command import lead_to_guide
+from ..guide.pages import LIMITS
 from ..record.record_view import show_text, text_line
 from ..widgets.flow_layout import FlowLayout
 from ..widgets.push_button import add_button
@@ -32,6 +34,7 @@ class LimitsPage(QtWidgets.QWidget):
         super().__init__(parent)
         self._processes, self._own, self._is_readable, self._is_showing = [], set(), True, False
         self._shipped = {process["id"].casefold(): process for process in limits_content(SHIPPED)["processes"]}
+        lead_to_guide(self, LIMITS)
         column = QtWidgets.QVBoxLayout(self)
         row = QtWidgets.QHBoxLayout()
         self._tree = self._new_tree()

@@ -101,7 +101,9 @@ class CriteriaTree(QtWidgets.QTreeWidget):
 
 def _group(row):
     symbol, word = holds_text(row["holds"]).split(" ", 1)
-    group = QtWidgets.QTreeWidgetItem([f"{symbol} {row['criterion']}  {translated(row['title'])}"])
+    # The paper numbers its criteria; the short names of others are for files and searches.
+    numbered = f"{row['criterion']}  " if str(row["criterion"]).isdecimal() else ""
+    group = QtWidgets.QTreeWidgetItem([f"{symbol} {numbered}{translated(row['title'])}"])
     group.setData(0, QtCore.Qt.UserRole, row["criterion"])
     group.setToolTip(0, translate(
         "ThinPart", "Criterion {}: {}. All its conditions hold: {}."

@@ -71,6 +71,15 @@ def reason_text(record):
         for row in deciding))
 
 
+def criterion_titles(profile):
+    """What people call criteria, by their ids as texts: those of a profile, and of the ones that come with ThinPart.
+
+    Results that were judged by another profile name its criteria.
+    """
+    return {str(criterion.id): translated(criterion.title)
+            for known in (load_profile(PAPER), load_profile(), profile) for criterion in known.criteria}
+
+
 def _as_part_of_sentence(title):
     known = translated(title)
     # Only English titles become lower-case: nouns of other languages may begin with a capital.

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import FreeCAD as App
 
-from ...api.report_folder import OVERVIEW
+from ...api.report_folder import LANGUAGES, OVERVIEW
 from ...core.analysis_settings import RAY
 from ...core.errors import ThinPartError
 from ...core.judging.criteria import load_profile
@@ -13,9 +13,11 @@ from ...freecad_adapter.additional_packages import has_package, install_folder
 from ...freecad_adapter.preferences import preference, preferred_analysis
 from ...freecad_adapter.reading.document_parts import document_content
 from ..application import lifelong
+from ..application.language import language_of
 from ..application.length_unit import length_unit
 from ..application.qt import QtCore, QtGui, QtWidgets, translate
 from ..application.sentences import translated
+from ..guide.command import help_button
 from ..processes.document_analysis import DocumentAnalysis
 from ..processes.package_installation import PackageInstallation
 from ..processes.snapshot_job import SnapshotJob
@@ -112,8 +114,8 @@ class ReportDialog(QtWidgets.QDialog):
             "output": self._output, "document": file, "label": document.Label,
             "is_saved": bool(file) and os.path.exists(file) and not lifelong.observer.differs_from_file(document),
             "info_folder": preference("InfoFolder"), "checks": preference("Checks"),
-            "unit": length_unit(document).symbol,
-            "failures": [part.failure() for part in content.broken]})
+            "failures": [part.failure() for part in content.broken], "language": language_of(LANGUAGES),
+            "unit": length_unit(document).symbol})
         self._job.progressed.connect(self._show_progress)
         self._job.ended.connect(self._show_end)
         self._job.start()
@@ -248,5 +250,6 @@ class ReportDialog(QtWidgets.QDialog):
         self._start.setDefault(True)
         self._cancel = add("ThinPart_ReportCancel", translate("ThinPart", "&Cancel"), self.cancel)
         self._open_button = add("ThinPart_ReportLook", translate("ThinPart", "&Open report"), self.open_report)
+        row.addWidget(help_button(self, "ThinPart_Report"))
         add("ThinPart_ReportClose", translate("ThinPart", "Close"), self.close)
         column.addLayout(row)

@@ -49,7 +49,8 @@ class ThicknessPanel(QtCore.QObject):
             "probes": (_new_container(translate("ThinPart", "Probes")), ProbeBox),
         }
         self.head.setWindowIcon(QtGui.QIcon(str(ICON)))
-        self.panel = TaskDialog([self.head, *(container for container, _ in self._containers.values())])
+        self.panel = TaskDialog(
+            [self.head, *(container for container, _ in self._containers.values())], "ThinPart_ShowThickness")
         self._presenter = None
         self._has_folded = False
         # Creating, filling and showing all boxes at once would block the window too long.

@@ -137,7 +137,8 @@ class ScaleBox(QtWidgets.QWidget):
         form.addRow(translate("ThinPart", "Unmeasured"), self._button)
 
     def _add_in_view(self, form):
-        self._in_view, flow = {}, FlowLayout()
+        row = QtWidgets.QWidget(self)
+        self._in_view, flow = {}, FlowLayout(row)  # PySide2 loses the items of one that is within another layout
         for name, title, meaning in (
                 ("ColourBarShown", translate("ThinPart", "Colour bar"), translate(
                     "ThinPart", "Drag it in the view to move it, a corner of it to size it; a right click has more")),
@@ -148,7 +149,7 @@ class ScaleBox(QtWidgets.QWidget):
             box.setToolTip(meaning)
             box.toggled.connect(lambda on, name=name: self._is_updating or self.switched.emit(name, on))
             flow.addWidget(box)
-        form.addRow(translate("ThinPart", "In the view"), flow)
+        form.addRow(translate("ThinPart", "In the view"), row)
 
     def _check(self, form, name, title, meaning):
         """A check box for a property of this name, in a row of its own."""

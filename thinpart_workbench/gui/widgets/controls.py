@@ -1,15 +1,20 @@
-"""Makes the controls of a window usable by keyboard, and safe from the mouse wheel, in every language."""
+"""Makes the controls of a window usable by keyboard, in the order of reading, and safe from the mouse wheel."""
 
 from functools import partial
+from weakref import WeakKeyDictionary
 
-from ..application.qt import QtCore, QtWidgets
+from ..application.qt import QtCore, QtWidgets, flags_as_int
 from .wheel import ignore_wheel_unless_focused
+
+_ordered = WeakKeyDictionary()
+"""The controls of each panel, as Tab was last told to visit them."""
 
 _TURNED = (QtWidgets.QComboBox, QtWidgets.QAbstractSpinBox, QtWidgets.QAbstractSlider)
 
 
 def prepare_controls(roots, window=None):
-    """Give each control below some widgets a letter of its own to press with Alt, and keep the wheel for scrolling.
+    """Give each control below some widgets a letter of its own to press with Alt, order them for Tab, and keep the wheel
+    for scrolling.
 
     Parameters
     ----------
@@ -29,10 +34,61 @@ def prepare_controls(roots, window=None):
         if not isinstance(field, QtWidgets.QScrollBar) and not field.property("ThinPart_KeepsWheel"):
             field.setProperty("ThinPart_KeepsWheel", True)
             ignore_wheel_unless_focused(field)
+    _order_for_tab(roots)
     taken = menu_letters(window) if window is not None else set()
     _give([entry for root in roots for entry in controls(root)], taken)
     if roots[0].findChild(_Keeper) is None:
         _Keeper(roots, window)
+
+
+def reading_order(root):
+    """The controls below a widget that Tab can reach, as one reads them: list of QWidget.
+
+    Layouts say in which order; places do not, since there are none yet before the window is shown.
+    """
+    return [each for each in _in_order(root) if flags_as_int(each.focusPolicy()) & flags_as_int(QtCore.Qt.TabFocus)]
+
+
+def _order_for_tab(roots):
+    # The order is not asked of Qt: that leads through all widgets of FreeCAD, and PySide2 does not survive wrapping
+    # those that are about to be deleted.
+    for root in roots:
+        wanted = reading_order(root)
+        if _ordered.get(root) != wanted:
+            for before, after in zip(wanted, wanted[1:]):
+                QtWidgets.QWidget.setTabOrder(before, after)
+            _ordered[root] = wanted
+
+
+def _in_order(widget):
+    """A widget and all in it, in the order of reading; fields of several parts are one control."""
+    yield widget
+    if isinstance(widget, (QtWidgets.QComboBox, QtWidgets.QAbstractSpinBox, QtWidgets.QAbstractItemView)):
+        return
+    if isinstance(widget, QtWidgets.QTabWidget):
+        inner = [widget.tabBar(), *(widget.widget(page) for page in range(widget.count()))]
+    elif isinstance(widget, (QtWidgets.QStackedWidget, QtWidgets.QSplitter)):
+        inner = [widget.widget(page) for page in range(widget.count())]
+    elif isinstance(widget, (QtWidgets.QScrollArea, QtWidgets.QDockWidget)):
+        inner = [widget.widget()]
+    else:
+        inner = _widgets_of(widget.layout())
+    for each in inner:
+        if each is not None:
+            yield from _in_order(each)
+
+
+def _widgets_of(layout):
+    """The widgets of a layout and of those in it, in the order of reading."""
+    places = range(layout.count() if layout is not None else 0)
+    if isinstance(layout, QtWidgets.QGridLayout):
+        places = sorted(places, key=lambda place: layout.getItemPosition(place)[:2])
+    for place in places:
+        item = layout.itemAt(place)
+        if item.widget() is not None:
+            yield item.widget()
+        elif item.layout() is not None:
+            yield from _widgets_of(item.layout())
 
 
 class _Keeper(QtCore.QObject):
@@ -56,10 +112,11 @@ class _Keeper(QtCore.QObject):
 
 
 def menu_letters(window):
-    """The letters of a main window's menus, and of the button below its tasks: set of str."""
-    closing = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.Close)  # of the task view
+    """The letters of a main window's menus, and of the buttons below its tasks: set of str."""
+    closing = QtWidgets.QDialogButtonBox(
+        QtWidgets.QDialogButtonBox.Close | QtWidgets.QDialogButtonBox.Help)  # of the task view
     texts = [action.text() for action in window.menuBar().actions() if action.isVisible()]
-    return {mnemonic(text) for text in (*texts, closing.buttons()[0].text())} - {""}
+    return {mnemonic(text) for text in (*texts, *(button.text() for button in closing.buttons()))} - {""}
 
 
 def mnemonic(text):

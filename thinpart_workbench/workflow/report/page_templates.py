@@ -1,30 +1,35 @@
 """The templates of report pages; all values, such as labels, are escaped and shown as text."""
 
 import unicodedata
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 
 from ...core.errors import ThinPartError
+from ...core.length_unit import MILLIMETRE
 from ...core.message import message
-from ...core.number_text import bound_text, number, percent
+from .page_language import ENGLISH, page_language
 
 TEMPLATES = Path(__file__).resolve().parents[3] / "resources" / "report"
 
 
-def fill_in(template, **values):
-    """Render a template.
+def fill_in(template, language=ENGLISH, unit=MILLIMETRE, **values):
+    """Render a template, which finds the methods of `LengthUnit` in ``length``.
 
     Parameters
     ----------
     template : str
         Name of a file in ``resources/report``.
+    language : str, optional
+        One of `LANGUAGES`.
+    unit : LengthUnit, optional
+        Of all lengths, those in sentences included.
 
     Returns
     -------
     bytes
         UTF-8. Bytes of file names that are not valid text are shown as escapes.
     """
-    return _environment().get_template(template).render(**values).encode("utf-8", "backslashreplace")
+    return _environment(language, unit).get_template(template).render(**values).encode("utf-8", "backslashreplace")
 
 
 def check_templates():
@@ -36,7 +41,7 @@ def check_templates():
         kind ``unsupported``.
     """
     try:
-        _environment()
+        _environment(ENGLISH, MILLIMETRE)
     except ImportError as error:
         raise ThinPartError(
             message("Reports need the Python package Jinja2 ({problem}): install it (Debian: 'apt-get install "
@@ -45,19 +50,25 @@ def check_templates():
 
 
 @cache
-def _environment():
+def _environment(code, unit):
     # Imported here: only reports need Jinja2, and FreeCAD does not include it.
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
     environment = Environment(loader=FileSystemLoader(TEMPLATES), autoescape=True, finalize=_printable,
                               undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
-    environment.filters.update(number=number, percent=percent, bound=bound_text, large=_large)
+    language = page_language(code, unit)
+    environment.globals.update(_=partial(_text, language), language=code, length=language.length)
+    environment.filters.update(sentence=language.sentence, number=language.number, percent=language.percent,
+                               large=language.large)
     return environment
 
 
-def _large(value):
-    """A number with separated thousands."""
-    return number(value) if value is None or abs(value) < 1e4 else f"{value:,.0f}".replace(",", "\u202f")
+def _text(language, template, **fields):
+    """A text of a page with its fields, which are escaped as everything else."""
+    from jinja2.utils import markupsafe
+
+    shown = {name: _printable(value) for name, value in fields.items()}
+    return markupsafe.Markup(markupsafe.escape(language.text(template))).format(**shown)
 
 
 def _printable(value):

@@ -5,17 +5,20 @@ import json
 
 from ... import __version__
 from ...core.analysis_settings import SPHERE
+from ...core.categories import UNKNOWN
 from ...core.descriptors.descriptor_table import quantity_named
 from ...core.descriptors.distribution import BINS
 from ...core.descriptors.distribution_bars import bars, round_up
 from ...core.judging.criteria import profile_from
-from ...core.judging.verdict_reasons import deciding_criteria, nearest_other
+from ...core.judging.verdict_reasons import deciding_criteria, nearest_other, reason_of
+from ...core.judging.verdict_sentence import verdict_sentence
 from ...core.judging.wall_check import check_sentence, check_walls
 from ...core.length_unit import MILLIMETRE
 from ...core.record.part_record import face_number
 from ...core.record.region_groups import region_groups
 from ...core.rendering.part_views import HEIGHT, WIDTH, thinnest_wall
 from ...storage.png import png_bytes
+from .page_language import ENGLISH
 from .page_templates import fill_in
 
 SHOWN_FACES = 12
@@ -27,11 +30,11 @@ _LEFT, _RIGHT, _TOP, _BOTTOM = 90.0, 880.0, 40.0, 530.0
 _BAR_LEFT, _BAR_RIGHT = 20.0, 660.0
 _STOP_COUNT, _TICK_COUNT = 16, 4
 
-_POWERS = {"mm": 1, "mm2": 2, "mm3": 3}
-"""Of the length, by the unit of a quantity."""
+_POWERS = {"mm": (1, ""), "mm2": (2, "\u00b2"), "mm3": (3, "\u00b3")}
+"""Of the length, as a number and after the symbol, by the unit of a quantity."""
 
 
-def part_page(record, pictures, features, about, file, overview, unit=MILLIMETRE):
+def part_page(record, pictures, features, about, file, overview, language=ENGLISH, unit=MILLIMETRE):
     """Create a self-contained page.
 
     Parameters
@@ -48,6 +51,8 @@ def part_page(record, pictures, features, about, file, overview, unit=MILLIMETRE
         Name of the document in the report.
     overview : str
         URL of the overview, relative to the page.
+    language : str, optional
+        One of `LANGUAGES`.
     unit : LengthUnit, optional
         Of all lengths on the page.
 
@@ -59,9 +64,9 @@ def part_page(record, pictures, features, about, file, overview, unit=MILLIMETRE
     titles = {category.name: category.title for category in profile.categories}
     meanings = {category.name: category.meaning for category in profile.categories}
     return fill_in(
-        "part.html", part=record, file=file, unit=unit, overview=overview, software=__version__,
+        "part.html", language, unit, part=record, file=file, overview=overview, software=__version__,
         titles=titles, meaning=meanings.get(record["category"], ""), profile=about["profile"],
-        deciding=deciding_criteria(record), other=nearest_other(record),
+        reason=_reason(record), deciding=deciding_criteria(record), other=nearest_other(record), chances=_chances(record),
         thickness=record["descriptors"]["thickness_mm"], shares=record["descriptors"]["shares"],
         source=about["source"], settings=about["settings"], kept=_annotations(about["kept"]),
         views=[_view(view) for view in pictures.views()], width=WIDTH, height=HEIGHT,
@@ -71,6 +76,23 @@ def part_page(record, pictures, features, about, file, overview, unit=MILLIMETRE
         shown_faces=SHOWN_FACES,
         checks=_checks(record, about["limits"]),
     )
+
+
+def _reason(record):
+    """What decided, in one sentence, or an empty text where the titles of the criteria have to say it."""
+    if record["category"] == UNKNOWN:
+        return reason_of(record)
+    return verdict_sentence(record) or ""
+
+
+def _chances(record):
+    """Its category's probability, and the likeliest other category with its own; None where they are not known."""
+    if "probabilities" not in record:
+        return None
+    chances = {each["category"]: each["probability"] for each in record["probabilities"]}
+    own = record["category"]
+    other = max((each for each in chances if each != own), key=chances.get)
+    return {"own": chances[own], "other": other, "others": chances[other]}
 
 
 def _checks(record, limits):
@@ -179,15 +201,10 @@ def _evidence(record, unit):
 
 def _condition(condition, unit):
     quantity = quantity_named(condition["quantity"])
-    meaning = quantity.meaning
-    if quantity.bounds:
-        meaning += f" (a = {quantity.bounds[0]:g}, b = {quantity.bounds[1]:g})"
-    power = _POWERS.get(quantity.unit, 0)
-    if power:
-        meaning += f", {unit.symbol}{'' if power == 1 else power}"
-    one, value = unit.millimetres ** power, condition["value"]
-    return {**condition, "value": None if value is None else value / one, "threshold": condition["threshold"] / one,
-            "symbol": quantity.symbol, "meaning": meaning,
+    power, sign = _POWERS.get(quantity.unit, (0, ""))
+    return {**condition, "value": unit.value(condition["value"], power),
+            "threshold": unit.value(condition["threshold"], power), "unit": unit.symbol + sign if power else "",
+            "symbol": quantity.symbol, "meaning": quantity.meaning, "bounds": quantity.bounds,
             "is_absent": condition["value"] is None and quantity.absent_means is not None}
 
 

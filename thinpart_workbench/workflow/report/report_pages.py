@@ -12,6 +12,7 @@ from ...core.message import message
 from ...storage.atomic_file import write_atomically
 from ...storage.info.info_file import stored_info
 from ...storage.part_table import csv_text
+from .page_language import ENGLISH
 
 PAGES = "pages"
 """Subfolder of the report for the pages."""
@@ -41,6 +42,8 @@ class ReportPages:
         What the walls are checked against.
     shown_measure : str
         One of `SHOWN_MEASURES`: what the colours of the pictures stand for.
+    language : str
+        One of `LANGUAGES`.
     unit : LengthUnit
         Of all lengths on the pages; the tables beside them are in mm.
     """
@@ -50,6 +53,7 @@ class ReportPages:
     info_file: str
     limits: tuple = ()
     shown_measure: str = RAY
+    language: str = ENGLISH
     unit: LengthUnit = MILLIMETRE
 
     def page(self, part_name, ending=".html"):
@@ -154,6 +158,7 @@ class PageMaker:
         page = self._pages.page(part.name)
         overview = address(os.path.relpath("index.html", os.path.dirname(page)))
         about = {**self._about, "kept": self._annotations.get(part.name, {}), "limits": self._pages.limits}
-        content = part_page(record, pictures, features, about, self._pages.document, overview, self._pages.unit)
+        content = part_page(record, pictures, features, about, self._pages.document, overview,
+                            self._pages.language, self._pages.unit)
         self.faces[part.name] = csv_text(face_rows(self._pages.document, record, features))
         return content, png_bytes(pictures.small(PICTURE_WIDTH, PICTURE_HEIGHT))

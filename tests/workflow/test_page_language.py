@@ -1,0 +1,66 @@
+"""The languages of report pages: what is translated, how numbers look, and that fields are escaped in all of them."""
+
+from dataclasses import replace
+
+import pytest
+
+from thinpart_workbench.core.length_unit import INCH
+from thinpart_workbench.core.message import message
+from thinpart_workbench.workflow.report.page_language import LANGUAGES, page_language
+
+pytest.importorskip("jinja2")
+
+from thinpart_workbench.workflow.report.page_templates import fill_in
+
+
+def test_the_languages_are_those_of_the_window():
+    assert LANGUAGES == ("en", "de", "fr")
+
+
+@pytest.mark.parametrize("code, text", [("en", "Thin below"), ("de", "D\u00fcnn unter"), ("fr", "Mince sous")])
+def test_texts_are_looked_up_and_unknown_ones_stay(code, text):
+    language = page_language(code)
+    assert language.text("Thin below") == text
+    assert language.text("My own title") == language.sentence("My own title") == "My own title"
+
+
+def test_sentences_are_translated_with_those_within_them_and_have_the_decimal_mark():
+    said = message("Only {share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of "
+                   "{middle} mm: mesh it with solids.", share="0.5 %", limit="1.25", part="15 %", middle="40")
+    assert page_language("en").sentence(said) == said
+    german = page_language("de").sentence(said)
+    assert german != said and "1,25" in german and "0,5 %" in german and "1.25" not in german
+    inner = message("{first} {next}", first=said, next="bracket_1.25.step")
+    assert page_language("de").sentence(inner) == f"{german} bracket_1.25.step"
+
+
+@pytest.mark.parametrize("code, shown", [
+    ("en", ("1.25", "6.8\u00a0%", "0.15", "128\u202f035", "\u2013")),
+    ("fr", ("1,25", "6,8\u00a0%", "0,15", "128\u202f035", "\u2013"))])
+def test_numbers(code, shown):
+    language = page_language(code)
+    assert shown == (language.number(1.25), language.percent(0.068), language.length.bound_number(0.15),
+                     language.large(128035.2), language.number(None))
+
+
+@pytest.mark.parametrize("code, limit, middle", [
+    ("en", "0.0492\u00a0in", "1.57\u00a0in"),
+    ("de", "0,0492\u00a0in", "1,57\u00a0in"),
+    ("fr", "0,0492\u00a0in", "1,57\u00a0in")])
+def test_lengths_in_sentences_are_in_the_unit_with_the_decimal_mark_of_the_language(code, limit, middle):
+    said = message("No walls are thinner than {limit} mm, {part} of the middle side of {middle} mm: mesh it with "
+                   "solids.", limit="1.25", part="3.1\u00a0%", middle="40")
+    shown = page_language(code, INCH).sentence(said)
+    assert limit in shown and middle in shown and "mm" not in shown
+    assert ("3.1\u00a0%" if code == "en" else "3,1\u00a0%") in shown
+    # The mark of whoever asks, as of the window, is not that of the page.
+    assert page_language(code, replace(INCH, decimal_mark=",")).sentence(said) == shown
+
+
+@pytest.mark.parametrize("code", LANGUAGES)
+def test_fields_of_texts_are_escaped(code):
+    hostile = "<script>\x1b[31m{0.__class__}</script>"
+    page = fill_in("index.html", code, software="0", tree="", profile={"name": "house", "title": hostile}, titles={},
+                   counts={"parts": 0, "categories": []}, limits=[], rows=[], failures=[]).decode()
+    assert "&lt;script&gt;" in page and "x1b[31m{0.__class__}" in page and "\x1b" not in page
+    assert page.count("<script>") == 1

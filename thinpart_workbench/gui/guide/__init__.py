@@ -1,0 +1,1 @@
+"""The guide in FreeCAD: which page belongs to what, the window that shows it, and FreeCAD's ways to help."""

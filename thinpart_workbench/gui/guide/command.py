@@ -1,0 +1,106 @@
+"""Shows the guide: from its command, from FreeCAD's What's This, and from F1 in ThinPart's panels."""
+
+from ..application.qt import QtCore, QtWidgets, translate
+from ..widgets.single_dialog import end_single_dialog, show_single_dialog
+from .pages import CONTENTS, PAGE_OF
+
+
+def show_guide(name="ThinPart_Guide"):
+    """Bring the guide to the front, at the page of a command or panel.
+
+    Parameters
+    ----------
+    name : str
+        See `PAGE_OF`.
+
+    Returns
+    -------
+    GuideWindow
+    """
+    # Imported late, since FreeCAD starts more often than the guide is read.
+    from .window import GuideWindow
+
+    window = show_single_dialog(GuideWindow)
+    window.show_page(PAGE_OF.get(name, CONTENTS))
+    return window
+
+
+def end_guide():
+    """Delete the window."""
+    end_single_dialog("GuideWindow")
+
+
+class WhatsThis(QtCore.QObject):
+    """Answers FreeCAD's What's This for everything of ThinPart.
+
+    Notes
+    -----
+    FreeCAD hands the text of what was clicked to its own main window, which looks for a page of that name in FreeCAD's
+    wiki, or asks for an add-on. There is no such page of ThinPart.
+    """
+
+    def watch(self, main):
+        """Watch FreeCAD's main window from now on."""
+        main.installEventFilter(self)
+
+    def eventFilter(self, _main, event):
+        """Take clicks on what has a page of the guide."""
+        if event.type() != QtCore.QEvent.WhatsThisClicked or event.href() not in PAGE_OF:
+            return False
+        show_guide(event.href())
+        return True
+
+
+def lead_to_guide(roots, name):
+    """Let What's This and F1 in a panel or dialog open its page of the guide.
+
+    Parameters
+    ----------
+    roots : QWidget or list of QWidget
+    name : str
+        See `PAGE_OF`.
+    """
+    for root in roots if isinstance(roots, list) else [roots]:
+        if not root.whatsThis():
+            root.setWhatsThis(name)
+            root.installEventFilter(_HelpKey(root, name))
+
+
+def help_button(parent, name):
+    """A button that opens the page of a dialog, and F1 and What's This in it.
+
+    Parameters
+    ----------
+    parent : QWidget
+    name : str
+        See `PAGE_OF`.
+
+    Returns
+    -------
+    QPushButton
+    """
+    lead_to_guide(parent, name)
+    button = QtWidgets.QPushButton(translate("ThinPart", "Help"), parent)
+    button.setObjectName("ThinPart_Help")
+    button.setToolTip(translate("ThinPart", "Opens the page of the guide about this (F1)"))
+    button.setAutoDefault(False)
+    button.clicked.connect(lambda *_: show_guide(name))
+    return button
+
+
+class _HelpKey(QtCore.QObject):
+    """Takes F1 in a panel, before FreeCAD takes it for its own start page of help."""
+
+    def __init__(self, root, name):
+        super().__init__(root)
+        self._name = name
+
+    def eventFilter(self, _root, event):
+        if event.type() not in (QtCore.QEvent.ShortcutOverride, QtCore.QEvent.KeyPress):
+            return False
+        if event.key() != QtCore.Qt.Key_F1 or event.modifiers() != QtCore.Qt.NoModifier:
+            return False
+        event.accept()
+        if event.type() == QtCore.QEvent.KeyPress:
+            show_guide(self._name)
+        return True
