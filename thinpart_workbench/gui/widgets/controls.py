@@ -1,13 +1,9 @@
 """Makes the controls of a window usable by keyboard, in the order of reading, and safe from the mouse wheel."""
 
 from functools import partial
-from weakref import WeakKeyDictionary
 
 from ..application.qt import QtCore, QtWidgets, flags_as_int
 from .wheel import ignore_wheel_unless_focused
-
-_ordered = WeakKeyDictionary()
-"""The controls of each panel, as Tab was last told to visit them."""
 
 _TURNED = (QtWidgets.QComboBox, QtWidgets.QAbstractSpinBox, QtWidgets.QAbstractSlider)
 
@@ -34,11 +30,10 @@ def prepare_controls(roots, window=None):
         if not isinstance(field, QtWidgets.QScrollBar) and not field.property("ThinPart_KeepsWheel"):
             field.setProperty("ThinPart_KeepsWheel", True)
             ignore_wheel_unless_focused(field)
-    _order_for_tab(roots)
     taken = menu_letters(window) if window is not None else set()
     _give([entry for root in roots for entry in controls(root)], taken)
-    if roots[0].findChild(_Keeper) is None:
-        _Keeper(roots, window)
+    keeper = roots[0].findChild(_Keeper) or _Keeper(roots, window)
+    keeper.order_for_tab(roots)
 
 
 def reading_order(root):
@@ -47,17 +42,6 @@ def reading_order(root):
     Layouts say in which order; places do not, since there are none yet before the window is shown.
     """
     return [each for each in _in_order(root) if flags_as_int(each.focusPolicy()) & flags_as_int(QtCore.Qt.TabFocus)]
-
-
-def _order_for_tab(roots):
-    # The order is not asked of Qt: that leads through all widgets of FreeCAD, and PySide2 does not survive wrapping
-    # those that are about to be deleted.
-    for root in roots:
-        wanted = reading_order(root)
-        if _ordered.get(root) != wanted:
-            for before, after in zip(wanted, wanted[1:]):
-                QtWidgets.QWidget.setTabOrder(before, after)
-            _ordered[root] = wanted
 
 
 def _in_order(widget):
@@ -96,6 +80,7 @@ class _Keeper(QtCore.QObject):
 
     def __init__(self, roots, window):
         super().__init__(roots[0])
+        self._ordered = []
         self._timer = QtCore.QTimer(self, singleShot=True, interval=0)
         self._timer.timeout.connect(lambda: prepare_controls(roots, window))
         for root in roots:
@@ -104,6 +89,19 @@ class _Keeper(QtCore.QObject):
             for area in root.findChildren(QtWidgets.QScrollArea):
                 if area.widget() is not None:
                     area.widget().installEventFilter(self)
+
+    def order_for_tab(self, roots):
+        """Let Tab visit the controls in the order of reading, where that has changed.
+
+        The order that there is is not asked of Qt: that leads through all widgets of FreeCAD, and PySide2 does not survive
+        wrapping those that are about to be deleted.
+        """
+        wanted = [reading_order(root) for root in roots]
+        if wanted != self._ordered:
+            for controls_of_root in wanted:
+                for before, after in zip(controls_of_root, controls_of_root[1:]):
+                    QtWidgets.QWidget.setTabOrder(before, after)
+            self._ordered = wanted
 
     def eventFilter(self, _root, event):
         if event.type() == QtCore.QEvent.LayoutRequest:

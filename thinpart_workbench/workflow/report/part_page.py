@@ -91,7 +91,7 @@ def _chances(record):
         return None
     chances = {each["category"]: each["probability"] for each in record["probabilities"]}
     own = record["category"]
-    other = max((each for each in chances if each != own), key=chances.get)
+    other = max((each for each in chances if each != own), key=lambda each: chances[each])
     return {"own": chances[own], "other": other, "others": chances[other]}
 
 
