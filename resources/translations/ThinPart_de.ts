@@ -1369,6 +1369,8 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Mesh as</source>
         <translation>Vernetzen als</translation>
+    </message>
+    <message>
         <source>Mesh file</source>
         <translation>Netzdatei</translation>
     </message>
@@ -1833,14 +1835,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>&amp;Netzweite festlegen…</translation>
     </message>
     <message>
+        <source>Setting</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
         <source>Settings that worked for this part: {}</source>
         <translation>Einstellungen, die sich für dieses Teil bewährt haben: {}</translation>
     </message>
     <message>
         <source>Settings that worked for {} ({} alike): {}</source>
         <translation>Einstellungen, die sich für {} bewährt haben (zu {} ähnlich): {}</translation>
-        <source>Setting</source>
-        <translation>Einstellung</translation>
     </message>
     <message>
         <source>Shaded</source>
@@ -3286,12 +3290,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>„{part}“ besteht aus {count} Festkörpern, die FEM als einen vernetzt: Zerlegen Sie es zuerst (Arbeitsbereich Part: Verbund &gt; Verbund auflösen) und wählen Sie dann einen Festkörper.</translation>
     </message>
     <message>
-        <source>--keep goes with --check, which shows what works.</source>
-        <translation>--keep gehört zu --check, das zeigt, was sich bewährt.</translation>
-    </message>
-    <message>
-        <source>--like is for one part: name one file.</source>
-        <translation>--like gilt für ein Teil: nennen Sie eine Datei.</translation>
         <source>(the ring is at the thinnest wall)</source>
         <translation>(der Ring ist an der dünnsten Wand)</translation>
     </message>
@@ -3306,6 +3304,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>, {count} times in the document</source>
         <translation>, {count}-mal im Dokument</translation>
+    </message>
+    <message>
+        <source>--keep goes with --check, which shows what works.</source>
+        <translation>--keep gehört zu --check, das zeigt, was sich bewährt.</translation>
+    </message>
+    <message>
+        <source>--like is for one part: name one file.</source>
+        <translation>--like gilt für ein Teil: nennen Sie eine Datei.</translation>
     </message>
     <message>
         <source>1 warning</source>
@@ -3904,14 +3910,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Sandguss</translation>
     </message>
     <message>
-        <source>Settings that worked for {part} ({alike:.0f} % alike) in {file}.</source>
-        <translation>Einstellungen, die sich für {part} (zu {alike:.0f} % ähnlich) in {file} bewährt haben.</translation>
         <source>See</source>
         <translation>Siehe</translation>
     </message>
     <message>
         <source>Settings</source>
         <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Settings that worked for {part} ({alike:.0f} % alike) in {file}.</source>
+        <translation>Einstellungen, die sich für {part} (zu {alike:.0f} % ähnlich) in {file} bewährt haben.</translation>
     </message>
     <message>
         <source>Share of its box, V/VBB</source>
@@ -4638,10 +4646,12 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Winkelabweichung</translation>
     </message>
     <message>
-        <source>as proposed</source>
-        <translation>wie vorgeschlagen</translation>
         <source>as it was open in FreeCAD, not saved</source>
         <translation>wie es in FreeCAD offen war, nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>as proposed</source>
+        <translation>wie vorgeschlagen</translation>
     </message>
     <message>
         <source>bar</source>
@@ -4680,14 +4690,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>andere Wandverteilung</translation>
     </message>
     <message>
-        <source>faces that lie on each other taken out</source>
-        <translation>ohne Flächen, die aufeinander liegen</translation>
         <source>element size {size}</source>
         <translation>Elementgröße {size}</translation>
     </message>
     <message>
         <source>excluded: {reason}</source>
         <translation>ausgenommen: {reason}</translation>
+    </message>
+    <message>
+        <source>faces that lie on each other taken out</source>
+        <translation>ohne Flächen, die aufeinander liegen</translation>
     </message>
     <message>
         <source>failed</source>
@@ -4714,14 +4726,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Füllung nicht vergleichbar</translation>
     </message>
     <message>
+        <source>fine</source>
+        <translation>fein</translation>
+    </message>
+    <message>
         <source>finer where Gmsh failed</source>
         <translation>feiner, wo Gmsh scheiterte</translation>
     </message>
     <message>
         <source>finer where Gmsh failed, surfaces by Delaunay's method</source>
         <translation>feiner, wo Gmsh scheiterte, Flächen nach Delaunay</translation>
-        <source>fine</source>
-        <translation>fein</translation>
     </message>
     <message>
         <source>flatter box</source>
@@ -4860,10 +4874,12 @@ Sein Volumen ist unbekannt.</translation>
         <translation>viel kürzerer Quader</translation>
     </message>
     <message>
-        <source>no element larger than the part is thick there</source>
-        <translation>kein Element größer als die Dicke des Teils an der Stelle</translation>
         <source>no</source>
         <translation>nein</translation>
+    </message>
+    <message>
+        <source>no element larger than the part is thick there</source>
+        <translation>kein Element größer als die Dicke des Teils an der Stelle</translation>
     </message>
     <message>
         <source>no permission to read the file</source>
@@ -4896,6 +4912,8 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>one size, since nothing finer is meshed</source>
         <translation>eine einzige Größe, da nichts Feineres vernetzt wird</translation>
+    </message>
+    <message>
         <source>plate</source>
         <translation>Platte</translation>
     </message>
@@ -4938,6 +4956,8 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>surfaces by Delaunay's method</source>
         <translation>Flächen nach Delaunay</translation>
+    </message>
+    <message>
         <source>taper</source>
         <translation>Keil</translation>
     </message>

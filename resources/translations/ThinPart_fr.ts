@@ -1369,6 +1369,8 @@ Son volume est inconnu.</translation>
     <message>
         <source>Mesh as</source>
         <translation>Mailler en</translation>
+    </message>
+    <message>
         <source>Mesh file</source>
         <translation>Fichier de maillage</translation>
     </message>
@@ -1695,8 +1697,6 @@ Son volume est inconnu.</translation>
     <message>
         <source>Recommended: solid.</source>
         <translation>Recommandé : volume.</translation>
-        <source>Red: elements of {}, light blue: of {}</source>
-        <translation>Rouge : éléments de {}, bleu clair : de {}</translation>
     </message>
     <message>
         <source>Refresh</source>
@@ -1835,14 +1835,16 @@ Son volume est inconnu.</translation>
         <translation>Fixer la taille de &amp;maille…</translation>
     </message>
     <message>
+        <source>Setting</source>
+        <translation>Réglage</translation>
+    </message>
+    <message>
         <source>Settings that worked for this part: {}</source>
         <translation>Réglages qui ont fait leurs preuves pour cette pièce : {}</translation>
     </message>
     <message>
         <source>Settings that worked for {} ({} alike): {}</source>
         <translation>Réglages qui ont fait leurs preuves pour {} (semblable à {}) : {}</translation>
-        <source>Setting</source>
-        <translation>Réglage</translation>
     </message>
     <message>
         <source>Shaded</source>
@@ -3304,16 +3306,16 @@ Son volume est inconnu.</translation>
         <translation>, {count} fois dans le document</translation>
     </message>
     <message>
-        <source>1 warning</source>
-        <translation>1 avertissement</translation>
-    </message>
-    <message>
         <source>--keep goes with --check, which shows what works.</source>
         <translation>--keep va avec --check, qui montre ce qui marche.</translation>
     </message>
     <message>
         <source>--like is for one part: name one file.</source>
         <translation>--like vaut pour une seule pièce : nommez un fichier.</translation>
+    </message>
+    <message>
+        <source>1 warning</source>
+        <translation>1 avertissement</translation>
     </message>
     <message>
         <source>A budget is at least 1 element, not {value}.</source>
@@ -3908,14 +3910,16 @@ Son volume est inconnu.</translation>
         <translation>Moulage en sable</translation>
     </message>
     <message>
-        <source>Settings that worked for {part} ({alike:.0f} % alike) in {file}.</source>
-        <translation>Réglages qui ont fait leurs preuves pour {part} ({alike:.0f} % de ressemblance) dans {file}.</translation>
         <source>See</source>
         <translation>Voir</translation>
     </message>
     <message>
         <source>Settings</source>
         <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>Settings that worked for {part} ({alike:.0f} % alike) in {file}.</source>
+        <translation>Réglages qui ont fait leurs preuves pour {part} ({alike:.0f} % de ressemblance) dans {file}.</translation>
     </message>
     <message>
         <source>Share of its box, V/VBB</source>
@@ -4642,10 +4646,12 @@ Son volume est inconnu.</translation>
         <translation>Déflexion angulaire</translation>
     </message>
     <message>
-        <source>as proposed</source>
-        <translation>comme proposé</translation>
         <source>as it was open in FreeCAD, not saved</source>
         <translation>tel qu’il était ouvert dans FreeCAD, non enregistré</translation>
+    </message>
+    <message>
+        <source>as proposed</source>
+        <translation>comme proposé</translation>
     </message>
     <message>
         <source>bar</source>
@@ -4684,14 +4690,16 @@ Son volume est inconnu.</translation>
         <translation>répartition des parois différente</translation>
     </message>
     <message>
-        <source>faces that lie on each other taken out</source>
-        <translation>sans les faces superposées</translation>
         <source>element size {size}</source>
         <translation>taille d’élément {size}</translation>
     </message>
     <message>
         <source>excluded: {reason}</source>
         <translation>exclue : {reason}</translation>
+    </message>
+    <message>
+        <source>faces that lie on each other taken out</source>
+        <translation>sans les faces superposées</translation>
     </message>
     <message>
         <source>failed</source>
@@ -4718,14 +4726,16 @@ Son volume est inconnu.</translation>
         <translation>remplissage non comparable</translation>
     </message>
     <message>
+        <source>fine</source>
+        <translation>fine</translation>
+    </message>
+    <message>
         <source>finer where Gmsh failed</source>
         <translation>plus fin là où Gmsh a échoué</translation>
     </message>
     <message>
         <source>finer where Gmsh failed, surfaces by Delaunay's method</source>
         <translation>plus fin là où Gmsh a échoué, surfaces selon Delaunay</translation>
-        <source>fine</source>
-        <translation>fine</translation>
     </message>
     <message>
         <source>flatter box</source>
@@ -4864,10 +4874,12 @@ Son volume est inconnu.</translation>
         <translation>boîte beaucoup plus courte</translation>
     </message>
     <message>
-        <source>no element larger than the part is thick there</source>
-        <translation>aucun élément plus grand que l'épaisseur locale de la pièce</translation>
         <source>no</source>
         <translation>non</translation>
+    </message>
+    <message>
+        <source>no element larger than the part is thick there</source>
+        <translation>aucun élément plus grand que l'épaisseur locale de la pièce</translation>
     </message>
     <message>
         <source>no permission to read the file</source>
@@ -4900,6 +4912,8 @@ Son volume est inconnu.</translation>
     <message>
         <source>one size, since nothing finer is meshed</source>
         <translation>une seule taille, car rien de plus fin ne se maille</translation>
+    </message>
+    <message>
         <source>plate</source>
         <translation>plaque</translation>
     </message>
@@ -4942,6 +4956,8 @@ Son volume est inconnu.</translation>
     <message>
         <source>surfaces by Delaunay's method</source>
         <translation>surfaces selon Delaunay</translation>
+    </message>
+    <message>
         <source>taper</source>
         <translation>coin</translation>
     </message>
@@ -5388,8 +5404,6 @@ Son volume est inconnu.</translation>
     <message>
         <source>{part} has no shell: walls with a mid-surface have only {share:.0f} % of its volume. Mesh it as a solid.</source>
         <translation>{part} n’a pas de coque : les parois qui ont une surface moyenne ne font que {share:.0f} % de son volume. Maillez-la en volume.</translation>
-        <source>{part} has no shell: walls of even thickness account for {share:.0f} % of its volume. Mesh it as a solid.</source>
-        <translation>{part} n'a pas de coque : les parois d'épaisseur constante représentent {share:.0f} % de son volume. Maillez-la en volume.</translation>
     </message>
     <message>
         <source>{part} is made of triangles, which are no solid to mesh.</source>
@@ -5398,12 +5412,6 @@ Son volume est inconnu.</translation>
     <message>
         <source>{part} is made of triangles, which have no mid-surface: use its STEP file, or mesh it as a solid.</source>
         <translation>{part} est fait de triangles, qui n’ont pas de surface moyenne : utilisez son fichier STEP, ou maillez-le en volume.</translation>
-        <source>{part} is made of triangles: a shell needs the faces of a solid, as STEP files have them.</source>
-        <translation>{part} est fait de triangles : une coque a besoin des faces d’un solide, comme en ont les fichiers STEP.</translation>
-    </message>
-    <message>
-        <source>{part} is not closed, or was measured by pairs: a shell needs a closed solid that was measured by rays.</source>
-        <translation>{part} n’est pas fermé, ou a été mesuré par paires : une coque a besoin d’un solide fermé, mesuré par rayons.</translation>
     </message>
     <message>
         <source>{part} needs more than {megabytes} MB of memory: raise the limit in the preferences.</source>
@@ -5528,8 +5536,6 @@ Son volume est inconnu.</translation>
     <message>
         <source>{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm, and {plates} over walls that are plates: consider shells (Prepare mesh says whether they can be made).</source>
         <translation>{share} de la surface recouvre des parois plus minces que {limit} mm, {part} du côté médian de {middle} mm, et {plates} des plaques : envisager des éléments de coque (Préparer le maillage dit s’ils sont possibles).</translation>
-        <source>{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm, and {plates} over walls that are plates: consider shells.</source>
-        <translation>{share} de la surface recouvre des parois plus minces que {limit} mm, {part} du côté médian de {middle} mm, et {plates} des plaques : envisager des éléments de coque.</translation>
     </message>
     <message>
         <source>{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm: refine the mesh there.</source>
