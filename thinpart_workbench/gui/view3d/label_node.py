@@ -157,7 +157,7 @@ class LabelNode:
         """The end that is named, by the number of the label: dict of (occurrence, end); hidden labels are left out."""
         labels, content = self._content.labels, self._content
         rows = [(number, place, end) for number, label in enumerate(labels)
-                for place in range(len(label.ends)) for end in (0, 1)]
+                for place in range(len(label.ends)) for end in ((0, 1) if label.has_two_ends else (0,))]
         if not rows:
             return {}
         points = np.array([labels[number].ends[place, end] for number, place, end in rows])

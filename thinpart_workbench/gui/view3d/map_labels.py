@@ -34,6 +34,8 @@ class MapLabel:
     text : str
     ends : ndarray of shape (p, 2, 3), mm
         Both ends of the wall wherever it is, in the coordinates of the document. The first end that is seen is labelled.
+    has_two_ends : bool
+        Whether the second end may be labelled: from there, the wall is as thick.
     rgb : tuple of int or None
         Colour of the wall in the map.
     has_line : bool
@@ -45,6 +47,7 @@ class MapLabel:
     text: str
     ends: np.ndarray
     rgb: Optional[tuple] = None
+    has_two_ends: bool = True
     has_line: bool = False
     is_always_shown: bool = False
 
@@ -117,8 +120,9 @@ class LabelledWalls:
         for text, wall in ((translate("ThinPart", "min {}"), self.thinnest),
                            (translate("ThinPart", "max {}"), self.thickest)):
             if wall is not None:
+                # What is far behind one side may see something nearer: the thickest wall has the colour of its first end only.
                 labels.append(MapLabel(text.format(unit.text(wall.value)), _moved(moved, wall.places),
-                                       colour_of(wall.value)))
+                                       colour_of(wall.value), wall is self.thinnest))
         for number, probe in enumerate(probes):
             ends = np.array([[probe.point, probe.opposite]], dtype=float)
             labels.append(MapLabel(f"{number + 1}: {unit.text(probe.value)}", _moved(moved, ends),
