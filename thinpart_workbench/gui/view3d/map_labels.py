@@ -120,7 +120,7 @@ class LabelledWalls:
         for text, wall in ((translate("ThinPart", "min {}"), self.thinnest),
                            (translate("ThinPart", "max {}"), self.thickest)):
             if wall is not None:
-                # What is far behind one side may see something nearer: the thickest wall has the colour of its first end only.
+                # What lies far behind a place may see something nearer: only the first end has the colour of the wall.
                 labels.append(MapLabel(text.format(unit.text(wall.value)), _moved(moved, wall.places),
                                        colour_of(wall.value), wall is self.thinnest))
         for number, probe in enumerate(probes):
