@@ -9,7 +9,8 @@ from .qt import QtCore, QtWidgets
 _POLL_INTERVAL = 50
 """Milliseconds between two looks at a thread."""
 
-_running = set()
+_running = 0
+"""Threads that work."""
 
 
 def work_in_thread(work, done):
@@ -27,8 +28,8 @@ def work_in_thread(work, done):
     Python destroys objects that refer to each other in whichever thread allocates the next one. Timers and widgets that
     are destroyed in another thread than their own crash Qt at its next event, so nothing is collected meanwhile.
     """
+    global _running
     results, timer = queue.SimpleQueue(), QtCore.QTimer(QtWidgets.QApplication.instance(), interval=_POLL_INTERVAL)
-    was_collecting = gc.isenabled() or bool(_running)
 
     def run():
         try:
@@ -37,18 +38,19 @@ def work_in_thread(work, done):
             results.put(error)
 
     def poll():
+        global _running
         if thread.is_alive():
             return
         timer.stop()
         timer.deleteLater()
-        _running.discard(timer)
-        if was_collecting and not _running:
+        _running -= 1
+        if not _running:
             gc.enable()
         done(results.get_nowait())
 
     thread = threading.Thread(target=run, daemon=True)
     timer.timeout.connect(poll)
-    _running.add(timer)
+    _running += 1
     gc.disable()
     thread.start()
     timer.start()
