@@ -86,7 +86,7 @@ def test_few_facets_look_as_all_do(document, many, tmp_path):
     far = [(x, y) for x in range(80, 400, 4) for y in range(0, 300, 4)
            if sum(abs(a - b) for a, b in zip(thickness_window.pixel(whole, QtCore.QPoint(x, y)),
                                              thickness_window.pixel(few, QtCore.QPoint(x, y)))) > 90]
-    assert len(far) < 0.02 * 80 * 75, "but for the rim, where a pixel may be of the background"
+    assert len(far) < 0.05 * 80 * 75, "but for the rim, where a pixel may be of the background"
     many.ViewObject.Proxy.coarsen(False)
     assert thickness_window.picture(view, tmp_path, 400, 300) == whole
 

@@ -189,7 +189,7 @@ def test_the_section_in_inches_cuts_links_and_stays_when_measured_again(document
             assert np.ptp(colours, axis=1).max() < 12, x
         block.Shape = block.Shape.fuse(window.Part.makeBox(10, 60, 50, V(0, 0, 0))).removeSplitter()
         document.recompute()
-        window.wait_until(lambda: thickness.Stale)
+        window.wait_until(lambda: thickness.Stale and window.is_shown("ThinPart_AgainButton"))
         window.click("ThinPart_AgainButton")
         window.wait_until(lambda: not thickness.Stale and window.is_thickness_told())
         assert proxy.section.offset == pytest.approx(-12.7)
