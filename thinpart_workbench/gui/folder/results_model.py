@@ -170,6 +170,8 @@ class ResultsModel(QtCore.QAbstractTableModel):
         if role == QtCore.Qt.ToolTipRole and 0 <= index.column() - FIRST_CHECK < len(self._limits):
             check = _check(row, index.column() - FIRST_CHECK)
             return check and self._unit.convert_sentence(translated(check["sentence"]))
+        if role == QtCore.Qt.ToolTipRole and index.column() == CRITERIA + len(self._limits) and row.criteria:
+            return column.text(row)
         if role == QtCore.Qt.ToolTipRole:
             return translated(row.error or row.warnings or "") or row.file
         return None

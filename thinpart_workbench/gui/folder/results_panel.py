@@ -13,10 +13,11 @@ from ..record.label_button import LabelButton
 from ..widgets.row_table import PathDelegate, show_whole_rows
 from .csv_export import CsvExport
 from .results_filter import ResultsFilter
-from .results_model import CATEGORY, FILE, PART, ResultsModel
+from .results_model import CATEGORY, CRITERIA, FILE, PART, ResultsModel
 
-_MAX_WIDTH, _MIN_WIDTHS = 50, {CATEGORY: 35, FILE: 26, PART: 26}
-"""Maximum and minimum width of automatically sized text columns, in characters."""
+_MAX_WIDTH, _MIN_CRITERIA, _MIN_WIDTHS = 50, 14, {CATEGORY: 35, FILE: 26, PART: 26}
+"""Maximum and minimum width of automatically sized text columns, in characters. Names of criteria give way first, since
+a tool tip shows them whole."""
 
 
 class ResultsPanel(QtWidgets.QWidget):
@@ -103,7 +104,8 @@ class ResultsPanel(QtWidgets.QWidget):
         for column in range(self.table.columnCount()):
             header.resizeSection(column, min(header.sectionSize(column), _MAX_WIDTH * letter))
         # Shrink the text columns, so that a long failure message does not push the numbers out of view.
-        for column, letters in _MIN_WIDTHS.items():
+        criteria = CRITERIA + len(self.table.limits)
+        for column, letters in ((criteria, _MIN_CRITERIA), *_MIN_WIDTHS.items()):
             room = self.view.viewport().width() - header.length()
             size = header.sectionSize(column)
             if room < 0 and size > letters * letter:
