@@ -10,6 +10,7 @@ import window_actions as window
 from thinpart_workbench.api.document_maps import new_thickness_object
 from thinpart_workbench.core.maps.mapped_part import MappedPart
 from thinpart_workbench.core.maps.thickness_map import ThicknessMap
+from thinpart_workbench.freecad_adapter.preferences import set_preference
 from thinpart_workbench.gui.application.qt import QtCore
 from thinpart_workbench.gui.view3d.facet_nodes import MANY
 from thinpart_workbench.gui.view3d.view_provider import ThicknessView
@@ -48,10 +49,12 @@ def add_map(document, around, along):
 
 @pytest.fixture
 def many(document):
-    """A map with more than `MANY` facets."""
+    """A map with more than `MANY` facets, without labels, which come a moment after it."""
+    set_preference("MapLabels", False)
     thickness, shown = add_map(document, 800, 80)
     assert shown.count > MANY
-    return thickness
+    yield thickness
+    set_preference("MapLabels", None)
 
 
 def turn(document, is_released=True):
@@ -86,7 +89,7 @@ def test_few_facets_look_as_all_do(document, many, tmp_path):
     far = [(x, y) for x in range(80, 400, 4) for y in range(0, 300, 4)
            if sum(abs(a - b) for a, b in zip(thickness_window.pixel(whole, QtCore.QPoint(x, y)),
                                              thickness_window.pixel(few, QtCore.QPoint(x, y)))) > 90]
-    assert len(far) < 0.05 * 80 * 75, "but for the rim, where a pixel may be of the background"
+    assert len(far) < 0.02 * 80 * 75, "but for the rim, where a pixel may be of the background"
     many.ViewObject.Proxy.coarsen(False)
     assert thickness_window.picture(view, tmp_path, 400, 300) == whole
 
