@@ -52,8 +52,8 @@ class MeshDialog(TaskDialog):
 
     def getStandardButtons(self):
         """OK makes the mesh."""
-        box = QtWidgets.QDialogButtonBox
-        return flags_as_int(box.Ok) | flags_as_int(box.Cancel) | flags_as_int(box.Help)
+        buttons = QtWidgets.QDialogButtonBox.Ok, QtWidgets.QDialogButtonBox.Cancel, QtWidgets.QDialogButtonBox.Help
+        return sum(map(flags_as_int, buttons))
 
     def accept(self):
         """Called by FreeCAD for OK."""
