@@ -24,7 +24,8 @@ def cache(tmp_path, monkeypatch):
 def test_another_program_reads_the_same_pixels(tmp_path, rng, shape):
     pixels = rng.integers(0, 256, shape, dtype=np.uint8)
     file = tmp_path / "picture.png"
-    file.write_bytes(png_bytes(pixels))
+    height, width, _ = shape
+    file.write_bytes(png_bytes(pixels.tobytes(), width, height))
     assert (read_png(file) == pixels).all()
 
 
@@ -59,13 +60,13 @@ def test_written_and_written_again(cache):
     pixels = np.full((120, 160, 4), 200, np.uint8)
     for value in (200, 100):
         pixels[:] = value
-        write_thumbnail(SHA256, "Solid1", pixels)
+        write_thumbnail(SHA256, "Solid1", pixels.tobytes())
         assert (read_png(thumbnail_path(SHA256, "Solid1")) == value).all()
     assert [path for path in cache.rglob("*") if path.is_file()] == [thumbnail_path(SHA256, "Solid1")]
 
 
 def test_without_room_the_old_picture_stays_and_nothing_else(cache, rng):
-    old, new = (rng.integers(0, 256, (120, 160, 4), dtype=np.uint8) for _ in range(2))
+    old, new = (rng.bytes(4 * 120 * 160) for _ in range(2))
     write_thumbnail(SHA256, "Solid1", old)
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (1000, limits[1]))  # no file may grow beyond that
@@ -75,7 +76,7 @@ def test_without_room_the_old_picture_stays_and_nothing_else(cache, rng):
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)
     path = thumbnail_path(SHA256, "Solid1")
-    assert path.read_bytes() == png_bytes(old) and list(path.parent.iterdir()) == [path]
+    assert path.read_bytes() == png_bytes(old, 160, 120) and list(path.parent.iterdir()) == [path]
 
 
 def test_without_a_home_no_folder_is_made_in_the_current_one(tmp_path, monkeypatch):

@@ -3,6 +3,7 @@
 import hashlib
 import re
 
+from ..core.rendering.picture_size import HEIGHT, WIDTH
 from .atomic_file import write_atomically
 from .cache_folder import cache_folder
 from .png import png_bytes
@@ -42,14 +43,16 @@ def write_thumbnail(sha256, part_name, pixels):
     Parameters
     ----------
     sha256, part_name : str
-    pixels : ndarray of shape (height, width, 4), uint8
-        Red, green, blue and alpha.
+    pixels : bytes
+        Red, green, blue and alpha of `WIDTH` x `HEIGHT` pixels.
 
     Raises
     ------
     OSError
         No partial file is left, and an existing thumbnail stays.
+    ValueError
+        If there are more or fewer pixels.
     """
     path = thumbnail_path(sha256, part_name)
     path.parent.mkdir(parents=True, exist_ok=True)
-    write_atomically(path, png_bytes(pixels), durable=False)
+    write_atomically(path, png_bytes(pixels, WIDTH, HEIGHT), durable=False)

@@ -3,10 +3,8 @@
 import numpy as np
 
 from .camera import ISOMETRIC, framing
+from .picture_size import HEIGHT, WIDTH
 from .rasterizer import nearest_triangles
-
-WIDTH, HEIGHT = 160, 120
-"""Size of a small picture, pixels."""
 
 SAMPLES = 2
 """Each pixel is the mean of SAMPLES x SAMPLES samples."""

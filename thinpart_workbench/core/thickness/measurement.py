@@ -44,6 +44,8 @@ class Measurement:
     thinnest_wall : Witness or None
         The thinnest wall that covers `STATED_FLOOR` of the surface (see `thinnest_walls`).
     regions : WallRegions
+    thin_samples : ndarray of shape (k,), int64, or None
+        The `thinnest_walls` of the field.
     """
 
     descriptors: Descriptors
@@ -51,6 +53,7 @@ class Measurement:
     rays: Optional[InwardRays] = None
     thinnest_wall: Optional[Witness] = None
     regions: WallRegions = WallRegions()
+    thin_samples: Optional[np.ndarray] = None
 
     def __repr__(self):
         # The arrays are left out because they would fill a console.
@@ -188,7 +191,7 @@ def measure(mesh, settings, report=None, is_fine_enough=None):
     report_progress(report, 1.0)
     regions = wall_regions(field, enclosed, wall)
     descriptors = replace(known, min_nonparallel=least, plate_share=regions.plate_share, regions=regions.counts)
-    return Measurement(descriptors, field, rays, wall, regions)
+    return Measurement(descriptors, field, rays, wall, regions, thinnest)
 
 
 def _box(mesh, kind, report=None):

@@ -2,14 +2,14 @@
 
 import numpy as np
 
-PROBED, CLOUD = 500, 5000
-"""Places of a part at which walls are looked at, and points that stand for the walls around them."""
+PROBED, NEAR = 500, 200
+"""Places of a part at which walls are looked at, and points around each of them that are enough to tell its width."""
 
 REACH = 3.0
 """Thicknesses around the middle of a wall within which it is looked at."""
 
 LEAST_REACH = 3.0
-"""The same in mean distances between points of the cloud: of a very thin wall there are none nearer."""
+"""The same in mean distances between points: of a very thin wall there are none nearer."""
 
 ALONG = 0.5
 """Least cosine between the normals of a wall and of points of its sides: the other sides of a bar are left out."""
@@ -22,7 +22,11 @@ reach on a plate."""
 WITHIN = 1.15
 """Factor within which that ratio is certain."""
 
-_FEWEST = 8
+ALIKE = 1.25
+"""Greatest ratio of thicknesses of a wall and the points that tell its width: a taper that runs out of it, and is one region
+with it or not as the mesh has it, says nothing about it."""
+
+FEWEST = 8
 """Points from which extents can be told."""
 
 _AT_ONCE = 100
@@ -54,20 +58,13 @@ def plate_likeness(points, region, place):
     which. The next turn of a coil is the same wall, and a section far longer than wide has no points near by: of those, the
     region as a whole knows better.
     """
-    cloud = np.unique(np.linspace(0, len(points.sample) - 1, min(CLOUD, len(points.sample))).astype(np.int64))
-    spaced = np.sqrt(len(points.sample) / len(cloud))
-    # Where a wall has too few points in the cloud, it is not a plate.
-    in_cloud = np.bincount(region[cloud], minlength=int(region.max()) + 1)
-    is_looked_at = in_cloud >= _FEWEST
-    asked = np.zeros_like(is_looked_at)
-    asked[region[place]] = True
-    cloud = cloud[(asked & is_looked_at)[region[cloud]]]
-    known = np.flatnonzero(is_looked_at[region[place]])
     ratio = np.zeros(len(place))
-    if len(known):
-        probed = points.chosen(place[known])
-        reach = np.maximum(REACH * probed.thickness, LEAST_REACH * spaced * probed.spacing)
-        ratio[known] = _variance_ratio(points.chosen(cloud), region[cloud], probed, region[place[known]], reach)
+    order, probed_order = np.argsort(region, kind="stable"), np.argsort(region[place], kind="stable")
+    numbers, first = np.unique(region[place[probed_order]], return_index=True)
+    start, end = (np.searchsorted(region[order], numbers, side=side) for side in ("left", "right"))
+    for own, members in zip(np.split(probed_order, first[1:]), map(slice, start, end)):
+        if members.stop - members.start >= FEWEST:
+            ratio[own] = _variance_ratio(points.chosen(order[members]), points.chosen(place[own]))
     likeness = _likeness(ratio)
     return likeness, np.maximum(_likeness(ratio * WITHIN) - likeness, likeness - _likeness(ratio / WITHIN))
 
@@ -77,25 +74,26 @@ def _likeness(ratio):
     return np.clip((ratio - none) / (full - none), 0.0, 1.0)
 
 
-def _variance_ratio(cloud, region, probed, number, reach):
-    """Least variance along the wall by the variance through it, of the points of the same wall around each middle.
+def _variance_ratio(wall, probed):
+    """Least variance along a wall by the variance through it, of its points around each middle.
 
     Parameters
     ----------
-    cloud : WallPoints, n of them
-    region : ndarray of shape (n,)
+    wall : WallPoints, n of them
     probed : WallPoints, m of them
-    number : ndarray of shape (m,)
-        Their regions.
-    reach : ndarray of shape (m,), mm
+        Places of the same wall.
 
     Returns
     -------
     ndarray of shape (m,)
         0 where there are too few points.
     """
-    points = cloud.points - cloud.points.mean(axis=0)
-    middle = probed.middle - cloud.points.mean(axis=0)
+    reach = np.maximum(REACH * probed.thickness, LEAST_REACH * probed.spacing)
+    # On a plate, so many points are within reach of half of the places.
+    within = min(2.0 * np.pi * np.median(reach) ** 2 / np.median(wall.area), len(wall.sample))
+    wall = wall.chosen(slice(None, None, max(1, int(within / NEAR))))
+    centre = wall.points.mean(axis=0)
+    points, middle = wall.points - centre, probed.middle - centre
     # One product of matrices has the sums over all points around a chunk of middles.
     rows, columns = np.triu_indices(3)
     terms = np.column_stack([np.ones(len(points)), points, points[:, rows] * points[:, columns]])
@@ -104,10 +102,11 @@ def _variance_ratio(cloud, region, probed, number, reach):
     for start in range(0, len(middle), _AT_ONCE):
         part = slice(start, start + _AT_ONCE)
         distance = squares + np.einsum("ij,ij->i", middle[part], middle[part])[:, None] - 2.0 * middle[part] @ points.T
-        same = (distance < reach[part, None] ** 2) & (region == number[part, None])
-        same &= np.abs(probed.normals[part] @ cloud.normals.T) > ALONG
+        same = distance < reach[part, None] ** 2
+        same &= np.abs(probed.normals[part] @ wall.normals.T) > ALONG
+        same &= np.abs(wall.thickness - probed.thickness[part, None]) < (ALIKE - 1.0) * probed.thickness[part, None]
         sums = same.astype(float) @ terms
-        enough = np.flatnonzero(sums[:, 0] >= _FEWEST)
+        enough = np.flatnonzero(sums[:, 0] >= FEWEST)
         sums = sums[enough]
         mean = sums[:, 1:4] / sums[:, :1]
         covariance = np.empty((len(enough), 3, 3))

@@ -46,11 +46,12 @@ RING_FROM = 8.0
 """Length by width from which what goes round a hole is a ring, as long as its way round; 9.4 of a washer twice as wide as
 its hole, while a disc with a bore is a disc."""
 
-BAND = (0.4, 0.6)
-"""Share of the way along a region at which it is looked at across."""
+BAND, MORE_BANDS = (0.4, 0.6), ((0.3, 0.4), (0.6, 0.7))
+"""Shares of the way along a region at which it is looked at across: a ring goes two ways at all of them, while arms about
+a hub do so only at the hub."""
 
-LEAST_ARM = 0.25
-"""Least share of that band on either side of a hole that a region goes round."""
+LEAST_ARM, LEAST_FURTHER_ARM = 0.25, 0.1
+"""Least share of such a band, the middle one or the others, on either side of a hole that a region goes round."""
 
 _DOMINANT = 3
 _DIRECTIONS = spread_directions(150).astype(np.float32)
@@ -170,10 +171,12 @@ def _bent_length(points, links, area, size):
     """Length of a region along its bends, mm, and whether it is a tube; None where it is straight."""
     way = _way_along(points, links)
     along = float(way.max() + np.median(points.spacing))
-    band = np.flatnonzero((way > BAND[0] * way.max()) & (way < BAND[1] * way.max()))
-    ring = _way_round(points, links, band, along)
-    if ring is not None and ring >= RING_FROM * area / (2.0 * ring):
-        return ring, False
+    band = _band(way, BAND)
+    if _goes_two_ways(points, links, band, LEAST_ARM) and all(
+            _goes_two_ways(points, links, _band(way, shares), LEAST_FURTHER_ARM) for shares in MORE_BANDS):
+        ring = _way_round(points, along)
+        if ring >= RING_FROM * area / (2.0 * ring):
+            return ring, False
     if along <= BENT * np.linalg.norm(size):
         return None
     # From end to end of a tube, and half-way round.
@@ -242,14 +245,22 @@ def _ways_from(links, start):
     return np.where(np.isfinite(way), way, 0.0)
 
 
-def _way_round(points, links, band, along):
-    """Way round the hole of a ring, mm; None where half-way along the region there is one way on, not two."""
+def _band(way, shares):
+    """Points at some shares of the way along a region: ndarray of int64."""
+    return np.flatnonzero((way > shares[0] * way.max()) & (way < shares[1] * way.max()))
+
+
+def _goes_two_ways(points, links, band, least_arm):
+    """Whether there are two ways on at a band, on either side of a hole, each with a share of it."""
     if len(band) < 4:
-        return None
+        return False
     _, arm = connected_components(links[band][:, band], directed=False)
     shares = np.sort(np.bincount(arm, points.area[band]))[::-1] / points.area[band].sum()
-    if len(shares) < 2 or shares[1] < LEAST_ARM:
-        return None
+    return len(shares) > 1 and shares[1] >= least_arm
+
+
+def _way_round(points, along):
+    """Way round the hole of a ring, mm."""
     centred = points.middle - np.average(points.middle, axis=0, weights=points.area)
     axes = np.linalg.eigh(np.einsum("i,ij,ik->jk", points.area, centred, centred))[1]
     angle = np.arctan2(centred @ axes[:, 1], centred @ axes[:, 2])

@@ -12,8 +12,12 @@ from .thickness_field import SLOPE_ALLOWANCE
 from .thinnest_wall import TOUCHING
 from .walls import is_parallel
 
-MOST_POINTS = 10_000
-"""Points that stand for the walls: a region of half a percent of the surface has fifty or more."""
+LEAST_POINTS, MOST_POINTS = 4_000, 10_000
+"""Points that stand for the walls, at most: a region of half a percent of the surface has twenty or more."""
+
+SPACED, SPACED_SHARE = 0.4, 0.95
+"""Between these numbers, there are as many as make them no farther apart than this share of the thickness, at this share of
+them: of a solid body, fewer tell as much."""
 
 DENSER = 16.0
 """Thin walls have more points than their area, by the square of their thickness, up to so many times."""
@@ -113,11 +117,19 @@ def wall_points(field):
     wall = wall[field.distance[wall] > TOUCHING * median]
     thickness, area = field.distance[wall], field.area[wall]
     density = np.clip((median / thickness) ** 2, 1.0, DENSER)
-    count, weight = min(MOST_POINTS, len(wall)), area * density
+    weight = area * density
+    count = min(_points_needed(thickness, density, weight), len(wall))
     place, times = np.unique(_evenly(weight, count), return_counts=True)
     points = _points_of(field, wall[place], times * weight.sum() / count / density[place])
     near_thinner, on_rim = _near_thinner_walls(points)
     return points.chosen(~on_rim), ~near_thinner[~on_rim]
+
+
+def _points_needed(thickness, density, weight):
+    """How many points stand for walls that are chosen by a weight: int."""
+    some = _evenly(weight, _FOR_MEDIAN)
+    needed = np.quantile(weight.sum() / density[some] / (SPACED * thickness[some]) ** 2, SPACED_SHARE)
+    return int(np.clip(needed, LEAST_POINTS, MOST_POINTS))
 
 
 def _evenly(weight, count):

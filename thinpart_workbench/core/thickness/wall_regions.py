@@ -183,8 +183,8 @@ def _plate_width(region):
     """Developed width by thickness of a region, which says whether it is a plate; one without a shape is looked at."""
     if region is None:
         return float(np.sqrt(PLATE_FROM_WIDTH[1] * PLATE_FROM_WIDTH[2]))
-    if region.kind in (TUBE, TAPER, TOOTH):
-        return np.inf if region.kind == TUBE else 0.0
+    if region.kind == TUBE:
+        return np.inf
     return min(region.width, region.length) / region.median
 
 

@@ -16,7 +16,7 @@ from ...core.record.record_types import SecondsRecord
 from ...core.thickness.face_thickness import face_thicknesses, witness_of
 from ...core.thickness.measured_precision import chords_of, precision_of
 from ...core.thickness.measurement import measure
-from ...core.thickness.thinnest_wall import thinnest_walls, touching_sample
+from ...core.thickness.thinnest_wall import touching_sample
 
 MOST_TRIED = 12
 """Walls that are looked for in the part's own geometry, from the thinnest on."""
@@ -175,7 +175,7 @@ def _measure(part, settings, meshes, seconds, report):
             break
         linear = finer
     side, wall = smallest_side(measurement.descriptors), measurement.thinnest_mm
-    walls = thinnest_walls(measurement.field)[:1]
+    walls = measurement.thin_samples[:1]
     wall_error = float(resolution.wall_error(chords_of(measurement.field, walls, deflections)).max(initial=0.0))
     error = error_to_judge_with([(side, resolution.error), (wall, wall_error)])
     precision = precision_of(measurement, deflections, settings.accuracy)
@@ -211,7 +211,7 @@ def _confirmed(part, measurement, error):
     A wall that the geometry does not have, because facets came too close to each other, gives way to the next. One that is
     thicker than facets may be off stays as the rays found it: there are surfaces that OCC cannot cut.
     """
-    for sample in thinnest_walls(measurement.field)[:MOST_TRIED]:
+    for sample in measurement.thin_samples[:MOST_TRIED]:
         found = witness_of(measurement.field, sample)
         wall = part.exact_wall(found, error)
         if wall is not None or found.distance > DOUBTFUL * error:

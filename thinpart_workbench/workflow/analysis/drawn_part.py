@@ -16,7 +16,7 @@ class DrawnPart:
     Attributes
     ----------
     thumbnail : bytes or None
-        Pixels of shape (HEIGHT, WIDTH, 4).
+        See `write_thumbnail`.
     page, picture : bytes or None
         A page of a report, and the PNG file beside it.
     """
@@ -39,16 +39,6 @@ class DrawnPart:
         # A failed picture must not lose the measurement; it can be drawn again.
         with suppress(OSError, MemoryError):
             self.thumbnail = picture(mesh, preferred_colours(record)).tobytes()
-
-    def thumbnail_pixels(self):
-        """ndarray of shape (HEIGHT, WIDTH, 4), uint8, or None; ValueError if the size is wrong."""
-        if self.thumbnail is None:
-            return None
-        import numpy as np
-
-        from ...core.rendering.picture import HEIGHT, WIDTH
-
-        return np.frombuffer(self.thumbnail, np.uint8).reshape(HEIGHT, WIDTH, 4)
 
     def content(self):
         """The pictures as a dict for JSON."""

@@ -15,11 +15,6 @@ from .analysis_outcome import failure
 from .drawn_part import DrawnPart
 
 
-def prepare_to_write():
-    """Import what writing pictures takes, while there is nothing else to do."""
-    from ...core.rendering import picture  # noqa: F401
-
-
 def write_results(task, outcome):
     """Write info file, pictures and pages of a document.
 
@@ -52,7 +47,7 @@ def write_results(task, outcome):
         if drawn.thumbnail is not None:
             # A failed picture must not lose the measurement; it can be drawn again.
             with suppress(OSError, ValueError):
-                write_thumbnail(unwritten["source"]["sha256"], record["name"], drawn.thumbnail_pixels())
+                write_thumbnail(unwritten["source"]["sha256"], record["name"], drawn.thumbnail)
         if drawn.page is not None:
             failures += _failures(task.pages.write, drawn, record)
     if task.info_file is not None and records:

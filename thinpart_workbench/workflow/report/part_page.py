@@ -110,7 +110,9 @@ def _annotations(part):
 
 
 def _view(view):
-    content = {"name": view.name, "png": base64.b64encode(png_bytes(view.pixels)).decode(), "ends": None}
+    height, width, _ = view.pixels.shape
+    png = png_bytes(view.pixels.tobytes(), width, height)
+    content = {"name": view.name, "png": base64.b64encode(png).decode(), "ends": None}
     if view.thinnest is not None:
         ends = [[round(value, 1) for value in end] for end in (view.thinnest.point, view.thinnest.opposite)]
         content["ends"] = ends

@@ -161,4 +161,5 @@ class PageMaker:
         content = part_page(record, pictures, features, about, self._pages.document, overview,
                             self._pages.language, self._pages.unit)
         self.faces[part.name] = csv_text(face_rows(self._pages.document, record, features))
-        return content, png_bytes(pictures.small(PICTURE_WIDTH, PICTURE_HEIGHT))
+        small = pictures.small(PICTURE_WIDTH, PICTURE_HEIGHT)
+        return content, png_bytes(small.tobytes(), PICTURE_WIDTH, PICTURE_HEIGHT)

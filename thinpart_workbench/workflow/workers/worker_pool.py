@@ -19,7 +19,7 @@ from ...storage.temporary_folder import temporary_folder
 from ...system.exit_cause import ExitCause
 from ...system.process_limits import crash_quietly, limit_files, limit_memory
 from ..analysis.analysis_outcome import checked_outcome, failure
-from ..analysis.result_files import prepare_to_write, write_results
+from ..analysis.result_files import write_results
 from .compiled_modules import compiled_modules
 from .pool_supervisor import PoolSupervisor
 from .process_pool import WorkerDied, WorkerFault
@@ -67,7 +67,7 @@ def analyse_files(tasks, limits, control=None, meanwhile=()):
     if not tasks:
         return
     with _workers(min(limits.jobs, len(tasks)), limits) as workers:
-        todo = chain((call() for call in (prepare_to_write, *meanwhile)), compiled_modules())
+        todo = chain((call() for call in meanwhile), compiled_modules())
         yield from _outcomes(tasks, workers, limits, control or RunControl(), todo)
 
 
