@@ -47,8 +47,11 @@ RING_FROM = 8.0
 its hole, while a disc with a bore is a disc."""
 
 BAND, MORE_BANDS = (0.4, 0.6), ((0.3, 0.4), (0.6, 0.7))
-"""Shares of the way along a region at which it is looked at across: a ring goes two ways at all of them, while arms about
-a hub do so only at the hub."""
+"""Shares of the way along a region at which it is looked at across: a ring goes two ways half-way along, and before that or
+after it, while arms about a hub do so only at the hub."""
+
+ARMS_APART = 1.5
+"""Least distance of the two ways round a ring, in widths, at one of the other bands: round a bolt hole it is less."""
 
 LEAST_ARM, LEAST_FURTHER_ARM = 0.25, 0.1
 """Least share of such a band, the middle one or the others, on either side of a hole that a region goes round."""
@@ -172,10 +175,11 @@ def _bent_length(points, links, area, size):
     way = _way_along(points, links)
     along = float(way.max() + np.median(points.spacing))
     band = _band(way, BAND)
-    if _goes_two_ways(points, links, band, LEAST_ARM) and all(
-            _goes_two_ways(points, links, _band(way, shares), LEAST_FURTHER_ARM) for shares in MORE_BANDS):
+    if _arms_apart(points, links, band, LEAST_ARM) > 0.0:
         ring = _way_round(points, along)
-        if ring >= RING_FROM * area / (2.0 * ring):
+        width = area / (2.0 * ring)
+        apart = max(_arms_apart(points, links, _band(way, shares), LEAST_FURTHER_ARM) for shares in MORE_BANDS)
+        if ring >= RING_FROM * width and apart >= ARMS_APART * width:
             return ring, False
     if along <= BENT * np.linalg.norm(size):
         return None
@@ -250,13 +254,18 @@ def _band(way, shares):
     return np.flatnonzero((way > shares[0] * way.max()) & (way < shares[1] * way.max()))
 
 
-def _goes_two_ways(points, links, band, least_arm):
-    """Whether there are two ways on at a band, on either side of a hole, each with a share of it."""
+def _arms_apart(points, links, band, least_arm):
+    """How far apart the two ways on are at a band, mm, each with a share of it; 0 where there is only one."""
     if len(band) < 4:
-        return False
-    _, arm = connected_components(links[band][:, band], directed=False)
-    shares = np.sort(np.bincount(arm, points.area[band]))[::-1] / points.area[band].sum()
-    return len(shares) > 1 and shares[1] >= least_arm
+        return 0.0
+    count, arm = connected_components(links[band][:, band], directed=False)
+    area = points.area[band]
+    shares = np.bincount(arm, area) / area.sum()
+    largest = np.argsort(-shares, kind="stable")[:2]
+    if count < 2 or shares[largest[1]] < least_arm:
+        return 0.0
+    one, other = (np.average(points.middle[band[arm == which]], axis=0, weights=area[arm == which]) for which in largest)
+    return float(np.linalg.norm(one - other))
 
 
 def _way_round(points, along):
