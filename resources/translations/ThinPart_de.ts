@@ -2675,8 +2675,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>erste, grobe Farben</translation>
     </message>
     <message>
-        <source>from {} mm on</source>
-        <translation>ab {} mm</translation>
+        <source>from {} on</source>
+        <translation>ab {}</translation>
     </message>
     <message>
         <source>gamma: three times the inscribed by the circumscribed radius; 1 for regular tetrahedra, under 0.3 poor</source>
@@ -2951,12 +2951,12 @@ Sein Volumen ist unbekannt.</translation>
         <translation>unbekannt</translation>
     </message>
     <message>
-        <source>up to {} above it</source>
-        <translation>bis zu {} darüber</translation>
+        <source>up to {}</source>
+        <translation>bis {}</translation>
     </message>
     <message>
-        <source>up to {} mm</source>
-        <translation>bis {} mm</translation>
+        <source>up to {} above it</source>
+        <translation>bis zu {} darüber</translation>
     </message>
     <message>
         <source>wedge {:g}–{:g}°</source>
@@ -3143,8 +3143,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{} dick</translation>
     </message>
     <message>
-        <source>{} to {} mm</source>
-        <translation>{} bis {} mm</translation>
+        <source>{} to {}</source>
+        <translation>{} bis {}</translation>
     </message>
     <message>
         <source>{} to {} thick ({} to {} of the diagonal): {} of the area</source>

@@ -2675,8 +2675,8 @@ Son volume est inconnu.</translation>
         <translation>premières couleurs, grossières</translation>
     </message>
     <message>
-        <source>from {} mm on</source>
-        <translation>à partir de {} mm</translation>
+        <source>from {} on</source>
+        <translation>à partir de {}</translation>
     </message>
     <message>
         <source>gamma: three times the inscribed by the circumscribed radius; 1 for regular tetrahedra, under 0.3 poor</source>
@@ -2951,12 +2951,12 @@ Son volume est inconnu.</translation>
         <translation>inconnu</translation>
     </message>
     <message>
-        <source>up to {} above it</source>
-        <translation>jusqu'à {} au-dessus</translation>
+        <source>up to {}</source>
+        <translation>jusqu’à {}</translation>
     </message>
     <message>
-        <source>up to {} mm</source>
-        <translation>jusqu’à {} mm</translation>
+        <source>up to {} above it</source>
+        <translation>jusqu'à {} au-dessus</translation>
     </message>
     <message>
         <source>wedge {:g}–{:g}°</source>
@@ -3143,8 +3143,8 @@ Son volume est inconnu.</translation>
         <translation>épaisseur {}</translation>
     </message>
     <message>
-        <source>{} to {} mm</source>
-        <translation>{} à {} mm</translation>
+        <source>{} to {}</source>
+        <translation>{} à {}</translation>
     </message>
     <message>
         <source>{} to {} thick ({} to {} of the diagonal): {} of the area</source>
