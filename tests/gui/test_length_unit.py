@@ -106,7 +106,7 @@ def test_lengths_are_written_with_three_digits_and_their_unit():
 def test_the_menu_of_processes_is_in_the_unit_of_each_time_it_opens(document):
     field = ProcessField("ThinPart_Processes")
     menu = field.findChild(QtWidgets.QPushButton, "ThinPart_ProcessesChoose").menu()
-    for schema, wall in ((INCHES, "0.0315 to 0.197\u00a0in"), (STANDARD, "0.8 to 5\u00a0mm")):
+    for schema, wall in ((INCHES, "from 0.0315\u00a0in on"), (STANDARD, "from 0.8\u00a0mm on")):
         choose(schema)
         menu.aboutToShow.emit()
         fdm, = (action.text() for action in menu.actions() if action.text().startswith("FDM"))
