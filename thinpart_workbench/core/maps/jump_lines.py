@@ -75,9 +75,9 @@ def cut_along_jumps(mesh, rays, points, facets, parent, report=None):
     Notes
     -----
     Walls are measured at the corners, at the middles of the sides and of the facets. Where they show more than one line
-    through a facet, or where the thickness is far from linear beside it, it is halved, a few times. Then the place of the jump
-    on each side is found by bisection, and the facet is cut from place to place: on a plane, the edge of a plane wall behind it
-    is a straight line. Facets of one face share these places, so that no gaps open.
+    through a facet, or where the thickness is far from linear beside it, it is halved, a few times. Then the place of the
+    jump on each side is found by bisection, and the facet is cut from place to place: on a plane, the edge of a plane wall
+    behind it is a straight line. Facets of one face share these places, so that no gaps open.
     """
     finest = LINE * mesh.extent
     found, new = None, np.arange(len(facets))
