@@ -2675,8 +2675,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>erste, grobe Farben</translation>
     </message>
     <message>
-        <source>from {} mm on</source>
-        <translation>ab {} mm</translation>
+        <source>from {} on</source>
+        <translation>ab {}</translation>
     </message>
     <message>
         <source>gamma: three times the inscribed by the circumscribed radius; 1 for regular tetrahedra, under 0.3 poor</source>
@@ -2951,12 +2951,12 @@ Sein Volumen ist unbekannt.</translation>
         <translation>unbekannt</translation>
     </message>
     <message>
-        <source>up to {} above it</source>
-        <translation>bis zu {} darüber</translation>
+        <source>up to {}</source>
+        <translation>bis {}</translation>
     </message>
     <message>
-        <source>up to {} mm</source>
-        <translation>bis {} mm</translation>
+        <source>up to {} above it</source>
+        <translation>bis zu {} darüber</translation>
     </message>
     <message>
         <source>wedge {:g}–{:g}°</source>
@@ -3143,8 +3143,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{} dick</translation>
     </message>
     <message>
-        <source>{} to {} mm</source>
-        <translation>{} bis {} mm</translation>
+        <source>{} to {}</source>
+        <translation>{} bis {}</translation>
     </message>
     <message>
         <source>{} to {} thick ({} to {} of the diagonal): {} of the area</source>
@@ -3306,12 +3306,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>, {count}-mal im Dokument</translation>
     </message>
     <message>
+        <source>--bands takes a number from 0, for smooth colours, to 64.</source>
+        <translation>--bands nimmt eine Zahl von 0, für stufenlose Farben, bis 64.</translation>
+    </message>
+    <message>
         <source>--keep goes with --check, which shows what works.</source>
         <translation>--keep gehört zu --check, das zeigt, was sich bewährt.</translation>
     </message>
     <message>
         <source>--like is for one part: name one file.</source>
         <translation>--like gilt für ein Teil: nennen Sie eine Datei.</translation>
+    </message>
+    <message>
+        <source>--range takes the thinner wall first, then the thicker: not {low} and {high}.</source>
+        <translation>--range nimmt zuerst die dünnere Wand, dann die dickere: nicht {low} und {high}.</translation>
     </message>
     <message>
         <source>1 warning</source>
@@ -3746,6 +3754,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Mittlere zu kürzester Seite des Hüllquaders</translation>
     </message>
     <message>
+        <source>Name what to write: --png FILE, --vtp FILE or --ply FILE.</source>
+        <translation>Nennen Sie, was geschrieben werden soll: --png DATEI, --vtp DATEI oder --ply DATEI.</translation>
+    </message>
+    <message>
         <source>No criterion holds: its walls are thick all over.</source>
         <translation>Kein Kriterium ist erfüllt: Die Wände sind überall dick.</translation>
     </message>
@@ -3764,6 +3776,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>No wall is wide and thin enough for a shell: mesh it as a solid.</source>
         <translation>Keine Wand ist breit und dünn genug für eine Schale: Vernetzen Sie das Teil als Volumen.</translation>
+    </message>
+    <message>
+        <source>No wall of {part} could be measured: there is nothing to colour.</source>
+        <translation>Keine Wand von {part} konnte gemessen werden: Es gibt nichts einzufärben.</translation>
     </message>
     <message>
         <source>No wall of {part} is wide and thin enough for a shell: mesh it as a solid.</source>
@@ -4432,6 +4448,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>There is no part that could be written to {file}.</source>
         <translation>Es gibt kein Teil, das nach {file} geschrieben werden könnte.</translation>
+    </message>
+    <message>
+        <source>There is no part {part} in {file}: it has {parts}.</source>
+        <translation>In {file} gibt es kein Bauteil {part}: Es hat {parts}.</translation>
     </message>
     <message>
         <source>There is no permission to read {file}: check its permissions.</source>
@@ -5206,6 +5226,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{file} hat kein Bauteil {part!r}: Vorhanden sind {parts}.</translation>
     </message>
     <message>
+        <source>{file} has {count} parts: name one after --part, of {parts}.</source>
+        <translation>{file} hat {count} Bauteile: Nennen Sie eines nach --part, von {parts}.</translation>
+    </message>
+    <message>
         <source>{file} holds no closed solid, only surfaces, wires or points: close or thicken it first.</source>
         <translation>{file} enthält keinen geschlossenen Volumenkörper, nur Flächen, Kanten oder Punkte: Schließen Sie die Flächen zuerst oder geben Sie ihnen eine Wandstärke.</translation>
     </message>
@@ -5264,6 +5288,18 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{file} is no file of labels that was written here, and is not overwritten: choose another name.</source>
         <translation>{file} ist keine hier geschriebene Datei mit Einordnungen und wird nicht überschrieben: Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>{file} is no file: name a CAD file with one part.</source>
+        <translation>{file} ist keine Datei: Nennen Sie eine CAD-Datei mit einem Bauteil.</translation>
+    </message>
+    <message>
+        <source>{file} is no name for a file of {option}: give it the ending .{ending}.</source>
+        <translation>{file} ist kein Name für eine Datei von {option}: Geben Sie ihr die Endung .{ending}.</translation>
+    </message>
+    <message>
+        <source>{file} is no name for a map: give it one of the endings {endings}.</source>
+        <translation>{file} ist kein Name für eine Karte: Geben Sie ihr eine der Endungen {endings}.</translation>
     </message>
     <message>
         <source>{file} is no name for a script of Gmsh: give it the ending .geo.</source>

@@ -2675,8 +2675,8 @@ Son volume est inconnu.</translation>
         <translation>premières couleurs, grossières</translation>
     </message>
     <message>
-        <source>from {} mm on</source>
-        <translation>à partir de {} mm</translation>
+        <source>from {} on</source>
+        <translation>à partir de {}</translation>
     </message>
     <message>
         <source>gamma: three times the inscribed by the circumscribed radius; 1 for regular tetrahedra, under 0.3 poor</source>
@@ -2951,12 +2951,12 @@ Son volume est inconnu.</translation>
         <translation>inconnu</translation>
     </message>
     <message>
-        <source>up to {} above it</source>
-        <translation>jusqu'à {} au-dessus</translation>
+        <source>up to {}</source>
+        <translation>jusqu’à {}</translation>
     </message>
     <message>
-        <source>up to {} mm</source>
-        <translation>jusqu’à {} mm</translation>
+        <source>up to {} above it</source>
+        <translation>jusqu'à {} au-dessus</translation>
     </message>
     <message>
         <source>wedge {:g}–{:g}°</source>
@@ -3143,8 +3143,8 @@ Son volume est inconnu.</translation>
         <translation>épaisseur {}</translation>
     </message>
     <message>
-        <source>{} to {} mm</source>
-        <translation>{} à {} mm</translation>
+        <source>{} to {}</source>
+        <translation>{} à {}</translation>
     </message>
     <message>
         <source>{} to {} thick ({} to {} of the diagonal): {} of the area</source>
@@ -3306,12 +3306,20 @@ Son volume est inconnu.</translation>
         <translation>, {count} fois dans le document</translation>
     </message>
     <message>
+        <source>--bands takes a number from 0, for smooth colours, to 64.</source>
+        <translation>--bands prend un nombre de 0, pour des couleurs continues, à 64.</translation>
+    </message>
+    <message>
         <source>--keep goes with --check, which shows what works.</source>
         <translation>--keep va avec --check, qui montre ce qui marche.</translation>
     </message>
     <message>
         <source>--like is for one part: name one file.</source>
         <translation>--like vaut pour une seule pièce : nommez un fichier.</translation>
+    </message>
+    <message>
+        <source>--range takes the thinner wall first, then the thicker: not {low} and {high}.</source>
+        <translation>--range prend d’abord la paroi la plus mince, puis la plus épaisse : pas {low} et {high}.</translation>
     </message>
     <message>
         <source>1 warning</source>
@@ -3746,6 +3754,10 @@ Son volume est inconnu.</translation>
         <translation>Rapport du côté moyen au plus petit côté de la boîte englobante</translation>
     </message>
     <message>
+        <source>Name what to write: --png FILE, --vtp FILE or --ply FILE.</source>
+        <translation>Indiquez ce qui est à écrire : --png FICHIER, --vtp FICHIER ou --ply FICHIER.</translation>
+    </message>
+    <message>
         <source>No criterion holds: its walls are thick all over.</source>
         <translation>Aucun critère n’est rempli : ses parois sont épaisses partout.</translation>
     </message>
@@ -3764,6 +3776,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>No wall is wide and thin enough for a shell: mesh it as a solid.</source>
         <translation>Aucune paroi n’est assez large et mince pour une coque : maillez la pièce comme solide.</translation>
+    </message>
+    <message>
+        <source>No wall of {part} could be measured: there is nothing to colour.</source>
+        <translation>Aucune paroi de {part} n’a pu être mesurée : il n’y a rien à colorer.</translation>
     </message>
     <message>
         <source>No wall of {part} is wide and thin enough for a shell: mesh it as a solid.</source>
@@ -4432,6 +4448,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>There is no part that could be written to {file}.</source>
         <translation>Il n’y a aucune pièce à écrire dans {file}.</translation>
+    </message>
+    <message>
+        <source>There is no part {part} in {file}: it has {parts}.</source>
+        <translation>Il n’y a pas de pièce {part} dans {file} : il contient {parts}.</translation>
     </message>
     <message>
         <source>There is no permission to read {file}: check its permissions.</source>
@@ -5206,6 +5226,10 @@ Son volume est inconnu.</translation>
         <translation>{file} n’a pas de pièce {part!r} : il a {parts}.</translation>
     </message>
     <message>
+        <source>{file} has {count} parts: name one after --part, of {parts}.</source>
+        <translation>{file} contient {count} pièces : nommez-en une après --part, parmi {parts}.</translation>
+    </message>
+    <message>
         <source>{file} holds no closed solid, only surfaces, wires or points: close or thicken it first.</source>
         <translation>{file} ne contient pas de solide fermé, seulement des surfaces, des fils ou des points : fermez ou épaississez les surfaces d’abord.</translation>
     </message>
@@ -5264,6 +5288,18 @@ Son volume est inconnu.</translation>
     <message>
         <source>{file} is no file of labels that was written here, and is not overwritten: choose another name.</source>
         <translation>{file} n’est pas un fichier d’étiquettes écrit ici et n’est pas remplacé : choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>{file} is no file: name a CAD file with one part.</source>
+        <translation>{file} n’est pas un fichier : nommez un fichier CAO contenant une pièce.</translation>
+    </message>
+    <message>
+        <source>{file} is no name for a file of {option}: give it the ending .{ending}.</source>
+        <translation>{file} n’est pas un nom pour un fichier de {option} : donnez-lui l’extension .{ending}.</translation>
+    </message>
+    <message>
+        <source>{file} is no name for a map: give it one of the endings {endings}.</source>
+        <translation>{file} n’est pas un nom pour une carte : donnez-lui l’une des extensions {endings}.</translation>
     </message>
     <message>
         <source>{file} is no name for a script of Gmsh: give it the ending .geo.</source>

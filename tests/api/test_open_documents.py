@@ -5,6 +5,7 @@ import os
 import pytest
 
 import thinpart_workbench as thinpart
+from thinpart_workbench.api import snapshots
 from thinpart_workbench.api.classified_parts import PartFailure
 from thinpart_workbench.api.document_info import file_stamp, write_document_info
 from thinpart_workbench.api.saved_documents import classify_saved
@@ -62,10 +63,28 @@ def test_first_maps_of_all_parts_come_before_anything_is_measured(plates, tmp_pa
     folder = snapshot_of(plates, tmp_path, maps="ray", first_maps=True)
     found = list(measure_snapshot(folder, 4000))
     assert [type(each) for each in found] == [FirstMap, FirstMap, *[SnapshotPart, SnapshotMap] * 2]
-    for first, thickness in zip(found, (3, 8)):
+    # The larger one first.
+    assert [each.part for each in found[:2]] == ["Second", "First"]
+    for first, thickness in zip(found, (8, 3)):
         coarse, = read_maps(first.file)
         assert coarse.record == {"name": first.part, "label": first.part}, "nothing that could be taken for a verdict"
         assert coarse.map.thickness[abs(coarse.map.normals[:, 2]) > 0.9] == pytest.approx(thickness, abs=1e-3)
+
+
+def test_the_largest_parts_of_an_assembly_have_first_maps_first_and_all_have_one_in_the_end(document, tmp_path, monkeypatch):
+    import Part
+
+    for name, side in (("Small", 10), ("Large", 40), ("Middle", 20), ("Least", 5)):
+        document.addObject("Part::Feature", name).Shape = Part.makeBox(side, side, 1)
+    folder = snapshot_of(document, tmp_path, maps="ray", first_maps=True)
+    assert [each.part for each in measure_snapshot(folder, 4000) if isinstance(each, FirstMap)] == [
+        "Large", "Middle", "Small", "Least"]
+    # Where there is no time for all before measuring begins, the others follow between the parts.
+    monkeypatch.setattr(snapshots, "FIRST_MAPS_SECONDS", 0.0)
+    found = list(measure_snapshot(folder, 4000))
+    assert [each.part for each in found if isinstance(each, FirstMap)] == ["Large", "Middle", "Small", "Least"]
+    assert [type(each) for each in found[:3]] == [SnapshotPart, SnapshotMap, FirstMap]
+    assert [each.record["name"] for each in found if isinstance(each, SnapshotPart)] == ["Small", "Large", "Middle", "Least"]
 
 
 def test_a_part_without_a_first_map_is_reported_once_and_the_others_have_theirs(plates, tmp_path):

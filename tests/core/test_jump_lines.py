@@ -32,6 +32,14 @@ def stepped_tube():
     return made_meshes.revolved([(10, 0), (20, 0), (20, 30), (14, 30), (14, 80), (10, 80)])
 
 
+def grooved_sheet(grooves=20, radius=1.0, pitch=3.0, height=1.5, length=60.0):
+    """A sheet with half-round grooves across it: seen from above, its wall is nowhere straight, and jumps at each groove."""
+    turn, outline = np.linspace(0.0, np.pi, 25), [(0.0, 0.0)]
+    for number in range(grooves):
+        outline += [((number + 0.5) * pitch - radius * np.cos(each), radius * np.sin(each)) for each in turn]
+    return made_meshes.prism([*outline, (grooves * pitch, 0.0), (grooves * pitch, height), (0.0, height)], length)
+
+
 @pytest.mark.parametrize("rotation", [np.eye(3), TURNED], ids=["as made", "turned"])
 @pytest.mark.parametrize("shape", [i_section(), ribbed_plate(), stepped_tube(), made_meshes.ribbed_block()],
                          ids=["I-section", "ribbed plate", "stepped tube", "ribbed block"])
@@ -39,6 +47,13 @@ def test_a_map_is_what_rays_meet(shape, rotation):
     mesh = surface_mesh(*made_meshes.moved(shape, rotation))
     off, unmeasured = share_off(mesh, thickness_map(measure(mesh, AnalysisSettings())))
     assert off < 0.005 and unmeasured < 0.005
+
+
+def test_a_map_follows_curved_walls_up_to_where_they_jump():
+    mesh = surface_mesh(*grooved_sheet())
+    off, unmeasured = share_off(mesh, thickness_map(measure(mesh, AnalysisSettings())))
+    # 15 % where only walls without jumps are halved for their curvature.
+    assert off < 0.04 and unmeasured < 0.03
 
 
 def test_the_line_under_a_web_is_straight_and_in_its_place():

@@ -17,7 +17,7 @@ from thinpart_workbench.gui.preferences.form import PreferencesForm
 from thinpart_workbench.gui.profile.command import end_profile_editor, show_profile_editor
 from thinpart_workbench.gui.report.command import end_report_dialog, show_report_dialog
 
-IN_MAIN_WINDOW = ("classification", "thickness", "find parts")
+IN_MAIN_WINDOW = ("classification", "thickness", "mesh sizes", "find parts")
 
 
 @contextmanager
@@ -33,6 +33,18 @@ def _thickness(document):
     window.settle(500)
     yield open_session().panel.form
     end_session()
+
+
+@contextmanager
+def _mesh_sizes(document):
+    # With several parts it asks which one.
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(document.getObject("Plate"))
+    window.press("ThinPart_MeshSizes")
+    window.wait_until(lambda: window.is_shown("ThinPart_MeshEstimate"))
+    yield [window.widget("ThinPart_MeshSizesPanel")]
+    end_session()
+    Gui.Selection.clearSelection()
 
 
 def _dialog(show, end):
@@ -72,6 +84,7 @@ def _chooser(document):
 WINDOWS = {
     "classification": _classification,
     "thickness": _thickness,
+    "mesh sizes": _mesh_sizes,
     "folder": _dialog(show_folder_dialog, end_folder_dialog),
     "report": _dialog(show_report_dialog, end_report_dialog),
     "find parts": _dialog(show_find_parts, end_find_parts),

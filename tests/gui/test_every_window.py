@@ -10,6 +10,7 @@ from every_window import IN_MAIN_WINDOW, WINDOWS, document_to_show, wheel_over
 from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
 from thinpart_workbench.gui.classify.command import current_session
 from thinpart_workbench.gui.commands import COMMANDS
+from thinpart_workbench.gui.document.active_task import end_session
 from thinpart_workbench.gui.guide.pages import FOLDER, PAGE_OF
 from thinpart_workbench.gui.widgets.controls import controls, menu_letters, mnemonic, plain, reading_order
 
@@ -179,3 +180,31 @@ def test_escape_closes_a_panel_from_the_start(part):
     QtWidgets.QApplication.sendEvent(panel, QtGui.QKeyEvent(
         QtCore.QEvent.KeyPress, QtCore.Qt.Key_Escape, QtCore.Qt.NoModifier))
     window.wait_until(lambda: current_session() is None)
+
+
+@pytest.mark.parametrize("name, first", [
+    ("classification", "ThinPart_PartTable"), ("thickness", "ThinPart_FlyButton"), ("mesh sizes", "ThinPart_MeshKind")])
+def test_a_panel_that_opens_has_the_keyboard(name, first, part):
+    Gui.getMainWindow().activateWindow()
+    with WINDOWS[name](part) as widgets:
+        window.wait_until(lambda: _focused() == first, lambda: f"the focus is on {_focused()}")
+        chosen = QtWidgets.QApplication.focusWidget()
+        before = _value(chosen) if isinstance(chosen, QtWidgets.QComboBox) else None
+        wheel_over(chosen)
+        assert before is None or _value(chosen) == before
+        assert any(widget.isAncestorOf(chosen) for widget in widgets)
+
+
+def _focused():
+    widget = QtWidgets.QApplication.focusWidget()
+    return widget and widget.objectName()
+
+
+def test_a_panel_leaves_the_keyboard_where_the_user_has_gone_meanwhile(part):
+    window.press("ThinPart_ShowThickness")
+    bar = Gui.getMainWindow().menuBar()
+    bar.setFocus()
+    window.wait_until(window.is_thickness_told)
+    window.settle(200)
+    assert QtWidgets.QApplication.focusWidget() is bar
+    end_session()

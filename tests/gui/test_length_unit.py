@@ -45,6 +45,7 @@ from thinpart_workbench.gui.folder.results_model import THINNEST as THINNEST_OF_
 from thinpart_workbench.gui.library.results_model import SIZE, THINNEST
 from thinpart_workbench.gui.preferences.fields import new_field
 from thinpart_workbench.gui.view3d.label_node import shown_labels
+from thinpart_workbench.gui.widgets.process_field import ProcessField
 from thinpart_workbench.storage.info.info_file import read_info
 
 STANDARD, BUILDING_EURO, INCHES, FRACTIONS = 0, 4, 3, 5
@@ -100,6 +101,17 @@ def test_lengths_are_written_with_three_digits_and_their_unit():
     assert MILLIMETRE.convert_sentence(sentence) == sentence
     assert INCH.convert_sentence(sentence) == (
         "The wall, 0.118\u00a0in or 5.91e-07\u00a0in, of 20 mm2 has 0.05\u00a0in: 4 mmx.")
+
+
+def test_the_menu_of_processes_is_in_the_unit_of_each_time_it_opens(document):
+    field = ProcessField("ThinPart_Processes")
+    menu = field.findChild(QtWidgets.QPushButton, "ThinPart_ProcessesChoose").menu()
+    for schema, wall in ((INCHES, "from 0.0315\u00a0in on"), (STANDARD, "from 0.8\u00a0mm on")):
+        choose(schema)
+        menu.aboutToShow.emit()
+        fdm, = (action.text() for action in menu.actions() if action.text().startswith("FDM"))
+        assert fdm.endswith(wall), fdm
+    field.deleteLater()
 
 
 def test_the_classify_panel_follows_at_once_and_the_info_file_stays_in_mm(document, tmp_path):

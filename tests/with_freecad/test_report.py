@@ -154,6 +154,19 @@ def test_a_report_in_another_language_has_no_english_texts_and_the_same_tables(l
         assert (tmp_path / language / table).read_bytes() == (tmp_path / "en" / table).read_bytes()
 
 
+def test_a_report_in_inches_says_no_millimetres_and_has_the_same_tables(tmp_path):
+    reports = {unit: tmp_path / unit for unit in ("mm", "in")}
+    for unit, folder in reports.items():
+        assert thinpart("report", SAMPLES / "tube.step", "-o", folder, "--unit", unit).returncode == 0
+    for name, page in pages(reports["in"]).items():
+        assert not re.search(r"\bmm\b", page.text), name
+        assert re.search(r"\bmm\b", pages(reports["mm"])[name].text), name
+    part, = (page for name, page in pages(reports["in"]).items() if name != "index.html")
+    assert re.search(r"[\d.]+\sin\b", part.text)
+    for table in ("parts.csv", "faces.csv"):
+        assert (reports["in"] / table).read_bytes() == (reports["mm"] / table).read_bytes()
+
+
 def test_a_language_that_there_is_not_is_refused(tmp_path):
     run = thinpart("report", SAMPLES / "tube.step", "-o", tmp_path / "out", "--language", "xx")
     assert run.returncode == 2 and "--language" in run.stderr and not (tmp_path / "out").exists()

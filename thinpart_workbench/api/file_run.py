@@ -1,11 +1,16 @@
-"""Find and analyse documents in worker processes or on a cluster, for both the command line and the Python API."""
+"""Find, analyse and map documents in worker processes or on a cluster, for both the command line and the Python API."""
 
+import os
 from contextlib import closing
 from typing import Optional
 
+from ..core.analysis_limits import Limits
+from ..core.analysis_settings import DEFAULT_PROFILE, RAY, AnalysisSettings
 from ..core.errors import ThinPartError
+from ..core.judging.criteria import given_profile
 from ..core.message import message
 from ..core.run_control import RunControl
+from ..storage.atomic_file import write_atomically
 from ..workflow.analysis.analyse_file import FileTask
 from ..workflow.analysis.analysis_outcome import failure
 from ..workflow.analysis.find_documents import NameFilter, find_documents
@@ -134,3 +139,66 @@ class FileRun:
             progress.jobs = threads
 
         return analyse_files_on_cluster(cluster, tasks, limits, self.control, on_threads_changed)
+
+
+def write_map(path, files, *, part=None, look=None, measure=RAY, profile=DEFAULT_PROFILE, settings=None, limits=None,
+              control=None):
+    """Measure a part and write its thickness map to files.
+
+    Parameters
+    ----------
+    path : str or Path
+        The CAD file.
+    files : list of str or Path
+        What to write; their endings say as what: a picture (.png), or triangles with the thickness at every corner for
+        ParaView (.vtp) and other programs (.ply). All values are in mm.
+    part : str, optional
+        Name or label of the part, where the document has several.
+    look : MapLook, optional
+        Colours, range and view, as `core.rendering.map_picture` has them; by default those of the window.
+    measure : str, optional
+        One of `SHOWN_MEASURES`.
+    profile : str, Path, dict or Profile, optional
+        Its thin limit says up to where the mesh has to be fine.
+    settings : AnalysisSettings, optional
+    limits : Limits, optional
+        Of time and memory.
+    control : RunControl, optional
+        Stops the run.
+
+    Returns
+    -------
+    dict
+        ``file`` and ``label``; ``thinnest``, mm, the thinnest wall, None where there is none; ``low`` and ``high`` of the
+        colours, mm.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``usage`` where the part or the format is not clear; what else prevents it. Files that were there stay then.
+    KeyboardInterrupt
+        If `control` was asked to stop.
+    """
+    # Imported late: it imports numpy.
+    from ..core.rendering.map_picture import MapLook
+    from ..workflow.maps.map_run import FORMATS, MapTask, map_of_part
+
+    path, endings = os.fspath(path), {os.fspath(file): os.path.splitext(file)[1].lower() for file in files}
+    for file, ending in endings.items():
+        if ending not in FORMATS:
+            raise ThinPartError(message("{file} is no name for a map: give it one of the endings {endings}.", file=file,
+                                        endings=", ".join(FORMATS)), "usage")
+    if not os.path.isfile(path):
+        raise ThinPartError(message("{file} is no file: name a CAD file with one part.", file=path), "missing")
+    found = map_of_part(MapTask(path, part, given_profile(profile).content, tuple(sorted(set(endings.values()))),
+                                look or MapLook(), measure, settings or AnalysisSettings()), limits or Limits(), control)
+    if "error" in found:
+        raise ThinPartError(found["error"]["message"], found["error"]["kind"])
+    contents = found.pop("contents")
+    for file, ending in endings.items():
+        try:
+            write_atomically(file, contents[ending])
+        except OSError as error:
+            raise ThinPartError(message("{file} cannot be written ({problem}): name another place.", file=file,
+                                        problem=error.strerror), "failed") from None
+    return found

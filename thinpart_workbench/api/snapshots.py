@@ -2,6 +2,7 @@
 
 import os
 import time
+from collections import deque
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Optional
@@ -72,7 +73,8 @@ class FirstMap:
 
 
 FIRST_MAPS_SECONDS = 6.0
-"""How long first maps are made before measuring begins: in an assembly of very many parts, the last ones get none."""
+"""How long first maps are made before measuring begins. What is left in an assembly of very many parts follows between the
+parts that are measured, for as long as each of them took."""
 
 
 def measure_snapshot(folder, megabytes, report=None, wait_for_history=None, pages=None):
@@ -96,7 +98,8 @@ def measure_snapshot(folder, megabytes, report=None, wait_for_history=None, page
     ------
     SnapshotPart, SnapshotMap, FirstMap or PartFailure
         In the order of the snapshot. A map follows its part if the snapshot asks for maps, by the measure that it names.
-        A part that fails does not affect the others. If the snapshot asks for first maps, those of all parts come first.
+        A part that fails does not affect the others. If the snapshot asks for first maps, those of the largest parts come
+        before all else, and the others between the parts; see `FIRST_MAPS_SECONDS`.
 
     Raises
     ------
@@ -105,9 +108,10 @@ def measure_snapshot(folder, megabytes, report=None, wait_for_history=None, page
     """
     job, read = read_snapshot(folder)
     settings, profile = AnalysisSettings(**job["settings"]), profile_from(job["profile"])
-    if job["first_maps"] and pages is None:
-        yield from _first_maps(job, read, folder)
+    first_maps = _FirstMaps(job if job["first_maps"] and pages is None else None, read, folder)
+    yield from first_maps.within(FIRST_MAPS_SECONDS)
     for entry in job["parts"]:
+        begun = time.perf_counter()
         report_part = _part_report(report, entry["name"])
         try:
             started = time.perf_counter()
@@ -126,23 +130,31 @@ def measure_snapshot(folder, megabytes, report=None, wait_for_history=None, page
             if pages is not None:
                 pages.add_failure(failure)
             yield failure
+        yield from first_maps.within(time.perf_counter() - begun)
 
 
-def _first_maps(job, read, folder):
-    """Yield a FirstMap of every part that has one within the time."""
-    end = time.perf_counter() + FIRST_MAPS_SECONDS
-    for entry in job["parts"]:
-        if time.perf_counter() > end:
-            return
-        try:
-            part = read(entry)
-            found = first_map(part.coarse_mesh(), job["maps"])
-        except Exception:  # measuring the part, which follows, reports what is wrong with it
-            continue
-        if found is not None:
-            path = os.path.join(folder, f"first-{entry['file']}.npz")
-            write_maps(path, [MappedPart({"name": part.name, "label": part.label}, found)])
-            yield FirstMap(part.name, path)
+class _FirstMaps:
+    """Makes the coarse maps of the parts of a job, of those first that take most of the view; of no job, none."""
+
+    def __init__(self, job, read, folder):
+        self._measure, self._read, self._folder = job and job["maps"], read, folder
+        self._waiting = deque(sorted(
+            job["parts"], key=lambda entry: -entry["instances"] * entry["diagonal"] ** 2) if job else ())
+
+    def within(self, seconds):
+        """Yield a FirstMap of every part that has one, of as many as the time allows."""
+        end = time.perf_counter() + seconds
+        while self._waiting and time.perf_counter() < end:
+            entry = self._waiting.popleft()
+            try:
+                part = self._read(entry)
+                found = first_map(part.coarse_mesh(), self._measure)
+            except Exception:  # measuring the part reports what is wrong with it
+                continue
+            if found is not None:
+                path = os.path.join(self._folder, f"first-{entry['file']}.npz")
+                write_maps(path, [MappedPart({"name": part.name, "label": part.label}, found)])
+                yield FirstMap(part.name, path)
 
 
 def _part_report(report, name):

@@ -15,6 +15,7 @@ from .terminal_table import printable
 COMMANDS = {
     "classify": ("classify", "classify parts and folders of parts"),
     "report": ("report", "write pages with pictures about parts, for people to read"),
+    "map": ("map", "draw the thickness map of a part, or write it as triangles with values"),
     "find": ("find", "find stored parts by category, thickness, size, words and conditions"),
     "similar": ("similar", "find parts with similar walls, fill and box"),
     "note": ("note", "show or set notes, mesh settings and link of a part"),

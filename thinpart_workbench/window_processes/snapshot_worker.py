@@ -9,9 +9,9 @@ per line:
 ``{"failure": {"kind", "message"}}`` if it cannot measure any of them.
 If faces are to be shown as thin by another limit than that of the verdict, ``thin_limit_mm`` and ``thin_shares`` of
 the faces accompany the record. If the job asks for maps, ``{"map": {"part", "file"}}`` follows the record: see
-`map_file`. If it also asks for first maps, ``{"first_map": {"part", "file"}}`` comes before all else for the parts that have
-one. The feature history of the faces is read after the end of standard input, since until then the window is
-still writing it. Lines have `with_messages`.
+`map_file`. If it also asks for first maps, ``{"first_map": {"part", "file"}}`` comes for the parts that have one: before
+all else for the largest, between the others for the rest. The feature history of the faces is read after the end of
+standard input, since until then the window is still writing it. Lines have `with_messages`.
 The parent stops the process by killing it; it writes nothing but these lines and the maps. The shapes may come from
 an untrusted file, so from the job on the process can only write into the snapshot's folder, if the system can
 restrict that.

@@ -4,6 +4,7 @@ from contextlib import closing
 
 from ...api.report_folder import LANGUAGES, ReportFolder
 from ...core.judging.criteria import load_profile
+from ...core.length_unit import MILLIMETRE, UNITS
 from ...core.run_control import RunControl
 from ...storage.common_folder import common_folder
 from ...storage.info.info_file import info_path_getter
@@ -34,6 +35,8 @@ def add_arguments(parser):
                              "whose pages are replaced")
     parser.add_argument("--language", choices=LANGUAGES, default=LANGUAGES[0],
                         help="of the pages (default: %(default)s); the tables are the same in all")
+    parser.add_argument("--unit", choices=tuple(UNITS), default=MILLIMETRE.symbol,
+                        help="of all lengths on the pages (default: %(default)s); the tables are in mm")
     add_info_folder_options(parser, "take notes that are kept with the parts from the info files in this folder "
                            "instead of those beside the parts")
     add_measurement_options(parser, has_pictures=True)
@@ -54,7 +57,7 @@ def run(options):
         file_run = new_file_run(options, control, report)
         tree = common_folder(options.paths)
         folder = ReportFolder(options.output, tree, profile, info_path_getter(options.info_dir, info_tree(options)),
-                              checks.limits, shown_measure_of(options), language=options.language)
+                              checks.limits, shown_measure_of(options), language=options.language, unit=UNITS[options.unit])
         with closing(folder):
             failed = analyse_and_report(file_run, report, folder.add, checks=checks, profile=profile,
                                         settings=settings_of(options), limits=limits_of(options),

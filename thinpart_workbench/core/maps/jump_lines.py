@@ -7,7 +7,7 @@ import numpy as np
 
 from ..progress import portion, report_progress
 from .facet_refinement import cut_sides, side_keys, side_lengths
-from .seen_walls import differ, seen_walls
+from .seen_walls import JUMP, differ, seen_walls
 
 INSET = 0.01
 """How far from a corner or a side towards the middle of its facet a wall is measured: on an edge there is none."""
@@ -15,14 +15,18 @@ INSET = 0.01
 LINE = 1.0 / 600.0
 """Greatest error of a line, as a share of the diagonal."""
 
-ROUNDS = 3
+ROUNDS = 4
 """How often facets are halved in which walls meet otherwise than along one line from side to side."""
 
 UNEVEN = 0.04
 """Share by which the thickness at the middle of a side or of a facet may differ from the mean of its ends or corners."""
 
-MOST_FACETS = 120_000
-"""Number of facets from which on none are halved."""
+STEEP = 0.1
+"""The same between the middle of a side with a jump on it and the end that sees the same wall. A wall that ends at a bore is
+nowhere else as far from even as beside the line at which the bore goes out of sight."""
+
+MOST_FACETS = 200_000
+"""Number of facets from which on none are halved. Few parts come near; frames full of small holes need as many."""
 
 _MOST_HALVINGS = 12
 """Of a side, in search of the jump."""
@@ -71,9 +75,9 @@ def cut_along_jumps(mesh, rays, points, facets, parent, report=None):
     Notes
     -----
     Walls are measured at the corners, at the middles of the sides and of the facets. Where they show more than one line
-    through a facet, or where the thickness is far from linear, it is halved, a few times. Then the place of the jump on each
-    side is found by bisection, and the facet is cut from place to place: on a plane, the edge of a plane wall behind it is a
-    straight line. Facets of one face share these places, so that no gaps open.
+    through a facet, or where the thickness is far from linear beside it, it is halved, a few times. Then the place of the
+    jump on each side is found by bisection, and the facet is cut from place to place: on a plane, the edge of a plane wall
+    behind it is a straight line. Facets of one face share these places, so that no gaps open.
     """
     finest = LINE * mesh.extent
     found, new = None, np.arange(len(facets))
@@ -169,12 +173,15 @@ def _is_one_line(mesh, found, jumps):
 
 
 def _is_uneven(found, jumps):
-    """Whether the thickness is far from linear on a facet without jumps: ndarray of shape (m,), bool."""
+    """Whether the thickness is far from linear on a facet, or on either side of a jump: ndarray of shape (m,), bool."""
     ahead = np.roll(found.corner, -1, axis=1)
-    with np.errstate(invalid="ignore"):
-        sides = np.abs(found.side - 0.5 * (found.corner + ahead)) > UNEVEN * found.side
+    with np.errstate(invalid="ignore", divide="ignore"):
+        bent = np.abs(found.side - 0.5 * (found.corner + ahead)) > UNEVEN * found.side
+        slope = np.fmin(np.abs(found.side / found.corner - 1.0), np.abs(found.side / ahead - 1.0))
         middle = np.abs(found.centre - found.corner.mean(axis=1)) > UNEVEN * found.centre
-    return (sides.any(axis=1) | middle) & ~jumps.any(axis=1)
+    # A middle that is far from both ends sees a third wall: that is no slope, and other lines go through the facet.
+    steep = (slope > STEEP) & (slope < JUMP - 1.0)
+    return np.where(jumps, steep, bent).any(axis=1) | (middle & ~jumps.any(axis=1))
 
 
 def _cut(mesh, rays, points, facets, parent, found, finest):

@@ -58,7 +58,7 @@ def write_snapshot(parts, folder, settings, profile, thin_limit=None, maps=None,
             np.savez(os.path.join(folder, file), points=part.points, triangles=part.triangles)
         entries.append({
             "file": file, "name": part.name, "label": part.label, "instances": part.instances,
-            "warnings": list(part.warnings),
+            "warnings": list(part.warnings), "diagonal": _diagonal(part),
         })
         if maps:
             entries[-1]["history"], shapes = _planned_history(part, number, MOST_SHAPES - len(pending))
@@ -68,6 +68,13 @@ def write_snapshot(parts, folder, settings, profile, thin_limit=None, maps=None,
     with open(os.path.join(folder, JOB), "w", encoding="utf-8") as file:
         json.dump(with_messages(job), file)
     return _write_shapes(pending)
+
+
+def _diagonal(part):
+    """Of the box of a part along the axes, mm: it says how large the part is in a view, not how large it is."""
+    if isinstance(part, SolidPart):
+        return float(part.shape.BoundBox.DiagonalLength)
+    return float(np.linalg.norm(np.ptp(part.points, axis=0))) if len(part.points) else 0.0
 
 
 def _planned_history(part, number, limit):

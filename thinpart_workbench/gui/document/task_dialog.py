@@ -5,7 +5,7 @@ import FreeCADGui as Gui
 from ...freecad_adapter.guard import guarded_methods
 from ..application.qt import QtCore, QtWidgets, Signal, flags_as_int
 from ..guide.command import lead_to_guide, show_guide
-from ..widgets.controls import prepare_controls
+from ..widgets.controls import focus_first, prepare_controls
 
 
 @guarded_methods("helpRequested", reject=True)
@@ -55,6 +55,7 @@ class TaskDialog(QtCore.QObject):
         self._is_open = True
         first = self.form[0] if isinstance(self.form, list) else self.form
         first.destroyed.connect(self._on_gone)
+        focus_first(self.form)
 
     def prepare(self):
         """Prepare the controls, also those that were added since."""

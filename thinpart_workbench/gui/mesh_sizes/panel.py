@@ -203,6 +203,7 @@ class MeshSizesPanel(QtWidgets.QWidget):
 
     def _add_settings(self, rows):
         form = QtWidgets.QFormLayout()
+        form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
         rows.addLayout(form)
         self._order = QtWidgets.QComboBox(self)
         self._order.setObjectName("ThinPart_MeshOrder")

@@ -39,6 +39,7 @@ class ShellBox(QtWidgets.QWidget):
         rows = QtWidgets.QVBoxLayout(self)
         rows.setContentsMargins(0, 0, 0, 0)
         form = QtWidgets.QFormLayout()
+        form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
         rows.addLayout(form)
         self._order = QtWidgets.QComboBox(self)
         self._order.setObjectName("ThinPart_ShellOrder")

@@ -4,6 +4,7 @@ import time
 
 from ..application.numbers import duration
 from ..application.qt import QtWidgets, Signal, translate
+from ..widgets.controls import STOPS
 from ..widgets.push_button import add_button
 from .record_view import show_text, text_line
 
@@ -36,7 +37,8 @@ class MeasuringProgress(QtWidgets.QWidget):
         self._bar.setRange(0, 1000)
         row.addWidget(self._bar, 1)
         rows.addLayout(row)
-        add_button(row, self, "ThinPart_CancelButton", translate("ThinPart", "Cancel"), self.cancelled.emit)
+        cancel = add_button(row, self, "ThinPart_CancelButton", translate("ThinPart", "Cancel"), self.cancelled.emit)
+        cancel.setProperty(STOPS, True)
 
     def begin(self, label):
         """Show the widget at the start of a measurement."""

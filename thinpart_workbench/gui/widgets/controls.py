@@ -5,6 +5,11 @@ from functools import partial
 from ..application.qt import QtCore, QtWidgets, flags_as_int
 from .wheel import ignore_wheel_unless_focused
 
+STOPS = "ThinPart_Stops"
+"""Property of buttons that stop what was just begun: none is the first control of a panel."""
+
+_FIRST = (QtWidgets.QAbstractButton, QtWidgets.QComboBox, QtWidgets.QAbstractSpinBox, QtWidgets.QLineEdit,
+          QtWidgets.QAbstractItemView)
 _TURNED = (QtWidgets.QComboBox, QtWidgets.QAbstractSpinBox, QtWidgets.QAbstractSlider)
 
 
@@ -34,6 +39,33 @@ def prepare_controls(roots, window=None):
     _give([entry for root in roots for entry in controls(root)], taken)
     keeper = roots[0].findChild(_Keeper) or _Keeper(roots, window)
     keeper.order_for_tab(roots)
+
+
+def focus_first(roots):
+    """Let the keyboard act on the first control of a panel that was just opened.
+
+    Parameters
+    ----------
+    roots : QWidget or list of QWidget
+        What `prepare_controls` was given.
+
+    Notes
+    -----
+    Until there is a control, the panel itself has the focus, so that Tab and Esc act on it; the control gets it once it is
+    there, unless the user has gone elsewhere meanwhile.
+    """
+    roots = roots if isinstance(roots, list) else [roots]
+    roots[0].setFocus(QtCore.Qt.OtherFocusReason)
+    _pass_focus_on(roots)
+
+
+def _pass_focus_on(roots):
+    """Give the focus that a panel itself has to its first control, if it has one now."""
+    if roots[0].hasFocus():
+        for each in (each for root in roots for each in reading_order(root)):
+            if isinstance(each, _FIRST) and each.isVisible() and each.isEnabled() and not each.property(STOPS):
+                each.setFocus(QtCore.Qt.OtherFocusReason)
+                return
 
 
 def reading_order(root):
@@ -82,13 +114,17 @@ class _Keeper(QtCore.QObject):
         super().__init__(roots[0])
         self._ordered = []
         self._timer = QtCore.QTimer(self, singleShot=True, interval=0)
-        self._timer.timeout.connect(lambda: prepare_controls(roots, window))
+        self._timer.timeout.connect(lambda: self._prepare_again(roots, window))
         for root in roots:
             root.installEventFilter(self)
             # The request to lay out what scrolls ends there.
             for area in root.findChildren(QtWidgets.QScrollArea):
                 if area.widget() is not None:
                     area.widget().installEventFilter(self)
+
+    def _prepare_again(self, roots, window):
+        prepare_controls(roots, window)
+        _pass_focus_on(roots)
 
     def order_for_tab(self, roots):
         """Let Tab visit the controls in the order of reading, where that has changed.

@@ -3,6 +3,7 @@
 from ...core.errors import ThinPartError
 from ...core.judging.wall_limits import shipped_limits
 from ...storage.user_limits import known_limits, new_user_limits, user_limits_file
+from ..application.length_unit import length_unit
 from ..application.qt import QtCore, QtGui, QtWidgets, Signal, translate
 from ..application.sentences import translated
 
@@ -57,14 +58,14 @@ class ProcessField(QtWidgets.QWidget):
         """A line for each process, with its materials below it."""
         self._menu.clear()
         chosen, submenu = {name.casefold() for name in self._names()}, self._menu
-        known = offered_limits()
+        known, unit = offered_limits(), length_unit()
         for name, limits in known.items():
             has_materials = any(each.startswith(f"{name}:") for each in known)
             if ":" not in name:
                 submenu = self._menu.addMenu(translated(limits.full_title)) if has_materials else self._menu
             title = translate("ThinPart", "any material") if has_materials else (
                 translated(limits.material) if limits.material else translated(limits.full_title))
-            action = submenu.addAction(f"{title}, {_range_text(limits)}")
+            action = submenu.addAction(f"{title}, {_range_text(limits, unit)}")
             action.setCheckable(True)
             action.setChecked(name.casefold() in chosen)
             action.setToolTip("\n".join(filter(None, (limits.note, limits.source))))
@@ -96,9 +97,10 @@ def offered_limits():
         return shipped_limits()  # the error is reported when they are used
 
 
-def _range_text(limits):
+def _range_text(limits, unit):
+    """The walls that a process can make, in a unit."""
     if limits.max_mm is None:
-        return translate("ThinPart", "from {} mm on").format(f"{limits.min_mm:g}")
+        return translate("ThinPart", "from {} on").format(unit.text(limits.min_mm))
     if limits.min_mm is None:
-        return translate("ThinPart", "up to {} mm").format(f"{limits.max_mm:g}")
-    return translate("ThinPart", "{} to {} mm").format(f"{limits.min_mm:g}", f"{limits.max_mm:g}")
+        return translate("ThinPart", "up to {}").format(unit.text(limits.max_mm))
+    return translate("ThinPart", "{} to {}").format(unit.number(limits.min_mm), unit.text(limits.max_mm))

@@ -1,11 +1,20 @@
-"""Keeps the mouse wheel for scrolling: it changes the value of a field only while the field has the focus."""
+"""Keeps the mouse wheel for scrolling: it changes the value of a field only while the user has given that the focus."""
 
 from ..application.qt import QtCore
 
 
 class _WheelGuard(QtCore.QObject):
+    def __init__(self, field):
+        super().__init__(field)
+        self._is_chosen = True
+
     def eventFilter(self, field, event):
-        if event.type() == QtCore.QEvent.Wheel and not field.hasFocus():
+        if event.type() == QtCore.QEvent.FocusIn:
+            # A panel that opens gives its first field the focus, which the user has not asked for.
+            self._is_chosen = event.reason() != QtCore.Qt.OtherFocusReason
+        elif event.type() in (QtCore.QEvent.KeyPress, QtCore.QEvent.MouseButtonPress):
+            self._is_chosen = True
+        elif event.type() == QtCore.QEvent.Wheel and not (field.hasFocus() and self._is_chosen):
             event.ignore()  # so that the enclosing scroll area handles it
             return True
         return False

@@ -14,18 +14,17 @@ PLY, = next(each.endings for each in FORMATS if each.name == "PLY")
 
 
 def write_vtp(path, parts):
-    """Write maps as VTK PolyData, with the thickness at points and cells, face and part of each cell.
+    """Write the content of `vtp_bytes` to a file; OSError where that is not possible, and what was there stays."""
+    write_atomically(path, vtp_bytes(parts))
+
+
+def vtp_bytes(parts):
+    """Maps as VTK PolyData, with the thickness at points and cells, face and part of each cell: bytes.
 
     Parameters
     ----------
-    path : str
     parts : list of MappedPart
         In all of their occurrences, in mm, in the coordinates of the document.
-
-    Raises
-    ------
-    OSError
-        What was there stays.
 
     Notes
     -----
@@ -34,7 +33,7 @@ def write_vtp(path, parts):
     corners, at_corners, of_facet, face, part = _joined(parts)
     count = len(of_facet)
     offsets = 3 * np.arange(1, count + 1, dtype=np.int32)
-    text = "\n".join([
+    return "\n".join([
         '<?xml version="1.0"?>',
         '<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian" header_type="UInt32">',
         "<PolyData>",
@@ -44,24 +43,22 @@ def write_vtp(path, parts):
         "<CellData>", _array("thickness_mm", of_facet), _array("face", face), _array("part", part), "</CellData>",
         "<Points>", _array("Points", corners.reshape(-1, 3), 3), "</Points>",
         "<Polys>", _array("connectivity", np.arange(3 * count, dtype=np.int32)), _array("offsets", offsets), "</Polys>",
-        "</Piece>", "</PolyData>", "</VTKFile>", ""])
-    write_atomically(path, text.encode("ascii"))
+        "</Piece>", "</PolyData>", "</VTKFile>", ""]).encode("ascii")
 
 
 def write_ply(path, parts, colours):
-    """Write maps as binary PLY, with thickness and colour at vertices.
+    """Write the content of `ply_bytes` to a file; OSError where that is not possible, and what was there stays."""
+    write_atomically(path, ply_bytes(parts, colours))
+
+
+def ply_bytes(parts, colours):
+    """Maps as binary PLY, with thickness and colour at vertices: bytes.
 
     Parameters
     ----------
-    path : str
     parts : list of MappedPart
     colours : callable
         Maps thicknesses in mm, ndarray of shape (n,), to ndarray of shape (n, 3), uint8.
-
-    Raises
-    ------
-    OSError
-        What was there stays.
 
     Notes
     -----
@@ -78,7 +75,7 @@ def write_ply(path, parts, colours):
         "ply", "format binary_little_endian 1.0", "comment wall thickness in mm, by ThinPart", f"element vertex {3 * count}",
         *(f"property float {axis}" for axis in "xyz"), *(f"property uchar {name}" for name in ("red", "green", "blue")),
         "property float thickness", f"element face {count}", "property list uchar int vertex_indices", "end_header", ""])
-    write_atomically(path, head.encode("ascii") + vertices.tobytes() + faces.tobytes())
+    return head.encode("ascii") + vertices.tobytes() + faces.tobytes()
 
 
 def _joined(parts):

@@ -1,0 +1,1 @@
+"""Thickness maps of parts as files."""

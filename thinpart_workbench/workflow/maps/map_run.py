@@ -1,0 +1,152 @@
+"""Measure one part and draw its thickness map, in a worker process: the file may be anybody's."""
+
+import base64
+from collections import deque
+from contextlib import suppress
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Optional
+
+from ...core.analysis_settings import RAY, AnalysisSettings
+from ...core.errors import ThinPartError
+from ...core.judging.criteria import profile_from
+from ...core.message import message
+from ...core.rendering.map_picture import MapLook, map_picture
+from ...core.run_control import RunControl
+from ...storage.exchange.map_export import PLY, VTP, ply_bytes, vtp_bytes
+from ...storage.png import png_bytes
+from ..analysis.analyse_part import analyse_part
+from ..analysis.analysis_outcome import failure, failure_fault
+from ..workers.pool_supervisor import PoolSupervisor
+from ..workers.reported_failure import reported_failure
+from ..workers.worker_pool import answer_of, close_documents, start_reader, worker_folder
+
+PNG = ".png"
+FORMATS = (PNG, VTP, PLY)
+"""Endings of the files that a map can be written as."""
+
+
+@dataclass(frozen=True)
+class MapTask:
+    """One part whose map is wanted.
+
+    Attributes
+    ----------
+    file : str
+    part : str or None
+        Its name or label; None for the only one.
+    profile : dict
+        Content of the profile.
+    formats : tuple of str
+        Of `FORMATS`.
+    look : MapLook
+    measure : str
+        One of `SHOWN_MEASURES`.
+    analysis : AnalysisSettings
+    """
+
+    file: str
+    part: Optional[str]
+    profile: dict
+    formats: tuple
+    look: MapLook = field(default_factory=MapLook)
+    measure: str = RAY
+    analysis: AnalysisSettings = field(default_factory=AnalysisSettings)
+
+
+def map_of_part(task, limits, control=None):
+    """Make the map of a part.
+
+    Parameters
+    ----------
+    task : MapTask
+    limits : Limits
+    control : RunControl, optional
+
+    Returns
+    -------
+    dict
+        ``file``, ``label``; ``thinnest``, mm, the wall that the record names, or None; ``low`` and ``high``, mm, of the
+        colours; and ``contents``: bytes by format. Or ``file`` and ``error`` with ``kind`` and ``message``.
+
+    Raises
+    ------
+    ThinPartError
+        If no worker can be started.
+    KeyboardInterrupt
+        When `control` was asked to stop.
+    """
+    with worker_folder() as folder:
+        workers = PoolSupervisor(1, limits.seconds, folder, _drawn, start_reader, (limits.megabytes,), confine=True)
+        try:
+            for future, _ in workers.run(deque([task]), control or RunControl()):
+                found, failed = answer_of(future, task.file, limits.seconds, limits.megabytes)
+        finally:
+            workers.stop()
+    if failed is not None:
+        return failed
+    if failure_fault(found) is None:
+        return {**found, "file": task.file}
+    try:
+        contents = {ending: base64.b64decode(found["contents"][ending], validate=True) for ending in task.formats}
+        return {"file": task.file, "label": str(found["label"]), "contents": contents,
+                "thinnest": None if found["thinnest"] is None else float(found["thinnest"]),
+                **{name: float(found[name]) for name in ("low", "high")}}
+    except (KeyError, TypeError, ValueError) as error:
+        return failure(task.file, "failed", message("{file} failed: its result cannot be used ({problem}).",
+                                                    file=Path(task.file).name, problem=str(error)))
+
+
+def _drawn(task):
+    """Runs in a worker."""
+    try:
+        return _contents(task)
+    except Exception as error:  # a failure instead of a traceback
+        return failure(task.file, **reported_failure(error, Path(task.file).name))
+    finally:
+        with suppress(Exception):  # what cannot be closed does not lose the result
+            close_documents()
+
+
+def _contents(task):
+    # Imported here since the adapter loads FreeCAD.
+    from ...core.maps.mapped_part import MappedPart
+    from ...core.maps.thickness_map import thickness_map
+    from ...freecad_adapter.reading.part_files import read_parts
+
+    found: dict = {}
+
+    def keep(measurement, record):
+        found.update(measurement=measurement, record=record)
+
+    part = _chosen(read_parts(task.file), task)
+    analyse_part(part, task.analysis, profile_from(task.profile), on_result=keep)
+    mapped = MappedPart(found["record"], thickness_map(found["measurement"], by=task.measure))
+    scale = task.look.scale(mapped)
+    make = {PNG: lambda: png_bytes(map_picture(mapped, task.look)), VTP: lambda: vtp_bytes([mapped]),
+            PLY: lambda: ply_bytes([mapped], scale.colours)}
+    thinnest = found["record"]["descriptors"]["thickness_mm"]["min"]
+    return {"label": part.label, "thinnest": thinnest, "low": scale.low, "high": scale.high,
+            "contents": {ending: base64.b64encode(make[ending]()).decode() for ending in task.formats}}
+
+
+def _chosen(content, task):
+    """The part that is wanted, of those that were read."""
+    name, chosen = Path(task.file).name, [part for part in content.parts if task.part in (None, part.name, part.label)]
+    if len(chosen) == 1:
+        return chosen[0]
+    for broken in content.broken:
+        each = broken.failure()
+        if not content.parts or task.part in (each["part"], each["label"]):
+            raise ThinPartError(each["message"], each["kind"])
+    if not chosen:
+        raise ThinPartError(message("There is no part {part} in {file}: it has {parts}.", part=task.part, file=name,
+                                    parts=_names(content.parts)), "usage")
+    raise ThinPartError(message("{file} has {count} parts: name one after --part, of {parts}.", file=name,
+                                count=len(chosen), parts=_names(chosen)), "usage")
+
+
+def _names(parts):
+    """The first names of parts; labels may be the same, names are not."""
+    shown = ", ".join(part.label if part.label == part.name else f"{part.label} ({part.name})" for part in parts[:8])
+    return shown + (" \u2026" if len(parts) > 8 else "")
