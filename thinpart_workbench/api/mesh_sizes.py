@@ -8,6 +8,7 @@ import numpy as np
 
 from ..core.analysis_limits import Limits
 from ..core.analysis_settings import DEFAULT_PROFILE, AnalysisSettings
+from ..core.categories import NORMAL
 from ..core.errors import ThinPartError
 from ..core.file_formats import is_shape
 from ..core.judging.classification import classify
@@ -48,7 +49,7 @@ FACETS, SIZES, POOR = "facets.npy", "sizes.npy", "poor.npy"
 
 def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, limits=None, check=False,
                mesh_seconds=MESH_SECONDS, has_sources=False, force=False, include=(), exclude=(), control=None,
-               started=None, report=None, shell=None, region_sizes=None):
+               started=None, report=None, shell=None, region_sizes=None, all_walls=False):
     """Propose element sizes for the parts of files and folders.
 
     Parameters
@@ -78,6 +79,8 @@ def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, 
         Where the parts are wanted as shells too, for `write_shell_file`: as ``shell`` of each part.
     region_sizes : dict, optional
         Sizes that are wanted on wall regions: mm, or None for none, by number of the listed region, from 0.
+    all_walls : bool, optional
+        Whether the thin walls of parts that are called normal get layers too; such parts mesh well at one size.
 
     Yields
     ------
@@ -98,7 +101,7 @@ def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, 
     run = FileRun(paths, include, exclude, control=control)
     tasks = [SizeTask(document.path, settings, given_profile(profile).content, analysis or AnalysisSettings(), program,
                       mesh_seconds, has_sources, shell, check,
-                      tuple(sorted((region_sizes or {}).items()))) for document in run.documents]
+                      tuple(sorted((region_sizes or {}).items())), all_walls) for document in run.documents]
     progress = RunProgress({document.path: (document.bytes, False) for document in run.documents}, limits.jobs)
     if started is not None:
         started(progress)
@@ -247,7 +250,8 @@ class PartSizes:
         measurement, = measured
         self._measurement = measurement
         limit = classify(measurement.descriptors, profile).thin_limit_x * measurement.descriptors.box.diagonal
-        self._sizing = PartSizing(measurement, limit, shell_obstacle(part, measurement))
+        self._sizing = PartSizing(measurement, limit, shell_obstacle(part, measurement),
+                                  only_chosen=self.record["category"] == NORMAL)
         np.save(os.path.join(folder, FACETS), self._sizing.facets())
 
     def proposed(self, settings, sizes):

@@ -61,7 +61,7 @@ def checked_sizes(program, shape, measurement, proposal, seconds, folder, defaul
     if proposal.is_uniform:
         if default["elements"] or default["reason"] in (CRASHED, TIMEOUT, MEMORY):
             return {"default": default, "proposed": default}, tried
-        done, tried = [_tried(tried, default)], tries.everywhere()
+        done, tried = [_tried(tried, default)], tries.without_sizes()
     mesh = measurement.field.mesh
     low, high = (end(mesh.vertices, axis=0) + mesh.origin for end in (np.min, np.max))
     script = os.path.join(folder, "size.geo")

@@ -106,9 +106,14 @@ class MeshTries:
                 return found
         return None
 
-    def everywhere(self):
-        """What to try where the part has no thin walls, and is not meshed at one size: MeshTry."""
+    def without_sizes(self):
+        """What to try where no wall of the part has a size, and it is not meshed at one size: MeshTry."""
         proposal = self.first.proposal
+        if proposal.only_chosen:
+            full = propose_sizes(self._measurement, proposal.thin_limit, proposal.settings)
+            if not full.is_uniform:
+                self.first = MeshTry(message("layers in its thin walls"), full)
+                return self.first
         return MeshTry(message("no element larger than the part is thick there"),
                        propose_everywhere(self._measurement, proposal.thin_limit, proposal.settings))
 

@@ -36,10 +36,13 @@ class PartSizing:
     thin_limit : float, mm
     no_shell : str
         Why a shell of the part cannot be made; empty where it can, or nothing is known. It may be changed.
+    only_chosen : bool
+        See `propose_sizes`.
     """
 
-    def __init__(self, measurement, thin_limit, no_shell=""):
+    def __init__(self, measurement, thin_limit, no_shell="", only_chosen=False):
         self._measurement, self._thin_limit, self.no_shell = measurement, thin_limit, no_shell
+        self._only_chosen = only_chosen
         self._default = None  # (what it depends on, figures, histogram) of the last mesh at the global size
         self._points = np.empty((0, 3, 3))
 
@@ -63,7 +66,7 @@ class PartSizing:
             "wanted_layers": settings.wanted_layers, "global_size": proposal.global_size,
             "least_size": proposal.least_size, "order": settings.order, "growth": settings.growth,
             "unbounded_elements": None if unbounded is None else unbounded.elements,
-            "regions": self._rows(proposal, settings),
+            "regions": self._rows(proposal, settings), "left_out": proposal.left_out,
             "idealisation": idealisation_values(idealisation(
                 self._measurement, proposal.elements, SHARE_OF_DIAGONAL * self._measurement.descriptors.box.diagonal,
                 self.no_shell)),
@@ -145,7 +148,7 @@ class PartSizing:
         return found
 
     def _proposal(self, settings, region_sizes):
-        return propose_sizes(self._measurement, self._thin_limit, settings, region_sizes)
+        return propose_sizes(self._measurement, self._thin_limit, settings, region_sizes, only_chosen=self._only_chosen)
 
     def _rows(self, proposal, settings):
         """A row for each region that asks for sizes, also for those that people have switched off."""
