@@ -48,12 +48,12 @@ def checked_sizes(program, shape, measurement, proposal, seconds, folder, defaul
     Returns
     -------
     check : dict
-        ``default`` and ``proposed``, see `_figures`.
+        ``default`` and ``proposed``, see `mesh_figures`.
     tried : MeshTry
         What was meshed at last.
     """
     order = ("-order", str(proposal.settings.order)) if proposal.settings.order != 1 else ()
-    walls, tries = _thin_places(measurement, proposal), MeshTries(measurement, proposal, solid or shape, folder)
+    walls, tries = thin_places(measurement, proposal), MeshTries(measurement, proposal, solid or shape, folder)
     if default is None or proposal.is_uniform:
         default, _ = _meshed(program, [shape], seconds, folder, ("-clmax", repr(proposal.global_size), *order),
                              walls, partial(on_mesh, "default") if on_mesh else None)
@@ -98,18 +98,35 @@ def _meshed(program, inputs, seconds, folder, options, walls, on_mesh=None):
     reason, text = mesh_volume(program, inputs, output, seconds, folder, options)
     took = time.perf_counter() - started
     if reason:
-        return _figures(took, reason), text
+        return mesh_figures(took, reason), text
     points, tetrahedra = read_tetrahedra(output)
     if not len(tetrahedra):
-        return _figures(took, stated_error(text) or message("Gmsh filled no volume")), text
+        return mesh_figures(took, stated_error(text) or message("Gmsh filled no volume")), text
     if on_mesh is not None:
         on_mesh(points, tetrahedra)
-    return _figures(took, "", points, tetrahedra, walls), text
+    return mesh_figures(took, "", points, tetrahedra, walls), text
 
 
-def _figures(seconds, reason, points=None, tetrahedra=None, walls=None):
-    """Figures of a mesh, dict: `reason` why there is none, number of elements, gamma and minSICN, share of poor elements,
-    share of the thin places that have the wanted layers, seconds."""
+def mesh_figures(seconds, reason, points=None, tetrahedra=None, walls=None):
+    """Figures of a mesh.
+
+    Parameters
+    ----------
+    seconds : float
+        That it took.
+    reason : str
+        Why there is none; empty if there is one.
+    points : ndarray of shape (n, 3), mm
+    tetrahedra : ndarray of shape (m, 4), int64
+    walls : tuple
+        See `thin_places`.
+
+    Returns
+    -------
+    dict
+        The reason, number of elements, gamma and minSICN, share of poor elements, share of the thin places that have the
+        wanted layers, seconds.
+    """
     found = {"reason": reason, "elements": 0, "gamma_least": None, "gamma_1_percent": None, "gamma_mean": None,
              "poor_share": None, "sicn_least": None, "layers_share": None,
              "seconds": round(seconds, 2), "attempts": 1, "tries": []}
@@ -130,8 +147,22 @@ def _rounded(value):
     return round(float(value), 5)
 
 
-def _thin_places(measurement, proposal):
-    """Places of thin parallel walls: both ends, two ndarrays of shape (k, 3), their area, and whole layers wanted."""
+def thin_places(measurement, proposal):
+    """Places of thin parallel walls, at which `mesh_figures` counts layers.
+
+    Parameters
+    ----------
+    measurement : Measurement
+    proposal : SizeProposal
+
+    Returns
+    -------
+    here, there : ndarray of shape (k, 3), mm
+        Both sides of the wall.
+    area : ndarray of shape (k,), mm2
+    wanted : int
+        Layers.
+    """
     field = measurement.field
     thin = np.flatnonzero((field.area > 0.0) & field.parallel & (field.distance < proposal.thin_limit))
     # Evenly spread samples, each for the same share of the area of all.
