@@ -35,7 +35,7 @@ from ..workflow.meshing.part_shell import (  # noqa: F401 - the names of files, 
     write_part_shell,
 )
 from ..workflow.meshing.part_sizing import PartSizing
-from ..workflow.meshing.shell_meshing import mesh_of_record, shell_obstacle, shell_of_part
+from ..workflow.meshing.shell_meshing import mesh_of_record, shell_of_part, shell_walls
 from ..workflow.meshing.size_run import propose_for_documents
 from ..workflow.meshing.size_task import SizeTask
 from .file_run import FileRun
@@ -229,6 +229,8 @@ class PartSizes:
     Attributes
     ----------
     record : PartRecord
+    shell_walls : list of dict
+        Walls that a shell of the part could have: ``thickness``, mm, ``area``, mm2, and ``faces``, from 0.
 
     Raises
     ------
@@ -250,8 +252,9 @@ class PartSizes:
         measurement, = measured
         self._measurement = measurement
         limit = classify(measurement.descriptors, profile).thin_limit_x * measurement.descriptors.box.diagonal
-        self._sizing = PartSizing(measurement, limit, shell_obstacle(part, measurement),
-                                  only_chosen=self.record["category"] == NORMAL)
+        walls, obstacle = shell_walls(part, measurement)
+        self.shell_walls = [{"thickness": wall.thickness, "area": wall.area, "faces": sorted(wall.faces)} for wall in walls]
+        self._sizing = PartSizing(measurement, limit, obstacle, only_chosen=self.record["category"] == NORMAL)
         np.save(os.path.join(folder, FACETS), self._sizing.facets())
 
     def proposed(self, settings, sizes):

@@ -1,6 +1,6 @@
 """The mid-surface of a solid: a face half-way through each wall, trimmed by the solid and by the faces that it meets."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -9,6 +9,7 @@ from ...core.message import message
 from ...core.shells.walls_through import sides_of
 from ..bootstrap import load_freecad
 from .bridges import bridges, is_bridge, lies_on, spread_points
+from .cut_faces import StepLimit, faces_cut
 from .mid_shapes import MidPlane, mid_shape
 from .smooth_cuts import smooth_cuts
 
@@ -111,11 +112,14 @@ class MidSurface:
     walls : list of MidWall
     wall_of_face : list of int
         Number of the wall that each face belongs to.
+    solid_walls : list of MidWall
+        Those that stay solid since that was wanted.
     """
 
     shape: object
     walls: list
     wall_of_face: list
+    solid_walls: list = field(default_factory=list)
 
 
 def mid_walls(shape, pairs):
@@ -143,7 +147,7 @@ def mid_walls(shape, pairs):
     return [wall for wall in walls if wall.is_shell]
 
 
-def mid_surface(shape, pairs, mesh, rays, report=None):
+def mid_surface(shape, pairs, mesh, rays, report=None, solid_walls=()):
     """Make the mid-surface of a solid.
 
     Parameters
@@ -156,6 +160,8 @@ def mid_surface(shape, pairs, mesh, rays, report=None):
     rays : InwardRays
     report : callable, optional
         Called with the fraction that is done.
+    solid_walls : collection of tuple of int
+        Faces of walls that are to stay solid; see `ShellSettings`.
 
     Returns
     -------
@@ -177,9 +183,15 @@ def mid_surface(shape, pairs, mesh, rays, report=None):
     walls = mid_walls(shape, pairs)
     if not walls:
         raise _too_thick()
+    is_solid = [tuple(sorted(wall.faces)) in solid_walls for wall in walls]
+    left = [wall for wall, stays in zip(walls, is_solid) if stays]
+    walls = [wall for wall, stays in zip(walls, is_solid) if not stays]
+    if not walls:
+        raise ThinPartError(message("All walls are to stay solid: choose at least one for the shell."), "no_shell")
     test = _Support(mesh, rays, len(shape.Faces))
     try:
-        return _welded(_trimmed(shape, walls, test, report or (lambda fraction: None)), walls, test)
+        middle = _welded(_trimmed(shape, walls, test, report or (lambda fraction: None)), walls, test)
+        return replace(middle, solid_walls=left)
     except ThinPartError:
         raise
     except Exception as error:  # OCC's errors have several classes, which differ between versions of FreeCAD
@@ -212,12 +224,13 @@ class _Support:
 def _trimmed(shape, walls, test, report):
     """Faces on the mid-surfaces, within the solid: list of Part.Face."""
     cuts = smooth_cuts(shape, walls)
-    found = []
+    found, limit = [], StepLimit()
     for number, wall in enumerate(walls):
         report(0.8 * number / len(walls))
         margin = BEYOND * max(max(each.thickness for each in walls if each.faces & wall.faces or each is wall),
                               wall.thickness)
         for patch in wall.shape.patches(wall.middles, margin):
+            limit.check()
             for piece in patch.common(shape).Faces:
                 pieces = piece.generalFuse(cuts[number])[0].Faces if cuts[number] else [piece]
                 own = [test.share(face, wall) > 0.02 for face in pieces]
@@ -234,10 +247,13 @@ def _welded(faces, walls, test):
     if not faces:
         raise _too_thick()
     # What OCC says of which piece comes of which face is incomplete, so each is asked for its wall again.
-    cut = faces[0].generalFuse(faces[1:], WELD * min(wall.thickness for wall in walls))[0].Faces if len(faces) > 1 else faces
     thinnest = min(wall.thickness for wall in walls)
+    cut, limit, shares = faces_cut(faces, WELD * thinnest), StepLimit(), []
     spread = [spread_points(piece, thinnest) for piece in cut]
-    shares = np.array([[test.share(piece, wall, own) for wall in walls] for piece, own in zip(cut, spread)])
+    for piece, own in zip(cut, spread):
+        limit.check()
+        shares.append([test.share(piece, wall, own) for wall in walls])
+    shares = np.array(shares)
     best = shares.argmax(axis=1)
     is_kept = shares.max(axis=1) >= SUPPORTED
     if not is_kept.any():

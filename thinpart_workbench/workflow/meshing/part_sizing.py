@@ -111,7 +111,8 @@ class PartSizing:
         dict
             ``default`` and ``proposed``: figures as of `checked_sizes`, with ``histogram``, the share of the elements in
             each of `BINS`; ``mesh``, a UNV file, empty where there is none; ``poor``, an ndarray of shape (k, 4, 3), mm: the
-            corners of poor elements of the last mesh; ``poor_count``, of all of them.
+            corners of poor elements of the last mesh; ``poor_count``, of all of them; ``regions`` and ``global_size``, as of
+            `proposed`, with the sizes that the mesh has.
         """
         proposal, known = self._proposal(settings, region_sizes), self._default
         depends = proposal.global_size, settings.order
@@ -133,6 +134,7 @@ class PartSizing:
         self._default = depends, check["default"], histograms.get("default", [])
         found: dict = {name: {**figures, "histogram": histograms.get("default" if tried.proposal.is_uniform else name, [])}
                        for name, figures in check.items()}
+        found.update(regions=self._rows(tried.proposal, settings), global_size=tried.proposal.global_size)
         found.update(mesh="", poor=poor[0] if check["proposed"]["elements"] else np.empty((0, 4, 3)),
                      poor_count=poor[1] if check["proposed"]["elements"] else 0)
         if check["proposed"]["elements"]:

@@ -1,0 +1,48 @@
+"""Mid-faces cut by each other: in this process, in another one, and not at all where that takes too long."""
+
+import pytest
+
+from thinpart_workbench.core.errors import ThinPartError
+from thinpart_workbench.freecad_adapter.mid_surface.cut_faces import FEW, StepLimit, faces_cut
+
+
+def grid(count):
+    """Planes across each other: count by count pieces of each of both directions."""
+    import FreeCAD
+    import Part
+
+    planes = [Part.makePlane(count + 1, count + 1, FreeCAD.Vector(0, 0, row + 1)) for row in range(count)]
+    return planes + [Part.makePlane(count + 1, count + 1, FreeCAD.Vector(row + 1, 0, 0), FreeCAD.Vector(1, 0, 0))
+                     for row in range(count)]
+
+
+@pytest.mark.parametrize("count", [3, FEW // 2 + 1])
+def test_pieces_share_their_edges_however_many_faces_there_are(count):
+    faces = grid(count)
+    assert (len(faces) > FEW) == (count > 3)
+    pieces = faces_cut(faces, 1e-4)
+    assert sum(piece.Area for piece in pieces) == pytest.approx(sum(face.Area for face in faces))
+    sharing = {}
+    for piece in pieces:
+        for edge in piece.Edges:
+            sharing.setdefault(edge.hashCode(), []).append(edge)
+    # Each crossing of two planes is an edge of four pieces.
+    crossings = [same for same in sharing.values() if len(same) == 4 and all(edge.isSame(same[0]) for edge in same)]
+    assert len(crossings) >= count * count
+
+
+def test_one_face_stays_as_it_is():
+    import Part
+
+    face = Part.makePlane(3, 4)
+    assert faces_cut([face], 1e-4)[0].isSame(face)
+
+
+def test_what_takes_too_long_is_refused_with_a_sentence():
+    with pytest.raises(ThinPartError, match="takes too long.*: mesh it as a solid") as refused:
+        faces_cut(grid(45), 1e-4, seconds=1.0)
+    assert refused.value.kind == "no_shell"
+    limit = StepLimit(0.0)
+    with pytest.raises(ThinPartError, match="takes too long"):
+        sum(range(10**5))
+        limit.check()
