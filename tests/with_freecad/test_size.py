@@ -67,6 +67,21 @@ def test_a_part_without_thin_walls_stays_as_it_was(parts, lines):
     assert line["least_size"] == line["global_size"] and line["regions"] == []
 
 
+def test_a_normal_part_stays_as_it_was_though_it_has_a_thin_wall(lines, tmp_path):
+    import FreeCAD
+    import Part
+
+    file = tmp_path / "groove.brep"
+    Part.makeBox(50, 40, 30).cut(Part.makeBox(6, 2, 3, FreeCAD.Vector(20, 1, 27))).exportBrep(str(file))
+    (line,), _ = lines(file, "--check")
+    assert line["category"] == "normal" and line["left_out"] == 1 and line["regions"] == []
+    assert line["check"]["default"] == line["check"]["proposed"] and line["least_size"] == line["global_size"]
+    told = thinpart("size", file).stdout
+    assert "a thin wall of this normal part is meshed as the rest (--all-walls gives it layers)" in told
+    (line,), _ = lines(file, "--all-walls")
+    assert line["left_out"] == 0 and [row["layers"] for row in line["regions"]] == [pytest.approx(2.0, rel=0.05)]
+
+
 def test_the_script_opens_the_part_and_gives_the_same_mesh(parts, lines, tmp_path):
     script = tmp_path / "in a folder" / "sizes.geo"
     script.parent.mkdir()
