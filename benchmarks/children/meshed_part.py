@@ -39,8 +39,8 @@ CLOSE_EDGES = (2.0, 5.0)
 EQUAL = 1.15
 """Greatest ratio of numbers of elements that are called equal."""
 
-SEARCHES = 3
-"""Meshes that are made to find a size with as many elements."""
+SEARCHES = 2
+"""Meshes that are made at most to find a size with as many elements: the second corrects the first."""
 
 
 def main():

@@ -56,17 +56,7 @@ def bridges(faces, kept, rest):
     list of int
         The smallest that do: of two ways from one piece to another, one is taken.
     """
-    edges = {}
-    for number in (*kept, *rest):
-        for edge in faces[number].Edges:
-            edges.setdefault(edge.hashCode(), []).append((edge, number))
-    meets = {number: set() for number in (*kept, *rest)}
-    for sharing in edges.values():
-        for one, first in sharing:
-            for other, second in sharing:
-                if first != second and one.isSame(other):
-                    meets[first].add(second)
-    found = []
+    meets, found = _meets(faces, (*kept, *rest)), []
     for group in _connected(rest, meets):
         # All pieces of a joint connect most; those without which it connects as much are left out, the largest first.
         most = _apart([*kept, *found], meets) - _apart([*kept, *found, *group], meets)
@@ -77,6 +67,37 @@ def bridges(faces, kept, rest):
                     group = fewer
             found += group
     return found
+
+
+def connected_faces(faces, numbers):
+    """Groups of faces that hold together by their edges.
+
+    Parameters
+    ----------
+    faces : list of Part.Face
+    numbers : sequence of int
+        Of those that are meant.
+
+    Returns
+    -------
+    list of list of int
+    """
+    return _connected(numbers, _meets(faces, numbers))
+
+
+def _meets(faces, numbers):
+    """Which faces share an edge with which: dict of set."""
+    edges = {}
+    for number in numbers:
+        for edge in faces[number].Edges:
+            edges.setdefault(edge.hashCode(), []).append((edge, number))
+    meets = {number: set() for number in numbers}
+    for sharing in edges.values():
+        for one, first in sharing:
+            for other, second in sharing:
+                if first != second and one.isSame(other):
+                    meets[first].add(second)
+    return meets
 
 
 def _connected(numbers, meets):

@@ -8,7 +8,7 @@ from ...core.errors import ThinPartError
 from ...core.message import message
 from ...core.shells.walls_through import sides_of
 from ..bootstrap import load_freecad
-from .bridges import bridges, is_bridge, lies_on, spread_points
+from .bridges import bridges, connected_faces, is_bridge, lies_on, spread_points
 from .cut_faces import StepLimit, faces_cut
 from .mid_shapes import MidPlane, mid_shape
 from .smooth_cuts import smooth_cuts
@@ -28,11 +28,18 @@ ALIKE = 2.0
 LEANING = np.cos(np.radians(6.0))
 """Cosine of the greatest angle between the mid-surfaces of two walls that have one."""
 
+THINNER, WITHIN = 1.25, 0.7
+"""Ratio of the thicknesses of two walls, and share of the middle of the thicker one within thinner ones, from which on it is
+the height of these, no wall."""
+
 BEYOND = 2.5
 """Thicknesses by which a face reaches beyond its wall at first, to meet others."""
 
 SUPPORTED = 0.3
 """Share of a piece that lies between the sides of its wall, from which on it stays."""
+
+LOOSE = 0.05
+"""Share of the volume of a shell that pieces which do not meet the rest may have to be left out: a rib on a boss, a lug."""
 
 WELD = 1e-3
 """By the thickness of the thinnest wall: edges that are nearer to each other are one."""
@@ -114,21 +121,26 @@ class MidSurface:
         Number of the wall that each face belongs to.
     solid_walls : list of MidWall
         Those that stay solid since that was wanted.
+    loose : float, mm3
+        Volume of small pieces that are left out, since they do not meet the rest.
     """
 
     shape: object
     walls: list
     wall_of_face: list
     solid_walls: list = field(default_factory=list)
+    loose: float = 0.0
 
 
-def mid_walls(shape, pairs):
+def mid_walls(shape, pairs, mesh, rays):
     """The walls of a solid that are shells.
 
     Parameters
     ----------
     shape : Part.Shape
     pairs : list of FacingFaces
+    mesh : SurfaceMesh
+    rays : InwardRays
 
     Returns
     -------
@@ -144,7 +156,21 @@ def mid_walls(shape, pairs):
             walls.append(MidWall(found, [pair]))
         else:
             own.pairs.append(pair)
-    return [wall for wall in walls if wall.is_shell]
+    return _without_heights([wall for wall in walls if wall.is_shell], mesh, rays, len(faces))
+
+
+def _without_heights(walls, mesh, rays, count):
+    """The walls whose middle does not lie within thinner ones: a strip on edge is as thick as it is high, seen from above."""
+    found = []
+    for wall in walls:
+        inside = np.zeros(len(wall.middles), dtype=bool)
+        for other in walls:
+            if other.thickness * THINNER <= wall.thickness:
+                sides = sides_of(mesh, rays, wall.middles, other.shape.normals(wall.middles))
+                inside |= sides.is_between([pair.faces for pair in other.pairs], count)
+        if inside.mean() < WITHIN:
+            found.append(wall)
+    return found
 
 
 def mid_surface(shape, pairs, mesh, rays, report=None, solid_walls=()):
@@ -180,7 +206,7 @@ def mid_surface(shape, pairs, mesh, rays, report=None, solid_walls=()):
     of its wall.
     """
     load_freecad()
-    walls = mid_walls(shape, pairs)
+    walls = mid_walls(shape, pairs, mesh, rays)
     if not walls:
         raise _too_thick()
     is_solid = [tuple(sorted(wall.faces)) in solid_walls for wall in walls]
@@ -266,5 +292,18 @@ def _welded(faces, walls, test):
             rest.append(int(number))
     for number in bridges(cut, np.flatnonzero(is_kept).tolist(), rest):
         is_kept[number] = True
-    return MidSurface(Part.makeCompound([cut[number] for number in np.flatnonzero(is_kept)]), walls,
-                      best[is_kept].tolist())
+    kept, loose = _held_together(cut, np.flatnonzero(is_kept).tolist(), best, walls)
+    return MidSurface(Part.makeCompound([cut[number] for number in kept]), walls, best[kept].tolist(), loose=loose)
+
+
+def _held_together(faces, kept, wall_of_face, walls):
+    """The faces without small groups that do not meet the largest one, list of int, and the volume of these groups, mm3."""
+    groups = connected_faces(faces, kept)
+    volumes = [sum(faces[number].Area * walls[wall_of_face[number]].thickness for number in group) for group in groups]
+    largest, whole = int(np.argmax(volumes)), sum(volumes)
+    small = [row for row in range(len(groups)) if row != largest and volumes[row] <= LOOSE * whole]
+    loose = sum(volumes[row] for row in small)
+    if not small or loose > LOOSE * whole:
+        return kept, 0.0
+    out = {number for row in small for number in groups[row]}
+    return [number for number in kept if number not in out], loose

@@ -103,7 +103,7 @@ def shell_walls(part, measurement):
     if measurement.rays is None or measurement.volume_mm3 is None:
         return [], message("{part} has no shell, since it is not closed or was measured by pairs: close its gaps (Part "
                            "workbench, Check geometry), or measure it by rays.", part=part.label)
-    walls = mid_walls(part.shape, facing_faces(measurement.field))
+    walls = mid_walls(part.shape, facing_faces(measurement.field), measurement.field.mesh, measurement.rays)
     if not walls:
         return [], message("No wall of {part} is wide and thin enough for a shell: mesh it as a solid.", part=part.label)
     share = sum(wall.area * wall.thickness for wall in walls) / measurement.volume_mm3
@@ -170,6 +170,9 @@ def shell_of_part(part, measurement, program, seconds, settings=None, report=Non
     share = mesh.volume / measurement.volume_mm3
     left = _left_solid(measurement, middle)
     warnings = _checked(part, mesh, share, _share_of_shell(middle), left, *open_ends(mesh, surface, rays))
+    if middle.loose:
+        warnings.append(message("Pieces that do not meet the rest were left out, {share:.2g} % of the volume: they belong to "
+                                "what is left solid.", share=100.0 * middle.loose / measurement.volume_mm3))
     areas = np.bincount(wall, mesh.areas, len(middle.walls))
     walls = [{"wall": row + 1, "thickness": each.thickness, "area": float(areas[row]),
               "faces": [f"Face{face + 1}" for face in sorted(each.faces)]} for row, each in enumerate(middle.walls)
@@ -198,7 +201,8 @@ def _left_solid(measurement, middle):
         if region.area >= LEFT_SHARE * field.area.sum() and area > 0.0 and field.area[own & covered].sum() < 0.5 * area:
             found.append({"kind": region.kind, "thickness": region.median, "volume_share": region.volume_share,
                           "faces": [f"Face{face + 1}" for face in region.faces]})
-    for wall in middle.solid_walls:
+    loose = [wall for row, wall in enumerate(middle.walls) if row not in middle.wall_of_face] if middle.loose else []
+    for wall in middle.solid_walls + loose:
         found.append({"kind": PLATE if wall.is_flat else TUBE, "thickness": wall.thickness,
                       "volume_share": min(1.0, wall.area * wall.thickness / measurement.volume_mm3),
                       "faces": [f"Face{face + 1}" for face in sorted(wall.faces)]})
