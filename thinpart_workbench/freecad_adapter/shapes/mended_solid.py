@@ -9,6 +9,24 @@ SAME_VOLUME = 1e-3
 """Greatest relative difference of the volumes of a solid and of the mended one."""
 
 
+def edges_of_many_faces(file):
+    """How many edges of the shape in a BREP file join more than two faces: int."""
+    import Part
+
+    shape = Part.Shape()
+    shape.read(os.fspath(file))
+    uses: dict = {}
+    for face in shape.Faces:
+        for edge in face.Edges:
+            same = uses.setdefault(edge.hashCode(), [])
+            own = next((each for each in same if each[0].isSame(edge)), None)
+            if own is None:
+                same.append([edge, 1])
+            else:
+                own[1] += 1
+    return sum(count > 2 for same in uses.values() for _, count in same)
+
+
 def write_mended(file, output):
     """Write the solid of a file without the pieces of faces that coincide in pairs.
 

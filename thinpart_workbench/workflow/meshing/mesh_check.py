@@ -6,12 +6,13 @@ from functools import partial
 
 import numpy as np
 
+from ...core.errors import ThinPartError
 from ...core.mesh.tetrahedra import POOR, inverse_condition_numbers, layers_through, radius_ratios
 from ...core.message import message
 from ...core.sizing.size_boxes import size_boxes
 from ...storage.exchange.geo_file import geo_text
 from ...storage.exchange.msh_file import read_tetrahedra
-from .gmsh_program import CRASHED, MEMORY, TIMEOUT, mesh_volume, stated_error
+from .gmsh_program import CRASHED, INCOMPLETE, MEMORY, TIMEOUT, mesh_volume, stated_error
 from .mesh_tries import MeshTries
 
 MESH = "part.msh"
@@ -77,13 +78,27 @@ def checked_sizes(program, shape, measurement, proposal, seconds, folder, defaul
         if proposed["elements"] or tried.proposal.is_uniform:
             break
         following = tries.after(tried, proposed["reason"], stated)
-        if following is None and default["elements"]:
+        if following is None and default["elements"] and proposed["reason"] != INCOMPLETE:
             following = tries.one_size()
         if following is None:
             break
         tried = following
     proposed.update(attempts=len(done), tries=done)
+    joined = "" if proposed["elements"] or default["elements"] else _joined_bodies(solid or shape)
+    if joined:
+        default["reason"] = proposed["reason"] = joined
     return {"default": default, "proposed": proposed}, tried
+
+
+def _joined_bodies(shape):
+    """Why nothing can fill a shape whose bodies touch along edges; empty for another one."""
+    # Imported here since the adapter loads FreeCAD.
+    from ...freecad_adapter.shapes.mended_solid import edges_of_many_faces
+
+    count = edges_of_many_faces(shape)
+    return "" if not count else message(
+        "edges of it join more than two faces ({count}), as where bodies touch along them: fuse these with some overlap, or "
+        "separate them", count=count)
 
 
 def _tried(tried, figures):
@@ -99,7 +114,10 @@ def _meshed(program, inputs, seconds, folder, options, walls, on_mesh=None):
     took = time.perf_counter() - started
     if reason:
         return mesh_figures(took, reason), text
-    points, tetrahedra = read_tetrahedra(output)
+    try:
+        points, tetrahedra = read_tetrahedra(output)
+    except ThinPartError:
+        return mesh_figures(took, INCOMPLETE), text
     if not len(tetrahedra):
         return mesh_figures(took, stated_error(text) or message("Gmsh filled no volume")), text
     if on_mesh is not None:

@@ -9,7 +9,7 @@ import numpy as np
 from ...core.message import message
 from ...core.sizing.size_proposal import SizeProposal, propose_everywhere, propose_sizes, with_sources
 from ...core.sizing.size_sources import SPACING, places
-from .gmsh_program import CRASHED, MEMORY, TIMEOUT
+from .gmsh_program import CRASHED, INCOMPLETE, MEMORY, TIMEOUT
 
 FINER = 0.5
 """Of the size there, at places at which Gmsh failed."""
@@ -96,6 +96,8 @@ class MeshTries:
         if reason in (TIMEOUT, MEMORY):
             self._steps = []
             return self._fewer(last)
+        if reason == INCOMPLETE:
+            return None
         if reason == CRASHED:
             if last.options:
                 return None
