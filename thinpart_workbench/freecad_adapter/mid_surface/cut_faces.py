@@ -10,10 +10,8 @@ import time
 
 from ...core.errors import ThinPartError
 from ...core.message import message
-from ...system.process_limits import run_limited
-from ...system.python_process import CHECKOUT, module_command
 from ..bootstrap import load_freecad
-from ..python_beside_freecad import is_within_freecad, python_beside_freecad, python_environment
+from ..python_beside_freecad import run_module_limited
 
 FEW = 40
 """Faces up to which they are cut within this process: that takes less than to start another one."""
@@ -68,19 +66,14 @@ def faces_cut(faces, tolerance, seconds=SECONDS):
         return list(faces)
     if len(faces) <= FEW:
         return faces[0].generalFuse(faces[1:], tolerance)[0].Faces
-    program, environment = None, os.environ
-    if is_within_freecad():
-        program, environment = python_beside_freecad(), python_environment()
-        if program is None:  # no Python beside FreeCAD, which would open another window
-            return faces[0].generalFuse(faces[1:], tolerance)[0].Faces
-    path = os.pathsep.join(filter(None, (os.fspath(CHECKOUT), environment.get("PYTHONPATH"))))
     with tempfile.TemporaryDirectory(prefix="thinpart-cut-") as folder:
         given, found = os.path.join(folder, "faces.brep"), os.path.join(folder, "cut.brep")
         # FreeCAD's exception does not say that a disk is full; Python's does.
         with open(given, "w", encoding="utf-8") as file:
             file.write(Part.makeCompound(faces).exportBrepToString())
-        command, variables = module_command(__spec__.name, [given, found, repr(tolerance)], program)
-        end = run_limited(command, seconds, folder, {**environment, **variables, "PYTHONPATH": path})
+        end = run_module_limited(__spec__.name, [given, found, repr(tolerance)], seconds, folder)
+        if end is None:
+            return faces[0].generalFuse(faces[1:], tolerance)[0].Faces
         if end.timed_out:
             raise too_long()
         if end.code or not os.path.exists(found):
