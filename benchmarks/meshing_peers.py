@@ -42,18 +42,24 @@ def main(arguments=None):
     if not parts:
         print(f"benchmarks: {options.folder} has no such parts.", file=sys.stderr)
         return 1
-    failures = {}
-    try:
-        netgen = installed_python(CACHE / "netgen", [sys.executable, DEBIAN_PYTHON], ("netgen-mesher",), _say)
-    except ChildError as error:
-        netgen, failures["Netgen"] = "missing", str(error)
+    failures, netgen = {}, "missing"
+    if options.without_netgen:
+        failures["Netgen"] = "left out"
+    else:
+        try:
+            netgen = installed_python(CACHE / "netgen", [sys.executable, DEBIAN_PYTHON], ("netgen-mesher",), _say)
+        except ChildError as error:
+            failures["Netgen"] = str(error)
     rows = []
     for number, (file, group) in enumerate(parts):
         _say(f"{number + 1} of {len(parts)}")
-        rows.append({"group": group, **_figures(file, options, str(netgen))})
+        found = _figures(file, options, str(netgen))
+        if found is None:
+            break
+        rows.append({"group": group, **found})
     results = {"date": date.today().isoformat(), "machine": machine(), "versions": {**product_version(), **_versions(netgen)},
                "meshing": {"digits": options.digits, "seconds": options.mesh_timeout, "megabytes": options.memory,
-                           "parts": rows}, "failures": failures}
+                           "chosen": len(parts), "parts": rows}, "failures": failures}
     options.output.parent.mkdir(parents=True, exist_ok=True)
     options.output.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
     print("\n\n".join(titled(table, plain) for table in meshing_tables(results)))
@@ -82,11 +88,14 @@ def chosen_parts(folder, digits, counts):
 
 
 def _figures(file, options, netgen):
-    """Figures of a part, or why there are none; those of an earlier run with the same settings where there are any."""
+    """Figures of a part, or why there are none; those of an earlier run with the same settings where there are any. None
+    where only these are wanted."""
     what = [str(file.resolve()), file.stat().st_mtime, options.mesh_timeout, options.memory, _sources()]
     kept = CACHE / "meshing_peers" / f"{hashlib.sha256(json.dumps(what).encode()).hexdigest()[:32]}.json"
     if kept.is_file():
         return json.loads(kept.read_text(encoding="utf-8"))
+    if options.kept:
+        return None
     command = [DEBIAN_PYTHON, os.fspath(ROOT / "benchmarks" / "children" / "meshed_part.py"), os.fspath(file),
                str(options.mesh_timeout), str(options.memory), netgen]
     try:
@@ -131,6 +140,9 @@ def _options(arguments):
     parser.add_argument("--mesh-timeout", type=float, default=40.0, metavar="S",
                         help="processor time of each mesh (default: %(default)g)")
     parser.add_argument("--memory", type=int, default=6000, metavar="MB", help="of each process (default: %(default)s)")
+    parser.add_argument("--without-netgen", action="store_true", help="do not install and run Netgen")
+    parser.add_argument("--kept", action="store_true",
+                        help="only the parts that earlier runs have done, up to the first that is missing")
     parser.add_argument("-o", "--output", type=Path, default=RESULTS / f"{date.today().isoformat()}-meshing.json")
     return parser.parse_args(arguments)
 
