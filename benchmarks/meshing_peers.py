@@ -2,9 +2,9 @@
 
     python3 benchmarks/meshing_peers.py FOLDER [--digits 37] [--parts 30] [--normal 11] [--mesh-timeout S] [-o FILE]
 
-FOLDER has ``manifest.csv`` with the columns ``file`` and ``expert_label``, and file names that begin with a letter and a number.
-Taken are the first parts whose number ends in one of the digits: so many that an engineer called thin or thin-featured, and so
-many normal ones; no files of triangles. Each part has a process of its own, and each mesh another one, with limits of
+FOLDER has ``manifest.csv`` with the columns ``file`` and ``expert_label``, and file names that begin with a letter and a
+number. Taken are the first parts whose number ends in one of the digits: so many that an engineer called thin or
+thin-featured, and so many normal ones; no files of triangles. Each part has a process of its own, and each mesh another one, with limits of
 processor time and memory. What is done is kept, so that a run that was stopped goes on. Results name no part.
 """
 
@@ -57,7 +57,8 @@ def main(arguments=None):
         if found is None:
             break
         rows.append({"group": group, **found})
-    results = {"date": date.today().isoformat(), "machine": machine(), "versions": {**product_version(), **_versions(netgen)},
+    results = {"date": date.today().isoformat(), "machine": machine(),
+               "versions": {**product_version(), **_versions(netgen)},
                "meshing": {"digits": options.digits, "seconds": options.mesh_timeout, "megabytes": options.memory,
                            "chosen": len(parts), "parts": rows}, "failures": failures}
     options.output.parent.mkdir(parents=True, exist_ok=True)
@@ -135,7 +136,8 @@ def _options(arguments):
     parser = argparse.ArgumentParser(prog="benchmarks/meshing_peers.py", description=__doc__.partition("\n")[0])
     parser.add_argument("folder", type=Path)
     parser.add_argument("--digits", default="37", help="last digits of the numbers of the parts (default: %(default)s)")
-    parser.add_argument("--parts", type=int, default=30, metavar="N", help="thin and thin-featured ones (default: %(default)s)")
+    parser.add_argument("--parts", type=int, default=30, metavar="N",
+                        help="thin and thin-featured ones (default: %(default)s)")
     parser.add_argument("--normal", type=int, default=11, metavar="N", help="normal ones (default: %(default)s)")
     parser.add_argument("--mesh-timeout", type=float, default=40.0, metavar="S",
                         help="processor time of each mesh (default: %(default)g)")

@@ -45,8 +45,8 @@ def meshing_target_tables(results):
     same, stays = (sum(_elements(row, "ThinPart") == _elements(row, "one size") > 0 for row in rows)
                    for rows in (normal, called))
     rows = [
-        ["of the parts that fail at one size, meshed", "95 %", f"{sum(bool(_elements(row, 'ThinPart')) for row in failing)} of "
-                                                                f"{len(failing)}"],
+        ["of the parts that fail at one size, meshed", "95 %",
+         f"{sum(bool(_elements(row, 'ThinPart')) for row in failing)} of {len(failing)}"],
         ["elements with gamma under 0.3, median of the parts", "at most 3 %", _percent(poor)],
         ["thin walls with two layers, median of the parts", "over 90 %", _percent(layers)],
         ["parts with two layers in over 90 % of their thin walls", "all",
@@ -65,8 +65,8 @@ def _notes(results):
     found, versions = results["meshing"], results["versions"]
     programs = ", ".join(f"{name} {versions[name]}" for name in ("Gmsh", "Netgen") if name in versions)
     return (f"Parts whose number ends in {' or '.join(found['digits'])}, the first {len(found['parts'])} of "
-            f"{found['chosen']}; {found['seconds']:g} s of processor time and {found['megabytes'] / 1000:g} GB for each mesh; "
-            f"{programs}.")
+            f"{found['chosen']}; {found['seconds']:g} s of processor time and {found['megabytes'] / 1000:g} GB for each "
+            f"mesh; {programs}.")
 
 
 def _row(name, text, rows):

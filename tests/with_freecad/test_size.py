@@ -167,7 +167,8 @@ def test_what_becomes_of_gmsh_is_a_reason(parts, lines, other_gmsh, program, rea
 def test_a_mesh_cut_short_is_said_and_not_kept(parts, lines, other_gmsh, monkeypatch):
     """As on a full disk."""
     path = os.environ["PATH"]
-    other_gmsh("for last; do :; done; printf '$MeshFormat\\n2.2 1 8\\n\\1\\0\\0\\0\\n$EndMeshFormat\\n$Nodes\\n9\\n' > \"$last\"")
+    start = "$MeshFormat\\n2.2 1 8\\n\\1\\0\\0\\0\\n$EndMeshFormat\\n$Nodes\\n9\\n"
+    other_gmsh(f"for last; do :; done; printf '{start}' > \"$last\"")
     (line,), run = lines(parts / "bracket.step", "--check")
     proposed = line["check"]["proposed"]
     assert run.returncode == 0 and proposed["reason"] == "its mesh is incomplete: is the disk full?"

@@ -79,9 +79,9 @@ def _sentences(file, part):
         if part["unbounded"] is not None:
             why = "the budget allows no more"
         elif part["left_out"]:
-            why = ("a thin wall of this normal part is meshed as the rest (--all-walls gives it layers)"
-                   if part["left_out"] == 1 else
-                   f"{part['left_out']} thin walls of this normal part are meshed as the rest (--all-walls gives them layers)")
+            walls, them = (("a thin wall of this normal part is", "it") if part["left_out"] == 1 else
+                           (f"{part['left_out']} thin walls of this normal part are", "them"))
+            why = f"{walls} meshed as the rest (--all-walls gives {them} layers)"
         elif part["regions"] or _was_changed(part):
             why = "nothing finer is meshed"
         return (f"{name}: one element size of {part['global_size']:.4g} mm, about {part['elements']:,} elements; {why}.")

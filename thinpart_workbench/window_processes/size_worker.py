@@ -2,10 +2,10 @@
 
 The first line on standard input is ``{"folder", "megabytes", "gmsh"}``: the folder of a snapshot with one part, the limit of
 the address space, a path of Gmsh to look at first. It prints ``{"progress": fraction}`` and ``{"measured": {"record",
-"gmsh", "shell_walls"}}``, where ``gmsh`` is a sentence if nothing can be meshed. Each further line is a request: ``{"number", "settings",
-"sizes_wanted"}``, with ``"mesh": true`` to mesh, or ``{"number", "shell": settings}``; see `PartSizes`. It is answered by
-``{"proposed": dict, "number"}``, ``{"meshed": dict, "number"}`` or ``{"shelled": dict, "number"}``, or where it cannot
-be done by ``{"refused": sentence, "number"}``.
+"gmsh", "shell_walls"}}``, where ``gmsh`` is a sentence if nothing can be meshed. Each further line is a request:
+``{"number", "settings", "sizes_wanted"}``, with ``"mesh": true`` to mesh, or ``{"number", "shell": settings}``; see
+`PartSizes`. It is answered by ``{"proposed": dict, "number"}``, ``{"meshed": dict, "number"}`` or ``{"shelled": dict,
+"number"}``, or where it cannot be done by ``{"refused": sentence, "number"}``.
 
 The parent stops it by killing it. The shapes may come from an untrusted file, so it can only write into the snapshot's
 folder.

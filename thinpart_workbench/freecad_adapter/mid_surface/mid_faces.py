@@ -160,7 +160,7 @@ def mid_walls(shape, pairs, mesh, rays):
 
 
 def _without_heights(walls, mesh, rays, count):
-    """The walls whose middle does not lie within thinner ones: a strip on edge is as thick as it is high, seen from above."""
+    """The walls whose middle does not lie within thinner ones: from above, a strip on edge is as thick as it is high."""
     found = []
     for wall in walls:
         inside = np.zeros(len(wall.middles), dtype=bool)
