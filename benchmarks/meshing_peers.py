@@ -4,8 +4,8 @@
 
 FOLDER has ``manifest.csv`` with the columns ``file`` and ``expert_label``, and file names that begin with a letter and a
 number. Taken are the first parts whose number ends in one of the digits: so many that an engineer called thin or
-thin-featured, and so many normal ones; no files of triangles. Each part has a process of its own, and each mesh another one, with limits of
-processor time and memory. What is done is kept, so that a run that was stopped goes on. Results name no part.
+thin-featured, and so many normal ones; no files of triangles. Each part has a process of its own, and each mesh another one,
+with limits of processor time and memory. What is done is kept, so that a run that was stopped goes on. Results name no part.
 """
 
 import argparse

@@ -171,9 +171,8 @@ def shell_of_part(part, measurement, program, seconds, settings=None, report=Non
     left = _left_solid(measurement, middle)
     warnings = _checked(part, mesh, share, _share_of_shell(middle), left, *open_ends(mesh, surface, rays))
     if middle.loose:
-        warnings.append(message(
-            "Pieces that do not meet the rest were left out, {share:.2g} % of the volume: they belong to what is left solid.",
-            share=100.0 * middle.loose / measurement.volume_mm3))
+        warnings.append(message("Pieces that do not meet the rest were left out, {share:.2g} % of the volume: they belong "
+                                "to what is left solid.", share=100.0 * middle.loose / measurement.volume_mm3))
     areas = np.bincount(wall, mesh.areas, len(middle.walls))
     walls = [{"wall": row + 1, "thickness": each.thickness, "area": float(areas[row]),
               "faces": [f"Face{face + 1}" for face in sorted(each.faces)]} for row, each in enumerate(middle.walls)
