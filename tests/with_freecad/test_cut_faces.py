@@ -1,8 +1,10 @@
 """Mid-faces cut by each other: in this process, in another one, and not at all where that takes too long."""
 
+import numpy as np
 import pytest
 
 from thinpart_workbench.core.errors import ThinPartError
+from thinpart_workbench.freecad_adapter.mid_surface.bridges import spread_points
 from thinpart_workbench.freecad_adapter.mid_surface.cut_faces import FEW, StepLimit, faces_cut
 
 
@@ -47,3 +49,28 @@ def test_what_takes_too_long_is_refused_with_a_sentence():
     with pytest.raises(ThinPartError, match="takes too long"):
         sum(range(10**5))
         limit.check()
+
+
+class _WithoutTriangles:
+    """A face of which OCC makes no triangles, as of some whose edges are shorter than their ends are exact."""
+
+    def __init__(self, face):
+        self._face = face
+
+    def tessellate(self, deflection):
+        return [], []
+
+    def __getattr__(self, name):
+        return getattr(self._face, name)
+
+
+def test_points_are_spread_over_a_face_without_triangles_too():
+    import FreeCAD
+    import Part
+
+    plate = Part.makePlane(40, 20).cut(Part.makeCylinder(6, 2, FreeCAD.Vector(20, 10, -1))).Faces[0]
+    points, area = spread_points(_WithoutTriangles(plate), 1.0)
+    assert len(points) > 100 and area.sum() == pytest.approx(plate.Area)
+    assert np.abs(points[:, 2]).max() < 1e-9
+    assert np.hypot(points[:, 0] - 20.0, points[:, 1] - 10.0).min() > 5.9  # none in the hole
+    assert points[:, 0].max() > 35.0 and points[:, 1].min() < 5.0
