@@ -40,10 +40,9 @@ def meshing_target_tables(results):
     failing = [row for row in thin if not _elements(row, "one size")]
     meshed = [row for row in thin if _elements(row, "ThinPart")]
     poor, layers = (_values(meshed, "ThinPart", key) for key in ("poor_share", "layers_share"))
-    shares = [_elements(row, "ThinPart") / row["uniform_elements"] for row in meshed]
+    shares = [1.0 if _is_as_it_was(row) else _elements(row, "ThinPart") / row["uniform_elements"] for row in meshed]
     called = [row for row in found["parts"] if row.get("category") == "normal"]
-    same, stays = (sum(_elements(row, "ThinPart") == _elements(row, "one size") > 0 for row in rows)
-                   for rows in (normal, called))
+    same, stays = (sum(map(_is_as_it_was, rows)) for rows in (normal, called))
     rows = [
         ["of the parts that fail at one size, meshed", "95 %",
          f"{sum(bool(_elements(row, 'ThinPart')) for row in failing)} of {len(failing)}"],
@@ -79,6 +78,11 @@ def _row(name, text, rows):
             f"{median(counts):,.0f}" if counts else MISSING, _percent(poor), sum(share > POOR for share in poor),
             _percent(layers), f"{sum(share > LAYERED for share in layers)} of {len(layers)}",
             f"{median(seconds):.2g}" if seconds else MISSING]
+
+
+def _is_as_it_was(row):
+    """Whether the mesh with ThinPart's sizes is that of one size, or neither is there."""
+    return _elements(row, "ThinPart") == _elements(row, "one size")
 
 
 def _elements(row, name):
