@@ -3,6 +3,7 @@
 from collections import namedtuple
 from statistics import geometric_mean, median
 
+from .meshing_tables import meshing_tables, meshing_target_tables
 from .table_text import MISSING, Table, number, percent
 from .targets import box_ratio, growth_exponents, place, ratio, seconds, size_class, time_ratio
 from .verdict_times import BARE, ONE_CORE, TABLE, TWO_CORES
@@ -215,7 +216,8 @@ def target_tables(results):
 
 
 TABLES = {"verdicts": verdict_tables, "groups": group_tables, "rays": ray_tables, "growth": growth_tables,
-          "accuracy": accuracy_tables, "targets": target_tables}
+          "accuracy": accuracy_tables, "targets": target_tables, "meshing": meshing_tables,
+          "meshing_targets": meshing_target_tables}
 """By the name that documents ask for them."""
 
 

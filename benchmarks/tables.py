@@ -28,7 +28,7 @@ from benchmarks.places import RESULTS, ROOT
 from benchmarks.result_tables import TABLES, mesh_tables, notes
 from benchmarks.table_text import markdown, plain, titled
 
-DOCUMENTS = ("README.md", "docs/performance.md")
+DOCUMENTS = ("README.md", "docs/performance.md", "docs/meshing.md")
 
 NOT_MEASURED = "none"
 """In place of a results file."""
@@ -77,7 +77,7 @@ def stored(file):
         results = json.loads(file.read_text(encoding="utf-8"))
     except ValueError:
         results = None
-    if not isinstance(results, dict) or not results.keys() & {"meshes", "verdicts", "accuracy"}:
+    if not isinstance(results, dict) or not results.keys() & {"meshes", "verdicts", "accuracy", "meshing"}:
         raise ChildError(f"{file} is no results file of this benchmark.")
     return results
 

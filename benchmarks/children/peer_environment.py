@@ -55,6 +55,28 @@ def open_peers(folder, pythons, say, names=tuple(PACKAGES)):
     return children, versions, failures
 
 
+def installed_python(folder, pythons, packages, say):
+    """Path of the Python of an environment with some packages, which is made where it is missing.
+
+    Parameters
+    ----------
+    folder, pythons, say
+        As of `open_peers`.
+    packages : tuple of str
+
+    Raises
+    ------
+    ChildError
+        if they cannot be installed.
+    """
+    python = Path(folder) / "bin" / "python"
+    if not python.is_file():
+        say(f"installing {' '.join(packages)}")
+        _make_environment(folder, pythons)
+        _call([str(python), "-m", "pip", "install", "--quiet", *packages], f"{' '.join(packages)} cannot be installed")
+    return python
+
+
 def _versions(child, python, peer, packages, say):
     try:
         return child.ask("versions")

@@ -371,6 +371,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>In {1} wurde eine Verknüpfung zu {0} eingefügt.</translation>
     </message>
     <message>
+        <source>A normal part: one size is enough. About {} elements of {}. Tick a wall to give it layers.</source>
+        <translation>Ein normales Teil: Eine Größe genügt. Etwa {} Elemente von {}. Setzen Sie das Häkchen einer Wand, damit sie Lagen erhält.</translation>
+    </message>
+    <message>
         <source>A part gets the first category of which a criterion holds. If none holds, it is normal.</source>
         <translation>Ein Bauteil erhält die erste Kategorie, von der ein Kriterium erfüllt ist. Ist keines erfüllt, ist es normal.</translation>
     </message>
@@ -2523,6 +2527,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Grund: {}</translation>
     </message>
     <message>
+        <source>Without the check mark, a wall stays solid and is not in the shell.</source>
+        <translation>Ohne Häkchen bleibt eine Wand Volumen und ist nicht in der Schale.</translation>
+    </message>
+    <message>
         <source>Words in names, paths, notes, links</source>
         <translation>Wörter in Namen, Pfaden, Notizen, Verknüpfungen</translation>
     </message>
@@ -2869,6 +2877,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>smooth</source>
         <translation>stufenlos</translation>
+    </message>
+    <message>
+        <source>solid</source>
+        <translation>Volumen</translation>
     </message>
     <message>
         <source>standard</source>
@@ -3358,6 +3370,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Alle Punkte fallen zusammen.</translation>
     </message>
     <message>
+        <source>All walls are to stay solid: choose at least one for the shell.</source>
+        <translation>Alle Wände sollen Volumen bleiben: Wählen Sie mindestens eine für die Schale.</translation>
+    </message>
+    <message>
         <source>Aluminium</source>
         <translation>Aluminium</translation>
     </message>
@@ -3444,6 +3460,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Could not be measured</source>
         <translation>Konnte nicht gemessen werden</translation>
+    </message>
+    <message>
+        <source>Cutting the mid-faces of the walls to each other takes too long, as there are too many that nearly touch: mesh it as a solid.</source>
+        <translation>Die Mittelflächen der Wände aneinander zu schneiden dauert zu lange, da sich zu viele fast berühren: Vernetzen Sie das Teil als Volumen.</translation>
     </message>
     <message>
         <source>Developed width, {unit}</source>
@@ -3850,6 +3870,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Bild</translation>
     </message>
     <message>
+        <source>Pieces that do not meet the rest were left out, {share:.2g} % of the volume: they belong to what is left solid.</source>
+        <translation>Stücke, die den Rest nicht treffen, wurden ausgelassen, {share:.2g} % des Volumens: Sie gehören zu dem, was Volumen bleibt.</translation>
+    </message>
+    <message>
         <source>Plastic</source>
         <translation>Kunststoff</translation>
     </message>
@@ -4240,6 +4264,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>The mid-faces of the walls could not be cut to each other ({problem}): mesh it as a solid.</source>
         <translation>Die Mittelflächen der Wände ließen sich nicht aneinander schneiden ({problem}): Vernetzen Sie das Teil als Volumen.</translation>
+    </message>
+    <message>
+        <source>The mid-faces of the walls could not be cut to each other: mesh it as a solid.</source>
+        <translation>Die Mittelflächen der Wände ließen sich nicht aneinander schneiden: Vernetzen Sie das Teil als Volumen.</translation>
     </message>
     <message>
         <source>The mid-surface cannot be read ({problem}): free some disk space and try again.</source>
@@ -4710,6 +4738,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>andere Wandverteilung</translation>
     </message>
     <message>
+        <source>edges of it join more than two faces ({count}), as where bodies touch along them: fuse these with some overlap, or separate them</source>
+        <translation>Kanten verbinden mehr als zwei Flächen ({count}), wie dort, wo Körper sich entlang von ihnen berühren: Vereinigen Sie diese mit etwas Überlappung, oder trennen Sie sie</translation>
+    </message>
+    <message>
         <source>element size {size}</source>
         <translation>Elementgröße {size}</translation>
     </message>
@@ -4814,6 +4846,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>es legt eine Ressource als „{path}“ ab</translation>
     </message>
     <message>
+        <source>its mesh is incomplete: is the disk full?</source>
+        <translation>sein Netz ist unvollständig: Ist der Datenträger voll?</translation>
+    </message>
+    <message>
         <source>its parts are not those of {file}</source>
         <translation>seine Bauteile sind nicht die von {file}</translation>
     </message>
@@ -4840,6 +4876,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>its {entry} would be larger than {gigabytes} GB</source>
         <translation>seine {entry} wäre größer als {gigabytes} GB</translation>
+    </message>
+    <message>
+        <source>layers in its thin walls</source>
+        <translation>Lagen in den dünnen Wänden</translation>
     </message>
     <message>
         <source>less filled</source>

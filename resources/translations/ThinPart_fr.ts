@@ -371,6 +371,10 @@ Son volume est inconnu.</translation>
         <translation>Un lien vers {} a été placé dans {}.</translation>
     </message>
     <message>
+        <source>A normal part: one size is enough. About {} elements of {}. Tick a wall to give it layers.</source>
+        <translation>Une pièce normale : une seule taille suffit. Environ {} éléments de {}. Cochez une paroi pour lui donner des couches.</translation>
+    </message>
+    <message>
         <source>A part gets the first category of which a criterion holds. If none holds, it is normal.</source>
         <translation>Une pièce reçoit la première catégorie dont un critère est rempli. Si aucun ne l’est, elle est normale.</translation>
     </message>
@@ -2523,6 +2527,10 @@ Son volume est inconnu.</translation>
         <translation>Raison : {}</translation>
     </message>
     <message>
+        <source>Without the check mark, a wall stays solid and is not in the shell.</source>
+        <translation>Sans coche, une paroi reste en volume et n’est pas dans la coque.</translation>
+    </message>
+    <message>
         <source>Words in names, paths, notes, links</source>
         <translation>Mots des noms, chemins, notes, liens</translation>
     </message>
@@ -2869,6 +2877,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>smooth</source>
         <translation>continu</translation>
+    </message>
+    <message>
+        <source>solid</source>
+        <translation>volume</translation>
     </message>
     <message>
         <source>standard</source>
@@ -3358,6 +3370,10 @@ Son volume est inconnu.</translation>
         <translation>Tous les points coïncident.</translation>
     </message>
     <message>
+        <source>All walls are to stay solid: choose at least one for the shell.</source>
+        <translation>Toutes les parois doivent rester en volume : choisissez-en au moins une pour la coque.</translation>
+    </message>
+    <message>
         <source>Aluminium</source>
         <translation>Aluminium</translation>
     </message>
@@ -3444,6 +3460,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Could not be measured</source>
         <translation>N’a pas pu être mesuré</translation>
+    </message>
+    <message>
+        <source>Cutting the mid-faces of the walls to each other takes too long, as there are too many that nearly touch: mesh it as a solid.</source>
+        <translation>Couper les faces moyennes des parois entre elles prend trop de temps, car trop d’entre elles se touchent presque : maillez la pièce en volume.</translation>
     </message>
     <message>
         <source>Developed width, {unit}</source>
@@ -3850,6 +3870,10 @@ Son volume est inconnu.</translation>
         <translation>Image</translation>
     </message>
     <message>
+        <source>Pieces that do not meet the rest were left out, {share:.2g} % of the volume: they belong to what is left solid.</source>
+        <translation>Des morceaux qui ne touchent pas le reste ont été omis, {share:.2g} % du volume : ils font partie de ce qui reste en volume.</translation>
+    </message>
+    <message>
         <source>Plastic</source>
         <translation>Plastique</translation>
     </message>
@@ -4240,6 +4264,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>The mid-faces of the walls could not be cut to each other ({problem}): mesh it as a solid.</source>
         <translation>Les faces moyennes des parois n’ont pas pu être découpées entre elles ({problem}) : maillez la pièce comme solide.</translation>
+    </message>
+    <message>
+        <source>The mid-faces of the walls could not be cut to each other: mesh it as a solid.</source>
+        <translation>Les faces moyennes des parois n’ont pas pu être coupées entre elles : maillez la pièce en volume.</translation>
     </message>
     <message>
         <source>The mid-surface cannot be read ({problem}): free some disk space and try again.</source>
@@ -4710,6 +4738,10 @@ Son volume est inconnu.</translation>
         <translation>répartition des parois différente</translation>
     </message>
     <message>
+        <source>edges of it join more than two faces ({count}), as where bodies touch along them: fuse these with some overlap, or separate them</source>
+        <translation>des arêtes joignent plus de deux faces ({count}), comme là où des corps se touchent le long d’elles : fusionnez-les avec un recouvrement, ou séparez-les</translation>
+    </message>
+    <message>
         <source>element size {size}</source>
         <translation>taille d’élément {size}</translation>
     </message>
@@ -4814,6 +4846,10 @@ Son volume est inconnu.</translation>
         <translation>il range une ressource sous « {path} »</translation>
     </message>
     <message>
+        <source>its mesh is incomplete: is the disk full?</source>
+        <translation>son maillage est incomplet : le disque est-il plein ?</translation>
+    </message>
+    <message>
         <source>its parts are not those of {file}</source>
         <translation>ses pièces ne sont pas celles de {file}</translation>
     </message>
@@ -4840,6 +4876,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>its {entry} would be larger than {gigabytes} GB</source>
         <translation>son {entry} dépasserait {gigabytes} Go</translation>
+    </message>
+    <message>
+        <source>layers in its thin walls</source>
+        <translation>couches dans les parois minces</translation>
     </message>
     <message>
         <source>less filled</source>

@@ -72,6 +72,19 @@ def test_the_estimate_is_the_volume_by_that_of_an_element(plate):
     assert proposal.uniform_elements >= proposal.elements
 
 
+def test_only_chosen_walls_ask_for_sizes(ribbed):
+    """As in a part that is called normal."""
+    free = propose_sizes(ribbed, 5.0, SizingSettings())
+    number = free.regions[0].number
+    none = propose_sizes(ribbed, 5.0, SizingSettings(), only_chosen=True)
+    assert none.is_uniform and not none.regions and none.left_out == len(free.regions) and free.left_out == 0
+    off = propose_sizes(ribbed, 5.0, SizingSettings(), {number: None}, only_chosen=True)
+    assert off.is_uniform and off.left_out == none.left_out
+    chosen = propose_sizes(ribbed, 5.0, SizingSettings(), {number: 1.0}, only_chosen=True)
+    region, = chosen.regions
+    assert region.number == number and region.size == pytest.approx(1.0) and chosen.left_out == none.left_out - 1
+
+
 def test_a_part_without_thin_walls_has_one_size():
     block = measured(*made_meshes.box(100, 80, 60))
     proposal = propose_sizes(block, 10.0, SizingSettings())

@@ -94,6 +94,31 @@ def test_sizes_are_edited_and_the_estimate_follows(document):
     assert table.rows[0]["elements"] is None
 
 
+def test_the_fem_regions_have_the_sizes_of_the_mesh_also_before_a_new_estimate(document):
+    part(document)
+    open_panel()
+    window.widget("ThinPart_WallSizes").item(0, 1).setText("2.5")
+    press_ok()  # at once: the estimate still says the former size
+    window.wait_until(lambda: open_session() is None)
+    region, = regions(document)
+    assert region.CharacteristicLength.Value == pytest.approx(2.5) and "elements of 2.5" in region.Label
+
+
+@pytest.mark.default_profile
+def test_a_normal_part_has_one_size_until_a_wall_is_ticked(document):
+    """A block with a groove that leaves a small thin wall."""
+    shape = Part.makeBox(50, 40, 30).cut(Part.makeBox(6, 2, 3, V(20, 1, 27)))
+    window.add(document, "Block", shape)
+    open_panel()
+    table = window.widget("ThinPart_WallSizes")
+    assert [row["size"] for row in table.rows] == [None]
+    assert window.text("ThinPart_MeshEstimate").startswith("A normal part: one size is enough.")
+    table.item(0, 0).setCheckState(QtCore.Qt.Checked)
+    window.wait_until(lambda: table.rows[0]["size"] is not None)
+    assert table.rows[0]["size"] == pytest.approx(1.0 / 2.3, rel=0.02)
+    assert not window.text("ThinPart_MeshEstimate").startswith("A normal part")
+
+
 def test_meshes_are_compared_and_nothing_of_the_panel_stays(document):
     part(document)
     open_panel()

@@ -10,7 +10,7 @@ import pytest
 import window_actions as window
 from window_actions import V
 
-from thinpart_workbench.gui.application.qt import QtWidgets
+from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
 from thinpart_workbench.gui.document.active_task import open_session
 
 pytestmark = [pytest.mark.skipif(shutil.which("gmsh") is None, reason="gmsh is not installed"),
@@ -114,6 +114,39 @@ def _elements(mesh, thickness):
             nodes |= set(mesh.FemMesh.getNodesByFace(owner.Shape.getElement(name)))
         found |= {face for face in mesh.FemMesh.Faces if set(mesh.FemMesh.getElementNodes(face)) <= nodes}
     return found
+
+
+def test_a_wall_without_its_check_mark_stays_solid(document):
+    angle(document)
+    open_panel()
+    choose_shell()
+    table = window.widget("ThinPart_ShellWalls")
+    assert [(table.item(row, 0).text(), table.item(row, 1).text()) for row in range(table.rowCount())] == [
+        ("shell", "2"), ("shell", "4")]
+    table.item(1, 0).setCheckState(QtCore.Qt.Unchecked)
+    window.wait_until(lambda: table.item(1, 0).text() == "solid")
+    window.click("ThinPart_ShellButton")
+    window.wait_until(lambda: "triangles of up to" in window.text("ThinPart_ShellFigures"))
+    assert [table.item(row, 0).text() for row in range(table.rowCount())] == ["shell", "left solid: plate"]
+    assert [table.item(row, 0).checkState() for row in range(2)] == [QtCore.Qt.Checked, QtCore.Qt.Unchecked]
+    press_ok()
+    assert open_session() is None, window.text("ThinPart_Message")
+    middle, = middles(document)
+    assert (middle.Shape.BoundBox.ZMin, middle.Shape.BoundBox.ZMax) == (pytest.approx(1.0), pytest.approx(1.0))
+    thickness, = thicknesses(document)
+    assert thickness.Thickness.Value == pytest.approx(2.0)
+
+
+def test_no_shell_is_made_of_walls_that_are_all_to_stay_solid(document):
+    angle(document)
+    open_panel()
+    choose_shell()
+    table = window.widget("ThinPart_ShellWalls")
+    table.selectAll()
+    table.item(0, 0).setCheckState(QtCore.Qt.Unchecked)
+    window.wait_until(lambda: [table.item(row, 0).text() for row in range(2)] == ["solid", "solid"])
+    window.click("ThinPart_ShellButton")
+    window.wait_until(lambda: "choose at least one" in window.text("ThinPart_Message"))
 
 
 def test_a_shell_is_seen_before_ok_and_nothing_of_it_stays(document):

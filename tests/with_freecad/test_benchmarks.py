@@ -9,6 +9,7 @@ import sys
 import pytest
 from program import ROOT, SAMPLES
 
+from benchmarks.meshing_tables import meshing_target_tables
 from benchmarks.tables import stored, with_tables
 from thinpart_workbench.core.analysis_settings import ACCURACIES, AnalysisSettings
 
@@ -53,6 +54,35 @@ def test_machine_versions_and_date_are_there(run):
     assert {"cpu", "cores", "memory_gb", "os"} <= run.results["machine"].keys()
     assert {"ThinPart", "Python", "numpy", "scipy", "FreeCAD", "OCCT"} <= run.results["versions"].keys()
     assert run.results["date"].startswith("20")
+
+
+@pytest.mark.skipif(shutil.which("gmsh") is None, reason="gmsh is not installed")
+def test_parts_chosen_by_their_number_are_meshed_in_each_way(tmp_path):
+    import Part
+
+    for name, shape in (("t003_plate.brep", Part.makeBox(60, 40, 2)), ("t007_block.brep", Part.makeBox(30, 25, 20)),
+                        ("t004_plate.brep", Part.makeBox(60, 40, 2)), ("t013_sheet.brep", Part.makeBox(90, 40, 2))):
+        shape.exportBrep(str(tmp_path / name))
+    (tmp_path / "manifest.csv").write_text("file,expert_label\nt003_plate.brep,thin\nt007_block.brep,normal\n"
+                                           "t004_plate.brep,thin\nt013_sheet.brep,thin_features\n")
+    output = tmp_path / "results.json"
+    run = benchmark(tmp_path, "--parts", 1, "--without-netgen", "-o", output, cache=tmp_path, command="meshing_peers")
+    assert run.returncode == 0, run.stderr
+    results = json.loads(output.read_text(encoding="utf-8"))
+    thin, normal = results["meshing"]["parts"]
+    assert (thin["group"], thin["category"], normal["group"], normal["category"]) == ("thin", "thin", "normal", "normal")
+    meshes = thin["meshes"]
+    assert meshes["ThinPart"]["layers_share"] > 0.9 > meshes["one size"]["layers_share"]
+    assert meshes["equal"]["elements"] == pytest.approx(meshes["ThinPart"]["elements"], rel=0.35)
+    assert meshes["curvature"]["elements"] > 0 and meshes["Netgen 2"]["reason"] == "Netgen is missing"
+    assert normal["meshes"]["ThinPart"]["elements"] == normal["meshes"]["one size"]["elements"]
+    assert "plate" not in output.read_text(encoding="utf-8")
+    assert "parts that ThinPart calls normal, whose mesh is as it was" in "".join(
+        row[0] for table in meshing_target_tables(results) for row in table.rows)
+    again = benchmark(tmp_path, "--parts", 1, "--without-netgen", "--kept", "-o", output, cache=tmp_path,
+                      command="meshing_peers")
+    assert again.returncode == 0 and json.loads(output.read_text(encoding="utf-8"))["meshing"] == results["meshing"]
+    assert "ThinPart's sizes" in again.stdout
 
 
 def test_nothing_names_a_folder_of_this_machine(run):

@@ -93,6 +93,38 @@ def test_an_l_profile_is_welded_and_keeps_its_hole(parts, tmp_path):
     assert volume == pytest.approx((59 * 40 - np.pi * 64 + 29 * 40) * 2.0, rel=0.01)
 
 
+def test_the_height_of_a_strip_on_edge_is_no_wall(tmp_path):
+    """A frame of strips of 3.5 by 14 mm, whose top and bottom have material between them everywhere too."""
+    import FreeCAD
+    import Part
+
+    frame = Part.makeBox(90, 215, 14).cut(Part.makeBox(83, 212, 14, FreeCAD.Vector(3.5, 3.5, 0)))
+    frame.exportBrep(str(tmp_path / "frame.brep"))
+    line, run = record(tmp_path / "frame.brep", "--shell", tmp_path / "frame.inp")
+    assert run.returncode == 0, run.stderr
+    shell = line["shell"]
+    assert [wall["thickness"] for wall in shell["walls"]] == [pytest.approx(3.5)] * 3
+    assert shell["volume_share"] == pytest.approx(1.0, abs=0.01) and shell["left_solid"] == []
+
+
+def test_a_small_piece_that_does_not_meet_the_rest_is_left_solid(tmp_path):
+    """A lug on a boss on a plate: between its mid-surface and that of the plate is solid material."""
+    import FreeCAD
+    import Part
+
+    boss, lug = Part.makeBox(12, 12, 10, FreeCAD.Vector(50, 30, 2)), Part.makeBox(1.5, 12, 12, FreeCAD.Vector(55, 30, 12))
+    part = Part.makeBox(120, 80, 2).fuse([boss, lug]).removeSplitter()
+    part.exportBrep(str(tmp_path / "lug.brep"))
+    line, run = record(tmp_path / "lug.brep", "--shell", tmp_path / "lug.inp")
+    assert run.returncode == 0, run.stderr
+    shell = line["shell"]
+    assert [wall["thickness"] for wall in shell["walls"]] == [pytest.approx(2.0)]
+    assert any("Pieces that do not meet the rest were left out" in warning for warning in shell["warnings"])
+    assert pytest.approx(1.5) in [each["thickness"] for each in shell["left_solid"]]
+    heights = {point[2] for point in read_inp(tmp_path / "lug.inp")[0].values()}
+    assert heights == {1.0}
+
+
 @pytest.mark.parametrize("ending", ["msh", "unv"])
 def test_gmsh_reads_the_file(parts, tmp_path, ending):
     path = tmp_path / f"tube.{ending}"

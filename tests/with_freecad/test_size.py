@@ -1,6 +1,7 @@
 """``thinpart size`` with the real Gmsh: parts that it cannot mesh or meshes badly at one size, and well as proposed."""
 
 import csv
+import errno
 import json
 import os
 import shutil
@@ -14,6 +15,7 @@ from thinpart_workbench.api.mesh_sizes import mesh_sizes
 from thinpart_workbench.core.errors import ThinPartError
 from thinpart_workbench.core.sizing.sizing_settings import SizingSettings
 from thinpart_workbench.storage.exchange.msh_file import read_tetrahedra
+from thinpart_workbench.workflow.workers.reported_failure import reported_failure
 
 pytestmark = pytest.mark.skipif(shutil.which("gmsh") is None, reason="gmsh is not installed")
 
@@ -65,6 +67,21 @@ def test_a_part_without_thin_walls_stays_as_it_was(parts, lines):
     (line,), run = lines(parts / "block.brep", "--check")
     assert run.returncode == 0 and line["check"]["default"] == line["check"]["proposed"]
     assert line["least_size"] == line["global_size"] and line["regions"] == []
+
+
+def test_a_normal_part_stays_as_it_was_though_it_has_a_thin_wall(lines, tmp_path):
+    import FreeCAD
+    import Part
+
+    file = tmp_path / "groove.brep"
+    Part.makeBox(50, 40, 30).cut(Part.makeBox(6, 2, 3, FreeCAD.Vector(20, 1, 27))).exportBrep(str(file))
+    (line,), _ = lines(file, "--check")
+    assert line["category"] == "normal" and line["left_out"] == 1 and line["regions"] == []
+    assert line["check"]["default"] == line["check"]["proposed"] and line["least_size"] == line["global_size"]
+    told = thinpart("size", file).stdout
+    assert "a thin wall of this normal part is meshed as the rest (--all-walls gives it layers)" in told
+    (line,), _ = lines(file, "--all-walls")
+    assert line["left_out"] == 0 and [row["layers"] for row in line["regions"]] == [pytest.approx(2.0, rel=0.05)]
 
 
 def test_the_script_opens_the_part_and_gives_the_same_mesh(parts, lines, tmp_path):
@@ -145,6 +162,38 @@ def test_what_becomes_of_gmsh_is_a_reason(parts, lines, other_gmsh, program, rea
     (line,), run = lines(parts / "bracket.step", "--check", "--mesh-timeout", 1)
     assert run.returncode == 0 and line["check"]["proposed"]["elements"] == 0
     assert reason in line["check"]["default"]["reason"] and reason in line["check"]["proposed"]["reason"]
+
+
+def test_a_mesh_cut_short_is_said_and_not_kept(parts, lines, other_gmsh, monkeypatch):
+    """As on a full disk."""
+    path = os.environ["PATH"]
+    start = "$MeshFormat\\n2.2 1 8\\n\\1\\0\\0\\0\\n$EndMeshFormat\\n$Nodes\\n9\\n"
+    other_gmsh(f"for last; do :; done; printf '{start}' > \"$last\"")
+    (line,), run = lines(parts / "bracket.step", "--check")
+    proposed = line["check"]["proposed"]
+    assert run.returncode == 0 and proposed["reason"] == "its mesh is incomplete: is the disk full?"
+    assert proposed["attempts"] == 1
+    monkeypatch.setenv("PATH", path)
+    (line,), _ = lines(parts / "bracket.step", "--check")
+    assert line["check"]["proposed"]["elements"] > 1000
+
+
+def test_bodies_that_touch_along_an_edge_are_said(lines, tmp_path):
+    import FreeCAD
+    import Part
+
+    first, second = Part.makeBox(20, 20, 3), Part.makeBox(20, 20, 3, FreeCAD.Vector(20, 20, 0))
+    shell = Part.makeShell(first.generalFuse([second])[0].Faces)
+    Part.Solid(shell).exportBrep(str(tmp_path / "touching.brep"))
+    (line,), _ = lines(tmp_path / "touching.brep", "--check")
+    for mesh in line["check"].values():
+        assert mesh["reason"].startswith("edges of it join more than two faces (1), as where bodies touch")
+
+
+def test_a_full_disk_is_a_sentence():
+    failure = reported_failure(OSError(errno.ENOSPC, "No space left on device"), "part.step")
+    assert failure["kind"] == "failed" and failure["message"].startswith(
+        "Temporary files cannot be written (No space left on device): free some disk space")
 
 
 def test_an_interrupted_run_goes_on_where_it_was(parts):

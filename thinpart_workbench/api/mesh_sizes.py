@@ -8,6 +8,7 @@ import numpy as np
 
 from ..core.analysis_limits import Limits
 from ..core.analysis_settings import DEFAULT_PROFILE, AnalysisSettings
+from ..core.categories import NORMAL
 from ..core.errors import ThinPartError
 from ..core.file_formats import is_shape
 from ..core.judging.classification import classify
@@ -34,7 +35,7 @@ from ..workflow.meshing.part_shell import (  # noqa: F401 - the names of files, 
     write_part_shell,
 )
 from ..workflow.meshing.part_sizing import PartSizing
-from ..workflow.meshing.shell_meshing import mesh_of_record, shell_obstacle, shell_of_part
+from ..workflow.meshing.shell_meshing import mesh_of_record, shell_of_part, shell_walls
 from ..workflow.meshing.size_run import propose_for_documents
 from ..workflow.meshing.size_task import SizeTask
 from .file_run import FileRun
@@ -48,7 +49,7 @@ FACETS, SIZES, POOR = "facets.npy", "sizes.npy", "poor.npy"
 
 def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, limits=None, check=False,
                mesh_seconds=MESH_SECONDS, has_sources=False, force=False, include=(), exclude=(), control=None,
-               started=None, report=None, shell=None, region_sizes=None):
+               started=None, report=None, shell=None, region_sizes=None, all_walls=False):
     """Propose element sizes for the parts of files and folders.
 
     Parameters
@@ -78,6 +79,8 @@ def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, 
         Where the parts are wanted as shells too, for `write_shell_file`: as ``shell`` of each part.
     region_sizes : dict, optional
         Sizes that are wanted on wall regions: mm, or None for none, by number of the listed region, from 0.
+    all_walls : bool, optional
+        Whether the thin walls of parts that are called normal get layers too; such parts mesh well at one size.
 
     Yields
     ------
@@ -98,7 +101,7 @@ def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, 
     run = FileRun(paths, include, exclude, control=control)
     tasks = [SizeTask(document.path, settings, given_profile(profile).content, analysis or AnalysisSettings(), program,
                       mesh_seconds, has_sources, shell, check,
-                      tuple(sorted((region_sizes or {}).items()))) for document in run.documents]
+                      tuple(sorted((region_sizes or {}).items())), all_walls) for document in run.documents]
     progress = RunProgress({document.path: (document.bytes, False) for document in run.documents}, limits.jobs)
     if started is not None:
         started(progress)
@@ -226,6 +229,8 @@ class PartSizes:
     Attributes
     ----------
     record : PartRecord
+    shell_walls : list of dict
+        Walls that a shell of the part could have: ``thickness``, mm, ``area``, mm2, and ``faces``, from 0.
 
     Raises
     ------
@@ -247,7 +252,9 @@ class PartSizes:
         measurement, = measured
         self._measurement = measurement
         limit = classify(measurement.descriptors, profile).thin_limit_x * measurement.descriptors.box.diagonal
-        self._sizing = PartSizing(measurement, limit, shell_obstacle(part, measurement))
+        walls, obstacle = shell_walls(part, measurement)
+        self.shell_walls = [{"thickness": wall.thickness, "area": wall.area, "faces": sorted(wall.faces)} for wall in walls]
+        self._sizing = PartSizing(measurement, limit, obstacle, only_chosen=self.record["category"] == NORMAL)
         np.save(os.path.join(folder, FACETS), self._sizing.facets())
 
     def proposed(self, settings, sizes):

@@ -78,6 +78,10 @@ def _sentences(file, part):
         why = "no wall is thinner than {:.4g} mm".format(part["thin_limit"])
         if part["unbounded"] is not None:
             why = "the budget allows no more"
+        elif part["left_out"]:
+            walls, them = (("a thin wall of this normal part is", "it") if part["left_out"] == 1 else
+                           (f"{part['left_out']} thin walls of this normal part are", "them"))
+            why = f"{walls} meshed as the rest (--all-walls gives {them} layers)"
         elif part["regions"] or _was_changed(part):
             why = "nothing finer is meshed"
         return (f"{name}: one element size of {part['global_size']:.4g} mm, about {part['elements']:,} elements; {why}.")

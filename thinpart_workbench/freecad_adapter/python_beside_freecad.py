@@ -6,7 +6,8 @@ from pathlib import Path
 
 from .. import PACKAGES_VARIABLE
 from ..requirements import FREECAD_MODULES
-from ..system.python_process import CHECKOUT, RUN_VARIABLE, is_freecadcmd
+from ..system.process_limits import run_limited
+from ..system.python_process import CHECKOUT, RUN_VARIABLE, is_freecadcmd, module_command
 
 # Variables set for FreeCAD's embedded Python, or by the user for another Python, that would mislead the worker's.
 _UNSUITABLE = ("PYTHONSTARTUP", "PYTHONINSPECT", "PYTHONDEBUG", "PYTHONPATH", "PYTHONHOME",
@@ -36,6 +37,33 @@ def python_beside_freecad():
             if os.access(folder / name, os.X_OK) and (folder / name).is_file():
                 return os.fspath(folder / name)
     return None
+
+
+def run_module_limited(module, arguments, seconds, folder):
+    """Run a module of ThinPart in another process with a limit of time: OCC cannot be interrupted, a process can.
+
+    Parameters
+    ----------
+    module : str
+    arguments : list of str
+    seconds : float
+        Of processor time.
+    folder : str
+        Working directory.
+
+    Returns
+    -------
+    ProgramEnd or None
+        None where there is no Python to run it.
+    """
+    program, environment = None, dict(os.environ)
+    if is_within_freecad():
+        program, environment = python_beside_freecad(), python_environment()
+        if program is None:
+            return None  # FreeCAD itself would open another window
+    path = os.pathsep.join(filter(None, (os.fspath(CHECKOUT), environment.get("PYTHONPATH"))))
+    command, variables = module_command(module, arguments, program)
+    return run_limited(command, seconds, folder, {**environment, **variables, "PYTHONPATH": path})
 
 
 def python_environment():

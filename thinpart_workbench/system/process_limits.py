@@ -90,7 +90,7 @@ def crash_quietly():
         resource.setrlimit(resource.RLIMIT_CORE, (0, resource.getrlimit(resource.RLIMIT_CORE)[1]))
 
 
-def run_limited(command, seconds, folder):
+def run_limited(command, seconds, folder, environment=None):
     """Run a program with a limit of time and wait for it. Limits of memory and files are inherited from this process.
 
     Parameters
@@ -100,6 +100,8 @@ def run_limited(command, seconds, folder):
         Limit of processor time where the system can limit that of another process, else by the clock.
     folder : str
         Working directory.
+    environment : dict, optional
+        Environment variables; by default those of this process.
 
     Returns
     -------
@@ -115,8 +117,8 @@ def run_limited(command, seconds, folder):
     -----
     A confined process may kill no other (see `system_call_filter`), so the kernel has to end the program.
     """
-    process = subprocess.Popen([*_ends_with_this_process(), *command], cwd=folder, stdin=subprocess.DEVNULL,
-                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    process = subprocess.Popen([*_ends_with_this_process(), *command], cwd=folder, env=environment,
+                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     limited = _limit_processor_time(process.pid, seconds)
     try:
         output, _ = process.communicate(timeout=WALL_FACTOR * seconds if limited else seconds)

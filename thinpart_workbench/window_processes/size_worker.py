@@ -2,10 +2,10 @@
 
 The first line on standard input is ``{"folder", "megabytes", "gmsh"}``: the folder of a snapshot with one part, the limit of
 the address space, a path of Gmsh to look at first. It prints ``{"progress": fraction}`` and ``{"measured": {"record",
-"gmsh"}}``, where ``gmsh`` is a sentence if nothing can be meshed. Each further line is a request: ``{"number", "settings",
-"sizes_wanted"}``, with ``"mesh": true`` to mesh, or ``{"number", "shell": settings}``; see `PartSizes`. It is answered by
-``{"proposed": dict, "number"}``, ``{"meshed": dict, "number"}`` or ``{"shelled": dict, "number"}``, or where it cannot
-be done by ``{"refused": sentence, "number"}``.
+"gmsh", "shell_walls"}}``, where ``gmsh`` is a sentence if nothing can be meshed. Each further line is a request:
+``{"number", "settings", "sizes_wanted"}``, with ``"mesh": true`` to mesh, or ``{"number", "shell": settings}``; see
+`PartSizes`. It is answered by ``{"proposed": dict, "number"}``, ``{"meshed": dict, "number"}`` or ``{"shelled": dict,
+"number"}``, or where it cannot be done by ``{"refused": sentence, "number"}``.
 
 The parent stops it by killing it. The shapes may come from an untrusted file, so it can only write into the snapshot's
 folder.
@@ -52,7 +52,7 @@ def _serve(send):
     confine_running_process(job["folder"])
     limit_memory(job["megabytes"] * 1024 * 1024)
     sizes = PartSizes(job["folder"], lambda fraction: send(progress=round(fraction, 3)))
-    send(measured={"record": sizes.record, "gmsh": missing_gmsh(job["gmsh"])})
+    send(measured={"record": sizes.record, "gmsh": missing_gmsh(job["gmsh"]), "shell_walls": sizes.shell_walls})
     while (request := _next_request()) is not None:
         _answer(send, sizes, job["gmsh"], **request)
 

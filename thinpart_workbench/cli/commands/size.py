@@ -9,6 +9,7 @@ from pathlib import Path
 from ...api.annotations import keep_mesh_settings, no_settings, settings_that_worked
 from ...api.libraries import reference_part
 from ...api.mesh_sizes import MESH_SECONDS, check_shell_file, mesh_sizes, write_shell_file, write_size_script
+from ...core.categories import NORMAL
 from ...core.errors import ThinPartError
 from ...core.message import message
 from ...core.run_control import RunControl
@@ -44,6 +45,8 @@ def add_arguments(parser):
                         help="greatest element size (default: a tenth of the part's diagonal)")
     parser.add_argument("--budget", type=int, metavar="N",
                         help="at most so many elements: walls get fewer layers, and it says how many")
+    parser.add_argument("--all-walls", action="store_true",
+                        help="layers in the thin walls of normal parts too, which otherwise have one size")
     parser.add_argument("--geo", metavar="FILE",
                         help="write the sizes of the part as a script for Gmsh, FILE.geo, which opens the part too")
     parser.add_argument("--shell", metavar="FILE",
@@ -96,7 +99,7 @@ def run(options):
                     options.paths, settings, options.profile, analysis=settings_of(options), limits=limits_of(options),
                     check=options.check, mesh_seconds=options.mesh_timeout, has_sources=options.geo is not None,
                     force=options.force, include=options.include, exclude=options.exclude, control=control,
-                    started=report.started, shell=shell, region_sizes=sizes):
+                    started=report.started, shell=shell, region_sizes=sizes, all_walls=options.all_walls):
                 failed += "error" in outcome or bool(outcome["failures"])
                 found.append(outcome)
                 report.failures({**outcome, "parts": [_without_places(part) for part in outcome.get("parts", ())]})
@@ -156,7 +159,7 @@ def _keep(options, settings, sizes, file, part):
     if not figures["elements"]:
         return True
     rows = [{"kind": row["kind"], "thickness": row["thickness"], "size": row["size"],
-             "is_changed": row["region"] - 1 in sizes} for row in part["regions"]]
+             "is_changed": row["region"] - 1 in sizes or part["category"] == NORMAL} for row in part["regions"]]
     try:
         keep_mesh_settings(file, part["name"], asdict(settings), part["global_size"], part["diagonal"], rows, figures,
                            options.info_dir)

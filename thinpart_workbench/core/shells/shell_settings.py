@@ -20,6 +20,8 @@ class ShellSettings:
         Greatest element size; None for what the part asks for.
     order : int
         Of the elements, 1 or 2. Shells of first order are far too stiff in CalculiX.
+    solid_walls : tuple of tuple of int
+        Walls that stay solid although they could be shells, each by its faces, from 0, in rising order.
 
     Raises
     ------
@@ -29,8 +31,11 @@ class ShellSettings:
 
     size: Optional[float] = None
     order: int = 2
+    solid_walls: tuple = ()
 
     def __post_init__(self):
+        # Lists, where they came as JSON.
+        object.__setattr__(self, "solid_walls", tuple(tuple(faces) for faces in self.solid_walls))
         if self.order not in (1, 2):
             raise ThinPartError(message("The order of elements is 1 or 2, not {value}.", value=self.order), "usage")
         if self.size is not None and not 0.0 < self.size < float("inf"):

@@ -9,7 +9,7 @@ import numpy as np
 from .element_estimate import elements_by_sample
 from .inner_points import InnerPoints, inner_points
 from .size_field import SizeField
-from .size_sources import SizeSources, regions_of, size_sources
+from .size_sources import NO_REGION, SizeSources, regions_of, size_sources
 from .sizing_settings import SizingSettings, layers_of
 
 CLOSE = 0.02
@@ -69,6 +69,10 @@ class SizeProposal:
         That without the budget, where it is exceeded.
     region_sizes : dict or None
         Sizes that people wanted, see `propose_sizes`.
+    only_chosen : bool
+        Whether no walls have sizes but those of `region_sizes`.
+    left_out : int
+        Thin wall regions that have no size of their own for that reason.
     """
 
     settings: SizingSettings
@@ -82,6 +86,8 @@ class SizeProposal:
     inner: InnerPoints
     unbounded: Optional["SizeProposal"] = None
     region_sizes: Optional[dict] = None
+    only_chosen: bool = False
+    left_out: int = 0
 
     @cached_property
     def field(self):
@@ -99,7 +105,7 @@ class SizeProposal:
         return self.sources.count == 0
 
 
-def propose_sizes(measurement, thin_limit, settings, region_sizes=None, has_details=True):
+def propose_sizes(measurement, thin_limit, settings, region_sizes=None, has_details=True, only_chosen=False):
     """Propose element sizes for a measured part.
 
     Parameters
@@ -112,6 +118,9 @@ def propose_sizes(measurement, thin_limit, settings, region_sizes=None, has_deta
         Sizes that people want on wall regions instead of the proposed ones: see `SizeSources.with_region_sizes`.
     has_details : bool
         Whether narrow faces and short edges ask for sizes too.
+    only_chosen : bool
+        Whether nothing asks for sizes but the regions to which `region_sizes` gives one: for parts that are called normal,
+        which mesh well at one size, whatever small walls they have.
 
     Returns
     -------
@@ -123,13 +132,19 @@ def propose_sizes(measurement, thin_limit, settings, region_sizes=None, has_deta
     of layers, only fewer.
     """
     global_size = settings.global_size(measurement.descriptors.box.diagonal)
-    wanted = size_sources(measurement, thin_limit, settings.divisions, has_details).below(global_size)
+    wanted = size_sources(measurement, thin_limit, settings.divisions, has_details and not only_chosen).below(global_size)
+    left_out = 0
+    if only_chosen:
+        chosen = {number for number, size in (region_sizes or {}).items() if size is not None}
+        left_out = len(set(wanted.region.tolist()) - chosen - {NO_REGION})
+        wanted = wanted.of_regions(chosen)
     if region_sizes:
         wanted = wanted.with_region_sizes(region_sizes).below(global_size)
     inner = inner_points(measurement)
 
     def proposed(sources, layers, most=global_size):
-        return replace(_proposed(measurement, thin_limit, settings, most, sources, layers, inner), region_sizes=region_sizes)
+        return replace(_proposed(measurement, thin_limit, settings, most, sources, layers, inner), region_sizes=region_sizes,
+                       only_chosen=only_chosen, left_out=left_out)
 
     proposal = proposed(wanted, settings.wanted_layers)
     if settings.budget is None or proposal.elements <= settings.budget:
@@ -152,7 +167,8 @@ def with_sources(measurement, proposal, sources):
     """
     found = _proposed(measurement, proposal.thin_limit, proposal.settings, proposal.global_size, sources, proposal.layers,
                       proposal.inner)
-    return replace(found, unbounded=proposal.unbounded, region_sizes=proposal.region_sizes)
+    return replace(found, unbounded=proposal.unbounded, region_sizes=proposal.region_sizes, only_chosen=proposal.only_chosen,
+                   left_out=proposal.left_out)
 
 
 def propose_everywhere(measurement, thin_limit, settings):

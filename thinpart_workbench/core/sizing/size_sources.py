@@ -84,6 +84,11 @@ class SizeSources:
         found = replace(self, sizes=self.sizes * factor)
         return SizeSources(*(getattr(found, name)[asks] for name in self.__dataclass_fields__))
 
+    def of_regions(self, numbers):
+        """Those of some wall regions, by their numbers."""
+        chosen = np.isin(self.region, list(numbers))
+        return SizeSources(*(getattr(self, name)[chosen] for name in self.__dataclass_fields__))
+
     def followed_by(self, other):
         """These and other sources."""
         return SizeSources(*(np.concatenate([getattr(each, name) for each in (self, other)])

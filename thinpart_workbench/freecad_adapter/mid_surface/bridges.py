@@ -8,14 +8,14 @@ ON_SURFACE = 0.1
 WIDEST = 3.0
 """Width of a piece by the thickness of its wall up to which it may be a bridge: a joint with rounded edges."""
 
-_SAMPLES = 60
+_SAMPLES, _GRID = 60, 16
 
 
 def spread_points(face, thickness):
     """Points spread over a face, and the area of each: ndarrays of shape (k, 3) and (k,); none where it has no area."""
     points, triangles = face.tessellate(max(0.05 * thickness, 1e-4))
     if not triangles:
-        return np.empty((0, 3)), np.empty(0)
+        return _points_on_grid(face)
     corners = np.array([tuple(point) for point in points])[np.array(triangles)]
     areas = 0.5 * np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
     counts = np.maximum(1, np.ceil(_SAMPLES * areas / max(areas.sum(), 1e-300))).astype(int)
@@ -27,6 +27,16 @@ def spread_points(face, thickness):
     u[over], v[over] = 1.0 - u[over], 1.0 - v[over]
     a, b, c = corners[row].transpose(1, 0, 2)
     return a + u[:, None] * (b - a) + v[:, None] * (c - a), (areas / counts)[row]
+
+
+def _points_on_grid(face):
+    """The same for a face that OCC makes no triangles of: because it is a sliver, or an edge of it is shorter than its ends
+    are exact."""
+    low_u, high_u, low_v, high_v = face.ParameterRange
+    steps = (np.arange(_GRID) + 0.5) / _GRID
+    places = [(low_u + u * (high_u - low_u), low_v + v * (high_v - low_v)) for u in steps for v in steps]
+    points = np.array([tuple(face.valueAt(*place)) for place in places if face.isPartOfDomain(*place)]).reshape(-1, 3)
+    return points, np.full(len(points), face.Area / max(len(points), 1))
 
 
 def lies_on(points, wall):
@@ -56,17 +66,7 @@ def bridges(faces, kept, rest):
     list of int
         The smallest that do: of two ways from one piece to another, one is taken.
     """
-    edges = {}
-    for number in (*kept, *rest):
-        for edge in faces[number].Edges:
-            edges.setdefault(edge.hashCode(), []).append((edge, number))
-    meets = {number: set() for number in (*kept, *rest)}
-    for sharing in edges.values():
-        for one, first in sharing:
-            for other, second in sharing:
-                if first != second and one.isSame(other):
-                    meets[first].add(second)
-    found = []
+    meets, found = _meets(faces, (*kept, *rest)), []
     for group in _connected(rest, meets):
         # All pieces of a joint connect most; those without which it connects as much are left out, the largest first.
         most = _apart([*kept, *found], meets) - _apart([*kept, *found, *group], meets)
@@ -77,6 +77,37 @@ def bridges(faces, kept, rest):
                     group = fewer
             found += group
     return found
+
+
+def connected_faces(faces, numbers):
+    """Groups of faces that hold together by their edges.
+
+    Parameters
+    ----------
+    faces : list of Part.Face
+    numbers : sequence of int
+        Of those that are meant.
+
+    Returns
+    -------
+    list of list of int
+    """
+    return _connected(numbers, _meets(faces, numbers))
+
+
+def _meets(faces, numbers):
+    """Which faces share an edge with which: dict of set."""
+    edges = {}
+    for number in numbers:
+        for edge in faces[number].Edges:
+            edges.setdefault(edge.hashCode(), []).append((edge, number))
+    meets = {number: set() for number in numbers}
+    for sharing in edges.values():
+        for one, first in sharing:
+            for other, second in sharing:
+                if first != second and one.isSame(other):
+                    meets[first].add(second)
+    return meets
 
 
 def _connected(numbers, meets):

@@ -1,6 +1,6 @@
 """The mid-surface of a solid: a face half-way through each wall, trimmed by the solid and by the faces that it meets."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -8,7 +8,8 @@ from ...core.errors import ThinPartError
 from ...core.message import message
 from ...core.shells.walls_through import sides_of
 from ..bootstrap import load_freecad
-from .bridges import bridges, is_bridge, lies_on, spread_points
+from .bridges import bridges, connected_faces, is_bridge, lies_on, spread_points
+from .cut_faces import StepLimit, faces_cut
 from .mid_shapes import MidPlane, mid_shape
 from .smooth_cuts import smooth_cuts
 
@@ -27,11 +28,18 @@ ALIKE = 2.0
 LEANING = np.cos(np.radians(6.0))
 """Cosine of the greatest angle between the mid-surfaces of two walls that have one."""
 
+THINNER, WITHIN = 1.25, 0.7
+"""Ratio of the thicknesses of two walls, and share of the middle of the thicker one within thinner ones, from which on it is
+the height of these, no wall."""
+
 BEYOND = 2.5
 """Thicknesses by which a face reaches beyond its wall at first, to meet others."""
 
 SUPPORTED = 0.3
 """Share of a piece that lies between the sides of its wall, from which on it stays."""
+
+LOOSE = 0.05
+"""Share of the volume of a shell that pieces which do not meet the rest may have to be left out: a rib on a boss, a lug."""
 
 WELD = 1e-3
 """By the thickness of the thinnest wall: edges that are nearer to each other are one."""
@@ -111,20 +119,28 @@ class MidSurface:
     walls : list of MidWall
     wall_of_face : list of int
         Number of the wall that each face belongs to.
+    solid_walls : list of MidWall
+        Those that stay solid since that was wanted.
+    loose : float, mm3
+        Volume of small pieces that are left out, since they do not meet the rest.
     """
 
     shape: object
     walls: list
     wall_of_face: list
+    solid_walls: list = field(default_factory=list)
+    loose: float = 0.0
 
 
-def mid_walls(shape, pairs):
+def mid_walls(shape, pairs, mesh, rays):
     """The walls of a solid that are shells.
 
     Parameters
     ----------
     shape : Part.Shape
     pairs : list of FacingFaces
+    mesh : SurfaceMesh
+    rays : InwardRays
 
     Returns
     -------
@@ -140,10 +156,24 @@ def mid_walls(shape, pairs):
             walls.append(MidWall(found, [pair]))
         else:
             own.pairs.append(pair)
-    return [wall for wall in walls if wall.is_shell]
+    return _without_heights([wall for wall in walls if wall.is_shell], mesh, rays, len(faces))
 
 
-def mid_surface(shape, pairs, mesh, rays, report=None):
+def _without_heights(walls, mesh, rays, count):
+    """The walls whose middle does not lie within thinner ones: from above, a strip on edge is as thick as it is high."""
+    found = []
+    for wall in walls:
+        inside = np.zeros(len(wall.middles), dtype=bool)
+        for other in walls:
+            if other.thickness * THINNER <= wall.thickness:
+                sides = sides_of(mesh, rays, wall.middles, other.shape.normals(wall.middles))
+                inside |= sides.is_between([pair.faces for pair in other.pairs], count)
+        if inside.mean() < WITHIN:
+            found.append(wall)
+    return found
+
+
+def mid_surface(shape, pairs, mesh, rays, report=None, solid_walls=()):
     """Make the mid-surface of a solid.
 
     Parameters
@@ -156,6 +186,8 @@ def mid_surface(shape, pairs, mesh, rays, report=None):
     rays : InwardRays
     report : callable, optional
         Called with the fraction that is done.
+    solid_walls : collection of tuple of int
+        Faces of walls that are to stay solid; see `ShellSettings`.
 
     Returns
     -------
@@ -174,12 +206,18 @@ def mid_surface(shape, pairs, mesh, rays, report=None):
     of its wall.
     """
     load_freecad()
-    walls = mid_walls(shape, pairs)
+    walls = mid_walls(shape, pairs, mesh, rays)
     if not walls:
         raise _too_thick()
+    is_solid = [tuple(sorted(wall.faces)) in solid_walls for wall in walls]
+    left = [wall for wall, stays in zip(walls, is_solid) if stays]
+    walls = [wall for wall, stays in zip(walls, is_solid) if not stays]
+    if not walls:
+        raise ThinPartError(message("All walls are to stay solid: choose at least one for the shell."), "no_shell")
     test = _Support(mesh, rays, len(shape.Faces))
     try:
-        return _welded(_trimmed(shape, walls, test, report or (lambda fraction: None)), walls, test)
+        middle = _welded(_trimmed(shape, walls, test, report or (lambda fraction: None)), walls, test)
+        return replace(middle, solid_walls=left)
     except ThinPartError:
         raise
     except Exception as error:  # OCC's errors have several classes, which differ between versions of FreeCAD
@@ -212,12 +250,13 @@ class _Support:
 def _trimmed(shape, walls, test, report):
     """Faces on the mid-surfaces, within the solid: list of Part.Face."""
     cuts = smooth_cuts(shape, walls)
-    found = []
+    found, limit = [], StepLimit()
     for number, wall in enumerate(walls):
         report(0.8 * number / len(walls))
         margin = BEYOND * max(max(each.thickness for each in walls if each.faces & wall.faces or each is wall),
                               wall.thickness)
         for patch in wall.shape.patches(wall.middles, margin):
+            limit.check()
             for piece in patch.common(shape).Faces:
                 pieces = piece.generalFuse(cuts[number])[0].Faces if cuts[number] else [piece]
                 own = [test.share(face, wall) > 0.02 for face in pieces]
@@ -234,10 +273,13 @@ def _welded(faces, walls, test):
     if not faces:
         raise _too_thick()
     # What OCC says of which piece comes of which face is incomplete, so each is asked for its wall again.
-    cut = faces[0].generalFuse(faces[1:], WELD * min(wall.thickness for wall in walls))[0].Faces if len(faces) > 1 else faces
     thinnest = min(wall.thickness for wall in walls)
+    cut, limit, shares = faces_cut(faces, WELD * thinnest), StepLimit(), []
     spread = [spread_points(piece, thinnest) for piece in cut]
-    shares = np.array([[test.share(piece, wall, own) for wall in walls] for piece, own in zip(cut, spread)])
+    for piece, own in zip(cut, spread):
+        limit.check()
+        shares.append([test.share(piece, wall, own) for wall in walls])
+    shares = np.array(shares)
     best = shares.argmax(axis=1)
     is_kept = shares.max(axis=1) >= SUPPORTED
     if not is_kept.any():
@@ -250,5 +292,18 @@ def _welded(faces, walls, test):
             rest.append(int(number))
     for number in bridges(cut, np.flatnonzero(is_kept).tolist(), rest):
         is_kept[number] = True
-    return MidSurface(Part.makeCompound([cut[number] for number in np.flatnonzero(is_kept)]), walls,
-                      best[is_kept].tolist())
+    kept, loose = _held_together(cut, np.flatnonzero(is_kept).tolist(), best, walls)
+    return MidSurface(Part.makeCompound([cut[number] for number in kept]), walls, best[kept].tolist(), loose=loose)
+
+
+def _held_together(faces, kept, wall_of_face, walls):
+    """The faces without small groups that do not meet the largest one, list of int, and the volume of these groups, mm3."""
+    groups = connected_faces(faces, kept)
+    volumes = [sum(faces[number].Area * walls[wall_of_face[number]].thickness for number in group) for group in groups]
+    largest, whole = int(np.argmax(volumes)), sum(volumes)
+    small = [row for row in range(len(groups)) if row != largest and volumes[row] <= LOOSE * whole]
+    loose = sum(volumes[row] for row in small)
+    if not small or loose > LOOSE * whole:
+        return kept, 0.0
+    out = {number for row in small for number in groups[row]}
+    return [number for number in kept if number not in out], loose

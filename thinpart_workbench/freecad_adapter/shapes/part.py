@@ -201,8 +201,10 @@ class SolidPart(Part):
         return exact_wall(self.shape, wall, error)
 
     def write_brep(self, path):
-        """Write the solid to a BREP file."""
-        self.shape.exportBrep(path)
+        """Write the solid to a BREP file; an OSError where that cannot be done."""
+        # FreeCAD's exception does not say that a disk is full; Python's does.
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self.shape.exportBrepToString())
 
     def missing_faces(self, mesh):
         """Names of the faces that have no triangles in a mesh."""

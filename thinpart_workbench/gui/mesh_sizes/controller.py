@@ -156,6 +156,7 @@ class MeshSizesController(TaskController):
     def _on_measured(self, found):
         self._record, self._gmsh_missing = found["record"], translated(found["gmsh"]) if found["gmsh"] else ""
         if self._proposal is None:
+            self._form.shell.show_walls(found["shell_walls"])
             self._take_over_notes()
             lifelong.mesh_settings.look_for(self, self._document.FileName, self._record)
         self._form.show_idle(not self._gmsh_missing)
@@ -350,13 +351,12 @@ class MeshSizesController(TaskController):
     def _keep_settings(self):
         """Keep the settings that worked with the part, for it and for parts like it."""
         settings, sizes = self._request()
-        # What was typed last counts, also where the mesh was faster than the new proposal.
         chosen = dict(sizes)
-        rows = [{"kind": row["kind"], "thickness": row["thickness"], "size": chosen.get(row["region"], row["size"]),
-                 "is_changed": row["region"] in chosen} for row in self._proposal["regions"]]
+        rows = [{"kind": row["kind"], "thickness": row["thickness"], "size": row["size"],
+                 "is_changed": row["region"] in chosen} for row in self._check["regions"]]
         lifelong.mesh_settings.keep(
             self._document.FileName, part=self._record["name"], settings=settings, rows=rows,
-            global_size=self._proposal["global_size"], diagonal=self._record["descriptors"]["diagonal_mm"],
+            global_size=self._check["global_size"], diagonal=self._record["descriptors"]["diagonal_mm"],
             figures={key: self._check["proposed"][key] for key in (
                 "elements", "poor_share", "gamma_least", "layers_share", "tries")})
 
@@ -364,9 +364,9 @@ class MeshSizesController(TaskController):
         unit, (settings, sizes) = length_unit(self._document), self._request()
         walls = [(translate("ThinPart", "{} of {}: elements of {}").format(
             kind_word(row["kind"]), unit.text(row["thickness"]), unit.text(row["size"])), row["size"],
-            [self._faces[face] for face in row["faces"]]) for row in self._proposal["regions"] if row["size"] is not None]
+            [self._faces[face] for face in row["faces"]]) for row in self._check["regions"] if row["size"] is not None]
         set_fem_mesh(self._document, self._owner, self._check["mesh"], {**settings, "walls": sizes},
-                     self._proposal["global_size"], settings["order"], walls, active_analysis(self._document))
+                     self._check["global_size"], settings["order"], walls, active_analysis(self._document))
 
     def _set_shell(self):
         unit, settings, found = length_unit(self._document), self._form.shell.settings(), self._shell

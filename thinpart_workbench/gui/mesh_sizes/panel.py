@@ -152,6 +152,10 @@ class MeshSizesPanel(QtWidgets.QWidget):
             self._size.setSpecialValueText(translate("ThinPart", "automatic: {}").format(unit.text(found["global_size"])))
         lines = [translate("ThinPart", "About {} elements, of {} to {}.").format(
             grouped(_rounded(found["elements"])), unit.number(found["least_size"]), unit.text(found["global_size"]))]
+        if found["left_out"] and found["least_size"] >= found["global_size"]:
+            lines = [translate("ThinPart", "A normal part: one size is enough. About {} elements of {}. Tick a wall to give "
+                                           "it layers.").format(grouped(_rounded(found["elements"])),
+                                                                unit.text(found["global_size"]))]
         if not found["regions"]:
             lines = [translate("ThinPart", "No thin walls: one size is enough. About {} elements of {}.").format(
                 grouped(_rounded(found["elements"])), unit.text(found["global_size"]))]

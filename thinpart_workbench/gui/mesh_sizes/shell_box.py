@@ -36,6 +36,7 @@ class ShellBox(QtWidgets.QWidget):
         super().__init__(parent)
         self.setObjectName("ThinPart_ShellBox")
         self._unit, self._faces = MILLIMETRE, []
+        self._walls, self._solid = [], set()  # those that a shell could have; the faces of those that stay solid
         rows = QtWidgets.QVBoxLayout(self)
         rows.setContentsMargins(0, 0, 0, 0)
         form = QtWidgets.QFormLayout()
@@ -64,7 +65,10 @@ class ShellBox(QtWidgets.QWidget):
         self.walls.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         self.walls.verticalHeader().hide()
         self.walls.setSizePolicy(QtWidgets.QSizePolicy.Expanding, QtWidgets.QSizePolicy.Fixed)
+        self.walls.setToolTip(translate(
+            "ThinPart", "Without the check mark, a wall stays solid and is not in the shell."))
         self.walls.itemSelectionChanged.connect(self._on_selected)
+        self.walls.itemChanged.connect(self._on_changed)
         rows.addWidget(self.walls)
         self.preview = QtWidgets.QCheckBox(translate("ThinPart", "Show the shell by its thickness"), self)
         self.preview.setObjectName("ThinPart_ShellPreview")
@@ -78,23 +82,30 @@ class ShellBox(QtWidgets.QWidget):
     def settings(self):
         """The fields as arguments of `ShellSettings`: dict."""
         size = self._size.exact()
-        return {"order": 1 + self._order.currentIndex(), "size": size if size > 0.0 else None}
+        return {"order": 1 + self._order.currentIndex(), "size": size if size > 0.0 else None,
+                "solid_walls": sorted(self._solid)}
+
+    def show_walls(self, walls):
+        """Show the walls that a shell could have, all of them as shells: list of dict, see `PartSizes.shell_walls`."""
+        self._walls, self._solid = [{**wall, "faces": tuple(wall["faces"])} for wall in walls], set()
+        self.show_shell(None, None)
 
     def show_unit(self, unit):
         """Show lengths in a unit."""
         self._unit = unit
         self._size.set_form(1.0 / unit.millimetres, "\u00a0" + unit.symbol, unit.decimals, 0.0)
         self._size.setSpecialValueText(translate("ThinPart", "automatic"))
+        self.show_shell(None, None)
 
     def show_shell(self, found, scale):
         """Show a shell, see `PartSizes.shell`, with the colours of its thickness; None for none."""
         unit = self._unit
-        for each in (self.walls, self.preview):
-            each.setVisible(found is not None)
+        self.walls.setVisible(found is not None or bool(self._walls))
+        self.preview.setVisible(found is not None)
         self._bar.show_scale(scale, unit)
         if found is None:
             show_text(self._figures, "")
-            self.walls.setRowCount(0)
+            self._fill(self._walls, (), None)
             return
         thick = [wall["thickness"] for wall in found["walls"]]
         lines = [translate("ThinPart", "{} triangles of up to {}; walls {} thick, {} of the part's volume.").format(
@@ -105,25 +116,29 @@ class ShellBox(QtWidgets.QWidget):
         show_text(self._figures, "\n".join(lines + [translated(each) for each in found["warnings"]]))
         if not self._size.exact():
             self._size.setSpecialValueText(translate("ThinPart", "automatic: {}").format(unit.text(found["size"])))
-        self._fill(found, scale)
+        self._fill(found["walls"], found["left_solid"], scale)
 
-    def _fill(self, found, scale):
-        unit, shell = self._unit, translate("ThinPart", "shell")
+    def _fill(self, walls, left_solid, scale):
+        unit, shell, could = self._unit, translate("ThinPart", "shell"), {wall["faces"] for wall in self._walls}
         blocked = self.walls.blockSignals(True)
         self.walls.setHorizontalHeaderLabels([
             translate("ThinPart", "Wall"), translate("ThinPart", "Thick, {}").format(unit.symbol),
             translate("ThinPart", "Area, {}\u00b2").format(unit.symbol)])
         solid = translate("ThinPart", "left solid: {}")
-        rows = [(shell, wall["thickness"], number(wall["area"] / unit.millimetres ** 2), scale) for wall in found["walls"]]
-        rows += [(solid.format(kind_word(each["kind"])), each["thickness"], "\u2013", None) for each in found["left_solid"]]
-        self._faces = [tuple(each["faces"]) for each in found["walls"] + found["left_solid"]]
+        rows = [(shell if tuple(wall["faces"]) not in self._solid else translate("ThinPart", "solid"), wall["thickness"],
+                 number(wall["area"] / unit.millimetres ** 2), scale) for wall in walls]
+        rows += [(solid.format(kind_word(each["kind"])), each["thickness"], "\u2013", None) for each in left_solid]
+        self._faces = [tuple(each["faces"]) for each in (*walls, *left_solid)]
         self.walls.setRowCount(len(rows))
         for row, (text, thickness, area, own) in enumerate(rows):
             for column, cell in enumerate((text, unit.number(thickness), area)):
                 item = QtWidgets.QTableWidgetItem(cell)
                 if column:
                     item.setTextAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
-                elif own is not None:
+                elif self._faces[row] in could:
+                    item.setFlags(item.flags() | QtCore.Qt.ItemIsUserCheckable)
+                    item.setCheckState(QtCore.Qt.Unchecked if self._faces[row] in self._solid else QtCore.Qt.Checked)
+                if not column and own is not None:
                     square = QtGui.QPixmap(12, 12)
                     square.fill(colour(tuple(own.colours([thickness])[0] / 255.0)))
                     item.setIcon(QtGui.QIcon(square))
@@ -135,6 +150,15 @@ class ShellBox(QtWidgets.QWidget):
                                   + 2 * self.walls.frameWidth() + 2)
         self.walls.resizeColumnsToContents()
         self.walls.horizontalHeader().setSectionResizeMode(0, QtWidgets.QHeaderView.Stretch)
+
+    def _on_changed(self, cell):
+        chosen = {index.row() for index in self.walls.selectedIndexes()}
+        chosen = chosen if cell.row() in chosen else {cell.row()}
+        could = {wall["faces"] for wall in self._walls}
+        faces = {self._faces[row] for row in chosen} & could
+        self._solid = self._solid - faces if cell.checkState() == QtCore.Qt.Checked else self._solid | faces
+        # The table is filled anew, which an item that reports its change does not survive.
+        QtCore.QTimer.singleShot(0, self.changed.emit)
 
     def _on_selected(self):
         chosen = sorted({index.row() for index in self.walls.selectedIndexes()})

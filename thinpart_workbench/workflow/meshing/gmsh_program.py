@@ -14,6 +14,7 @@ PROGRAM = "gmsh"
 
 CRASHED, TIMEOUT = message("Gmsh crashed"), message("Gmsh took too long")
 MEMORY = message("Gmsh needed too much memory")
+INCOMPLETE = message("its mesh is incomplete: is the disk full?")
 """Reasons why there is no mesh, beside those that Gmsh states."""
 
 _ERROR_LINE = re.compile(r"^Error\s*:\s*(.+?)\s*$", re.MULTILINE)

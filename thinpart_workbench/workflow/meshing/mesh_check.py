@@ -6,12 +6,13 @@ from functools import partial
 
 import numpy as np
 
+from ...core.errors import ThinPartError
 from ...core.mesh.tetrahedra import POOR, inverse_condition_numbers, layers_through, radius_ratios
 from ...core.message import message
 from ...core.sizing.size_boxes import size_boxes
 from ...storage.exchange.geo_file import geo_text
 from ...storage.exchange.msh_file import read_tetrahedra
-from .gmsh_program import CRASHED, MEMORY, TIMEOUT, mesh_volume, stated_error
+from .gmsh_program import CRASHED, INCOMPLETE, MEMORY, TIMEOUT, mesh_volume, stated_error
 from .mesh_tries import MeshTries
 
 MESH = "part.msh"
@@ -48,12 +49,12 @@ def checked_sizes(program, shape, measurement, proposal, seconds, folder, defaul
     Returns
     -------
     check : dict
-        ``default`` and ``proposed``, see `_figures`.
+        ``default`` and ``proposed``, see `mesh_figures`.
     tried : MeshTry
         What was meshed at last.
     """
     order = ("-order", str(proposal.settings.order)) if proposal.settings.order != 1 else ()
-    walls, tries = _thin_places(measurement, proposal), MeshTries(measurement, proposal, solid or shape, folder)
+    walls, tries = thin_places(measurement, proposal), MeshTries(measurement, proposal, solid or shape, folder)
     if default is None or proposal.is_uniform:
         default, _ = _meshed(program, [shape], seconds, folder, ("-clmax", repr(proposal.global_size), *order),
                              walls, partial(on_mesh, "default") if on_mesh else None)
@@ -61,7 +62,7 @@ def checked_sizes(program, shape, measurement, proposal, seconds, folder, defaul
     if proposal.is_uniform:
         if default["elements"] or default["reason"] in (CRASHED, TIMEOUT, MEMORY):
             return {"default": default, "proposed": default}, tried
-        done, tried = [_tried(tried, default)], tries.everywhere()
+        done, tried = [_tried(tried, default)], tries.without_sizes()
     mesh = measurement.field.mesh
     low, high = (end(mesh.vertices, axis=0) + mesh.origin for end in (np.min, np.max))
     script = os.path.join(folder, "size.geo")
@@ -77,13 +78,27 @@ def checked_sizes(program, shape, measurement, proposal, seconds, folder, defaul
         if proposed["elements"] or tried.proposal.is_uniform:
             break
         following = tries.after(tried, proposed["reason"], stated)
-        if following is None and default["elements"]:
+        if following is None and default["elements"] and proposed["reason"] != INCOMPLETE:
             following = tries.one_size()
         if following is None:
             break
         tried = following
     proposed.update(attempts=len(done), tries=done)
+    joined = "" if proposed["elements"] or default["elements"] else _joined_bodies(solid or shape)
+    if joined:
+        default["reason"] = proposed["reason"] = joined
     return {"default": default, "proposed": proposed}, tried
+
+
+def _joined_bodies(shape):
+    """Why nothing can fill a shape whose bodies touch along edges; empty for another one."""
+    # Imported here since the adapter loads FreeCAD.
+    from ...freecad_adapter.shapes.mended_solid import edges_of_many_faces
+
+    count = edges_of_many_faces(shape)
+    return "" if not count else message(
+        "edges of it join more than two faces ({count}), as where bodies touch along them: fuse these with some overlap, or "
+        "separate them", count=count)
 
 
 def _tried(tried, figures):
@@ -98,18 +113,38 @@ def _meshed(program, inputs, seconds, folder, options, walls, on_mesh=None):
     reason, text = mesh_volume(program, inputs, output, seconds, folder, options)
     took = time.perf_counter() - started
     if reason:
-        return _figures(took, reason), text
-    points, tetrahedra = read_tetrahedra(output)
+        return mesh_figures(took, reason), text
+    try:
+        points, tetrahedra = read_tetrahedra(output)
+    except ThinPartError:
+        return mesh_figures(took, INCOMPLETE), text
     if not len(tetrahedra):
-        return _figures(took, stated_error(text) or message("Gmsh filled no volume")), text
+        return mesh_figures(took, stated_error(text) or message("Gmsh filled no volume")), text
     if on_mesh is not None:
         on_mesh(points, tetrahedra)
-    return _figures(took, "", points, tetrahedra, walls), text
+    return mesh_figures(took, "", points, tetrahedra, walls), text
 
 
-def _figures(seconds, reason, points=None, tetrahedra=None, walls=None):
-    """Figures of a mesh, dict: `reason` why there is none, number of elements, gamma and minSICN, share of poor elements,
-    share of the thin places that have the wanted layers, seconds."""
+def mesh_figures(seconds, reason, points=None, tetrahedra=None, walls=None):
+    """Figures of a mesh.
+
+    Parameters
+    ----------
+    seconds : float
+        That it took.
+    reason : str
+        Why there is none; empty if there is one.
+    points : ndarray of shape (n, 3), mm
+    tetrahedra : ndarray of shape (m, 4), int64
+    walls : tuple
+        See `thin_places`.
+
+    Returns
+    -------
+    dict
+        The reason, number of elements, gamma and minSICN, share of poor elements, share of the thin places that have the
+        wanted layers, seconds.
+    """
     found = {"reason": reason, "elements": 0, "gamma_least": None, "gamma_1_percent": None, "gamma_mean": None,
              "poor_share": None, "sicn_least": None, "layers_share": None,
              "seconds": round(seconds, 2), "attempts": 1, "tries": []}
@@ -130,8 +165,22 @@ def _rounded(value):
     return round(float(value), 5)
 
 
-def _thin_places(measurement, proposal):
-    """Places of thin parallel walls: both ends, two ndarrays of shape (k, 3), their area, and whole layers wanted."""
+def thin_places(measurement, proposal):
+    """Places of thin parallel walls, at which `mesh_figures` counts layers.
+
+    Parameters
+    ----------
+    measurement : Measurement
+    proposal : SizeProposal
+
+    Returns
+    -------
+    here, there : ndarray of shape (k, 3), mm
+        Both sides of the wall.
+    area : ndarray of shape (k,), mm2
+    wanted : int
+        Layers.
+    """
     field = measurement.field
     thin = np.flatnonzero((field.area > 0.0) & field.parallel & (field.distance < proposal.thin_limit))
     # Evenly spread samples, each for the same share of the area of all.

@@ -9,7 +9,7 @@ import numpy as np
 from ...core.message import message
 from ...core.sizing.size_proposal import SizeProposal, propose_everywhere, propose_sizes, with_sources
 from ...core.sizing.size_sources import SPACING, places
-from .gmsh_program import CRASHED, MEMORY, TIMEOUT
+from .gmsh_program import CRASHED, INCOMPLETE, MEMORY, TIMEOUT
 
 FINER = 0.5
 """Of the size there, at places at which Gmsh failed."""
@@ -96,6 +96,8 @@ class MeshTries:
         if reason in (TIMEOUT, MEMORY):
             self._steps = []
             return self._fewer(last)
+        if reason == INCOMPLETE:
+            return None
         if reason == CRASHED:
             if last.options:
                 return None
@@ -106,9 +108,14 @@ class MeshTries:
                 return found
         return None
 
-    def everywhere(self):
-        """What to try where the part has no thin walls, and is not meshed at one size: MeshTry."""
+    def without_sizes(self):
+        """What to try where no wall of the part has a size, and it is not meshed at one size: MeshTry."""
         proposal = self.first.proposal
+        if proposal.only_chosen:
+            full = propose_sizes(self._measurement, proposal.thin_limit, proposal.settings)
+            if not full.is_uniform:
+                self.first = MeshTry(message("layers in its thin walls"), full)
+                return self.first
         return MeshTry(message("no element larger than the part is thick there"),
                        propose_everywhere(self._measurement, proposal.thin_limit, proposal.settings))
 

@@ -36,10 +36,13 @@ class PartSizing:
     thin_limit : float, mm
     no_shell : str
         Why a shell of the part cannot be made; empty where it can, or nothing is known. It may be changed.
+    only_chosen : bool
+        See `propose_sizes`.
     """
 
-    def __init__(self, measurement, thin_limit, no_shell=""):
+    def __init__(self, measurement, thin_limit, no_shell="", only_chosen=False):
         self._measurement, self._thin_limit, self.no_shell = measurement, thin_limit, no_shell
+        self._only_chosen = only_chosen
         self._default = None  # (what it depends on, figures, histogram) of the last mesh at the global size
         self._points = np.empty((0, 3, 3))
 
@@ -63,7 +66,7 @@ class PartSizing:
             "wanted_layers": settings.wanted_layers, "global_size": proposal.global_size,
             "least_size": proposal.least_size, "order": settings.order, "growth": settings.growth,
             "unbounded_elements": None if unbounded is None else unbounded.elements,
-            "regions": self._rows(proposal, settings),
+            "regions": self._rows(proposal, settings), "left_out": proposal.left_out,
             "idealisation": idealisation_values(idealisation(
                 self._measurement, proposal.elements, SHARE_OF_DIAGONAL * self._measurement.descriptors.box.diagonal,
                 self.no_shell)),
@@ -108,7 +111,8 @@ class PartSizing:
         dict
             ``default`` and ``proposed``: figures as of `checked_sizes`, with ``histogram``, the share of the elements in
             each of `BINS`; ``mesh``, a UNV file, empty where there is none; ``poor``, an ndarray of shape (k, 4, 3), mm: the
-            corners of poor elements of the last mesh; ``poor_count``, of all of them.
+            corners of poor elements of the last mesh; ``poor_count``, of all of them; ``regions`` and ``global_size``, as of
+            `proposed`, with the sizes that the mesh has.
         """
         proposal, known = self._proposal(settings, region_sizes), self._default
         depends = proposal.global_size, settings.order
@@ -130,6 +134,7 @@ class PartSizing:
         self._default = depends, check["default"], histograms.get("default", [])
         found: dict = {name: {**figures, "histogram": histograms.get("default" if tried.proposal.is_uniform else name, [])}
                        for name, figures in check.items()}
+        found.update(regions=self._rows(tried.proposal, settings), global_size=tried.proposal.global_size)
         found.update(mesh="", poor=poor[0] if check["proposed"]["elements"] else np.empty((0, 4, 3)),
                      poor_count=poor[1] if check["proposed"]["elements"] else 0)
         if check["proposed"]["elements"]:
@@ -145,7 +150,7 @@ class PartSizing:
         return found
 
     def _proposal(self, settings, region_sizes):
-        return propose_sizes(self._measurement, self._thin_limit, settings, region_sizes)
+        return propose_sizes(self._measurement, self._thin_limit, settings, region_sizes, only_chosen=self._only_chosen)
 
     def _rows(self, proposal, settings):
         """A row for each region that asks for sizes, also for those that people have switched off."""

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...core.descriptors.region_kinds import PLATE, TUBE
 from ...core.errors import ThinPartError
 from ...core.message import message
 from ...core.shells.facing_faces import facing_faces
@@ -82,20 +83,31 @@ def shell_obstacle(part, measurement):
     str
         A sentence; empty if nothing stands against it.
     """
+    return shell_walls(part, measurement)[1]
+
+
+def shell_walls(part, measurement):
+    """The walls of a measured part that a shell could have, and why one cannot be made: see `shell_obstacle`.
+
+    Returns
+    -------
+    walls : list of MidWall
+    obstacle : str
+    """
     # Imported here since the adapter loads FreeCAD.
     from ...freecad_adapter.mid_surface.mid_faces import mid_walls
 
     if not hasattr(part, "shape"):
-        return message("{part} is made of triangles, which have no mid-surface: use its STEP file, or mesh it as a solid.",
-                       part=part.label)
+        return [], message("{part} is made of triangles, which have no mid-surface: use its STEP file, or mesh it as a "
+                           "solid.", part=part.label)
     if measurement.rays is None or measurement.volume_mm3 is None:
-        return message("{part} has no shell, since it is not closed or was measured by pairs: close its gaps (Part "
-                       "workbench, Check geometry), or measure it by rays.", part=part.label)
-    walls = mid_walls(part.shape, facing_faces(measurement.field))
+        return [], message("{part} has no shell, since it is not closed or was measured by pairs: close its gaps (Part "
+                           "workbench, Check geometry), or measure it by rays.", part=part.label)
+    walls = mid_walls(part.shape, facing_faces(measurement.field), measurement.field.mesh, measurement.rays)
     if not walls:
-        return message("No wall of {part} is wide and thin enough for a shell: mesh it as a solid.", part=part.label)
+        return [], message("No wall of {part} is wide and thin enough for a shell: mesh it as a solid.", part=part.label)
     share = sum(wall.area * wall.thickness for wall in walls) / measurement.volume_mm3
-    return "" if share >= LEAST_WALLS else _too_little(part, share)
+    return (walls, "") if share >= LEAST_WALLS else ([], _too_little(part, share))
 
 
 def _too_little(part, share):
@@ -135,9 +147,10 @@ def shell_of_part(part, measurement, program, seconds, settings=None, report=Non
         raise ThinPartError(obstacle, "no_shell" if hasattr(part, "shape") else "no_solid")
     surface, rays = measurement.field.mesh, measurement.rays
     report = report or (lambda fraction: None)
-    middle = mid_surface(part.shape, facing_faces(measurement.field), surface, rays, lambda done: report(0.9 * done))
-    report(0.9)
     settings = settings or ShellSettings()
+    middle = mid_surface(part.shape, facing_faces(measurement.field), surface, rays, lambda done: report(0.9 * done),
+                         settings.solid_walls)
+    report(0.9)
     size, order = settings.size or _default_size(middle, measurement), settings.order
     with tempfile.TemporaryDirectory(prefix="thinpart-shell-") as folder:
         file, output = os.path.join(folder, "middle.brep"), os.path.join(folder, "middle.msh")
@@ -156,7 +169,10 @@ def shell_of_part(part, measurement, program, seconds, settings=None, report=Non
     mesh = shell_mesh(points, triangles, wall, middle.walls, surface, rays)
     share = mesh.volume / measurement.volume_mm3
     left = _left_solid(measurement, middle)
-    warnings = _checked(part, mesh, share, left, *open_ends(mesh, surface, rays))
+    warnings = _checked(part, mesh, share, _share_of_shell(middle), left, *open_ends(mesh, surface, rays))
+    if middle.loose:
+        warnings.append(message("Pieces that do not meet the rest were left out, {share:.2g} % of the volume: they belong "
+                                "to what is left solid.", share=100.0 * middle.loose / measurement.volume_mm3))
     areas = np.bincount(wall, mesh.areas, len(middle.walls))
     walls = [{"wall": row + 1, "thickness": each.thickness, "area": float(areas[row]),
               "faces": [f"Face{face + 1}" for face in sorted(each.faces)]} for row, each in enumerate(middle.walls)
@@ -174,7 +190,7 @@ def _default_size(middle, measurement):
 def _left_solid(measurement, middle):
     """Wall regions most of whose surface is on no side of a wall that became a shell."""
     field = measurement.field
-    pairs = {pair.faces for wall in middle.walls for pair in wall.pairs}
+    pairs = {pair.faces for wall in middle.walls + middle.solid_walls for pair in wall.pairs}
     far = np.append(field.mesh.face_of_triangle, -1)[field.opposite]
     covered = np.array([(min(one, other), max(one, other)) in pairs for one, other in zip(field.face, far)], dtype=bool)
     found = []
@@ -185,12 +201,23 @@ def _left_solid(measurement, middle):
         if region.area >= LEFT_SHARE * field.area.sum() and area > 0.0 and field.area[own & covered].sum() < 0.5 * area:
             found.append({"kind": region.kind, "thickness": region.median, "volume_share": region.volume_share,
                           "faces": [f"Face{face + 1}" for face in region.faces]})
+    loose = [wall for row, wall in enumerate(middle.walls) if row not in middle.wall_of_face] if middle.loose else []
+    for wall in middle.solid_walls + loose:
+        found.append({"kind": PLATE if wall.is_flat else TUBE, "thickness": wall.thickness,
+                      "volume_share": min(1.0, wall.area * wall.thickness / measurement.volume_mm3),
+                      "faces": [f"Face{face + 1}" for face in sorted(wall.faces)]})
     return found
 
 
-def _checked(part, mesh, share, left, inside, free):
-    """Warnings about a shell; a ThinPartError where it does not stand for the part."""
-    if share < LEAST_VOLUME:
+def _share_of_shell(middle):
+    """Share of the walls that are not to stay solid, by their volume."""
+    chosen, left = (sum(wall.area * wall.thickness for wall in walls) for walls in (middle.walls, middle.solid_walls))
+    return chosen / (chosen + left)
+
+
+def _checked(part, mesh, share, wanted, left, inside, free):
+    """Warnings about a shell; a ThinPartError where it does not stand for the walls that are wanted of the part."""
+    if share < LEAST_VOLUME * wanted:
         raise ThinPartError(_too_little(part, share), "no_shell")
     if share > MOST_VOLUME:
         raise ThinPartError(message(
@@ -203,7 +230,7 @@ def _checked(part, mesh, share, left, inside, free):
                 "The mid-surface of {part} falls into {count} pieces that do not meet: mesh it as a solid.",
                 part=part.label, count=mesh.pieces), "no_shell")
         warnings.append(message("The shell is in {count} pieces: what is left solid lies between them.", count=mesh.pieces))
-    if inside > MOST_INSIDE * free:
+    if inside > MOST_INSIDE * free and wanted == 1.0:
         raise ThinPartError(message(
             "The walls of {part} do not meet: {inside:.3g} mm of the {free:.3g} mm of free edges of its mid-surface lie "
             "inside the material. Mesh it as a solid.", part=part.label, inside=inside, free=free), "no_shell")

@@ -52,7 +52,7 @@ PART_SIZES = Record({
     "growth": Number(1.0, 10.0), "wanted_layers": Number(0.0), "layers": Number(0.0), "global_size": _LENGTH,
     "least_size": _LENGTH, "elements": _COUNT, "uniform_elements": _COUNT,
     "unbounded": OrNull(Record({"layers": Number(0.0), "least_size": _LENGTH, "elements": _COUNT})),
-    "regions": ListOf(_REGION, most=10_000), "idealisation": _IDEALISATION,
+    "regions": ListOf(_REGION, most=10_000), "left_out": Whole(0, 10_000), "idealisation": _IDEALISATION,
     "check": OrNull(Record({"default": MESH_FIGURES, "proposed": MESH_FIGURES})),
     "gmsh_options": ListOf(Record({"name": OneOf(tuple(DELAUNAY)), "value": Number()}), most=20),
     "is_mended": Flag(),

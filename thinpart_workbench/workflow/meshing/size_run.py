@@ -11,6 +11,7 @@ from ..analysis.analysis_outcome import failure, failure_fault
 from ..workers.pool_supervisor import PoolSupervisor
 from ..workers.reported_failure import reported_failure
 from ..workers.worker_pool import answer_of, close_documents, start_reader, worker_folder
+from .gmsh_program import INCOMPLETE
 from .mesh_check import ATTEMPTS
 from .size_cache import SizeCache
 from .size_result import sizes_fault
@@ -67,11 +68,17 @@ def propose_for_documents(tasks, limits, version="", force=False, control=None):
         try:
             for future, task in workers.run(waiting, control):
                 result = _result(future, task, seconds, limits)
-                if "error" not in result:
+                if "error" not in result and not _is_incomplete(result):
                     kept.keep(task, result)
                 yield {"file": task.file, **result}
         finally:
             workers.stop()
+
+
+def _is_incomplete(result):
+    """Whether a mesh was cut short, as on a full disk: there may be room another time."""
+    return any(mesh["reason"] == str(INCOMPLETE) for part in result["parts"] if part["check"]
+               for mesh in part["check"].values())
 
 
 def _result(future, task, seconds, limits):

@@ -9,6 +9,7 @@ from typing import Optional
 import numpy as np
 
 from ...core.analysis_settings import AnalysisSettings
+from ...core.categories import NORMAL
 from ...core.errors import ThinPartError
 from ...core.file_formats import is_shape
 from ...core.judging.classification import classify
@@ -45,6 +46,8 @@ class SizeTask:
         Whether to mesh with and without the sizes; that needs `program`.
     region_sizes : tuple of (int, float or None)
         See `propose_sizes`.
+    all_walls : bool
+        Whether thin walls of a part that is called normal get layers too.
     """
 
     file: str
@@ -57,6 +60,7 @@ class SizeTask:
     shell: Optional[ShellSettings] = None
     check: bool = True
     region_sizes: tuple = ()
+    all_walls: bool = False
 
 
 def propose_for_document(task):
@@ -101,7 +105,8 @@ def _proposed(part, profile, task, is_alone):
     measurement = found["measurement"]
     diagonal = measurement.descriptors.box.diagonal
     limit = classify(measurement.descriptors, profile).thin_limit_x * diagonal
-    proposal = propose_sizes(measurement, limit, task.settings, dict(task.region_sizes))
+    proposal = propose_sizes(measurement, limit, task.settings, dict(task.region_sizes),
+                             only_chosen=found["record"]["category"] == NORMAL and not task.all_walls)
     check, tried, mended = None, None, ""
     if task.program is not None and task.check:
         with tempfile.TemporaryDirectory(prefix="thinpart-gmsh-") as folder:
@@ -170,6 +175,7 @@ def size_record(part, record, measurement, proposal, check, has_sources, tried=N
             "elements": unbounded.elements},
         "regions": [_region_row(each) for each in proposal.regions],
         "check": check, "idealisation": _idealisation(measurement, proposal, no_shell),
+        "left_out": proposal.left_out,
         "gmsh_options": [{"name": name, "value": value} for name, value in (tried.options if tried else {}).items()],
         "is_mended": bool(tried and tried.mended),
     }

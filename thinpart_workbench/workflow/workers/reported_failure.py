@@ -1,5 +1,6 @@
 """Exceptions of workers as data, so that the parent need not parse a traceback."""
 
+import errno
 import sys
 import traceback
 
@@ -27,6 +28,10 @@ def reported_failure(error, subject=None):
     if is_out_of_memory(error):
         return {"kind": "memory", "message": NO_MEMORY if subject is None else message(
             "{about} needs more memory than the limit allows.", about=subject)}
+    if isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT):
+        return {"kind": "failed", "message": message(
+            "Temporary files cannot be written ({problem}): free some disk space, or name another folder in TMPDIR.",
+            problem=error.strerror)}
     traceback.print_exception(type(error), error, error.__traceback__, file=sys.stderr)
     description = _description(error)
     sentence = (message("The worker process failed ({problem}).", problem=description) if subject is None

@@ -1,0 +1,101 @@
+"""Faces cut by each other, in a program of its own where there are many: OCC cannot be interrupted, a program can.
+
+    python -m thinpart_workbench.freecad_adapter.mid_surface.cut_faces INPUT OUTPUT TOLERANCE
+"""
+
+import os
+import sys
+import tempfile
+import time
+
+from ...core.errors import ThinPartError
+from ...core.message import message
+from ..bootstrap import load_freecad
+from ..python_beside_freecad import run_module_limited
+
+FEW = 40
+"""Faces up to which they are cut within this process: that takes less than to start another one."""
+
+SECONDS = 20.0
+"""Of processor time, for each step. Mid-surfaces of real parts take up to 10 s to be made, or minutes, without a shell at
+the end: hundreds of pieces that nearly lie on each other."""
+
+
+class StepLimit:
+    """The time limit of a step that is made of many short operations."""
+
+    def __init__(self, seconds=SECONDS):
+        self._end = time.process_time() + seconds
+
+    def check(self):
+        """Raise a ThinPartError of the kind ``no_shell`` where the step has taken too long."""
+        if time.process_time() > self._end:
+            raise too_long()
+
+
+def too_long():
+    """The ThinPartError of a mid-surface that takes too long."""
+    return ThinPartError(message("Cutting the mid-faces of the walls to each other takes too long, as there are too many "
+                                 "that nearly touch: mesh it as a solid."), "no_shell")
+
+
+def faces_cut(faces, tolerance, seconds=SECONDS):
+    """Cut faces by each other.
+
+    Parameters
+    ----------
+    faces : list of Part.Face
+    tolerance : float, mm
+        Edges that are nearer to each other are one.
+    seconds : float, optional
+        Limit of processor time where there are more than `FEW`.
+
+    Returns
+    -------
+    list of Part.Face
+        Pieces; those that meet share their edges.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``no_shell`` where it takes too long, or fails.
+    """
+    import Part
+
+    if len(faces) == 1:
+        return list(faces)
+    if len(faces) <= FEW:
+        return faces[0].generalFuse(faces[1:], tolerance)[0].Faces
+    with tempfile.TemporaryDirectory(prefix="thinpart-cut-") as folder:
+        given, found = os.path.join(folder, "faces.brep"), os.path.join(folder, "cut.brep")
+        # FreeCAD's exception does not say that a disk is full; Python's does.
+        with open(given, "w", encoding="utf-8") as file:
+            file.write(Part.makeCompound(faces).exportBrepToString())
+        end = run_module_limited(__spec__.name, [given, found, repr(tolerance)], seconds, folder)
+        if end is None:
+            return faces[0].generalFuse(faces[1:], tolerance)[0].Faces
+        if end.timed_out:
+            raise too_long()
+        if end.code or not os.path.exists(found):
+            raise ThinPartError(message("The mid-faces of the walls could not be cut to each other: mesh it as a solid."),
+                                "no_shell")
+        shape = Part.Shape()
+        shape.read(found)
+        return shape.Faces
+
+
+def main():
+    """Read the faces of a file, and write the pieces."""
+    given, found, tolerance = sys.argv[1:]
+    load_freecad()
+    import Part
+
+    shape = Part.Shape()
+    shape.read(given)
+    first, *others = shape.Faces
+    with open(found, "w", encoding="utf-8") as file:
+        file.write(first.generalFuse(others, float(tolerance))[0].exportBrepToString())
+
+
+if __name__ == "__main__":
+    main()
