@@ -123,11 +123,16 @@ def _contents(task):
     analyse_part(part, task.analysis, profile_from(task.profile), on_result=keep)
     mapped = MappedPart(found["record"], thickness_map(found["measurement"], by=task.measure))
     scale = task.look.scale(mapped)
-    make = {PNG: lambda: png_bytes(map_picture(mapped, task.look)), VTP: lambda: vtp_bytes([mapped]),
+    make = {PNG: lambda: _png(map_picture(mapped, task.look)), VTP: lambda: vtp_bytes([mapped]),
             PLY: lambda: ply_bytes([mapped], scale.colours)}
     thinnest = found["record"]["descriptors"]["thickness_mm"]["min"]
     return {"label": part.label, "thinnest": thinnest, "low": scale.low, "high": scale.high,
             "contents": {ending: base64.b64encode(make[ending]()).decode() for ending in task.formats}}
+
+
+def _png(pixels):
+    height, width, _ = pixels.shape
+    return png_bytes(pixels.tobytes(), width, height)
 
 
 def _chosen(content, task):
