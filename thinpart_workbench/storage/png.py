@@ -29,7 +29,7 @@ def png_bytes(pixels, width, height):
     """
     row = 4 * width
     if len(pixels) != row * height:
-        raise ValueError(f"{len(pixels)} bytes are no picture of {width} x {height} pixels")
+        raise ValueError(len(pixels))
     rows = b"".join(b"\x00" + pixels[start:start + row] for start in range(0, len(pixels), row))
     header = struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0)
     return b"\x89PNG\r\n\x1a\n" + b"".join(
