@@ -8,7 +8,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
-from thinpart_workbench.core.descriptors.distribution import MIDDLE_BINS
+from thinpart_workbench.core.descriptors.bins import MIDDLE_BINS
 from thinpart_workbench.core.descriptors.packed_distribution import middle_share, packed_middle, packed_slanted, packed_walls
 from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 from thinpart_workbench.core.thickness.measurement import measure

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 from scipy.stats import wasserstein_distance
 
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
-from thinpart_workbench.core.descriptors.distribution import BINS
+from thinpart_workbench.core.descriptors.bins import BINS
 from thinpart_workbench.core.descriptors.similarity import (
     DIAGONAL,
     EDGES,

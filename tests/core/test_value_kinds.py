@@ -9,8 +9,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from thinpart_workbench.core.descriptors.distribution import ANGLE_STEP, BINS, MIDDLE_BINS
-from thinpart_workbench.core.descriptors.recorded_descriptors import _BINS, _GREATEST_ANGLE, _LEAST_ANGLE, _MIDDLE_BINS
 from thinpart_workbench.core.kinds.compound_kinds import ANYTHING, DEEPEST, Anything, Known, ListOf, MapOf, Record, Row
 from thinpart_workbench.core.kinds.value_checker import checker, is_plain
 from thinpart_workbench.core.kinds.value_kinds import Either, Flag, Number, OneOf, OrNull, Text, Whole
@@ -102,7 +100,3 @@ def test_levels_of_what_is_not_defined():
         deep = [deep]
     assert ANYTHING.holds(deep) and not ANYTHING.holds([deep])
     assert checker(Record({}))({"x": deep[0]}) and not checker(Record({}))({"x": deep})
-
-
-def test_bins_and_angles_are_those_of_the_distribution():
-    assert (_BINS, _MIDDLE_BINS, _LEAST_ANGLE, _GREATEST_ANGLE) == (BINS, MIDDLE_BINS, 10, 60 - ANGLE_STEP)

@@ -6,9 +6,7 @@ import made_library
 import made_meshes
 import pytest
 
-from thinpart_workbench.core.descriptors import distribution
 from thinpart_workbench.core.descriptors.packed_distribution import packed_slanted, packed_walls
-from thinpart_workbench.core.judging import wall_check
 from thinpart_workbench.core.judging.packed_check import packed_walls_pass
 from thinpart_workbench.core.judging.wall_check import check_sentence, check_walls
 from thinpart_workbench.core.judging.wall_limits import WallLimits
@@ -122,10 +120,6 @@ def test_the_index_checks_alike(shape, least, most):
         content["diagonal_mm"], content["shares"]["unmeasured"], content["shares"]["unmet"], *packed, least, most)
     holds = check_walls(record, limits(least, most)).holds
     assert found == (None if holds is None else int(holds))
-
-
-def test_bins_are_those_of_the_distribution():
-    assert wall_check.BINS == distribution.BINS
 
 
 def test_content_is_json():

@@ -6,16 +6,7 @@ from typing import Optional
 import numpy as np
 
 from ..tolerances import TOLERANCES
-
-BINS = 1000
-"""Bins of x = distance / diagonal: 0.05, 0.25, 0.29, 0.3 and 0.7 are bin edges."""
-
-MIDDLE_BINS = 100
-"""Bins of thickness / D2, the middle side of the box: 0.06, 0.08 and 0.12 are bin edges. Of a slender part, one bin of x is
-as wide as the part."""
-
-ANGLE_STEP = 5
-"""Width of the wedge angle bins, degrees."""
+from .bins import ANGLE_STEP, BINS, MIDDLE_BINS
 
 
 @dataclass(frozen=True)

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 
-from .distribution import BINS
+from .bins import BINS
 
 MOST_BARS = 40
 

@@ -14,8 +14,9 @@ CORRECTED = 0.25
 OF_VOLUME = 0.06
 """Share of the chord error that is left in the volume, for which every facet is corrected."""
 
-OF_AREA = 1.3
-"""Share of the squared angle between facets and their surface by which the area of the facets falls short."""
+OF_AREA = 2.4
+"""Share of the squared angle between facets and their surface by which the area of the facets may be off: they fall short of
+a convex surface and make up for it at holes, so that parts differ."""
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,7 @@ from typing import Callable, Optional, Union
 
 from ..kinds.value_kinds import LARGEST, LARGEST_WHOLE, Number, OrNull
 from ..tolerances import TOLERANCES
+from .bins import BINS
 
 _BY_NAME = (None,)
 """Placeholder for the keys of a quantity whose only key is its name."""
@@ -343,6 +344,14 @@ class WallDistance(Quantity):
             return None, None
         step = error / descriptors.box.diagonal
         return max(0.0, value - step), value + step
+
+    def error(self, descriptors, area_floor):
+        """float or None: also by what other samples may find, the wall which twice the floor reaches, or one in between."""
+        known = super().error(descriptors, area_floor)
+        farther = self.compute(descriptors, 2.0 * area_floor, *self.bounds)
+        if known is None or farther is None:
+            return known
+        return known + max(farther + 1.0 / BINS - self.evaluate(descriptors, area_floor), 0.0)
 
     def _error(self, descriptors, precision, value):
         return (precision.wall_mm + precision.chord_mm) / descriptors.box.diagonal

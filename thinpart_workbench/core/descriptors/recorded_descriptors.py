@@ -9,15 +9,14 @@ from typing import Callable, NamedTuple
 from ..analysis_settings import ACCURACIES
 from ..kinds.compound_kinds import ListOf, Record, Row
 from ..kinds.value_kinds import LARGEST, Flag, Kind, Number, OneOf, OrNull, Text, Whole
+from .bins import ANGLE_STEP, BINS, MIDDLE_BINS
 from .descriptor_table import QUANTITIES, REPORTED_SHARES, STATED_FLOOR, Descriptors, quantity_named
 
-_BINS, _MIDDLE_BINS, _LEAST_ANGLE, _GREATEST_ANGLE = 1000, 100, 10, 55
-"""Numbers of bins of the distribution, by diagonal and by D2, and lower edges of its first and last angle bin. They are
-repeated here because `distribution` imports numpy, which commands that print stored parts do not load; a test compares
-them."""
+_LEAST_ANGLE, _GREATEST_ANGLE = 10, 60 - ANGLE_STEP
+"""Lower edges of the first and the last angle bin."""
 
 _LENGTH, _NUMBER = Number(0, LARGEST), Number()
-_BIN, _AREAS = Whole(0, _BINS - 1), ListOf(Number(-LARGEST, LARGEST), most=_BINS * 100)
+_BIN, _AREAS = Whole(0, BINS - 1), ListOf(Number(-LARGEST, LARGEST), most=BINS * 100)
 
 
 class MeasuredPart(NamedTuple):
@@ -82,13 +81,13 @@ ENTRIES = (
     }), lambda part: dict(zip(("min", "median", "max", "error_bound"), (*part.wall_range, part.error_bound)))),
     _of_quantities("shares"),
     Entry("distribution", Record(
-        {"bins": ListOf(_BIN, most=_BINS), "area": _AREAS}, alike=("bins", "area"),
+        {"bins": ListOf(_BIN, most=BINS), "area": _AREAS}, alike=("bins", "area"),
         about="bin k covers x in [k/1000, (k+1)/1000)"),
         lambda part: {"bins": part.descriptors.distribution.bins.tolist(),
                       "area": part.descriptors.distribution.area.tolist()}),
     Entry("nonparallel", Record({
-        "bins": ListOf(_BIN, most=_BINS * 100),
-        "angles": ListOf(Whole(_LEAST_ANGLE, _GREATEST_ANGLE), most=_BINS * 100),
+        "bins": ListOf(_BIN, most=BINS * 100),
+        "angles": ListOf(Whole(_LEAST_ANGLE, _GREATEST_ANGLE), most=BINS * 100),
         "area": _AREAS,
     }, alike=("bins", "angles", "area")), lambda part: {
         "bins": part.descriptors.distribution.nonparallel_bins.tolist(),
@@ -108,7 +107,7 @@ LATER_ENTRIES = (Entry("precision", OrNull(Record({
     "errors": ListOf(Record({"quantity": Text(), "error": OrNull(_LENGTH)}), most=1000, distinct="quantity"),
 }, about="how precisely the part was measured, and how far quantities may be off, with a probability of 95 %")),
     lambda part: _precision(part.descriptors)), Entry("middle", OrNull(Record({
-    "bins": ListOf(Whole(0, _MIDDLE_BINS - 1), most=_MIDDLE_BINS), "parallel": _AREAS, "nonparallel": _AREAS,
+    "bins": ListOf(Whole(0, MIDDLE_BINS - 1), most=MIDDLE_BINS), "parallel": _AREAS, "nonparallel": _AREAS,
 }, alike=("bins", "parallel", "nonparallel"), about="bin k covers thicknesses in [k/100, (k+1)/100) D2")),
     lambda part: _middle(part.descriptors.distribution.middle)), *(
     _of_quantities(key) for key in dict.fromkeys(quantity.keys[0] for quantity in QUANTITIES if quantity.keys)

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .distribution import BINS
+from .bins import BINS
 
 EDGE_STEPS = ((1, 30), (2, 80), (5, 150), (10, 300), (25, BINS))
 """(width, end) in bins of the distribution: intervals of that width up to that bin, finest where thin parts differ."""

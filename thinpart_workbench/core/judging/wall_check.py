@@ -7,14 +7,12 @@ import math
 from dataclasses import dataclass
 from typing import Optional
 
+from ..descriptors.bins import BINS
 from ..descriptors.descriptor_table import STATED_FLOOR
 from ..message import message
 from ..number_text import number, percent
 from ..tolerances import TOLERANCES
 from .wall_limits import WallLimits
-
-BINS = 1000
-"""Bins of the distribution; repeated here because `distribution` imports numpy. A test compares them."""
 
 TOO_COARSE = 0.5
 """Error of a wall, as a share of the limit, from which on a wall near the limit cannot be told."""

@@ -19,7 +19,7 @@ PLATE_FROM = 1.9, 2.5
 one. Of two sides that are w wide and t apart it is (w / t)^2 / 3: 0.33 of a square bar, 1.9 of a washer M10, 12 within the
 reach on a plate."""
 
-WITHIN = 1.15
+WITHIN = 1.6
 """Factor within which that ratio is certain."""
 
 ALIKE = 1.25

@@ -39,7 +39,7 @@ PLATE_FROM_WIDTH = (1.5, 1.9, 3.2, 4.8)
 the middle two, each place is looked at, and from one to the next it passes over. 1.6 of a round bar, a ring or a coil, 2 of
 a square bar, 2.4 of a washer M10."""
 
-WIDTH_WITHIN = 1.15
+WIDTH_WITHIN = 1.5
 """Factor within which the developed width of a region is certain."""
 
 OF_FACE, OF_REGION = 0.1, 0.1

@@ -1,6 +1,6 @@
 """Compares the thickness distributions of two parts in a chart."""
 
-from ...core.descriptors.distribution import BINS
+from ...core.descriptors.bins import BINS
 from ...core.descriptors.distribution_bars import round_up
 from ..application.qt import QtCore, QtGui, flags_as_int, translate
 from ..application.theme import plot_background, readable, text_colour

@@ -1,6 +1,6 @@
 """The thickness distribution of a part as a bar chart."""
 
-from ...core.descriptors.distribution import BINS
+from ...core.descriptors.bins import BINS
 from ...core.descriptors.distribution_bars import bars, round_up
 from ...core.length_unit import MILLIMETRE
 from ..application.numbers import number, percent

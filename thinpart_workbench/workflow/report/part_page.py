@@ -6,8 +6,8 @@ import json
 from ... import __version__
 from ...core.analysis_settings import SPHERE
 from ...core.categories import UNKNOWN
+from ...core.descriptors.bins import BINS
 from ...core.descriptors.descriptor_table import quantity_named
-from ...core.descriptors.distribution import BINS
 from ...core.descriptors.distribution_bars import bars, round_up
 from ...core.judging.criteria import profile_from
 from ...core.judging.verdict_reasons import deciding_criteria, nearest_other, reason_of
