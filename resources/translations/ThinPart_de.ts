@@ -971,6 +971,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Bauteile finden</translation>
     </message>
     <message>
+        <source>Finding element sizes for {}</source>
+        <translation>Elementgrößen für {} werden bestimmt</translation>
+    </message>
+    <message>
         <source>First, coarse colours; finer ones follow, about {} left.</source>
         <translation>Erste, grobe Farben; feinere folgen, noch etwa {}.</translation>
     </message>

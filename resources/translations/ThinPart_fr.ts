@@ -971,6 +971,10 @@ Son volume est inconnu.</translation>
         <translation>Trouver des pièces</translation>
     </message>
     <message>
+        <source>Finding element sizes for {}</source>
+        <translation>Recherche des tailles d’éléments pour {}</translation>
+    </message>
+    <message>
         <source>First, coarse colours; finer ones follow, about {} left.</source>
         <translation>Premières couleurs, grossières ; de plus fines suivent, encore {} environ.</translation>
     </message>

@@ -2,7 +2,7 @@
 
 import pytest
 import window_actions as window
-from thickness_window import click_at, look_at, mouse, show_map, view_of, wheel, widget_of
+from thickness_window import bar_of_document, click_at, look_at, mouse, show_map, view_of, wheel, widget_of
 
 from thinpart_workbench.freecad_adapter.objects.thickness_object import thickness_objects
 from thinpart_workbench.freecad_adapter.objects.thickness_probes import probes_of
@@ -33,7 +33,7 @@ def thickness(document):
 
 def bar_of(thickness):
     """QRect that the bar covers in the widget of the view."""
-    return widget_of(view_of(thickness.Document)).property("ThinPart_ColourBar") or QtCore.QRect()
+    return bar_of_document(thickness.Document)
 
 
 def room_of(thickness):
@@ -78,11 +78,6 @@ def test_the_bar_is_moved_and_stays_there_for_the_next_map(thickness):
     window.wait_until(lambda: bar_of_document(document).isEmpty())
     again = show_map(document, *document.Objects)
     window.wait_until(lambda: bar_of(again) == after)
-
-
-def bar_of_document(document):
-    """The same, also without a map."""
-    return widget_of(view_of(document)).property("ThinPart_ColourBar") or QtCore.QRect()
 
 
 def test_the_bar_is_never_dragged_off_the_view(thickness):

@@ -8,6 +8,7 @@ import FreeCADGui as Gui
 import Part
 import pytest
 import window_actions as window
+from thickness_window import bar_of_document
 from window_actions import V
 
 from thinpart_workbench.api.annotations import keep_mesh_settings, note_regions
@@ -79,6 +80,42 @@ def test_ok_makes_the_fem_mesh_in_one_step_of_undo_and_again_updates_it(document
     window.wait_until(lambda: open_session() is None)
     mesh, = meshes(document)
     assert mesh.FemMesh.VolumeCount < 0.5 * count and len(regions(document)) == 1
+
+
+def test_the_panel_always_says_what_it_is_doing(document):
+    part(document)
+    window.press("ThinPart_MeshSizes")
+    seen = set()
+
+    def is_proposed():
+        shown = [name for name in ("ThinPart_Progress", "ThinPart_MeshEstimate") if window.is_shown(name)]
+        assert open_session() is None or shown
+        seen.update(window.text("ThinPart_Stage") if name == "ThinPart_Progress" else name for name in shown)
+        return "ThinPart_MeshEstimate" in shown and "ThinPart_Progress" not in shown
+
+    window.wait_until(lambda: window.is_shown("ThinPart_Progress"))
+    window.wait_until(is_proposed)
+    assert "Finding element sizes for Fin" in seen
+
+
+def has_bar(document):
+    """Whether the colour bar of a thickness map is in the view."""
+    return not bar_of_document(document).isEmpty()
+
+
+def test_colours_of_sizes_are_not_read_by_the_colour_bar_of_a_thickness_map(document):
+    part(document)
+    window.show_thickness()
+    window.wait_until(lambda: has_bar(document))
+    Gui.Control.closeDialog()
+    open_panel()
+    window.wait_until(lambda: not has_bar(document))
+    window.widget("ThinPart_SizePreview").setChecked(False)
+    window.wait_until(lambda: has_bar(document))
+    window.widget("ThinPart_SizePreview").setChecked(True)
+    window.wait_until(lambda: not has_bar(document))
+    end_session()
+    window.wait_until(lambda: has_bar(document))
 
 
 def test_sizes_are_edited_and_the_estimate_follows(document):

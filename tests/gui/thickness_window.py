@@ -111,3 +111,8 @@ def wheel(view, place, delta):
     QtWidgets.QApplication.sendEvent(widget, QtGui.QWheelEvent(
         QtCore.QPointF(place), QtCore.QPointF(widget.mapToGlobal(place)), QtCore.QPoint(0, 0), QtCore.QPoint(0, delta),
         QtCore.Qt.NoButton, QtCore.Qt.NoModifier, QtCore.Qt.NoScrollPhase, False))
+
+
+def bar_of_document(document):
+    """Rectangle of the colour bar in a document's view, pixels; empty where there is none."""
+    return widget_of(view_of(document)).property("ThinPart_ColourBar") or QtCore.QRect()

@@ -159,8 +159,11 @@ class MeshSizesController(TaskController):
             self._form.shell.show_walls(found["shell_walls"])
             self._take_over_notes()
             lifelong.mesh_settings.look_for(self, self._document.FileName, self._record)
-        self._form.show_idle(not self._gmsh_missing)
         self._show_missing()
+        if self._proposal is None:
+            self._form.show_running(translate("ThinPart", "Finding element sizes for {}").format(self._part.label), 1.0)
+        else:
+            self._form.show_idle(not self._gmsh_missing)
         self._ask()
 
     def _on_offer(self, asker, offer):
@@ -244,6 +247,8 @@ class MeshSizesController(TaskController):
         self._form.show_running(stage.format(self._part.label), done)
 
     def _on_proposed(self, found):
+        if self._proposal is None:
+            self._form.show_idle(not self._gmsh_missing)
         self._proposal = found
         self._show_proposal()
         self._show_in_view()
@@ -408,6 +413,9 @@ class MeshSizesController(TaskController):
         else:
             nodes.hide_sizes()
         self._covered.cover(self._covering() if shows_shell else set())
+        # A colour bar of thicknesses beside colours of sizes would be read as theirs.
+        is_coloured = shows_shell or not form.is_shell and form.preview.isChecked()
+        lifelong.map_events.set_maps_aside(self.measured.name, shows_shell if is_coloured else None)
         if self._check is not None and form.poor.isChecked() and not form.is_shell:
             nodes.show_poor(np.load(self.measured.file(POOR)))
         else:
@@ -429,5 +437,6 @@ class MeshSizesController(TaskController):
     def _clear_view(self):
         nodes, self._nodes = self._nodes, None
         self._covered.cover(set())
+        lifelong.map_events.set_maps_aside(self.measured.name, None)
         if nodes is not None:
             nodes.leave(self._scenes())

@@ -22,11 +22,14 @@ class MapEvents:
         Called with a map whose panel should be opened.
     first_colours : dict
         The FirstColours that are shown, by the name of their document.
+    set_aside : dict
+        By the name of each document in whose views other colours are shown than those of its maps, whether the maps are
+        hidden too; their colour bars and labels are.
     """
 
     def __init__(self):
         self.refresh_due, self.measure_requested, self.panel_requested = [Hook(report_fault) for _ in range(3)]
-        self.first_colours = {}
+        self.first_colours, self.set_aside = {}, {}
         self._soon = QtCore.QTimer(singleShot=True, interval=0)
         self._soon.timeout.connect(lambda: self.refresh_due())
 
@@ -35,6 +38,14 @@ class MapEvents:
         # FreeCAD imports this module with the first map; the import also loads numpy.
         if _MAPS in sys.modules:
             self._soon.start()
+
+    def set_maps_aside(self, name, hides_maps):
+        """Leave the views of a document to other colours; None for `hides_maps` gives them back to its maps."""
+        before = self.set_aside.pop(name, None)
+        if hides_maps is not None:
+            self.set_aside[name] = hides_maps
+        if hides_maps != before:
+            self.refresh_soon()
 
     def request_measurement(self, thickness):
         """Request that a map be measured again when FreeCAD returns to the event loop."""

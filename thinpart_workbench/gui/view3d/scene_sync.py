@@ -45,7 +45,9 @@ class SceneSync:
                 if getattr(thickness, "ViewObject", None) is None:
                     continue
                 self._refresh_map(thickness)
-                thickness.ViewObject.Proxy.cover(first is not None and first.stands_for(thickness.Name))
+                thickness.ViewObject.Proxy.cover(
+                    lifelong.map_events.set_aside.get(name, False)
+                    or first is not None and first.stands_for(thickness.Name))
                 if thickness.ViewObject.Visibility:
                     visible.append((name, thickness.Name))
                     if thickness.ViewObject.Proxy.is_complete:
@@ -62,6 +64,7 @@ class SceneSync:
         """Drop the maps of a document that is being closed."""
         self._covered.forget(name)
         lifelong.map_events.first_colours.pop(name, None)
+        lifelong.map_events.set_aside.pop(name, None)
         self._shown = [key for key in self._shown if key[0] != name]
 
     def _first_colours(self, name):
@@ -83,10 +86,11 @@ class SceneSync:
         bars, labels, watches = [], [], []
         for document in App.listDocuments():
             first, name = lifelong.map_events.first_colours.get(document), last.get(document)
+            shown = None if document in lifelong.map_events.set_aside else first or _proxy(document, name)
             for view in Gui.getDocument(document).mdiViewsOfType("Gui::View3DInventor"):
                 root = view.getSceneGraph()
-                bar = self._show_bar(view, root, first or _proxy(document, name))
-                node = self._show_labels(view, root, None if first else _proxy(document, name), bar)
+                bar = self._show_bar(view, root, shown)
+                node = self._show_labels(view, root, None if first else shown, bar)
                 bars += [] if bar is None else [bar]
                 labels += [] if node is None else [node]
                 if first is not None or name is not None:
