@@ -8,10 +8,12 @@ import FreeCADGui as Gui
 import Part
 import pytest
 import window_actions as window
+from pivy import coin
 from thickness_window import bar_of_document
 from window_actions import V
 
 from thinpart_workbench.api.annotations import keep_mesh_settings, note_regions
+from thinpart_workbench.core.rendering.colour_scale import ColourScale
 from thinpart_workbench.freecad_adapter.preferences import set_preference_list
 from thinpart_workbench.gui.application import lifelong
 from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
@@ -151,10 +153,23 @@ def test_a_normal_part_has_one_size_until_a_wall_is_ticked(document):
     table = window.widget("ThinPart_WallSizes")
     assert [row["size"] for row in table.rows] == [None]
     assert window.text("ThinPart_MeshEstimate").startswith("A normal part: one size is enough.")
+    assert not window.is_shown("ThinPart_SizeBar")
+    # The colour of the largest size, not of the least.
+    assert size_colours(document) == {tuple(ColourScale(1.0, 2.0).colours([2.0])[0])}
     table.item(0, 0).setCheckState(QtCore.Qt.Checked)
     window.wait_until(lambda: table.rows[0]["size"] is not None)
     assert table.rows[0]["size"] == pytest.approx(1.0 / 2.3, rel=0.02)
     assert not window.text("ThinPart_MeshEstimate").startswith("A normal part")
+    window.wait_until(lambda: window.is_shown("ThinPart_SizeBar") and len(size_colours(document)) > 1)
+
+
+def size_colours(document):
+    """Colours on the part, red, green and blue: set of tuple."""
+    search = coin.SoSearchAction()
+    search.setType(coin.SoPackedColor.getClassTypeId())
+    search.apply(Gui.getDocument(document.Name).activeView().getSceneGraph())
+    values = search.getPath().getTail().orderedRGBA.getValues(0)
+    return {(value >> 24 & 255, value >> 16 & 255, value >> 8 & 255) for value in map(int, values)}
 
 
 def test_meshes_are_compared_and_nothing_of_the_panel_stays(document):

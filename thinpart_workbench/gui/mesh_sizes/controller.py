@@ -256,10 +256,17 @@ class MeshSizesController(TaskController):
     def _show_proposal(self):
         found, scale = self._proposal, self._scale()
         colours = [tuple(scale.colours([row["size"] or found["global_size"]])[0] / 255.0) for row in found["regions"]]
-        self._form.show_proposal(found, colours, scale)
+        self._form.show_proposal(found, colours, scale if self._has_sizes else None)
+
+    @property
+    def _has_sizes(self):
+        """Whether the proposal has more than one size."""
+        return self._proposal["least_size"] < self._proposal["global_size"]
 
     def _scale(self):
-        return ColourScale(self._proposal["least_size"], self._proposal["global_size"], logarithmic=True)
+        largest = self._proposal["global_size"]
+        # Where all elements are as large as that, they have the colour of the largest ones.
+        return ColourScale(self._proposal["least_size"] if self._has_sizes else 0.5 * largest, largest, logarithmic=True)
 
     def _thickness_scale(self):
         thick = [wall["thickness"] for wall in self._shell["walls"]]
