@@ -12,7 +12,7 @@ from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 from thinpart_workbench.core.mesh.tetrahedra import inverse_condition_numbers, layers_through, outer_nodes
 from thinpart_workbench.core.sizing.size_boxes import size_boxes
 from thinpart_workbench.core.sizing.size_field import SizeField
-from thinpart_workbench.core.sizing.size_proposal import propose_sizes
+from thinpart_workbench.core.sizing.size_proposal import propose_sizes, without_thinnest
 from thinpart_workbench.core.sizing.size_sources import places
 from thinpart_workbench.core.sizing.sizing_settings import SizingSettings, divisions_of, layers_of
 from thinpart_workbench.core.thickness.measurement import measure
@@ -126,6 +126,27 @@ def test_a_budget_is_kept_and_says_what_it_costs(ribbed, budget):
     assert proposal.elements <= max(budget, 5) * 1.05
     assert proposal.unbounded.elements == free.elements and proposal.layers < proposal.unbounded.layers == 4.0
     assert proposal.least_size > free.least_size
+
+
+def test_a_budget_is_saved_first_where_a_knife_edge_takes_most_of_the_elements():
+    """A plate of 2 mm, 100 long, that ends in a blade of 0.05 mm; the walls that are not the blade keep their layers."""
+    bladed = measured(*made_meshes.prism([(0, 0), (2, 0), (2, 100), (0.05, 102), (0, 102)], 80))
+    free = propose_sizes(bladed, 10.0, SizingSettings())
+    coarser = without_thinnest(bladed, free)
+    assert coarser.elements < 0.5 * free.elements and coarser.layers == free.layers == 2.0
+    between = (coarser.elements + free.elements) // 2
+    found = propose_sizes(bladed, 10.0, SizingSettings(budget=between))
+    assert 0.9 * between < found.elements <= between and found.layers == 2.0 and found.unbounded.elements == free.elements
+    assert 0.05 < found.layered_from < coarser.layered_from
+    found = propose_sizes(bladed, 10.0, SizingSettings(budget=coarser.elements // 3))
+    assert found.elements <= coarser.elements // 3 and 0.0 < found.layers < 2.0
+    assert found.layered_from == coarser.layered_from
+
+
+def test_walls_of_one_thickness_have_no_thinnest(plate, ribbed):
+    for part in (plate, ribbed):
+        free = propose_sizes(part, 10.0, SizingSettings())
+        assert without_thinnest(part, free) is None and free.layered_from == 0.0
 
 
 @pytest.mark.parametrize("wrong", [{"order": 3}, {"layers": 0.0}, {"layers": float("nan")}, {"layers": 1e9}, {"growth": 1.0},
