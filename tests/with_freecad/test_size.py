@@ -116,6 +116,15 @@ def test_a_budget_is_kept_by_the_mesh(parts, lines):
     assert "The budget costs layers: 2 layers in all thin walls would take about" in text
 
 
+def test_a_budget_is_kept_where_the_wall_is_a_thousand_times_smaller_than_the_part(lines, tmp_path):
+    import Part
+
+    Part.makeBox(600, 400, 0.6).exportBrep(str(tmp_path / "foil.brep"))
+    (line,), run = lines(tmp_path / "foil.brep", "--budget", 20_000, "--check")
+    assert run.returncode == 0 and 0 < line["elements"] <= 20_000 < 1_000_000 < line["unbounded"]["elements"]
+    assert 0 < line["check"]["proposed"]["elements"] <= 1.1 * 20_000
+
+
 def test_elements_of_second_order_need_one_layer(parts, lines):
     (line,), _ = lines(parts / "bracket.step", "--order", 2, "--check")
     assert line["wanted_layers"] == 1.0 and line["check"]["proposed"]["elements"] > 0

@@ -267,7 +267,7 @@ def _within_budget(proposed, settings, global_size, wanted):
     none = wanted.below(0.0)
     alone = proposed(none, 0.0)
     return alone if alone.elements <= settings.budget else proposed(
-        none, 0.0, global_size * (alone.elements / settings.budget) ** (1.0 / 3.0))
+        none, 0.0, global_size * (alone.elements / settings.budget) ** 0.5)
 
 
 def _proposed(measurement, thin_limit, settings, global_size, sources, layers, inner):
