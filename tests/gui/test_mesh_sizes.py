@@ -70,8 +70,9 @@ def test_ok_makes_the_fem_mesh_in_one_step_of_undo_and_again_updates_it(document
     xs = [point.x for point in mesh.FemMesh.Nodes.values()]
     assert (min(xs), max(xs)) == (pytest.approx(100.0), pytest.approx(150.0))  # where the part stands
     count = mesh.FemMesh.VolumeCount
+    assert mesh.Visibility and not feature.Visibility  # both would flicker
     document.undo()
-    assert meshes(document) == [] and regions(document) == []
+    assert meshes(document) == [] and regions(document) == [] and feature.Visibility
     document.redo()
     open_panel()
     window.widget("ThinPart_WallSizes").item(0, 1).setText("2.5")
