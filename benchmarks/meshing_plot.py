@@ -8,7 +8,7 @@ POOR_LEAST = 1e-5
 _WIDTH, _ROW, _LEFT, _TOP, _GAP, _PLOT = 860, 9, 130, 64, 60, 320
 _BEFORE, _AFTER, _LINE, _TEXT = "#d9822b", "#2b6cb0", "#bbbbbb", "#333333"
 _POOR_TICKS = ((1e-5, "0.001 %"), (1e-3, "0.1 %"), (0.03, "3 %"), (1.0, "100 %"))
-_LAYER_TICKS = ((0.0, "0 %"), (0.5, "50 %"), (0.9, "90 %"), (1.0, "100 %"))
+_LAYER_TICKS = ((0.0, "0 %"), (0.5, "50 %"), (0.9, "90 %"), (1.0, ""))
 
 
 def meshing_plot(groups):
@@ -33,7 +33,7 @@ def meshing_plot(groups):
            *_axis(_LEFT + _PLOT + _GAP, "thin walls with the wanted layers", _LAYER_TICKS, _share_place, height)]
     y = _TOP + _ROW
     for title, parts in groups:
-        out.append(f'<text x="8" y="{y + 4}">{title}</text>')
+        out.append(f'<text x="8" y="{y + 4}">{title.replace("_", " ")}</text>')
         for part in parts:
             out += _row(part["check"], y)
             y += _ROW

@@ -36,7 +36,8 @@ ALL_THICK = "no thin walls"
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", nargs="?")
-    parser.add_argument("--of", metavar="FILE", help="the records that --json has written, in place of a folder")
+    parser.add_argument("--of", metavar="FILE",
+                        help="in place of a folder: the records that --json has written, or the results of meshing_peers")
     parser.add_argument("--json", metavar="FILE", help="write the record of every part too")
     parser.add_argument("--plot", metavar="FILE", help="write a plot of all parts, SVG")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N")
@@ -45,13 +46,15 @@ def main():
     if (options.folder is None) == (options.of is None):
         parser.error("name a folder, or a file after --of")
     if options.of:
-        parts = json.loads(Path(options.of).read_text(encoding="utf-8"))
+        parts = read_parts(json.loads(Path(options.of).read_text(encoding="utf-8")))
     else:
         parts = meshed_parts(options)
     if options.json:
         Path(options.json).write_text(json.dumps(parts), encoding="utf-8")
     of_category = [(category, [part for part in parts if part["category"] == category]) for category in CATEGORIES]
     for name, groups in (("category", of_category), ("family", families(parts))):
+        if name == "family" and not all("regions" in part for part in parts):
+            continue  # results of meshing_peers do not say which walls the parts have
         rows = [[group, *map(str, row_of(own))] for group, own in groups if own]
         print(markdown(Table("", (name, *COLUMNS), rows)), end="\n\n")
     if options.plot:
@@ -67,12 +70,21 @@ def meshed_parts(options):
     return parts
 
 
+def read_parts(content):
+    """The records of parts of a file: as they are, or made of the results of `meshing_peers`."""
+    if isinstance(content, list):
+        return content
+    return [{"category": row["category"], "elements": row["estimate"], "uniform_elements": row["uniform_elements"],
+             "check": {"default": row["meshes"]["one size"], "proposed": row["meshes"]["ThinPart"]}}
+            for row in content["meshing"]["parts"] if "error" not in row]
+
+
 def families(parts):
     """Family and its parts, list of pairs, the largest first."""
     found = {}
     for part in parts:
         area = Counter()
-        for region in part["regions"]:
+        for region in part.get("regions", ()):
             area[region["kind"]] += region["area"]
         found.setdefault(area.most_common(1)[0][0] if area else ALL_THICK, []).append(part)
     return sorted(found.items(), key=lambda each: -len(each[1]))
