@@ -12,13 +12,13 @@ import argparse
 import json
 import os
 import sys
-from collections import Counter
 from pathlib import Path
 from statistics import median
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from benchmarks.meshing_plot import meshing_plot
+from benchmarks.meshing_tables import family_of
 from benchmarks.table_text import Table, markdown
 from thinpart_workbench.api.mesh_sizes import MESH_SECONDS, mesh_sizes
 from thinpart_workbench.core.analysis_limits import Limits
@@ -28,9 +28,6 @@ COLUMNS = ("parts", "no mesh at one size", "of these meshed as proposed", "no me
            "elements / estimate")
 
 CATEGORIES = ("thin", "thin_features", "normal")
-
-ALL_THICK = "no thin walls"
-"""Family of parts without thin walls, or whose walls have no sizes of their own."""
 
 
 def main():
@@ -52,11 +49,11 @@ def main():
     if options.json:
         Path(options.json).write_text(json.dumps(parts), encoding="utf-8")
     of_category = [(category, [part for part in parts if part["category"] == category]) for category in CATEGORIES]
-    for name, groups in (("category", of_category), ("family", families(parts))):
-        if name == "family" and not all("regions" in part for part in parts):
-            continue  # results of meshing_peers do not say which walls the parts have
+    of_family = families([part for part in parts if "regions" in part or "family" in part])
+    for name, groups in (("category", of_category), ("family", of_family)):
         rows = [[group, *map(str, row_of(own))] for group, own in groups if own]
-        print(markdown(Table("", (name, *COLUMNS), rows)), end="\n\n")
+        if rows:
+            print(markdown(Table("", (name, *COLUMNS), rows)), end="\n\n")
     if options.plot:
         Path(options.plot).write_text(meshing_plot(of_category), encoding="utf-8")
 
@@ -75,6 +72,7 @@ def read_parts(content):
     if isinstance(content, list):
         return content
     return [{"category": row["category"], "elements": row["estimate"], "uniform_elements": row["uniform_elements"],
+             **({"family": row["family"]} if "family" in row else {}),  # results of earlier versions have none
              "check": {"default": row["meshes"]["one size"], "proposed": row["meshes"]["ThinPart"]}}
             for row in content["meshing"]["parts"] if "error" not in row]
 
@@ -83,10 +81,8 @@ def families(parts):
     """Family and its parts, list of pairs, the largest first."""
     found = {}
     for part in parts:
-        area = Counter()
-        for region in part.get("regions", ()):
-            area[region["kind"]] += region["area"]
-        found.setdefault(area.most_common(1)[0][0] if area else ALL_THICK, []).append(part)
+        own = part.get("family") or family_of((region["kind"], region["area"]) for region in part["regions"])
+        found.setdefault(own, []).append(part)
     return sorted(found.items(), key=lambda each: -len(each[1]))
 
 

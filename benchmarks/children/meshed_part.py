@@ -14,6 +14,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
+from benchmarks.meshing_tables import family_of
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
 from thinpart_workbench.core.categories import NORMAL
 from thinpart_workbench.core.file_formats import is_shape
@@ -99,8 +100,9 @@ class _PartMeshes:
             # With the method of the proposed mesh: others make more or fewer elements of the same size.
             options = [word for name, value in tried.options.items() for word in ("-setnumber", name, str(value))]
             uniform = self._gmsh_mesh("-clmax", repr(used.least_size), *options)["elements"] or uniform
-        return {"category": self._category, "estimate": self._proposal.elements, "uniform_elements": uniform,
-                "meshes": found}
+        family = family_of((each.region.kind, each.region.area) for each in self._proposal.regions)
+        return {"category": self._category, "family": family, "estimate": self._proposal.elements,
+                "uniform_elements": uniform, "meshes": found}
 
     def _as_many(self, wanted, one_size):
         """Figures of a mesh of one size with as many elements; None where no number is wanted."""

@@ -76,7 +76,10 @@ def test_parts_chosen_by_their_number_are_meshed_in_each_way(tmp_path):
     assert meshes["equal"]["elements"] == pytest.approx(meshes["ThinPart"]["elements"], rel=0.35)
     assert meshes["curvature"]["elements"] > 0 and meshes["Netgen 2"]["reason"] == "Netgen is missing"
     assert normal["meshes"]["ThinPart"]["elements"] == normal["meshes"]["one size"]["elements"]
-    assert "plate" not in output.read_text(encoding="utf-8")
+    assert (thin["family"], normal["family"]) == ("plate", "no thin walls")
+    # All of the plate has the least size: so many elements has a uniform mesh of it.
+    assert thin["uniform_elements"] == pytest.approx(meshes["ThinPart"]["elements"], rel=0.05)
+    assert "t003" not in output.read_text(encoding="utf-8")
     assert "parts that ThinPart calls normal, whose mesh is as it was" in "".join(
         row[0] for table in meshing_target_tables(results) for row in table.rows)
     again = benchmark(tmp_path, "--parts", 1, "--without-netgen", "--kept", "-o", output, cache=tmp_path,
