@@ -4286,6 +4286,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die Mittelfläche lässt sich nicht lesen ({problem}): Schaffen Sie Platz auf dem Datenträger, und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
+        <source>The mid-surface of {part} could not be meshed ({problem}).</source>
+        <translation>Die Mittelfläche von {part} konnte nicht vernetzt werden ({problem}).</translation>
+    </message>
+    <message>
         <source>The mid-surface of {part} could not be meshed ({problem}): name another element size.</source>
         <translation>Die Mittelfläche von {part} ließ sich nicht vernetzen ({problem}): Geben Sie eine andere Elementgröße an.</translation>
     </message>

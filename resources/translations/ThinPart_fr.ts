@@ -4286,6 +4286,10 @@ Son volume est inconnu.</translation>
         <translation>La surface moyenne ne peut pas être lue ({problem}) : libérez de l’espace disque et réessayez.</translation>
     </message>
     <message>
+        <source>The mid-surface of {part} could not be meshed ({problem}).</source>
+        <translation>La surface moyenne de {part} n'a pas pu être maillée ({problem}).</translation>
+    </message>
+    <message>
         <source>The mid-surface of {part} could not be meshed ({problem}): name another element size.</source>
         <translation>La surface moyenne de {part} n’a pas pu être maillée ({problem}) : indiquez une autre taille d’élément.</translation>
     </message>
