@@ -99,6 +99,15 @@ def test_the_script_opens_the_part_and_gives_the_same_mesh(parts, lines, tmp_pat
     assert len(read_tetrahedra(mesh)[1]) == pytest.approx(line["check"]["proposed"]["elements"], rel=0.05)
 
 
+def test_a_script_of_many_elements_has_the_quicker_method(parts, tmp_path):
+    import Part
+
+    Part.makeBox(300, 200, 2).exportBrep(str(tmp_path / "sheet.brep"))
+    for file, has_option in ((tmp_path / "sheet.brep", True), (parts / "bracket.step", False)):
+        assert thinpart("size", file, "--geo", tmp_path / "sizes.geo").returncode == 0
+        assert ("Mesh.Algorithm3D = 10;" in (tmp_path / "sizes.geo").read_text()) == has_option
+
+
 def test_a_document_is_opened_by_hand(tmp_path):
     script = tmp_path / "sizes.geo"
     assert thinpart("size", SAMPLES / "bent_sheet_bracket.FCStd", "--geo", script).returncode == 0

@@ -49,6 +49,11 @@ _SURFACE = re.compile(r"surface (\d+)")
 _PLACE = re.compile(r"intersection \(?([-+.\deE]+)\s*,\s*([-+.\deE]+)\s*,\s*([-+.\deE]+)\)?")
 
 
+def usual_options(proposal):
+    """Options of Gmsh with which a proposal is tried at first: dict."""
+    return QUICK if proposal.elements > MANY else {}
+
+
 @dataclass(frozen=True)
 class MeshTry:
     """One way to ask Gmsh for a mesh.
@@ -87,7 +92,7 @@ class MeshTries:
 
     def __init__(self, measurement, proposal, shape, folder):
         self._measurement, self._shape, self._folder = measurement, shape, folder
-        self.first = MeshTry(message("as proposed"), proposal, QUICK if proposal.elements > MANY else {})
+        self.first = MeshTry(message("as proposed"), proposal, usual_options(proposal))
         self._steps = [self._mended, self._finer, self._finer, self._finer_delaunay, self._without_details]
         self._stated, self._is_long = "", False
 

@@ -21,6 +21,7 @@ from ...core.sizing.size_proposal import propose_sizes
 from ...core.sizing.sizing_settings import SizingSettings
 from ..analysis.analyse_part import analyse_part
 from .mesh_check import checked_sizes
+from .mesh_tries import usual_options
 from .shell_meshing import no_shell_record, shell_obstacle, shell_of_part, shell_record
 
 
@@ -174,6 +175,7 @@ def size_record(part, record, measurement, proposal, check, has_sources, tried=N
         All lengths in mm.
     """
     unbounded = proposal.unbounded
+    options = tried.options if tried else usual_options(proposal)
     found = {
         "name": part.name, "label": part.label, "category": record["category"],
         "diagonal": _rounded(measurement.descriptors.box.diagonal), "thin_limit": _rounded(proposal.thin_limit),
@@ -188,7 +190,7 @@ def size_record(part, record, measurement, proposal, check, has_sources, tried=N
         "regions": [_region_row(each) for each in proposal.regions],
         "check": check, "idealisation": _idealisation(measurement, proposal, no_shell),
         "left_out": proposal.left_out,
-        "gmsh_options": [{"name": name, "value": value} for name, value in (tried.options if tried else {}).items()],
+        "gmsh_options": [{"name": name, "value": value} for name, value in options.items()],
         "is_mended": bool(tried and tried.mended),
     }
     if has_sources:
