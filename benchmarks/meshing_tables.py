@@ -23,8 +23,8 @@ COLUMNS = ("mesh", "parts meshed", "of those that fail at one size", "elements, 
 LAYERED, POOR = 0.9, 0.03
 
 
-ALL_THICK = "no thin walls"
-"""Family of parts without thin walls, or whose walls have no sizes of their own."""
+ALL_THICK = "no sizes of its own"
+"""Family of parts without thin walls, or whose thin walls are meshed as the rest."""
 
 
 def family_of(regions):

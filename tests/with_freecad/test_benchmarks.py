@@ -76,7 +76,7 @@ def test_parts_chosen_by_their_number_are_meshed_in_each_way(tmp_path):
     assert meshes["equal"]["elements"] == pytest.approx(meshes["ThinPart"]["elements"], rel=0.35)
     assert meshes["curvature"]["elements"] > 0 and meshes["Netgen 2"]["reason"] == "Netgen is missing"
     assert normal["meshes"]["ThinPart"]["elements"] == normal["meshes"]["one size"]["elements"]
-    assert (thin["family"], normal["family"]) == ("plate", "no thin walls")
+    assert (thin["family"], normal["family"]) == ("plate", "no sizes of its own")
     # All of the plate has the least size: so many elements has a uniform mesh of it.
     assert thin["uniform_elements"] == pytest.approx(meshes["ThinPart"]["elements"], rel=0.05)
     assert "t003" not in output.read_text(encoding="utf-8")
@@ -102,7 +102,7 @@ def test_the_meshing_study_has_a_row_for_each_category_and_family_and_a_plot_of_
     assert run.returncode == 0, run.stderr
     parts = json.loads(records.read_text(encoding="utf-8"))
     rows = {line.split(" | ")[0].strip("| "): line for line in run.stdout.splitlines() if line.startswith("| ")}
-    assert {part["category"] for part in parts} | {"plate", "no thin walls", "category", "family"} <= set(rows)
+    assert {part["category"] for part in parts} | {"plate", "no sizes of its own", "category", "family"} <= set(rows)
     drawing = ElementTree.parse(plot).getroot()
     circles = [each for each in drawing.iter("{http://www.w3.org/2000/svg}circle") if each.get("r") == "3"]
     assert len(circles) >= 2 * len(parts) == 4  # before and after, of each
