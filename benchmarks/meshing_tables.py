@@ -1,5 +1,6 @@
 """The tables of `meshing_peers`."""
 
+from collections import Counter
 from statistics import median
 
 from .table_text import MISSING, Table
@@ -20,6 +21,24 @@ COLUMNS = ("mesh", "parts meshed", "of those that fail at one size", "elements, 
            "parts with more than 3 %", "thin walls with two layers, median", "parts with layers in 90 %", "seconds, median")
 
 LAYERED, POOR = 0.9, 0.03
+
+
+ALL_THICK = "no sizes of its own"
+"""Family of parts without thin walls, or whose thin walls are meshed as the rest."""
+
+
+def family_of(regions):
+    """The family of a part: the kind of wall that has most of its thin area.
+
+    Parameters
+    ----------
+    regions : iterable of (str, float)
+        Kind and area of each thin wall region.
+    """
+    area = Counter()
+    for kind, own in regions:
+        area[kind] += own
+    return area.most_common(1)[0][0] if area else ALL_THICK
 
 
 def meshing_tables(results):

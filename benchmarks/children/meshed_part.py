@@ -14,6 +14,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
+from benchmarks.meshing_tables import family_of
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
 from thinpart_workbench.core.categories import NORMAL
 from thinpart_workbench.core.file_formats import is_shape
@@ -38,6 +39,9 @@ CLOSE_EDGES = (2.0, 5.0)
 
 EQUAL = 1.15
 """Greatest ratio of numbers of elements that are called equal."""
+
+CLOSE = 0.75
+"""Share of the elements that are estimated for a uniform mesh from which on that is made, and its elements are counted."""
 
 SEARCHES = 2
 """Meshes that are made at most to find a size with as many elements: the second corrects the first."""
@@ -91,8 +95,14 @@ class _PartMeshes:
                                               "Mesh.CharacteristicLengthExtendFromBoundary", "1")}
         for factor in CLOSE_EDGES:
             found[f"Netgen {factor:g}"] = self._netgen_mesh(netgen, factor)
-        return {"category": self._category, "estimate": self._proposal.elements,
-                "uniform_elements": used.uniform_elements, "meshes": found}
+        uniform = used.uniform_elements
+        if proposed["elements"] > CLOSE * uniform and not used.is_uniform:
+            # With the method of the proposed mesh: others make more or fewer elements of the same size.
+            options = [word for name, value in tried.options.items() for word in ("-setnumber", name, str(value))]
+            uniform = self._gmsh_mesh("-clmax", repr(used.least_size), *options)["elements"] or uniform
+        family = family_of((each.region.kind, each.region.area) for each in self._proposal.regions)
+        return {"category": self._category, "family": family, "estimate": self._proposal.elements,
+                "uniform_elements": uniform, "meshes": found}
 
     def _as_many(self, wanted, one_size):
         """Figures of a mesh of one size with as many elements; None where no number is wanted."""

@@ -2147,6 +2147,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die kleinste Wand; eine andere ist eine eigene Grenze</translation>
     </message>
     <message>
+        <source>The limit costs layers: all walls would take about {} elements.</source>
+        <translation>Die Höchstzahl kostet Schichten: Alle Wände bräuchten etwa {} Elemente.</translation>
+    </message>
+    <message>
         <source>The limit costs layers: {} instead of {}, which would take about {} elements.</source>
         <translation>Die Höchstzahl kostet Schichten: {} statt {}, die etwa {} Elemente bräuchten.</translation>
     </message>
@@ -2473,6 +2477,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Walls thinner than this share of the part's diagonal are coloured as thin</source>
         <translation>Wände, die dünner als dieser Anteil der Diagonale des Bauteils sind, werden als dünn eingefärbt</translation>
+    </message>
+    <message>
+        <source>Walls under {} have fewer layers: they would take most of the elements.</source>
+        <translation>Wände unter {} haben weniger Schichten: Sie bräuchten die meisten Elemente.</translation>
     </message>
     <message>
         <source>Warnings</source>
@@ -3348,6 +3356,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>A bulky part with thin places: refine the mesh there or remove them.</source>
         <translation>Ein massiges Bauteil mit dünnen Stellen: Verfeinern Sie dort das Netz oder entfernen Sie sie.</translation>
+    </message>
+    <message>
+        <source>A script or a shell is for one part, and there are {count} documents: name one of them, or the part after --part.</source>
+        <translation>Ein Skript oder eine Schale ist für ein Bauteil, und es gibt {count} Dokumente: Nennen Sie eines davon oder das Bauteil nach --part.</translation>
     </message>
     <message>
         <source>ABS</source>
@@ -4278,6 +4290,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die Mittelfläche lässt sich nicht lesen ({problem}): Schaffen Sie Platz auf dem Datenträger, und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
+        <source>The mid-surface of {part} could not be meshed ({problem}).</source>
+        <translation>Die Mittelfläche von {part} konnte nicht vernetzt werden ({problem}).</translation>
+    </message>
+    <message>
         <source>The mid-surface of {part} could not be meshed ({problem}): name another element size.</source>
         <translation>Die Mittelfläche von {part} ließ sich nicht vernetzen ({problem}): Geben Sie eine andere Elementgröße an.</translation>
     </message>
@@ -4770,6 +4786,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>viel mehr schräge Wände</translation>
     </message>
     <message>
+        <source>fewer layers in the thinnest walls, a twentieth of the thin area</source>
+        <translation>weniger Schichten in den dünnsten Wänden, einem Zwanzigstel der dünnen Fläche</translation>
+    </message>
+    <message>
         <source>fewer layers, a fifth of the elements</source>
         <translation>weniger Lagen, ein Fünftel der Elemente</translation>
     </message>
@@ -5142,6 +5162,14 @@ Sein Volumen ist unbekannt.</translation>
         <translation>version ist {version}, und gelesen wird Version 1</translation>
     </message>
     <message>
+        <source>volumes by Gmsh's usual method</source>
+        <translation>Volumen nach dem üblichen Verfahren von Gmsh</translation>
+    </message>
+    <message>
+        <source>volumes by the HXT method, which is quicker</source>
+        <translation>Volumen nach dem Verfahren HXT, das schneller ist</translation>
+    </message>
+    <message>
         <source>wrong usage of the command</source>
         <translation>der Befehl wurde falsch aufgerufen</translation>
     </message>
@@ -5268,6 +5296,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{file} has no part {part!r}: it has {parts}.</source>
         <translation>{file} hat kein Bauteil {part!r}: Vorhanden sind {parts}.</translation>
+    </message>
+    <message>
+        <source>{file} has {count} parts, and one is written: name it after --part, as {example}.</source>
+        <translation>{file} hat {count} Bauteile, und eines wird geschrieben: Nennen Sie es nach --part, etwa {example}.</translation>
     </message>
     <message>
         <source>{file} has {count} parts: name one after --part, of {parts}.</source>

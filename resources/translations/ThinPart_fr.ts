@@ -2147,6 +2147,10 @@ Son volume est inconnu.</translation>
         <translation>La paroi minimale ; une autre est une limite personnelle</translation>
     </message>
     <message>
+        <source>The limit costs layers: all walls would take about {} elements.</source>
+        <translation>La limite coûte des couches : toutes les parois demanderaient environ {} éléments.</translation>
+    </message>
+    <message>
         <source>The limit costs layers: {} instead of {}, which would take about {} elements.</source>
         <translation>La limite coûte des couches : {} au lieu de {}, qui demanderaient environ {} éléments.</translation>
     </message>
@@ -2473,6 +2477,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Walls thinner than this share of the part's diagonal are coloured as thin</source>
         <translation>Les parois plus minces que cette part de la diagonale de la pièce sont colorées comme minces</translation>
+    </message>
+    <message>
+        <source>Walls under {} have fewer layers: they would take most of the elements.</source>
+        <translation>Les parois de moins de {} ont moins de couches : elles prendraient la plupart des éléments.</translation>
     </message>
     <message>
         <source>Warnings</source>
@@ -3348,6 +3356,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>A bulky part with thin places: refine the mesh there or remove them.</source>
         <translation>Une pièce massive avec des endroits minces : affinez-y le maillage ou supprimez-les.</translation>
+    </message>
+    <message>
+        <source>A script or a shell is for one part, and there are {count} documents: name one of them, or the part after --part.</source>
+        <translation>Un script ou une coque est pour une seule pièce, et il y a {count} documents : nommez-en un, ou la pièce après --part.</translation>
     </message>
     <message>
         <source>ABS</source>
@@ -4278,6 +4290,10 @@ Son volume est inconnu.</translation>
         <translation>La surface moyenne ne peut pas être lue ({problem}) : libérez de l’espace disque et réessayez.</translation>
     </message>
     <message>
+        <source>The mid-surface of {part} could not be meshed ({problem}).</source>
+        <translation>La surface moyenne de {part} n'a pas pu être maillée ({problem}).</translation>
+    </message>
+    <message>
         <source>The mid-surface of {part} could not be meshed ({problem}): name another element size.</source>
         <translation>La surface moyenne de {part} n’a pas pu être maillée ({problem}) : indiquez une autre taille d’élément.</translation>
     </message>
@@ -4770,6 +4786,10 @@ Son volume est inconnu.</translation>
         <translation>beaucoup plus de parois obliques</translation>
     </message>
     <message>
+        <source>fewer layers in the thinnest walls, a twentieth of the thin area</source>
+        <translation>moins de couches dans les parois les plus minces, un vingtième de la surface mince</translation>
+    </message>
+    <message>
         <source>fewer layers, a fifth of the elements</source>
         <translation>moins de couches, un cinquième des éléments</translation>
     </message>
@@ -5142,6 +5162,14 @@ Son volume est inconnu.</translation>
         <translation>version est {version}, et la version 1 est lue ici</translation>
     </message>
     <message>
+        <source>volumes by Gmsh's usual method</source>
+        <translation>volumes par la méthode habituelle de Gmsh</translation>
+    </message>
+    <message>
+        <source>volumes by the HXT method, which is quicker</source>
+        <translation>volumes par la méthode HXT, plus rapide</translation>
+    </message>
+    <message>
         <source>wrong usage of the command</source>
         <translation>la commande a été mal appelée</translation>
     </message>
@@ -5268,6 +5296,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{file} has no part {part!r}: it has {parts}.</source>
         <translation>{file} n’a pas de pièce {part!r} : il a {parts}.</translation>
+    </message>
+    <message>
+        <source>{file} has {count} parts, and one is written: name it after --part, as {example}.</source>
+        <translation>{file} contient {count} pièces, et une seule est écrite : nommez-la après --part, par exemple {example}.</translation>
     </message>
     <message>
         <source>{file} has {count} parts: name one after --part, of {parts}.</source>

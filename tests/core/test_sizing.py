@@ -12,7 +12,7 @@ from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 from thinpart_workbench.core.mesh.tetrahedra import inverse_condition_numbers, layers_through, outer_nodes
 from thinpart_workbench.core.sizing.size_boxes import size_boxes
 from thinpart_workbench.core.sizing.size_field import SizeField
-from thinpart_workbench.core.sizing.size_proposal import propose_sizes
+from thinpart_workbench.core.sizing.size_proposal import propose_sizes, without_thinnest
 from thinpart_workbench.core.sizing.size_sources import places
 from thinpart_workbench.core.sizing.sizing_settings import SizingSettings, divisions_of, layers_of
 from thinpart_workbench.core.thickness.measurement import measure
@@ -47,7 +47,7 @@ def test_a_plate_has_elements_that_give_it_the_wanted_layers(plate):
     assert region.layers == pytest.approx(2.0, rel=1e-3) and region.size == pytest.approx(size, rel=1e-3)
     coarser = propose_sizes(plate, 10.0, SizingSettings(layers=1))
     # The rims of the plate are narrow faces.
-    assert coarser.least_size == pytest.approx(2.0, rel=0.05) and coarser.elements < proposal.elements / 10
+    assert coarser.least_size == pytest.approx(2.0, rel=0.05) and coarser.elements < proposal.elements / 7
     assert propose_sizes(plate, 10.0, SizingSettings(order=2)).layers == 1.0
 
 
@@ -65,11 +65,18 @@ def test_each_element_is_counted_for_one_region():
 
 
 def test_the_estimate_is_the_volume_by_that_of_an_element(plate):
-    proposal = propose_sizes(plate, 10.0, SizingSettings(layers=1, growth=1.05))
+    proposal = propose_sizes(plate, 10.0, SizingSettings(layers=2, growth=1.05))
     by_size = {each: propose_sizes(plate, 10.0, SizingSettings(layers=1, size=each)).elements for each in (0.5, 1.0)}
     assert by_size[0.5] == pytest.approx(8 * by_size[1.0], rel=0.01)
-    assert proposal.elements == pytest.approx(by_size[1.0] / 8.0, rel=0.1)
+    assert proposal.elements == pytest.approx(by_size[1.0] * (2.3 / 2.0) ** 3.0, rel=0.1)
     assert proposal.uniform_elements >= proposal.elements
+
+
+def test_elements_larger_than_a_wall_is_thick_are_flat_and_as_many_as_its_area_asks_for(plate):
+    """Gmsh makes 7.1 to 8.2 for each square of a plate or tube from a quarter of its thickness on."""
+    for size in (2.0, 4.0, 8.0):
+        found = propose_sizes(plate, 0.0, SizingSettings(size=size)).elements
+        assert found == pytest.approx(7.2 * 100 * 80 / size ** 2, rel=0.15)
 
 
 def test_only_chosen_walls_ask_for_sizes(ribbed):
@@ -126,6 +133,27 @@ def test_a_budget_is_kept_and_says_what_it_costs(ribbed, budget):
     assert proposal.elements <= max(budget, 5) * 1.05
     assert proposal.unbounded.elements == free.elements and proposal.layers < proposal.unbounded.layers == 4.0
     assert proposal.least_size > free.least_size
+
+
+def test_a_budget_is_saved_first_where_a_knife_edge_takes_most_of_the_elements():
+    """A plate of 2 mm, 100 long, that ends in a blade of 0.05 mm; the walls that are not the blade keep their layers."""
+    bladed = measured(*made_meshes.prism([(0, 0), (2, 0), (2, 100), (0.05, 102), (0, 102)], 80))
+    free = propose_sizes(bladed, 10.0, SizingSettings())
+    coarser = without_thinnest(bladed, free)
+    assert coarser.elements < 0.5 * free.elements and coarser.layers == free.layers == 2.0
+    between = (coarser.elements + free.elements) // 2
+    found = propose_sizes(bladed, 10.0, SizingSettings(budget=between))
+    assert 0.9 * between < found.elements <= between and found.layers == 2.0 and found.unbounded.elements == free.elements
+    assert 0.05 < found.layered_from < coarser.layered_from
+    found = propose_sizes(bladed, 10.0, SizingSettings(budget=coarser.elements // 3))
+    assert found.elements <= coarser.elements // 3 and 0.0 < found.layers < 2.0
+    assert found.layered_from == coarser.layered_from
+
+
+def test_walls_of_one_thickness_have_no_thinnest(plate, ribbed):
+    for part in (plate, ribbed):
+        free = propose_sizes(part, 10.0, SizingSettings())
+        assert without_thinnest(part, free) is None and free.layered_from == 0.0
 
 
 @pytest.mark.parametrize("wrong", [{"order": 3}, {"layers": 0.0}, {"layers": float("nan")}, {"layers": 1e9}, {"growth": 1.0},

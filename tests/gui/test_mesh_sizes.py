@@ -73,8 +73,9 @@ def test_ok_makes_the_fem_mesh_in_one_step_of_undo_and_again_updates_it(document
     xs = [point.x for point in mesh.FemMesh.Nodes.values()]
     assert (min(xs), max(xs)) == (pytest.approx(100.0), pytest.approx(150.0))  # where the part stands
     count = mesh.FemMesh.VolumeCount
+    assert mesh.Visibility and not feature.Visibility  # both would flicker
     document.undo()
-    assert meshes(document) == [] and regions(document) == []
+    assert meshes(document) == [] and regions(document) == [] and feature.Visibility
     document.redo()
     open_panel()
     window.widget("ThinPart_WallSizes").item(0, 1).setText("2.5")
@@ -132,6 +133,19 @@ def test_sizes_are_edited_and_the_estimate_follows(document):
     table.item(0, 0).setCheckState(QtCore.Qt.Unchecked)
     window.wait_until(lambda: table.rows[0]["size"] is None)
     assert table.rows[0]["elements"] is None
+
+
+def test_what_a_limit_of_the_elements_costs_is_said(document):
+    """A plate with a knife's edge, which takes most of the elements and gives way first."""
+    outline = [V(0, 0, 0), V(2, 0, 0), V(2, 50, 0), V(0.05, 52, 0), V(0, 52, 0), V(0, 0, 0)]
+    window.add(document, "Blade", Part.Face(Part.makePolygon(outline)).extrude(V(0, 0, 40)))
+    open_panel()
+    assert "layers" not in window.text("ThinPart_MeshEstimate")
+    window.widget("ThinPart_MeshBudget").setValue(100_000)
+    window.wait_until(lambda: "The limit costs layers: all walls would take about" in window.text("ThinPart_MeshEstimate"))
+    assert "have fewer layers: they would take most of the elements." in window.text("ThinPart_MeshEstimate")
+    window.widget("ThinPart_MeshBudget").setValue(5_000)
+    window.wait_until(lambda: " instead of 2, which would take about" in window.text("ThinPart_MeshEstimate"))
 
 
 def test_the_fem_regions_have_the_sizes_of_the_mesh_also_before_a_new_estimate(document):

@@ -91,6 +91,7 @@ def test_ok_makes_a_shell_with_its_thicknesses_in_one_step_of_undo_and_again_upd
     assert numbers[0] | numbers[1] == set(mesh.FemMesh.Faces) and not numbers[0] & numbers[1]
     assert set(analysis.Group) == {mesh, *found}
     assert not feature.Visibility and mesh.Visibility
+    assert not mesh.ViewObject.BackfaceCulling  # every wall is seen from both sides
     document.undo()
     assert meshes(document) == middles(document) == thicknesses(document) == analysis.Group == []
     assert feature.Visibility

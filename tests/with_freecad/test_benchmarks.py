@@ -76,13 +76,39 @@ def test_parts_chosen_by_their_number_are_meshed_in_each_way(tmp_path):
     assert meshes["equal"]["elements"] == pytest.approx(meshes["ThinPart"]["elements"], rel=0.35)
     assert meshes["curvature"]["elements"] > 0 and meshes["Netgen 2"]["reason"] == "Netgen is missing"
     assert normal["meshes"]["ThinPart"]["elements"] == normal["meshes"]["one size"]["elements"]
-    assert "plate" not in output.read_text(encoding="utf-8")
+    assert (thin["family"], normal["family"]) == ("plate", "no sizes of its own")
+    # All of the plate has the least size: so many elements has a uniform mesh of it.
+    assert thin["uniform_elements"] == pytest.approx(meshes["ThinPart"]["elements"], rel=0.05)
+    assert "t003" not in output.read_text(encoding="utf-8")
     assert "parts that ThinPart calls normal, whose mesh is as it was" in "".join(
         row[0] for table in meshing_target_tables(results) for row in table.rows)
     again = benchmark(tmp_path, "--parts", 1, "--without-netgen", "--kept", "-o", output, cache=tmp_path,
                       command="meshing_peers")
     assert again.returncode == 0 and json.loads(output.read_text(encoding="utf-8"))["meshing"] == results["meshing"]
     assert "ThinPart's sizes" in again.stdout
+
+
+@pytest.mark.skipif(shutil.which("gmsh") is None, reason="gmsh is not installed")
+def test_the_meshing_study_has_a_row_for_each_category_and_family_and_a_plot_of_every_part(tmp_path):
+    import xml.etree.ElementTree as ElementTree
+
+    import Part
+
+    folder, records, plot = tmp_path / "parts", tmp_path / "records.json", tmp_path / "plot.svg"
+    folder.mkdir()
+    Part.makeBox(30, 20, 2).exportBrep(str(folder / "plate.brep"))
+    Part.makeBox(30, 20, 25).exportBrep(str(folder / "block.brep"))
+    run = benchmark(folder, "--json", records, "--plot", plot, "--jobs", 1, cache=tmp_path, command="meshing_study")
+    assert run.returncode == 0, run.stderr
+    parts = json.loads(records.read_text(encoding="utf-8"))
+    rows = {line.split(" | ")[0].strip("| "): line for line in run.stdout.splitlines() if line.startswith("| ")}
+    assert {part["category"] for part in parts} | {"plate", "no sizes of its own", "category", "family"} <= set(rows)
+    drawing = ElementTree.parse(plot).getroot()
+    circles = [each for each in drawing.iter("{http://www.w3.org/2000/svg}circle") if each.get("r") == "3"]
+    assert len(circles) >= 2 * len(parts) == 4  # before and after, of each
+    again = benchmark("--of", records, "--plot", tmp_path / "again.svg", cache=tmp_path, command="meshing_study")
+    assert again.stdout == run.stdout and (tmp_path / "again.svg").read_bytes() == plot.read_bytes()
+    assert benchmark(cache=tmp_path, command="meshing_study").returncode == 2
 
 
 def test_nothing_names_a_folder_of_this_machine(run):

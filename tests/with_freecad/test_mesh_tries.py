@@ -102,13 +102,44 @@ def test_a_slender_bar_that_fails_at_one_size_gets_sizes_all_over(tmp_path):
                                                                 "calibrated").stdout
 
 
-def test_a_mesh_that_takes_too_long_is_tried_with_a_fifth_of_the_elements_once(tmp_path):
-    plate = measure(surface_mesh(*made_meshes.box(100, 80, 2)), AnalysisSettings())
-    proposal = propose_sizes(plate, 10.0, SizingSettings())
-    tries = MeshTries(plate, proposal, str(tmp_path / "part.brep"), str(tmp_path))
-    fewer = tries.after(tries.first, TIMEOUT, "")
-    assert 0 < fewer.proposal.elements <= proposal.elements / 5 and fewer.proposal.layers < proposal.layers
+HXT = {"Mesh.Algorithm3D": 10}
+
+
+def tries_of(measurement, folder, **settings):
+    return MeshTries(measurement, propose_sizes(measurement, 10.0, SizingSettings(**settings)), str(folder / "part.brep"),
+                     str(folder))
+
+
+def test_a_mesh_that_takes_too_long_is_tried_in_a_quicker_way_and_then_with_a_fifth_of_the_elements(tmp_path):
+    tries = tries_of(measure(surface_mesh(*made_meshes.box(100, 80, 2)), AnalysisSettings()), tmp_path)
+    proposal, quicker = tries.first.proposal, tries.after(tries.first, TIMEOUT, "")
+    assert tries.first.options == {} and quicker.options == HXT and quicker.proposal is proposal
+    fewer = tries.after(quicker, TIMEOUT, "")
+    assert fewer.options == HXT and 0 < fewer.proposal.elements <= proposal.elements / 5
+    assert fewer.proposal.layers < proposal.layers
     assert tries.after(fewer, TIMEOUT, "") is None
+
+
+def test_many_elements_are_made_in_the_quicker_way_at_first(tmp_path):
+    plate = measure(surface_mesh(*made_meshes.box(300, 200, 2)), AnalysisSettings())
+    tries = tries_of(plate, tmp_path)
+    assert tries.first.proposal.elements > 400_000 and tries.first.options == HXT
+    other = tries.after(tries.first, "Gmsh should be compiled with Hxt to enable that option",
+                        "Error   : Gmsh should be compiled with Hxt to enable that option")
+    assert other.options == {} and other.proposal is tries.first.proposal
+    assert tries_of(plate, tmp_path).after(tries.first, "Invalid boundary mesh", "").options == {}
+
+
+def test_a_knife_edge_that_takes_too_many_elements_gets_fewer_layers_and_the_walls_keep_theirs(tmp_path):
+    """A plate of 2 mm, 100 long, that has a blade of 0.05 mm and 2 mm on one side."""
+    blade = [(0, 0), (2, 0), (2, 100), (0.05, 102), (0, 102)]
+    tries = tries_of(measure(surface_mesh(*made_meshes.prism(blade, 80)), AnalysisSettings()), tmp_path)
+    quicker = tries.first if tries.first.options else tries.after(tries.first, TIMEOUT, "")
+    proposal, coarser = quicker.proposal, tries.after(quicker, TIMEOUT, "")
+    assert coarser.proposal.elements < 0.5 * proposal.elements and coarser.proposal.layers == 2.0
+    assert coarser.proposal.least_size > 2.0 * proposal.least_size and 0.05 < coarser.proposal.layered_from <= 2.01
+    fewer = tries.after(coarser, TIMEOUT, "")
+    assert fewer is None or fewer.proposal.elements <= proposal.elements / 5
 
 
 def test_a_crash_is_tried_once_more_in_another_way(tmp_path):

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -164,6 +165,25 @@ def test_what_has_no_shell_says_so_and_leaves_no_file(parts, tmp_path):
         run = thinpart("size", parts / name, "--shell", path)
         assert run.returncode != 0 and why in run.stderr and "was not written" in run.stderr
         assert not path.exists()
+
+
+def test_a_mesh_cut_short_is_said_and_leaves_no_file_and_is_not_kept(parts, tmp_path, monkeypatch):
+    """As on a full disk: a program in the place of Gmsh writes the beginning of a mesh."""
+    program, path = tmp_path / "bin" / "gmsh", os.environ["PATH"]
+    program.parent.mkdir()
+    start = "$MeshFormat\\n2.2 1 8\\n\\1\\0\\0\\0\\n$EndMeshFormat\\n$Nodes\\n9\\n"
+    version = subprocess.run(["gmsh", "--version"], capture_output=True, text=True)
+    known = (version.stdout + version.stderr).split()[-1]
+    program.write_text(f'#!/bin/sh\n[ "$1" = --version ] && echo {known} && exit\nfor last; do :; done\n'
+                       f"printf '{start}' > \"$last\"\n")
+    program.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{program.parent}{os.pathsep}{path}")
+    shell = tmp_path / "plate.inp"
+    run = thinpart("size", parts / "plate.brep", "--shell", shell)
+    assert run.returncode == 1 and not shell.exists() and "Traceback" not in run.stderr
+    assert "mid-surface of plate could not be meshed (its mesh is incomplete: is the disk full?)" in run.stderr
+    monkeypatch.setenv("PATH", path)
+    assert thinpart("size", parts / "plate.brep", "--shell", shell).returncode == 0 and shell.exists()
 
 
 def test_the_advice_agrees_with_what_is_refused(parts):

@@ -4,6 +4,7 @@ import csv
 import errno
 import json
 import os
+import re
 import shutil
 import stat
 import subprocess
@@ -57,6 +58,9 @@ def test_a_thin_part_is_meshed_better_and_has_its_layers(parts, lines):
     default, proposed = line["check"]["default"], line["check"]["proposed"]
     assert proposed["layers_share"] > 0.9 > 0.5 > default["layers_share"]
     assert proposed["poor_share"] < 0.01 and proposed["gamma_mean"] > default["gamma_mean"]
+    for mesh in (default, proposed):
+        assert 0.0 <= mesh["gamma_least"] <= mesh["gamma_1_percent"] <= mesh["gamma_mean"] <= 1.0
+        assert -1.0 <= mesh["sicn_least"] <= mesh["sicn_1_percent"] <= mesh["sicn_mean"] <= 1.0
     assert proposed["elements"] == pytest.approx(line["elements"], rel=0.35)
     region = line["regions"][0]
     assert region["thickness"] == pytest.approx(1.5, rel=0.02) and region["layers"] == pytest.approx(2.0, rel=0.05)
@@ -95,6 +99,15 @@ def test_the_script_opens_the_part_and_gives_the_same_mesh(parts, lines, tmp_pat
     assert len(read_tetrahedra(mesh)[1]) == pytest.approx(line["check"]["proposed"]["elements"], rel=0.05)
 
 
+def test_a_script_of_many_elements_has_the_quicker_method(parts, tmp_path):
+    import Part
+
+    Part.makeBox(300, 200, 2).exportBrep(str(tmp_path / "sheet.brep"))
+    for file, has_option in ((tmp_path / "sheet.brep", True), (parts / "bracket.step", False)):
+        assert thinpart("size", file, "--geo", tmp_path / "sizes.geo").returncode == 0
+        assert ("Mesh.Algorithm3D = 10;" in (tmp_path / "sizes.geo").read_text()) == has_option
+
+
 def test_a_document_is_opened_by_hand(tmp_path):
     script = tmp_path / "sizes.geo"
     assert thinpart("size", SAMPLES / "bent_sheet_bracket.FCStd", "--geo", script).returncode == 0
@@ -109,7 +122,16 @@ def test_a_budget_is_kept_by_the_mesh(parts, lines):
     assert line["elements"] <= budget and line["unbounded"]["elements"] == free["elements"]
     assert line["check"]["proposed"]["elements"] <= 1.35 * budget
     text = thinpart("size", parts / "bracket.step", "--budget", budget).stdout
-    assert "The budget costs layers: 2 layers would take about" in text
+    assert "The budget costs layers: 2 layers in all thin walls would take about" in text
+
+
+def test_a_budget_is_kept_where_the_wall_is_a_thousand_times_smaller_than_the_part(lines, tmp_path):
+    import Part
+
+    Part.makeBox(600, 400, 0.6).exportBrep(str(tmp_path / "foil.brep"))
+    (line,), run = lines(tmp_path / "foil.brep", "--budget", 20_000, "--check")
+    assert run.returncode == 0 and 0 < line["elements"] <= 20_000 < 1_000_000 < line["unbounded"]["elements"]
+    assert 0 < line["check"]["proposed"]["elements"] <= 1.1 * 20_000
 
 
 def test_elements_of_second_order_need_one_layer(parts, lines):
@@ -234,7 +256,27 @@ def test_wrong_options_are_told_in_a_sentence(parts, arguments, sentence):
 
 def test_a_script_is_for_one_part(parts, tmp_path):
     run = thinpart("size", parts, "--geo", tmp_path / "sizes.geo", "--include", "b*")
-    assert run.returncode == 2 and "name one after --part" in run.stderr and not (tmp_path / "sizes.geo").exists()
+    assert run.returncode == 2 and "there are 2 documents: name one of them" in run.stderr and run.stdout == ""
+    assert not (tmp_path / "sizes.geo").exists()
+
+
+@pytest.mark.parametrize("option, name", [("--geo", "sizes.geo"), ("--shell", "shell.inp")])
+def test_several_parts_are_refused_before_they_are_measured_and_one_of_them_is_written(tmp_path, option, name):
+    import FreeCAD
+    import Part
+
+    two = Part.makeCompound([Part.makeBox(60, 40, 2), Part.makeBox(50, 30, 3, FreeCAD.Vector(0, 0, 40))])
+    two.exportStep(str(tmp_path / "two.step"))
+    run = thinpart("size", tmp_path / "two.step", option, tmp_path / name)
+    assert run.returncode == 2 and "two.step has 2 parts, and one is written: name it after --part, as " in run.stderr
+    assert run.stdout == "" and not (tmp_path / name).exists() and "Traceback" not in run.stderr
+    wanted = re.search(r"after --part, as (.+)\.", run.stderr)[1]
+    run = thinpart("size", tmp_path / "two.step", option, tmp_path / name, "--part", wanted)
+    assert run.returncode == 0 and (tmp_path / name).exists()
+    if option == "--geo":  # the document has another solid: the script does not open it
+        assert "Open the part first" in (tmp_path / name).read_text()[:500]
+    run = thinpart("size", tmp_path / "two.step", option, tmp_path / f"other-{name}", "--part", "no such part")
+    assert run.returncode == 1 and "There is no part that could be written" in run.stderr
 
 
 def test_the_script_cannot_be_written(parts, tmp_path):

@@ -49,7 +49,7 @@ FACETS, SIZES, POOR = "facets.npy", "sizes.npy", "poor.npy"
 
 def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, limits=None, check=False,
                mesh_seconds=MESH_SECONDS, has_sources=False, force=False, include=(), exclude=(), control=None,
-               started=None, report=None, shell=None, region_sizes=None, all_walls=False):
+               started=None, report=None, shell=None, region_sizes=None, all_walls=False, part=None):
     """Propose element sizes for the parts of files and folders.
 
     Parameters
@@ -81,6 +81,9 @@ def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, 
         Sizes that are wanted on wall regions: mm, or None for none, by number of the listed region, from 0.
     all_walls : bool, optional
         Whether the thin walls of parts that are called normal get layers too; such parts mesh well at one size.
+    part : str, optional
+        Name or label of the only part that is wanted; empty for the only one that there is. Several are refused before they
+        are measured.
 
     Yields
     ------
@@ -91,7 +94,7 @@ def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, 
     Raises
     ------
     ThinPartError
-        If there are no files, or Gmsh is missing and needed.
+        If there are no files, several where there should be one part, or Gmsh is missing and needed.
     KeyboardInterrupt
         If `control` was asked to stop; what is done is kept for the next run.
     """
@@ -99,9 +102,12 @@ def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, 
     limits, settings = limits or Limits(jobs=os.cpu_count() or 1), settings or SizingSettings()
     program, version = gmsh_program() if check or shell else (None, "")
     run = FileRun(paths, include, exclude, control=control)
+    if part == "" and len(run.documents) > 1:
+        raise ThinPartError(message("A script or a shell is for one part, and there are {count} documents: name one of "
+                                    "them, or the part after --part.", count=len(run.documents)), "usage")
     tasks = [SizeTask(document.path, settings, given_profile(profile).content, analysis or AnalysisSettings(), program,
                       mesh_seconds, has_sources, shell, check,
-                      tuple(sorted((region_sizes or {}).items())), all_walls) for document in run.documents]
+                      tuple(sorted((region_sizes or {}).items())), all_walls, part) for document in run.documents]
     progress = RunProgress({document.path: (document.bytes, False) for document in run.documents}, limits.jobs)
     if started is not None:
         started(progress)

@@ -4,10 +4,10 @@ import os
 
 from .terminal_table import CATEGORY_STYLES, OTHER_CATEGORY, TableColumn, print_table, printable
 
-_MESH_KEYS = ("elements", "gamma_least", "gamma_1_percent", "gamma_mean", "sicn_least", "poor_share", "layers_share",
-              "seconds", "reason")
-_PART_KEYS = ("category", "order", "wanted_layers", "layers", "global_size", "least_size", "thin_limit", "elements",
-              "uniform_elements")
+_MESH_KEYS = ("elements", "gamma_least", "gamma_1_percent", "gamma_mean", "sicn_least", "sicn_1_percent",
+              "sicn_mean", "poor_share", "layers_share", "seconds", "reason")
+_PART_KEYS = ("category", "order", "wanted_layers", "layers", "layered_from", "global_size", "least_size", "thin_limit",
+              "elements", "uniform_elements")
 
 _IDEALISATION_KEYS = ("advice", "plate_volume_share", "plate_area_share", "width_to_thickness", "solid_elements",
                       "shell_elements")
@@ -93,8 +93,10 @@ def _sentences(file, part):
             f"(one size of {part['least_size']:.3g} mm everywhere: {part['uniform_elements']:,}).")
     wider = part["unbounded"]
     if wider is not None:
-        text += (f"\nThe budget costs layers: {wider['layers']:.3g} layers would take about {wider['elements']:,} elements, "
-                 f"from {wider['least_size']:.3g} mm.")
+        text += (f"\nThe budget costs layers: {wider['layers']:.3g} layers in all thin walls would take about "
+                 f"{wider['elements']:,} elements, from {wider['least_size']:.3g} mm.")
+    if part["layered_from"]:
+        text += f"\nWalls under {part['layered_from']:.3g} mm have fewer layers: they would take most of the elements."
     return text
 
 
@@ -154,6 +156,8 @@ _MESH_COLUMNS = (
     TableColumn("Worst 1 %", lambda row: _number(row[1]["gamma_1_percent"]), True),
     TableColumn("Mean", lambda row: _number(row[1]["gamma_mean"]), True),
     TableColumn("Worst minSICN", lambda row: _number(row[1]["sicn_least"]), True),
+    TableColumn("Worst 1 %", lambda row: _number(row[1]["sicn_1_percent"]), True),
+    TableColumn("Mean", lambda row: _number(row[1]["sicn_mean"]), True),
     TableColumn("Under 0.3", lambda row: _share(row[1]["poor_share"]), True),
     TableColumn("Has layers", lambda row: _share(row[1]["layers_share"]), True),
     TableColumn("Seconds", lambda row: _number(row[1]["seconds"], 2), True),

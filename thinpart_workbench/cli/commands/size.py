@@ -89,7 +89,7 @@ def run(options):
     if options.shell is not None:
         check_shell_file(options.shell)
         shell = ShellSettings(options.shell_size, options.shell_order)
-    report, found, failed = new_report(options.json, options.control), [], 0
+    report, found, failed, refused = new_report(options.json, options.control), [], 0, None
     control = RunControl(report.state)
     try:
         with stop_signals(control), report:
@@ -99,7 +99,11 @@ def run(options):
                     options.paths, settings, options.profile, analysis=settings_of(options), limits=limits_of(options),
                     check=options.check, mesh_seconds=options.mesh_timeout, has_sources=options.geo is not None,
                     force=options.force, include=options.include, exclude=options.exclude, control=control,
-                    started=report.started, shell=shell, region_sizes=sizes, all_walls=options.all_walls):
+                    started=report.started, shell=shell, region_sizes=sizes, all_walls=options.all_walls,
+                    part=None if options.geo is None and options.shell is None else options.part or ""):
+                if outcome.get("error", {}).get("kind") == "usage":
+                    refused = outcome["error"]["message"]
+                    continue
                 failed += "error" in outcome or bool(outcome["failures"])
                 found.append(outcome)
                 report.failures({**outcome, "parts": [_without_places(part) for part in outcome.get("parts", ())]})
@@ -113,9 +117,11 @@ def run(options):
                     print_part(stream, *parts[0])
                 else:
                     print_sizes(stream, parts)
+    if refused is not None:
+        raise ThinPartError(refused, "usage")
     if options.geo is not None:
         outcome, part = _chosen(options, found, options.geo)
-        write_size_script(options.geo, part, outcome["file"], len(outcome["parts"]))
+        write_size_script(options.geo, part, outcome["file"], outcome["solids"])
         _say(options, message("The sizes were written to {file}: open it in Gmsh.", file=Path(options.geo).name))
     if options.shell is not None:
         part = _chosen(options, found, options.shell)[1]

@@ -20,11 +20,15 @@ class InnerPoints:
         Together the volume of the part, where it is known.
     sample : ndarray of shape (k,), int64
         Of the field.
+    areas, halves : ndarray of shape (k,), mm2 and mm
+        Of the surface that each sample stands for; from there to the middle of the wall.
     """
 
     points: np.ndarray
     volumes: np.ndarray
     sample: np.ndarray
+    areas: np.ndarray
+    halves: np.ndarray
 
 
 def inner_points(measurement):
@@ -51,4 +55,5 @@ def inner_points(measurement):
     total = under.sum()
     scale = volume / total if volume and total > 0.0 else 1.0
     depths = 0.5 * (1.0 + _PLACES)[:, None] * half
-    return InnerPoints(here + depths[:, :, None] * inward, 0.5 * scale * _WEIGHTS[:, None] * under, sample)
+    return InnerPoints(here + depths[:, :, None] * inward, 0.5 * scale * _WEIGHTS[:, None] * under, sample,
+                       field.area[sample], half)

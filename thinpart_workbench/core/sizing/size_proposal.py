@@ -15,6 +15,12 @@ from .sizing_settings import SizingSettings, layers_of
 CLOSE = 0.02
 """Share of the budget that may be left."""
 
+THINNEST = 0.05
+"""Share of the thin area whose walls, the thinnest, get fewer layers first where there are to be fewer elements."""
+
+WORTH = 0.5
+"""Share of the elements that must be left for that: a knife's edge of some walls may take most of them."""
+
 _MOST_STEPS = 14
 
 
@@ -67,6 +73,8 @@ class SizeProposal:
         Of the part.
     unbounded : SizeProposal or None
         That without the budget, where it is exceeded.
+    layered_from : float, mm
+        Thinner walls have fewer layers than `layers`; 0 where all have these.
     region_sizes : dict or None
         Sizes that people wanted, see `propose_sizes`.
     only_chosen : bool
@@ -85,6 +93,7 @@ class SizeProposal:
     regions: tuple
     inner: InnerPoints
     unbounded: Optional["SizeProposal"] = None
+    layered_from: float = 0.0
     region_sizes: Optional[dict] = None
     only_chosen: bool = False
     left_out: int = 0
@@ -128,8 +137,9 @@ def propose_sizes(measurement, thin_limit, settings, region_sizes=None, has_deta
 
     Notes
     -----
-    A budget multiplies all sizes alike, up to the global size, until the estimate is within it: so walls keep equal numbers
-    of layers, only fewer.
+    For a budget, the thinnest walls get no smaller elements than the others, where they take most of the elements: see
+    `without_thinnest`. If that is not enough, all sizes are multiplied alike, up to the global size, until the estimate is
+    within the budget: so walls keep equal numbers of layers, only fewer.
     """
     global_size = settings.global_size(measurement.descriptors.box.diagonal)
     wanted = size_sources(measurement, thin_limit, settings.divisions, has_details and not only_chosen).below(global_size)
@@ -149,7 +159,40 @@ def propose_sizes(measurement, thin_limit, settings, region_sizes=None, has_deta
     proposal = proposed(wanted, settings.wanted_layers)
     if settings.budget is None or proposal.elements <= settings.budget:
         return proposal
-    return replace(_within_budget(proposed, settings, global_size, wanted), unbounded=proposal)
+    coarser = without_thinnest(measurement, proposal)
+    if coarser is not None and coarser.elements <= settings.budget:
+        found = _least_raised(proposed, settings, wanted, coarser)
+    else:
+        found = _within_budget(proposed, settings, global_size, wanted if coarser is None else coarser.sources)
+        found = replace(found, layered_from=0.0 if coarser is None else coarser.layered_from)
+    return replace(found, unbounded=proposal)
+
+
+def without_thinnest(measurement, proposal):
+    """A proposal whose elements are no smaller than all but the thinnest walls want, `THINNEST` of the thin area.
+
+    Parameters
+    ----------
+    measurement : Measurement
+    proposal : SizeProposal
+
+    Returns
+    -------
+    SizeProposal or None
+        None where that saves too little: see `WORTH`.
+    """
+    field = measurement.field
+    thin = np.flatnonzero((field.area > 0.0) & field.parallel & (field.distance < proposal.thin_limit))
+    if not len(thin):
+        return None
+    order = thin[np.argsort(field.distance[thin])]
+    reached = np.cumsum(field.area[order])
+    thickness = float(field.distance[order][np.searchsorted(reached, THINNEST * reached[-1])])
+    least = thickness / proposal.settings.divisions
+    if least <= proposal.least_size:
+        return None
+    found = with_sources(measurement, proposal, proposal.sources.scaled(1.0, least).below(proposal.global_size))
+    return replace(found, layered_from=thickness) if found.elements <= WORTH * proposal.elements else None
 
 
 def with_sources(measurement, proposal, sources):
@@ -168,7 +211,7 @@ def with_sources(measurement, proposal, sources):
     found = _proposed(measurement, proposal.thin_limit, proposal.settings, proposal.global_size, sources, proposal.layers,
                       proposal.inner)
     return replace(found, unbounded=proposal.unbounded, region_sizes=proposal.region_sizes, only_chosen=proposal.only_chosen,
-                   left_out=proposal.left_out)
+                   left_out=proposal.left_out, layered_from=proposal.layered_from)
 
 
 def propose_everywhere(measurement, thin_limit, settings):
@@ -190,6 +233,21 @@ def propose_everywhere(measurement, thin_limit, settings):
     return replace(everywhere, settings=settings, thin_limit=thin_limit, layers=0.0, regions=())
 
 
+def _least_raised(proposed, settings, wanted, coarser):
+    """The proposal with the smallest least size that is within the budget; one such is known."""
+    low, high, best = np.log(wanted.sizes.min()), np.log(coarser.least_size), coarser
+    for _ in range(_MOST_STEPS):
+        least = float(np.exp(0.5 * (low + high)))
+        found = proposed(wanted.scaled(1.0, least), settings.wanted_layers)
+        if found.elements > settings.budget:
+            low = np.log(least)
+            continue
+        best, high = replace(found, layered_from=least * settings.divisions), np.log(least)
+        if found.elements >= (1.0 - CLOSE) * settings.budget:
+            break
+    return best
+
+
 def _within_budget(proposed, settings, global_size, wanted):
     low, high = 0.0, np.log(global_size / wanted.sizes.min()) if wanted.count else 0.0
     best = None
@@ -209,7 +267,7 @@ def _within_budget(proposed, settings, global_size, wanted):
     none = wanted.below(0.0)
     alone = proposed(none, 0.0)
     return alone if alone.elements <= settings.budget else proposed(
-        none, 0.0, global_size * (alone.elements / settings.budget) ** (1.0 / 3.0))
+        none, 0.0, global_size * (alone.elements / settings.budget) ** 0.5)
 
 
 def _proposed(measurement, thin_limit, settings, global_size, sources, layers, inner):

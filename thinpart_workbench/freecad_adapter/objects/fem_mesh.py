@@ -131,6 +131,7 @@ def set_fem_mesh(document, owner, file, settings, global_size, order, walls, ana
     mesh.ElementOrder = "2nd" if order == 2 else "1st"
     _set_regions(document, mesh, owner, walls)
     mesh.FemMesh = nodes
+    owner.Visibility, mesh.Visibility = False, True  # two surfaces in the same place flicker
     mesh.purgeTouched()
     join_analysis(document, owner, analysis, [mesh])
     return mesh

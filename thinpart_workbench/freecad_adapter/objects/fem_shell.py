@@ -92,6 +92,8 @@ def set_fem_shell(document, owner, labels, shape, file, settings, size, order, t
     join_analysis(document, owner, analysis, [mesh, *own])
     owner.Visibility = middle.Visibility = False
     mesh.Visibility = True
+    if getattr(mesh, "ViewObject", None) is not None and hasattr(mesh.ViewObject, "BackfaceCulling"):
+        mesh.ViewObject.BackfaceCulling = False  # or else walls are seen from one side only
     return mesh
 
 

@@ -166,7 +166,12 @@ class MeshSizesPanel(QtWidgets.QWidget):
             lines.append(translate(
                 "ThinPart", "The limit costs layers: {} instead of {}, which would take about {} elements.").format(
                     f"{found['layers']:.2g}", f"{found['wanted_layers']:.2g}",
+                    grouped(_rounded(found["unbounded_elements"]))) if found["layers"] < found["wanted_layers"] else
+                translate("ThinPart", "The limit costs layers: all walls would take about {} elements.").format(
                     grouped(_rounded(found["unbounded_elements"]))))
+        if found["layered_from"]:
+            lines.append(translate("ThinPart", "Walls under {} have fewer layers: they would take most of the elements.")
+                         .format(unit.text(found["layered_from"])))
         show_text(self._estimate, " ".join(lines))
         show_text(self._advice, idealisation_text(found["idealisation"]))
         self._legend.show_scale(scale, unit)

@@ -17,7 +17,7 @@ from .mesh_tries import MeshTries
 
 MESH = "part.msh"
 
-ATTEMPTS = 8
+ATTEMPTS = 10
 """How often a part is tried at most; see `mesh_tries`."""
 
 LAYERS_ASKED = 1500
@@ -146,14 +146,15 @@ def mesh_figures(seconds, reason, points=None, tetrahedra=None, walls=None):
         wanted layers, seconds.
     """
     found = {"reason": reason, "elements": 0, "gamma_least": None, "gamma_1_percent": None, "gamma_mean": None,
-             "poor_share": None, "sicn_least": None, "layers_share": None,
+             "poor_share": None, "sicn_least": None, "sicn_1_percent": None, "sicn_mean": None, "layers_share": None,
              "seconds": round(seconds, 2), "attempts": 1, "tries": []}
     if points is None:
         return found
     gamma, sicn = radius_ratios(points, tetrahedra), inverse_condition_numbers(points, tetrahedra)
     found.update(
         elements=len(tetrahedra), gamma_least=_rounded(gamma.min()), gamma_1_percent=_rounded(np.quantile(gamma, 0.01)),
-        gamma_mean=_rounded(gamma.mean()), poor_share=_rounded(np.mean(gamma < POOR)), sicn_least=_rounded(sicn.min()))
+        gamma_mean=_rounded(gamma.mean()), poor_share=_rounded(np.mean(gamma < POOR)), sicn_least=_rounded(sicn.min()),
+        sicn_1_percent=_rounded(np.quantile(sicn, 0.01)), sicn_mean=_rounded(sicn.mean()))
     here, there, area, wanted = walls
     if len(here):
         layers = layers_through(points, tetrahedra, here, there, wanted)

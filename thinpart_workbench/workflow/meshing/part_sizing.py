@@ -63,7 +63,8 @@ class PartSizing:
         unbounded = proposal.unbounded
         return {
             "elements": proposal.elements, "uniform_elements": proposal.uniform_elements, "layers": proposal.layers,
-            "wanted_layers": settings.wanted_layers, "global_size": proposal.global_size,
+            "wanted_layers": settings.wanted_layers, "layered_from": proposal.layered_from,
+            "global_size": proposal.global_size,
             "least_size": proposal.least_size, "order": settings.order, "growth": settings.growth,
             "unbounded_elements": None if unbounded is None else unbounded.elements,
             "regions": self._rows(proposal, settings), "left_out": proposal.left_out,

@@ -14,7 +14,7 @@ from ...core.shells.open_ends import open_ends
 from ...core.shells.shell_mesh import ShellMesh, shell_mesh
 from ...core.shells.shell_settings import SHARE_OF_DIAGONAL, ShellSettings
 from ...storage.exchange.msh_file import read_triangles
-from .gmsh_program import mesh_surface
+from .gmsh_program import INCOMPLETE, mesh_surface
 
 ACROSS = 2.0
 """Elements across the narrowest flat wall; of a round one, its curvature says more."""
@@ -161,7 +161,11 @@ def shell_of_part(part, measurement, program, seconds, settings=None, report=Non
         if reason:
             raise ThinPartError(message("The mid-surface of {part} could not be meshed ({problem}): name another element "
                                         "size.", part=part.label, problem=reason), "no_shell")
-        points, triangles, number = read_triangles(output, order)
+        try:
+            points, triangles, number = read_triangles(output, order)
+        except ThinPartError:
+            raise ThinPartError(message("The mid-surface of {part} could not be meshed ({problem}).", part=part.label,
+                                        problem=INCOMPLETE), "failed") from None
     if not len(triangles):
         raise ThinPartError(message("The mid-surface of {part} could not be meshed ({problem}): name another element "
                                     "size.", part=part.label, problem=message("it has no triangles")), "no_shell")

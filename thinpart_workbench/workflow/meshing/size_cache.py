@@ -14,7 +14,7 @@ from .size_result import sizes_fault
 
 _LARGEST = 1 << 30
 
-_VERSION = 8
+_VERSION = 9
 """Changes when proposals do."""
 
 

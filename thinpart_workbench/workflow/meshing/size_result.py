@@ -8,7 +8,7 @@ from ...core.kinds.value_checker import checker
 from ...core.kinds.value_kinds import Flag, Number, OneOf, OrNull, Text, Whole
 from ...core.record.part_definition import FAILURE
 from ...storage.info.info_definition import SOURCE
-from .mesh_tries import DELAUNAY
+from .mesh_tries import OPTIONS
 
 _LENGTH, _COUNT, _SHARE = Number(0.0, 1e15), Whole(0, 10**15), Number(0.0, 1.0 + 1e-9)
 _POINT = ListOf(Number(), 3, 3)
@@ -16,6 +16,7 @@ _POINT = ListOf(Number(), 3, 3)
 MESH_FIGURES = Record({
     "reason": Text(), "elements": _COUNT, "gamma_least": OrNull(Number(0, 2)), "gamma_1_percent": OrNull(Number(0, 2)),
     "gamma_mean": OrNull(Number(0, 2)), "poor_share": OrNull(_SHARE), "sicn_least": OrNull(Number(-2, 2)),
+    "sicn_1_percent": OrNull(Number(-2, 2)), "sicn_mean": OrNull(Number(-2, 2)),
     "layers_share": OrNull(_SHARE), "seconds": Number(0.0), "attempts": Whole(1, 100),
     "tries": ListOf(Record({"what": Text(), "reason": Text(), "seconds": Number(0.0)}), most=100),
 })
@@ -49,12 +50,13 @@ SHELL = Record({
 
 PART_SIZES = Record({
     "name": Text(), "label": Text(), "category": Text(), "diagonal": _LENGTH, "thin_limit": _LENGTH, "order": OneOf((1, 2)),
-    "growth": Number(1.0, 10.0), "wanted_layers": Number(0.0), "layers": Number(0.0), "global_size": _LENGTH,
+    "growth": Number(1.0, 10.0), "wanted_layers": Number(0.0), "layers": Number(0.0), "layered_from": _LENGTH,
+    "global_size": _LENGTH,
     "least_size": _LENGTH, "elements": _COUNT, "uniform_elements": _COUNT,
     "unbounded": OrNull(Record({"layers": Number(0.0), "least_size": _LENGTH, "elements": _COUNT})),
     "regions": ListOf(_REGION, most=10_000), "left_out": Whole(0, 10_000), "idealisation": _IDEALISATION,
     "check": OrNull(Record({"default": MESH_FIGURES, "proposed": MESH_FIGURES})),
-    "gmsh_options": ListOf(Record({"name": OneOf(tuple(DELAUNAY)), "value": Number()}), most=20),
+    "gmsh_options": ListOf(Record({"name": OneOf(OPTIONS), "value": Number()}), most=20),
     "is_mended": Flag(),
 }, {"mended_shape": Text(), "sources": ListOf(ListOf(Number(), 5, 5), most=1_000_000), "box": ListOf(_POINT, 2, 2),
     "inner": ListOf(_POINT, most=1_000_000), "shell": SHELL})
@@ -62,7 +64,7 @@ PART_SIZES = Record({
 
 _DOCUMENT = Record({
     "source": SOURCE, "parts": ListOf(PART_SIZES, most=1_000_000, distinct="name"),
-    "failures": ListOf(FAILURE, most=1_000_000),
+    "failures": ListOf(FAILURE, most=1_000_000), "solids": Whole(0, 1_000_000),
 })
 
 

@@ -77,8 +77,8 @@ def propose_for_documents(tasks, limits, version="", force=False, control=None):
 
 def _is_incomplete(result):
     """Whether a mesh was cut short, as on a full disk: there may be room another time."""
-    return any(mesh["reason"] == str(INCOMPLETE) for part in result["parts"] if part["check"]
-               for mesh in part["check"].values())
+    made = [each for part in result["parts"] for each in (*(part["check"] or {}).values(), part.get("shell"))]
+    return any(each and str(INCOMPLETE) in each["reason"] for each in made)
 
 
 def _result(future, task, seconds, limits):

@@ -14,12 +14,14 @@ from ...core.errors import ThinPartError
 from ...core.file_formats import is_shape
 from ...core.judging.classification import classify
 from ...core.judging.criteria import profile_from
+from ...core.message import message
 from ...core.shells.shell_or_solid import idealisation, idealisation_values
 from ...core.shells.shell_settings import SHARE_OF_DIAGONAL, ShellSettings
 from ...core.sizing.size_proposal import propose_sizes
 from ...core.sizing.sizing_settings import SizingSettings
 from ..analysis.analyse_part import analyse_part
 from .mesh_check import checked_sizes
+from .mesh_tries import usual_options
 from .shell_meshing import no_shell_record, shell_obstacle, shell_of_part, shell_record
 
 
@@ -48,6 +50,8 @@ class SizeTask:
         See `propose_sizes`.
     all_walls : bool
         Whether thin walls of a part that is called normal get layers too.
+    part : str or None
+        Name or label of the only part that is wanted; empty for the only one that there is, None for all.
     """
 
     file: str
@@ -61,6 +65,7 @@ class SizeTask:
     check: bool = True
     region_sizes: tuple = ()
     all_walls: bool = False
+    part: Optional[str] = None
 
 
 def propose_for_document(task):
@@ -73,26 +78,33 @@ def propose_for_document(task):
     Returns
     -------
     dict
-        ``parts``: see `size_record`; ``failures``: ``part``, ``label``, ``kind`` and ``message``.
+        ``parts``: see `size_record`; ``failures``: ``part``, ``label``, ``kind`` and ``message``; ``solids``, the number of
+        parts of the document.
 
     Raises
     ------
     ThinPartError
-        If the document cannot be read.
+        If the document cannot be read, or, before any is measured, if several parts may be the one that is wanted.
     """
     # Imported here since the adapter loads FreeCAD.
     from ...freecad_adapter.reading.part_files import read_parts
 
     profile, content = profile_from(task.profile), read_parts(task.file)
-    records, failures = [], [broken.failure() for broken in content.broken]
-    for part in content.parts:
+    parts, broken = content.parts, content.broken
+    if task.part:
+        parts, broken = ([each for each in some if task.part in (each.name, each.label)] for some in (parts, broken))
+    if task.part is not None and len(parts) > 1:
+        raise ThinPartError(message("{file} has {count} parts, and one is written: name it after --part, as {example}.",
+                                    file=Path(task.file).name, count=len(parts), example=parts[0].name), "usage")
+    records, failures = [], [each.failure() for each in broken]
+    for part in parts:
         try:
             records.append(_proposed(part, profile, task, len(content.parts) == 1))
         except ThinPartError as error:
             if error.kind == "cancelled":
                 raise
             failures.append({"part": part.name, "label": part.label, "kind": error.kind, "message": str(error)})
-    return {"parts": records, "failures": failures}
+    return {"parts": records, "failures": failures, "solids": len(content.parts)}
 
 
 def _proposed(part, profile, task, is_alone):
@@ -163,11 +175,13 @@ def size_record(part, record, measurement, proposal, check, has_sources, tried=N
         All lengths in mm.
     """
     unbounded = proposal.unbounded
+    options = tried.options if tried else usual_options(proposal)
     found = {
         "name": part.name, "label": part.label, "category": record["category"],
         "diagonal": _rounded(measurement.descriptors.box.diagonal), "thin_limit": _rounded(proposal.thin_limit),
         "order": proposal.settings.order, "growth": proposal.settings.growth,
         "wanted_layers": proposal.settings.wanted_layers, "layers": _rounded(proposal.layers),
+        "layered_from": _rounded(proposal.layered_from),
         "global_size": _rounded(proposal.global_size), "least_size": _rounded(proposal.least_size),
         "elements": proposal.elements, "uniform_elements": proposal.uniform_elements,
         "unbounded": None if unbounded is None else {
@@ -176,7 +190,7 @@ def size_record(part, record, measurement, proposal, check, has_sources, tried=N
         "regions": [_region_row(each) for each in proposal.regions],
         "check": check, "idealisation": _idealisation(measurement, proposal, no_shell),
         "left_out": proposal.left_out,
-        "gmsh_options": [{"name": name, "value": value} for name, value in (tried.options if tried else {}).items()],
+        "gmsh_options": [{"name": name, "value": value} for name, value in options.items()],
         "is_mended": bool(tried and tried.mended),
     }
     if has_sources:
