@@ -74,7 +74,7 @@ def start_freecad(home, script, *options, early=False, settings="user.cfg", seco
     file = home / settings
     if not file.exists():
         file.parent.mkdir(parents=True, exist_ok=True)
-        wanted = SETTINGS.read_text(encoding="utf-8").replace("LANGUAGE", "English")
+        wanted = SETTINGS.read_text(encoding="utf-8").replace("LANGUAGE", "English").replace("NUMBERS", "0")
         # ThinPart may not be there, and the workbench that comes then is a web page in 0.20.
         file.write_text(wanted.replace("ThinPartWorkbench", "PartWorkbench"), encoding="utf-8")
     if settings != OWN_SETTINGS:

@@ -3594,12 +3594,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Von vorn oben</translation>
     </message>
     <message>
+        <source>From the thinnest wall of polypropylene to the thickest of polyethylene: choose the resin for its own limits.</source>
+        <translation>Von der dünnsten Wand aus Polypropylen bis zur dicksten aus Polyethylen: Wählen Sie den Kunststoff, um dessen eigene Grenzen zu erhalten.</translation>
+    </message>
+    <message>
         <source>Further faces; all of them are in faces.csv as well</source>
         <translation>Weitere Flächen; alle stehen auch in faces.csv</translation>
     </message>
     <message>
         <source>Giannini et al. 2012</source>
         <translation>Giannini u. a. 2012</translation>
+    </message>
+    <message>
+        <source>Giannini, Petton, Pernot: Categorization of CAD models based on thin part identification, TMCE 2012, tables 1 and 2</source>
+        <translation>Giannini, Petton, Pernot: Categorization of CAD models based on thin part identification, TMCE 2012, Tabellen 1 und 2</translation>
     </message>
     <message>
         <source>Gmsh crashed</source>
@@ -3710,6 +3718,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Länge, {unit}</translation>
     </message>
     <message>
+        <source>Light alloys in green sand; iron needs more.</source>
+        <translation>Leichtmetalle in Grünsand; Eisen braucht mehr.</translation>
+    </message>
+    <message>
         <source>Limits of the wall</source>
         <translation>Grenzen der Wandstärke</translation>
     </message>
@@ -3780,6 +3792,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Metal</source>
         <translation>Metall</translation>
+    </message>
+    <message>
+        <source>Metals; plastics bend and soften.</source>
+        <translation>Metalle; Kunststoffe biegen sich und werden weich.</translation>
     </message>
     <message>
         <source>Middle side of the bounding box</source>
@@ -4060,6 +4076,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Shortest side of the bounding box</source>
         <translation>Kürzeste Seite des Hüllquaders</translation>
+    </message>
+    <message>
+        <source>Small castings of aluminium; large ones need about twice as much. The greatest section is that of DeGarmo, Black and Kohser (2003).</source>
+        <translation>Kleine Gussteile aus Aluminium; große brauchen etwa das Doppelte. Die größte Wandstärke ist die von DeGarmo, Black und Kohser (2003).</translation>
     </message>
     <message>
         <source>Software</source>
@@ -4602,6 +4622,14 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Schwelle</translation>
     </message>
     <message>
+        <source>Thresholds chosen on real CAD parts of public repositories that an engineer labelled by eye, and tried on repositories left out; quantities after Giannini, Petton, Pernot, TMCE 2012, in units of the middle side of the box</source>
+        <translation>Schwellenwerte an echten CAD-Bauteilen aus öffentlichen Repositorien gewählt, die ein Ingenieur nach Augenschein eingeordnet hat, und an nicht verwendeten Repositorien erprobt; Größen nach Giannini, Petton, Pernot, TMCE 2012, in Einheiten der mittleren Seite des Hüllquaders</translation>
+    </message>
+    <message>
+        <source>Two lines of a nozzle of 0.4 mm.</source>
+        <translation>Zwei Bahnen einer Düse von 0.4 mm.</translation>
+    </message>
+    <message>
         <source>Unknown</source>
         <translation>Unbekannt</translation>
     </message>
@@ -4636,6 +4664,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Wall thickness of {count} parts</source>
         <translation>Wandstärke von {count} Bauteilen</translation>
+    </message>
+    <message>
+        <source>Walls held on two sides; free-standing ones need more.</source>
+        <translation>Wände, die an zwei Seiten gehalten sind; frei stehende brauchen mehr.</translation>
     </message>
     <message>
         <source>Warnings</source>

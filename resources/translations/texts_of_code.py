@@ -94,20 +94,23 @@ def table_texts(place, name):
 
 
 def profile_titles():
-    """Titles and meanings of the profiles that come with ThinPart."""
+    """Titles and meanings of the profiles that come with ThinPart, and where their thresholds are from."""
     for path in sorted((ROOT / "resources" / "profiles").glob("*.json")):
         profile = json.loads(path.read_text(encoding="utf-8"))
-        yield profile["title"]
+        yield from (profile["title"], profile["source"])
         for category in profile["categories"]:
             yield from (category["title"], category["meaning"])
             yield from (each["title"] for each in category["criteria"])
 
 
 def limit_titles():
-    """Titles of the processes that come with limits of the wall, and of their materials."""
+    """Titles and notes of the processes that come with limits of the wall, and titles of their materials.
+
+    The sources of the limits are titles of documents, which stay as they are.
+    """
     table = json.loads((ROOT / "resources" / "wall_limits.json").read_text(encoding="utf-8"))
     for process in table["processes"]:
-        yield process["title"]
+        yield from (process[key] for key in ("title", "note") if key in process)
         yield from (material["title"] for material in process.get("materials", ()))
 
 

@@ -69,6 +69,21 @@ def test_the_line_under_a_web_is_straight_and_in_its_place():
     assert shown.areas[web].sum() == pytest.approx(5.0 * 150.0, rel=0.1)
 
 
+def test_the_line_around_a_boss_has_no_teeth():
+    segments = 48
+    stepped = made_meshes.revolved([(0, 0), (40, 0), (40, 5), (20, 5), (20, 15), (0, 15)], segments)
+    shown = thickness_map(measure(surface_mesh(*stepped), AnalysisSettings()))
+    corners = shown.corners + shown.origin
+    below = np.abs(corners[:, :, 2]).max(axis=1) < 1e-4
+    thick, thin = below & (np.abs(shown.thickness - 15.0) < 0.1), below & (np.abs(shown.thickness - 5.0) < 0.1)
+    line = np.intersect1d(shown.facets[thick], shown.facets[thin])
+    x, y = (shown.points[line].astype(float) + shown.origin)[:, :2].T
+    # The boss is a polygon.
+    turn = np.arctan2(y, x) % (2.0 * np.pi / segments) - np.pi / segments
+    off = np.hypot(x, y) - 20.0 * np.cos(np.pi / segments) / np.cos(turn)
+    assert len(line) > 100 and np.abs(off).max() < np.linalg.norm(np.ptp(shown.points, axis=0)) / 1500.0
+
+
 def test_where_the_wall_is_even_there_is_one_value():
     shown = thickness_map(measure(surface_mesh(*made_meshes.moved(made_meshes.box(100, 80, 2), TURNED)), AnalysisSettings()))
     sheet = shown.thickness < 10.0

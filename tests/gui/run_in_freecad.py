@@ -52,11 +52,13 @@ THEMES = "/usr/share/freecad/Gui/PreferencePacks"
 
 
 class Look(NamedTuple):
-    """FreeCAD's language, how much larger everything is drawn, and the preference pack with its colours."""
+    """FreeCAD's language, how much larger everything is drawn, the preference pack with its colours, and whether numbers are
+    written as in that language, such as 0,5 instead of 0.5."""
 
     language: str = "English"
     scale: float = 1.0
     theme: str = ""
+    own_numbers: bool = False
 
 
 PLAIN = Look()
@@ -66,11 +68,13 @@ EVERY_LOOK = {
     "inches": (PLAIN, "inches"),
     "german": (Look("German"), "mm"),
     "french": (Look("French"), "mm"),
+    "german-commas": (Look("German", own_numbers=True), "mm"),
+    "french-commas-inches": (Look("French", own_numbers=True), "inches"),
     "light": (Look(theme="FreeCAD Light"), "mm"),
     "dark": (Look(theme="FreeCAD Dark"), "mm"),
     "150": (Look(scale=1.5), "mm"),
     "200": (Look(scale=2.0), "mm"),
-    "german-dark-150-inches": (Look("German", 1.5, "FreeCAD Dark"), "inches"),
+    "german-dark-150-inches": (Look("German", 1.5, "FreeCAD Dark", True), "inches"),
 }
 """How each picture of --every-look looks, by its name, and its unit of length: each once, and all together."""
 
@@ -98,7 +102,7 @@ def run(script, arguments, home, seconds=SECONDS, look=PLAIN):
     temporary.mkdir()
     settings = home / "user.cfg"
     settings.write_text((HERE / "user.cfg").read_text(encoding="utf-8").replace(
-        "LANGUAGE", look.language), encoding="utf-8")
+        "LANGUAGE", look.language).replace("NUMBERS", str(int(look.own_numbers))), encoding="utf-8")
     if look.theme:
         _add_theme(settings, look.theme)
     environment = dict(

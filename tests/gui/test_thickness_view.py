@@ -16,10 +16,10 @@ from window_actions import V
 
 from thinpart_workbench.api.document_maps import parts_of
 from thinpart_workbench.core.rendering.colour_scale import colour_table
-from thinpart_workbench.freecad_adapter.objects.thickness_object import SHARE, scale_of, thickness_objects
+from thinpart_workbench.freecad_adapter.objects.thickness_object import OWN_CHECK, SHARE, scale_of, thickness_objects
 from thinpart_workbench.freecad_adapter.preferences import set_preference
 from thinpart_workbench.gui.application import lifelong
-from thinpart_workbench.gui.application.qt import QtGui, QtWidgets
+from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
 from thinpart_workbench.gui.colour_bar.colour_bar import bar_image, round_ratios, round_values
 from thinpart_workbench.gui.colour_bar.colours import GREYED, NEUTRAL, ThicknessColours
 from thinpart_workbench.gui.scene.drawn_triangles import drawn_triangles
@@ -81,6 +81,58 @@ def test_colours_are_those_of_the_scale(thickness, tmp_path):
 
 def _channels(image, view, point):
     return np.array(pixel(image, place_of(view, V(*point))), dtype=float)
+
+
+@pytest.fixture
+def tapered(document):
+    """A plate that gets thicker evenly, from 2 mm at x = 0 to 12 mm at x = 100."""
+    outline = Part.makePolygon([V(0, 0, 0), V(100, 0, 0), V(100, 0, -12), V(0, 0, -2), V(0, 0, 0)])
+    thickness = show_map(document, window.add(document, "Tapered", Part.Face(outline).extrude(V(0, 70, 0))))
+    view = view_of(document)
+    view.viewTop()
+    view.fitAll()
+    window.settle(100)
+    return thickness
+
+
+def _assert_steps(thickness, folder, levels):
+    """Every row of the top of the plate changes its colour where it is as thick as a level, within a pixel."""
+    view = view_of(thickness.Document)
+    image = picture(view, folder)
+    left, right = (place_of(view, V(x, 35, 0)).x() for x in (1, 99))
+    for y in range(4, 67):
+        row = place_of(view, V(50, y, 0)).y()
+        colours = [pixel(image, QtCore.QPoint(x, row)) for x in range(left, right + 1)]
+        # Smooth colours change by little from pixel to pixel.
+        steps = [x for x, (one, two) in enumerate(zip(colours, colours[1:]))
+                 if np.abs(np.subtract(one, two)).max() > 12]
+        expected = [place_of(view, V(10 * (level - 2), y, 0)).x() - left for level in levels]
+        assert len(steps) >= len(levels), (y, steps, expected)
+        assert all(min(abs(step - each) for each in expected) <= 2 for step in steps), (y, steps, expected)
+
+
+@pytest.mark.parametrize("is_logarithmic, levels", [
+    (False, [4.5, 7.0, 9.5]), (True, [2 * 6 ** 0.25, 2 * 6 ** 0.5, 2 * 6 ** 0.75])], ids=["even", "logarithmic"])
+def test_bands_end_in_clean_lines(tapered, is_logarithmic, levels, tmp_path):
+    tapered.AutomaticRange, tapered.Low, tapered.High = False, 2.0, 12.0
+    tapered.Bands, tapered.Logarithmic = 4, is_logarithmic
+    _assert_steps(tapered, tmp_path, levels)
+    tapered.Bands = 0
+    _assert_steps(tapered, tmp_path, [])
+
+
+def test_thin_walls_and_limits_end_in_clean_lines(tapered, tmp_path):
+    tapered.AutomaticRange, tapered.Low, tapered.High = False, 2.0, 12.0
+    tapered.Threshold, tapered.ThinOnly = 6.3, True
+    _assert_steps(tapered, tmp_path, [6.3])
+    tapered.ThinOnly, tapered.Check = False, OWN_CHECK
+    _assert_steps(tapered, tmp_path, [6.3, 6.93])
+    tapered.ViewObject.Proxy.highlight(4.0, 8.0)
+    _assert_steps(tapered, tmp_path, [4.0, 6.3, 6.93, 8.0])
+    tapered.ViewObject.Proxy.isolate({})
+    assert not len(drawn_triangles(tapered.ViewObject.RootNode))
+    tapered.ViewObject.Proxy.isolate()
+    _assert_steps(tapered, tmp_path, [4.0, 6.3, 6.93, 8.0])
 
 
 def test_light_changes_how_bright_a_colour_is_and_nothing_else(thickness, tmp_path):

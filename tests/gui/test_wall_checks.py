@@ -169,6 +169,9 @@ def test_the_preference_is_chosen_from_a_menu_and_checked():
     die_casting = next(each for each in menu.findChildren(QtWidgets.QMenu) if each.title() == "Die casting")
     next(action for action in die_casting.actions() if "Zinc, small" in action.text()).trigger()
     assert line.text() == "FDM, die_casting:zinc"
+    fdm = next(action for action in menu.actions() if action.text().startswith("FDM"))
+    assert fdm.toolTip().startswith("Two lines of a nozzle") and "geometry restrictions" in fdm.toolTip()
+    assert menu.toolTipsVisible() and die_casting.toolTipsVisible()
     menu.aboutToShow.emit()
     page.save()
     assert App.ParamGet("User parameter:BaseApp/Preferences/Mod/ThinPart").GetString("Checks") == line.text()

@@ -1,12 +1,17 @@
 """Which part is meant: selected, active, only, or asked for."""
 
+from dataclasses import replace
+
 import FreeCADGui as Gui
 import Part
 import pytest
 import window_actions as window
 from window_actions import V
 
+from thinpart_workbench.core.judging.criteria import load_profile
+from thinpart_workbench.core.length_unit import MILLIMETRE
 from thinpart_workbench.gui.application.qt import QtWidgets
+from thinpart_workbench.gui.record.parts_table import PartsTable, PartsTableRow
 
 RED = (0.84, 0.15, 0.12)
 
@@ -146,3 +151,13 @@ def test_a_link_array_counts_its_copies(document):
     assert window.text("ThinPart_Headline") == "Part with thin features"
 
 
+def test_columns_of_the_list_fit_what_becomes_known():
+    table = PartsTable()
+    table.resize(400, 100)
+    table.show()
+    waiting = [PartsTableRow("one", "One", 1, None, ""), PartsTableRow("two", "Two", 1, None, "")]
+    table.show_parts(waiting, load_profile("paper"), MILLIMETRE)
+    table.show_parts([waiting[0], replace(waiting[1], failure="no solid")], load_profile("paper"), MILLIMETRE)
+    assert table.columnWidth(1) >= table.sizeHintForColumn(1)
+    table.hide()
+    table.deleteLater()

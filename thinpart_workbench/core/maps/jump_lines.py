@@ -28,6 +28,9 @@ nowhere else as far from even as beside the line at which the bore goes out of s
 MOST_FACETS = 200_000
 """Number of facets from which on none are halved. Few parts come near; frames full of small holes need as many."""
 
+SMOOTH = 1.0 / 8.0
+"""Share of the error of a line by which its corners may be off: corners that are off by all of it make a circle a comb."""
+
 _MOST_HALVINGS = 12
 """Of a side, in search of the jump."""
 
@@ -233,7 +236,7 @@ def _crossings(mesh, rays, points, facets, parent, found, side, finest):
     near, far = ([found.corner[facet, at], found.opposite[facet, at]] for at in (low, high))
     before, after, length = np.zeros(len(side)), np.ones(len(side)), np.linalg.norm(end - start, axis=1)
     for _ in range(_MOST_HALVINGS):
-        wide = np.flatnonzero((after - before) * length > finest)
+        wide = np.flatnonzero((after - before) * length > SMOOTH * finest)
         if not len(wide):
             break
         share = 0.5 * (before + after)[wide]

@@ -84,6 +84,13 @@ class ColourScale:
             return self.low * (self.high / self.low) ** share
         return self.low + share * (self.high - self.low)
 
+    @property
+    def steps(self):
+        """list of float, mm: the thicknesses at which the colour changes in a step, ascending; none on a smooth scale."""
+        if self.bands < 2 or self.high <= self.low:
+            return []
+        return self.thickness_at(np.arange(1, self.bands) / self.bands).tolist()
+
     def bar(self, share):
         """ndarray of shape (m, 3), uint8: colours at positions along the scale, from 0 for its low end to 1."""
         share = np.asarray(share, dtype=np.float64)

@@ -7,6 +7,7 @@ import numpy as np
 
 from ..errors import ThinPartError
 from ..length_unit import MILLIMETRE, UNITS
+from ..maps.level_cuts import cut_at_levels, within_steps
 from ..maps.map_summary import typical_range
 from ..message import message
 from .camera import FROM_BEHIND, ISOMETRIC, framing, looking_from
@@ -91,14 +92,19 @@ def map_picture(part, look):
     shown, scale = part.map, look.scale(part)
     bar = _bar(scale, UNITS[look.unit], look.height)
     width = max(look.width - bar.shape[1], 1)
-    if scale.bands:
-        # Between the colours of two corners, others would be invented.
-        colours = scale.colours(shown.thickness) / 255.0
-    else:
-        colours = scale.colours(shown.corner_thickness.ravel()).reshape(-1, 3, 3) / 255.0
-    corners = shown.corners + shown.origin
+    steps, thickness, corners, normals = scale.steps, shown.corner_thickness, shown.corners, shown.normals
+    if steps:
+        # Cut where the colour changes: between the colours of two corners, others would be invented.
+        cuts = cut_at_levels(shown, steps)
+        whole = np.ones(shown.count, dtype=bool)
+        whole[cuts.facet] = False
+        thickness = within_steps(np.concatenate([thickness[whole], cuts.thickness]), steps)
+        corners = np.concatenate([corners[whole], cuts.at_corners(corners)])
+        normals = np.concatenate([normals[whole], normals[cuts.facet]])
+    colours = scale.colours(thickness.ravel()).reshape(-1, 3, 3) / 255.0
+    corners = corners + shown.origin
     camera = framing(shown.points + shown.origin, VIEWS[look.view], width, look.height)
-    drawn = draw(corners, shown.normals, colours, camera, not part.record["descriptors"]["watertight"], DARKEST)
+    drawn = draw(corners, normals, colours, camera, not part.record["descriptors"]["watertight"], DARKEST)
     share = drawn[:, :, 3:] / 255.0
     pixels = np.full((look.height, look.width, 4), _PAPER, dtype=np.uint8)
     pixels[:, :width, :3] = np.round(share * drawn[:, :, :3] + (1.0 - share) * _PAPER)

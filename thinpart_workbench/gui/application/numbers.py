@@ -9,14 +9,19 @@ def decimal_mark():
     return str(QtCore.QLocale().decimalPoint())
 
 
+def marked(text):
+    """str: a text with the decimal mark in all of its numbers."""
+    return number_text.with_decimal_mark(text, decimal_mark())
+
+
 def number(value):
     """See `number_text.number`."""
-    return number_text.with_decimal_mark(number_text.number(value), decimal_mark())
+    return marked(number_text.number(value))
 
 
 def percent(share):
     """See `number_text.percent`."""
-    return number_text.with_decimal_mark(number_text.percent(share), decimal_mark())
+    return marked(number_text.percent(share))
 
 
 def duration(seconds):

@@ -8,7 +8,7 @@ import numpy as np
 from ...core.analysis_settings import RAY
 from ...core.judging.limit_bands import ABOVE, FAILS, JUST_ABOVE, TOO_THICK
 from ..application.length_unit import LengthUnit
-from ..application.numbers import percent
+from ..application.numbers import marked, percent
 from ..application.qt import QtCore, QtGui, colour, translate
 from ..record.measure_text import plain_title, value_title_in
 from .colours import ThicknessColours
@@ -53,7 +53,7 @@ class BarContent:
 
 def tick_text(value):
     """Text of a tick, with enough digits to distinguish it from the next."""
-    return f"{value:.4g}"
+    return marked(f"{value:.4g}")
 
 
 def round_values(low, high, max_count=_TICKS):

@@ -7,6 +7,7 @@ import numpy as np
 
 from ...core.analysis_settings import RAY
 from ...core.judging.limit_bands import FAILS, JUST_ABOVE, PASSES, TOO_THICK, limit_bands
+from ...core.maps.level_cuts import within_steps
 from ...core.maps.map_summary import are_between
 from ...core.rendering.colour_scale import ColourScale
 from ...freecad_adapter.objects.thickness_object import OWN_CHECK, scale_of
@@ -77,23 +78,30 @@ class ThicknessColours:
         return self._faded(colours)
 
     @property
-    def _is_smooth(self):
-        """Whether colours change gradually with the thickness, without steps."""
-        return self.checked is None and self.thin_below is None and self.between is None and self.scale.bands == 0
+    def levels(self):
+        """tuple of float, mm: the thicknesses at which the colour changes in a step, ascending."""
+        if self.checked is not None:
+            found = [band.low for band in self.bands]
+        else:
+            found = [*self.scale.steps, *([] if self.thin_below is None else [self.thin_below])]
+        if self.between is not None:
+            found += self.between
+        return tuple(sorted({float(each) for each in found if 0.0 < each < np.inf}))
 
-    def of_corners(self, number, shown):
+    def of_corners(self, number, shown, cuts=None):
         """Colours of the corners of the facets of a part's map: ndarray of shape (m, 3, 3), uint8.
 
-        Where colours have steps, the corners of a facet have one colour: between two of them, others would be invented.
+        Parameters
+        ----------
+        number : int
+            Of the part.
+        shown : ThicknessMap
+        cuts : LevelCuts, optional
+            The pieces at `levels`, which are coloured instead of the facets.
         """
-        if self._is_smooth:
-            colours = self.of_values(shown.corner_thickness.ravel()).reshape(-1, 3, 3)
-        else:
-            colours = np.repeat(self.of_values(shown.thickness)[:, None], 3, axis=1)
-        if self.faces is not None:
-            chosen = np.fromiter(self.faces.get(number, ()), dtype=np.int64)
-            colours[~np.isin(shown.face, chosen)] = GREYED
-        return colours
+        if cuts is None:
+            return self._of_ends(number, shown.corner_thickness, shown.face)
+        return self._of_ends(number, cuts.thickness, shown.face[cuts.facet])
 
     def of_section(self, number, shown, cut):
         """Colours of the ends of the lines where a plane cuts a part's map: ndarray of shape (k, 2, 3), uint8.
@@ -104,14 +112,17 @@ class ThicknessColours:
             Of the part.
         shown : ThicknessMap
         cut : MapSection
+            Cut at `levels`.
         """
-        if self._is_smooth:
-            colours = self.of_values(cut.thickness.ravel()).reshape(-1, 2, 3)
-        else:
-            colours = np.repeat(self.of_values(shown.thickness[cut.facet])[:, None], 2, axis=1)
+        return self._of_ends(number, cut.thickness, shown.face[cut.facet])
+
+    def _of_ends(self, number, thickness, face):
+        levels = self.levels
+        values = within_steps(thickness, levels) if levels else thickness
+        colours = self.of_values(values.ravel()).reshape(*values.shape, 3)
         if self.faces is not None:
             chosen = np.fromiter(self.faces.get(number, ()), dtype=np.int64)
-            colours[~np.isin(shown.face[cut.facet], chosen)] = GREYED
+            colours[~np.isin(face, chosen)] = GREYED
         return colours
 
     def _faded(self, colours):

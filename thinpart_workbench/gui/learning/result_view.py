@@ -1,6 +1,7 @@
 """Shows how good a learned profile is, what it changes, and what people disagree about."""
 
 from ...core.judging.criteria import profile_from
+from ..application.numbers import marked
 from ..application.qt import QtCore, QtWidgets, grouped, translate
 from ..record.record_view import show_text, text_line
 from ..record.verdict_text import category_colour, category_word
@@ -160,7 +161,7 @@ def _figures_text(learned):
 
 def _error_text(scores):
     error = scores["calibration_error"]
-    return translate("ThinPart", "none stated") if error is None else f"{error:.3f}"
+    return translate("ThinPart", "none stated") if error is None else marked(f"{error:.3f}")
 
 
 def _learned_text(change):

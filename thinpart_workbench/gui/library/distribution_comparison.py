@@ -2,6 +2,7 @@
 
 from ...core.descriptors.bins import BINS
 from ...core.descriptors.distribution_bars import round_up
+from ..application.numbers import marked
 from ..application.qt import QtCore, QtGui, flags_as_int, translate
 from ..application.theme import plot_background, readable, text_colour
 from ..widgets.chart_axes import ChartAxes
@@ -71,7 +72,7 @@ class DistributionComparison(ChartAxes):
         for count in range(5):
             x = plot.left() + plot.width() * count / 4
             painter.drawLine(QtCore.QPointF(x, plot.bottom()), QtCore.QPointF(x, plot.bottom() + 4))
-            self.centred(painter, plot, x, plot.bottom() + 5, f"{self._span * count / 4:.3g}")
+            self.centred(painter, plot, x, plot.bottom() + 5, marked(f"{self._span * count / 4:.3g}"))
         painter.drawText(QtCore.QRectF(0, plot.bottom() + 5 + line, self.width(), 2 * line + 2),
                          flags_as_int(QtCore.Qt.AlignHCenter) | flags_as_int(QtCore.Qt.TextWordWrap),
                          translate("ThinPart", "area with walls thinner than this share of the diagonal"))

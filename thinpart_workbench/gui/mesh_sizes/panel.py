@@ -4,7 +4,7 @@ from pathlib import Path
 
 from ...core.sizing.sizing_settings import SizingSettings
 from ..application.length_unit import MILLIMETRE
-from ..application.numbers import number, percent
+from ..application.numbers import marked, number, percent
 from ..application.qt import QtGui, QtWidgets, Signal, grouped, translate
 from ..application.sentences import translated
 from ..record.measuring_progress import MeasuringProgress
@@ -165,7 +165,7 @@ class MeshSizesPanel(QtWidgets.QWidget):
         if found["unbounded_elements"] is not None:
             lines.append(translate(
                 "ThinPart", "The limit costs layers: {} instead of {}, which would take about {} elements.").format(
-                    f"{found['layers']:.2g}", f"{found['wanted_layers']:.2g}",
+                    marked(f"{found['layers']:.2g}"), marked(f"{found['wanted_layers']:.2g}"),
                     grouped(_rounded(found["unbounded_elements"]))) if found["layers"] < found["wanted_layers"] else
                 translate("ThinPart", "The limit costs layers: all walls would take about {} elements.").format(
                     grouped(_rounded(found["unbounded_elements"]))))
@@ -279,7 +279,8 @@ def _figures(figures):
     if not figures["elements"]:
         return translate("ThinPart", "no mesh ({})").format(translated(figures["reason"]))
     text = translate("ThinPart", "{} elements, {} poor, worst {}").format(
-        grouped(figures["elements"]), f"{100.0 * figures['poor_share']:.2g}\u00a0%", f"{figures['gamma_least']:.2g}")
+        grouped(figures["elements"]), marked(f"{100.0 * figures['poor_share']:.2g}\u00a0%"),
+        marked(f"{figures['gamma_least']:.2g}"))
     if figures["layers_share"] is not None:
         text += translate("ThinPart", ", layers in {} of the thin walls").format(percent(figures["layers_share"]))
     return text

@@ -2,6 +2,7 @@
 
 from ...core.descriptors.distribution_bars import round_up
 from ...core.mesh.tetrahedra import POOR
+from ..application.numbers import marked
 from ..application.qt import QtCore, QtGui, translate
 from ..application.theme import plot_background, text_colour
 from ..widgets.chart_axes import ChartAxes
@@ -41,7 +42,7 @@ class QualityChart(ChartAxes):
         painter.setPen(text_colour(self))
         painter.drawLine(plot.bottomLeft(), plot.bottomRight())
         for tick in (0.0, POOR, 0.5, 1.0):
-            self.centred(painter, plot, plot.left() + tick * plot.width(), plot.bottom() + 5, f"{tick:g}")
+            self.centred(painter, plot, plot.left() + tick * plot.width(), plot.bottom() + 5, marked(f"{tick:g}"))
         painter.drawText(QtCore.QRectF(0, plot.bottom() + 5 + line, self.width(), line + 2), QtCore.Qt.AlignCenter,
                          translate("ThinPart", "quality of the elements (gamma)"))
         left = plot.left()

@@ -2,6 +2,7 @@
 
 from ...core.sizing.sizing_settings import divisions_of
 from ..application.length_unit import MILLIMETRE
+from ..application.numbers import marked
 from ..application.qt import QtCore, QtGui, QtWidgets, Signal, colour, grouped, translate
 from ..record.regions_table import kind_word
 
@@ -57,7 +58,7 @@ class WallTable(QtWidgets.QTableWidget):
         for number, (row, rgb) in enumerate(zip(rows, colours)):
             is_on = row["size"] is not None
             texts = [f"{kind_word(row['kind'])} {unit.text(row['thickness'])}", unit.number(row["size"]),
-                     f"{row['layers']:.3g}" if is_on else "\u2013", grouped(row["elements"]) if is_on else "\u2013"]
+                     marked(f"{row['layers']:.3g}") if is_on else "\u2013", grouped(row["elements"]) if is_on else "\u2013"]
             for column, text in enumerate(texts):
                 self.setItem(number, column, self._cell(column, text, is_on, rgb))
         self.blockSignals(blocked)

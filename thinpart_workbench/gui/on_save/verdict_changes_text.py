@@ -3,6 +3,7 @@
 from collections import Counter
 
 from ...api.document_verdicts import category_changes, walls_newly_under
+from ..application.numbers import marked
 from ..application.qt import translate
 from ..record.verdict_text import category_words, reason_text
 
@@ -79,7 +80,7 @@ def _distinct_texts(thickness, limit_mm, unit):
     """Texts of a thickness and a limit, with as many digits as it takes to tell them apart."""
     if unit.number(thickness) != unit.number(limit_mm):
         return unit.text(thickness), unit.text(limit_mm)
-    return tuple(unit.with_symbol(f"{unit.value(length):.6g}") for length in (thickness, limit_mm))
+    return tuple(unit.with_symbol(marked(f"{unit.value(length):.6g}")) for length in (thickness, limit_mm))
 
 
 def _category_text(verdict):

@@ -1,7 +1,7 @@
 """The table of criteria: one group per criterion, one row per condition."""
 
 from ...core.descriptors.descriptor_table import quantity_named
-from ..application.numbers import number, percent
+from ..application.numbers import marked, number, percent
 from ..application.qt import QtCore, QtGui, QtWidgets, call_later, translate
 from ..application.sentences import translated
 from ..application.theme import is_theme_change, readable
@@ -126,7 +126,7 @@ def _condition(condition):
     ])
     meaning = translated(quantity.meaning)
     if quantity.bounds:
-        meaning += f" (a = {quantity.bounds[0]:g}, b = {quantity.bounds[1]:g})"
+        meaning += marked(f" (a = {quantity.bounds[0]:g}, b = {quantity.bounds[1]:g})")
     for column in range(5):
         item.setToolTip(column, meaning)
         if column in (VALUE, THRESHOLD, MARGIN):
@@ -138,5 +138,5 @@ def short_symbol(quantity):
     """A quantity's symbol, or a short text where the symbol is too long for a narrow table."""
     if quantity.is_wall_distance:
         low, high = quantity.bounds
-        return translate("ThinPart", "wedge {:g}\u2013{:g}\u00b0").format(low, high)
+        return marked(translate("ThinPart", "wedge {:g}\u2013{:g}\u00b0").format(low, high))
     return quantity.symbol

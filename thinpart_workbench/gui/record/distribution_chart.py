@@ -3,7 +3,7 @@
 from ...core.descriptors.bins import BINS
 from ...core.descriptors.distribution_bars import bars, round_up
 from ...core.length_unit import MILLIMETRE
-from ..application.numbers import number, percent
+from ..application.numbers import marked, number, percent
 from ..application.qt import QtCore, QtGui, QtWidgets, translate
 from ..application.theme import plot_background, readable, text_colour
 from ..widgets.chart_axes import ChartAxes
@@ -105,7 +105,7 @@ class DistributionChart(ChartAxes):
             painter.drawLine(QtCore.QPointF(x, plot.bottom()), QtCore.QPointF(x, plot.bottom() + 4))
             self.centred(painter, plot, x, plot.bottom() + 5, number(thickness))
             self.centred(painter, plot, x, plot.bottom() + 5 + line,
-                          f"{thickness / diagonal:.2f}")
+                          marked(f"{thickness / diagonal:.2f}"))
         painter.drawText(QtCore.QRectF(0, plot.bottom() + 5 + 2 * line, self.width(), line + 2),
                          QtCore.Qt.AlignCenter,
                          translate("ThinPart", "thickness: {}, and share of the diagonal").format(self._unit.symbol))

@@ -3,6 +3,7 @@
 import numpy as np
 from pivy import coin
 
+from ...core.maps.level_cuts import section_at_levels
 from ...core.maps.map_section import map_section
 from ...core.rigid_transform import inverse, transform_points
 from ..scene.coin_arrays import fill_numbers, fill_points
@@ -87,6 +88,7 @@ class SectionNodes:
             for matrix in part.matrices:
                 stands = moved @ matrix
                 cut = map_section(part.map, plane.moved(inverse(stands)), drawn)
+                cut = section_at_levels(cut, colours.levels)
                 ends.append(transform_points(stands, cut.ends.reshape(-1, 3)))
                 edge_colours.append(colours.of_section(number, part.map, cut).reshape(-1, 3))
                 if faces is None:

@@ -5,7 +5,7 @@ import numpy as np
 from ...core.analysis_settings import RAY
 from ...core.descriptors.distribution_bars import round_up
 from ..application.length_unit import MILLIMETRE
-from ..application.numbers import number, percent
+from ..application.numbers import marked, number, percent
 from ..application.qt import QtCore, QtGui, QtWidgets, Signal, mouse_position, translate
 from ..application.theme import plot_background, readable, text_colour
 from ..record.measure_text import axis_title
@@ -292,7 +292,7 @@ class ThicknessHistogram(ChartAxes):
             x = self.x_of(thickness)
             painter.drawLine(QtCore.QPointF(x, plot.bottom()), QtCore.QPointF(x, plot.bottom() + 4))
             self.centred(painter, plot, x, plot.bottom() + 5, number(count * step))
-            self.centred(painter, plot, x, plot.bottom() + 5 + line, f"{thickness / self._diagonal:.2g}")
+            self.centred(painter, plot, x, plot.bottom() + 5 + line, marked(f"{thickness / self._diagonal:.2g}"))
         painter.drawText(QtCore.QRectF(0, plot.bottom() + 5 + 2 * line, self.width(), line + 2),
                          QtCore.Qt.AlignCenter, self.fontMetrics().elidedText(
                              axis_title(self.measure, self._unit.symbol), QtCore.Qt.ElideRight, self.width()))

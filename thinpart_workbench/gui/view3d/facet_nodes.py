@@ -3,6 +3,7 @@
 import numpy as np
 from pivy import coin
 
+from ...core.maps.level_cuts import cut_at_levels
 from ...core.mesh.thinned_facets import thinned_facets
 from ...core.rigid_transform import rigid_transform, rotation, transform_points
 from ..scene.coin_arrays import fill_numbers, fill_points, set_matrix
@@ -50,7 +51,8 @@ class FacetNodes:
         self._details = []  # switch of a part between all facets and few
         self._normals = []  # of the corners of a part with many facets, until few are made of them
         self._few = []  # (facets that are kept, SoPackedColor) of each part, once they are needed
-        self._is_isolated = False
+        self._cut = []  # `_CutFacets` of each part
+        self._isolated = None  # faces that alone are drawn
         self._current_colours = None
         light = coin.SoLightModel()
         light.model = coin.SoLightModel.BASE_COLOR  # the same colours as in the colour bar, before `SoftLight`
@@ -84,9 +86,9 @@ class FacetNodes:
         """
         for group in self._content:
             group.removeAllChildren()
-        self._parts, self._current_colours = [], None
+        self._parts, self._cut, self._current_colours = [], [], None
         self._groups, self._withheld, self._details, self._normals, self._few = [], [], [], [], []
-        self._is_isolated = False
+        self._isolated = None
         self._edge_colour.rgb = EDGE_COLOUR
         self._drawn = sum(part.map.count * len(part.matrices) for part in parts)
         for part in parts:
@@ -95,6 +97,9 @@ class FacetNodes:
             if self._drawn >= MANY:
                 self._normals.append(normals.astype(np.float32))
             lines = _lines(part.map)
+            cut = _CutFacets(normals.astype(np.float32))
+            facets.addChild(cut.root)
+            self._cut.append(cut)
             self._groups.append((facets, nodes))
             self._parts.append((part.map, colour))
             detail = coin.SoSwitch()
@@ -149,6 +154,13 @@ class FacetNodes:
             if self._few:
                 kept, few = self._few[number]
                 fill_numbers(few.orderedRGBA, packed.reshape(-1, 3)[kept].ravel(), np.uint32)
+            cut = self._cut[number]
+            before = cut.facets
+            if cut.show(shown, colours.levels):
+                self._draw_facets(number, np.concatenate([before, cut.facets]))
+            if len(cut.facets):
+                red, green, blue = colours.of_corners(number, shown, cut.cuts).reshape(-1, 3).astype(np.uint32).T
+                fill_numbers(cut.colour.orderedRGBA, red << 24 | green << 16 | blue << 8 | alpha, np.uint32)
 
     def shade(self, is_shaded):
         """Light the facets, or show flat colours."""
@@ -163,13 +175,21 @@ class FacetNodes:
             Sets of face numbers, by part number; None draws everything again.
         """
         self._edge_colour.rgb = EDGE_COLOUR if faces is None else CONTEXT_COLOUR
-        self._is_isolated = faces is not None
+        self._isolated = faces
         self.coarsen(False)
-        for number, ((shown, _), (_, nodes)) in enumerate(zip(self._parts, self._groups)):
-            drawn = np.ones(shown.count, bool) if faces is None else np.isin(
-                shown.face, np.fromiter(faces.get(number, ()), dtype=np.int64))
-            for first, node in zip(range(0, shown.count, _CHUNK), nodes):
-                fill_numbers(node.coordIndex, _indices(first + np.flatnonzero(drawn[first:first + _CHUNK])))
+        for number, (shown, _) in enumerate(self._parts):
+            self._draw_facets(number, np.arange(0, shown.count, _CHUNK))
+
+    def _draw_facets(self, number, changed):
+        """Draw the facets of a part that are to be drawn, in those nodes that have one that changed."""
+        (shown, _), (_, nodes), cut = self._parts[number], self._groups[number], self._cut[number]
+        drawn = np.ones(shown.count, bool) if self._isolated is None else np.isin(
+            shown.face, np.fromiter(self._isolated.get(number, ()), dtype=np.int64))
+        cut.draw(drawn)
+        drawn[cut.facets] = False
+        for chunk in np.unique(changed // _CHUNK):
+            first = chunk * _CHUNK
+            fill_numbers(nodes[chunk].coordIndex, _indices(first + np.flatnonzero(drawn[first:first + _CHUNK])))
 
     def prepare_to_coarsen(self):
         """Make the few facets that are drawn while the view moves, if there are many."""
@@ -185,9 +205,9 @@ class FacetNodes:
 
     def coarsen(self, is_coarse):
         """Draw few facets instead of many, or all again. Without effect on a map that is drawn quickly anyway."""
-        if is_coarse and not self._is_isolated and not self._withheld:
+        if is_coarse and self._isolated is None and not self._withheld:
             self.prepare_to_coarsen()
-        child = 1 if is_coarse and self._few and not self._is_isolated else 0
+        child = 1 if is_coarse and self._few and self._isolated is None else 0
         for detail in self._details:
             if detail.whichChild.getValue() != child:
                 detail.whichChild = child
@@ -210,6 +230,53 @@ class FacetNodes:
     def move(self, matrix):
         """Set the transform of all parts: ndarray of shape (4, 4)."""
         set_matrix(self._moved, matrix)
+
+
+class _CutFacets:
+    """Facets on which the colour changes in a step, drawn as pieces that each have one colour, or change smoothly.
+
+    Attributes
+    ----------
+    root : pivy.coin.SoSeparator
+    colour : pivy.coin.SoPackedColor
+        Of the corners of the pieces.
+    facets : ndarray of shape (n,), int64
+        The facets that are not to be drawn themselves.
+    cuts : LevelCuts or None
+
+    Parameters
+    ----------
+    normals : ndarray of shape (m, 3, 3)
+        Of the corners of all facets, see `corner_normals`.
+    """
+
+    def __init__(self, normals):
+        self._normals_of_facets = normals
+        self.root, self.colour = coin.SoSeparator(), coin.SoPackedColor()
+        self._points, self._normals, self._pieces = coin.SoCoordinate3(), coin.SoNormal(), coin.SoIndexedFaceSet()
+        for node in (self.colour, self._points, self._normals, self._pieces):
+            self.root.addChild(node)
+        self.facets, self.cuts = np.empty(0, dtype=np.int64), None
+        self._levels = ()
+        self._pieces.coordIndex.setNum(0)
+
+    def show(self, shown, levels):
+        """Cut a map at other levels; returns whether that changed anything. Call `draw` afterwards."""
+        if levels == self._levels:
+            return False
+        had, self._levels = len(self.facets), levels
+        self.cuts = cut_at_levels(shown, levels)
+        self.facets = np.unique(self.cuts.facet)
+        if not had and not len(self.facets):
+            return False
+        fill_points(self._points.point, self.cuts.at_corners(shown.corners).reshape(-1, 3))
+        fill_points(self._normals.vector, self.cuts.at_corners(self._normals_of_facets).reshape(-1, 3))
+        return True
+
+    def draw(self, drawn):
+        """Draw the pieces of some facets: ndarray of shape (m,), bool."""
+        if self.cuts is not None:
+            fill_numbers(self._pieces.coordIndex, _indices(np.flatnonzero(drawn[self.cuts.facet])))
 
 
 def _few_facets(shown, normals, most):

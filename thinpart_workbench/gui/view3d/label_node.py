@@ -229,6 +229,10 @@ class LabelNode:
 
     def _look_again(self):
         self._is_waiting, self._drawn_for = False, None
+        try:
+            self._widget.property(self._kind)
+        except RuntimeError:
+            return  # the view was closed meanwhile, and its scene has nobody to tell
         self.node.touch()
 
 

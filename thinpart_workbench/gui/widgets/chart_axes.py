@@ -1,5 +1,6 @@
 """Base class of the charts of a thickness distribution: plot area, vertical axis and labels."""
 
+from ..application.numbers import marked
 from ..application.qt import QtCore, QtWidgets
 from ..application.theme import text_colour
 
@@ -34,7 +35,7 @@ class ChartAxes(QtWidgets.QWidget):
             painter.drawLine(QtCore.QPointF(plot.left(), y), QtCore.QPointF(plot.right(), y))
             painter.setPen(text)
             painter.drawText(QtCore.QRectF(0, y - height / 2, plot.left() - 5, height),
-                             QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter, f"{100 * share:.3g} %")
+                             QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter, marked(f"{100 * share:.3g} %"))
 
     def centred(self, painter, plot, x, y, text):
         """Draw a text centred at `x` with its upper edge at `y`, moved sideways to stay within the widget."""

@@ -63,12 +63,13 @@ class ProcessField(QtWidgets.QWidget):
             has_materials = any(each.startswith(f"{name}:") for each in known)
             if ":" not in name:
                 submenu = self._menu.addMenu(translated(limits.full_title)) if has_materials else self._menu
+                submenu.setToolTipsVisible(True)
             title = translate("ThinPart", "any material") if has_materials else (
                 translated(limits.material) if limits.material else translated(limits.full_title))
             action = submenu.addAction(f"{title}, {_range_text(limits, unit)}")
             action.setCheckable(True)
             action.setChecked(name.casefold() in chosen)
-            action.setToolTip("\n".join(filter(None, (limits.note, limits.source))))
+            action.setToolTip("\n".join(filter(None, (translated(limits.note), limits.source))))
             action.toggled.connect(lambda on, name=name: self._choose(name, on))
         self._menu.addSeparator()
         action = self._menu.addAction(translate("ThinPart", "Edit your own limits\u2026"))

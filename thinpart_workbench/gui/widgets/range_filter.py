@@ -1,6 +1,7 @@
 """A range of a quantity, set with a slider or typed as numbers."""
 
 from ...core.length_unit import MILLIMETRE
+from ..application.numbers import marked
 from ..application.qt import QtCore, QtGui, QtWidgets, Signal
 from .range_slider import LEAST, MOST, RangeSlider
 
@@ -9,6 +10,9 @@ _TYPING_DELAY = 300
 
 _DIGITS = 6
 """Significant digits of a bound in its field: enough to convert typed numbers between units without visible rounding."""
+
+_NUMBER = r"\d{0,12}([.,]\d{0,12})?(e[+-]?\d{0,2})?"
+"""What can be typed: with a point or with a comma, whichever FreeCAD shows."""
 
 
 class RangeFilter(QtWidgets.QWidget):
@@ -84,9 +88,7 @@ class RangeFilter(QtWidgets.QWidget):
         field.setObjectName(name)
         # The default width is for a dozen digits, more than anybody types; let the layout make the field narrower.
         field.setMinimumWidth(5 * self.fontMetrics().averageCharWidth() + 8)
-        validator = QtGui.QDoubleValidator(0.0, 1e12, 6, field)
-        validator.setLocale(QtCore.QLocale.c())
-        field.setValidator(validator)
+        field.setValidator(QtGui.QRegularExpressionValidator(QtCore.QRegularExpression(_NUMBER), field))
         field.textEdited.connect(lambda _: self._typing_timer.start())
         return field
 
@@ -100,14 +102,14 @@ class RangeFilter(QtWidgets.QWidget):
 
     def _show_bounds(self):
         for field, value in zip(self._fields, self.bounds):
-            field.setText("" if value is None else f"{self._unit.value(value):.{_DIGITS}g}")
+            field.setText("" if value is None else marked(f"{self._unit.value(value):.{_DIGITS}g}"))
 
     def _show_ends(self):
         for field, end in zip(self._fields, self._ends):
-            field.setPlaceholderText("" if end is None else f"{self._unit.value(end):.3g}")
+            field.setPlaceholderText("" if end is None else marked(f"{self._unit.value(end):.3g}"))
 
     def _value(self, field):
         try:
-            return float(field.text()) * self._unit.millimetres
+            return float(field.text().replace(",", ".")) * self._unit.millimetres
         except ValueError:
             return None  # empty, or an incomplete number

@@ -202,6 +202,7 @@ class RecordTableView(QtWidgets.QTableView):
             self.set_rows(rows)
         else:
             self._model.replace_rows(rows)
+            self._fit_columns()  # what was unknown may be a long word now
         self.select(None if selected is None else lambda row: is_same(row, selected))
 
     def select(self, predicate):
