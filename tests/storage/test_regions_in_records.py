@@ -57,6 +57,13 @@ def test_files_of_earlier_versions_are_read_without_regions(ribbed):
     assert region_groups(older) == []
 
 
+def test_groups_begin_with_what_is_thinnest_anywhere(ribbed):
+    record = copy.deepcopy(ribbed)
+    record["regions"]["listed"][2]["min"] = 1.0  # thick for the most part, and thinner than the ribs at its end
+    assert [group.least for group in region_groups(record)] == [1.0, 2.0]
+    assert [group.least for group in region_groups(ribbed)] == [2.0, 40.0]
+
+
 def test_equal_regions_are_one_group(ribbed):
     ribs, block = region_groups(ribbed)
     assert (ribs.kind, ribs.count, ribs.least, len(ribs.faces)) == ("plate", 2, 2.0, 4)

@@ -71,7 +71,7 @@ def region_groups(record, notes=None):
     Returns
     -------
     list of RegionGroup
-        In the order of the record, the thinnest first; empty for a record of a version that did not find regions.
+        By their least thickness, the thinnest first; empty for a record of a version that did not find regions.
     """
     groups: list[tuple] = []
     listed = record.get("regions", {}).get("listed", [])
@@ -84,7 +84,8 @@ def region_groups(record, notes=None):
         else:
             equal.append(region)
     area = record["descriptors"]["area_mm2"]
-    return [_group(regions, area, *said) for regions, said in groups]
+    # Those of a record are in the order of their medians: a taper that begins thinner than a plate came after it.
+    return sorted((_group(regions, area, *said) for regions, said in groups), key=lambda group: (group.least, -group.area))
 
 
 def features_of(group, record, features):

@@ -23,18 +23,28 @@ def drawn_triangles(root):
     Hidden objects and the sources of a visible map are switched off, so they are not drawn. Links and instances share
     their nodes, each under its own transform.
     """
-    found, current, cache = [], [None], {}
+    found, current, cache = [], [None], {}  # the last of `current` are the points of the innermost separator
 
     def on_points(_data, _action, node):
-        current[0] = node
+        current[-1] = node
+        return coin.SoCallbackAction.CONTINUE
+
+    def on_begin(_data, _action, _node):
+        current.append(current[-1])
+        return coin.SoCallbackAction.CONTINUE
+
+    def on_end(_data, _action, _node):
+        current.pop()
         return coin.SoCallbackAction.CONTINUE
 
     def on_facets(_data, action, node):
-        if current[0] is not None:
-            found.append((current[0], node, np.array(action.getModelMatrix().getValue(), dtype=float)))
+        if current[-1] is not None:
+            found.append((current[-1], node, np.array(action.getModelMatrix().getValue(), dtype=float)))
         return coin.SoCallbackAction.PRUNE  # or Coin would make every triangle one by one
 
     action = coin.SoCallbackAction()
+    action.addPreCallback(coin.SoSeparator.getClassTypeId(), on_begin, None)
+    action.addPostCallback(coin.SoSeparator.getClassTypeId(), on_end, None)
     action.addPreCallback(coin.SoCoordinate3.getClassTypeId(), on_points, None)
     action.addPreCallback(coin.SoIndexedFaceSet.getClassTypeId(), on_facets, None)
     action.apply(root)
