@@ -103,8 +103,9 @@ def test_a_rib_is_seen_where_it_is():
 def test_the_wall_under_any_point_is_exact():
     """In a wedge the wall grows from point to point, and stands at an angle."""
     shown, flank = _wedge()
-    measured = np.flatnonzero(flank & shown.measured)
-    assert len(measured) > 100
+    # Beside a jump there are facets of some micrometres, whose normals are no better than their points, which are float32.
+    measured = np.flatnonzero(flank & shown.measured & (shown.areas > 0.01))
+    assert len(measured) > 100 and shown.areas[measured].sum() > 0.999 * shown.areas[flank & shown.measured].sum()
     for facet in measured[:: len(measured) // 50]:
         for corner in shown.corners[facet] + shown.origin:
             thickness, opposite = shown.wall_at(facet, corner)
