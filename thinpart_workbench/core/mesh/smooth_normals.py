@@ -127,6 +127,8 @@ def corner_normals(mesh):
     mean = np.stack([np.bincount(which, np.tile(facet[k], 3) * weight) for k in range(3)])
     length = np.sqrt(dot(mean, mean))
     mean /= np.where(length > 0.0, length, 1.0)
+    if mesh.face_normals is not None:
+        _take_known(mesh, which.reshape(3, -1), mean)
     normals = np.empty((3, 3, mesh.count))
     for corner, vertex in zip(normals, which.reshape(3, -1)):
         np.take(mean, vertex, axis=1, out=corner, mode="clip")
@@ -134,6 +136,19 @@ def corner_normals(mesh):
         sharp = np.flatnonzero(dot(corner, facet) < np.cos(CREASE))
         corner[:, sharp] = facet[:, sharp]
     return normals
+
+
+def _take_known(mesh, which, mean):
+    """Put the normals of the geometry in place of means, ndarray of shape (3, k), where it has any like them."""
+    triangle = np.flatnonzero(mesh.face_normals.is_known[mesh.face_of_triangle])
+    vertex_of, face_of = np.full((2, mean.shape[1]), -1)
+    vertex_of[which[:, triangle]] = mesh.triangles[triangle].T
+    face_of[which[:, triangle]] = mesh.face_of_triangle[triangle]
+    chosen = np.flatnonzero(face_of >= 0)
+    known = mesh.face_normals.at(face_of[chosen], np.take(mesh.vertex_columns, vertex_of[chosen], axis=1) + mesh.origin[:, None])
+    alike = dot(known, mean[:, chosen])
+    is_near = np.abs(alike) > np.cos(CREASE)
+    mean[:, chosen[is_near]] = known[:, is_near] * np.sign(alike[is_near])
 
 
 def _vertex_of_face(mesh):

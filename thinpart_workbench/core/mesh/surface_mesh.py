@@ -14,6 +14,7 @@ from ..message import message
 from ..tolerances import TOLERANCES
 from .curved_surface import CurvedSurface
 from .edge_balance import closes_at_t_junctions, edge_balance, paired_sides, shared_sides
+from .face_normals import FaceNormals
 from .flat_regions import flattened
 from .smooth_normals import MOST_BEND, corner_normals, smooth_patches
 
@@ -44,6 +45,8 @@ class SurfaceMesh:
         Error of the points, as a share of the diagonal.
     has_faces : bool
         Whether the faces are those of a B-Rep, so that the facets of a face approximate a smooth surface.
+    face_normals : FaceNormals or None
+        What is known of the normals of that surface.
     """
 
     vertices: np.ndarray
@@ -58,6 +61,7 @@ class SurfaceMesh:
     warnings: tuple = ()
     rounding: float = TOLERANCES.rounding
     has_faces: bool = False
+    face_normals: FaceNormals = None
 
     @property
     def count(self):
@@ -124,7 +128,7 @@ class SurfaceMesh:
         return float(np.linalg.norm(np.ptp(self.vertices, axis=0)))
 
 
-def surface_mesh(points, triangles, face_of_triangle=None, rounding=TOLERANCES.rounding):
+def surface_mesh(points, triangles, face_of_triangle=None, rounding=TOLERANCES.rounding, face_normals=None):
     """Check, weld, clean and orient triangles into a `SurfaceMesh`.
 
     Parameters
@@ -134,6 +138,8 @@ def surface_mesh(points, triangles, face_of_triangle=None, rounding=TOLERANCES.r
     face_of_triangle : array_like of shape (n,), int, optional
     rounding : float, optional
         Error of the points, as a share of the diagonal; by default that of float32.
+    face_normals : FaceNormals, optional
+        Of the faces, if they are those of a B-Rep.
 
     Raises
     ------
@@ -202,7 +208,7 @@ def surface_mesh(points, triangles, face_of_triangle=None, rounding=TOLERANCES.r
         warnings.append(message("{count} triangles of zero area were left out.", count=degenerate))
     mesh = SurfaceMesh(
         vertices, np.ascontiguousarray(triangles), face_of_triangle, origin, watertight, cracked,
-        inside_out, duplicates, degenerate, tuple(warnings), rounding, has_faces,
+        inside_out, duplicates, degenerate, tuple(warnings), rounding, has_faces, face_normals,
     )
     mesh.__dict__["shared_sides"] = sides  # the cached property, known already
     return mesh

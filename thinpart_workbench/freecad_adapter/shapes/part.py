@@ -98,7 +98,8 @@ class SolidPart(Part):
             if mesh is not None:
                 return mesh
         surface = tessellate(self.shape, linear_deflection, settings.angular_deflection)
-        mesh = surface_mesh(surface.points, surface.triangles, surface.face_of_triangle)
+        mesh = surface_mesh(
+            surface.points, surface.triangles, surface.face_of_triangle, face_normals=surface.face_normals)
         if not mesh.watertight or self._lacks_surface(mesh):
             mapped = self._mapped_mesh(settings, linear_deflection)
             if mapped is not None:

@@ -7,8 +7,10 @@ from itertools import chain
 import numpy as np
 
 from ...core.errors import MeshError
+from ...core.mesh.face_normals import FaceNormals
 from ...core.message import message
 from ..bootstrap import load_freecad
+from .geometry_normals import geometry_normals
 
 COMFORTABLE_TRIANGLES = 100_000
 """Triangles of a wire or coil above which facets may meet at greater angles. The chord error does not change."""
@@ -27,6 +29,10 @@ _DEFLECTION_SHARE = 0.8
 """Share of the requested deflection that grids are made for, because twisted grids deviate a little more."""
 
 
+NODE_TOLERANCE = 0.1
+"""Share of the chord error by which a node of a free-form face may be off its surface."""
+
+
 @dataclass(frozen=True)
 class Tessellation:
     """Triangles of a shape.
@@ -38,12 +44,14 @@ class Tessellation:
     face_of_triangle : ndarray of shape (n,), int64
         Index into ``shape.Faces``.
     linear_deflection : float, mm
+    face_normals : FaceNormals or None
     """
 
     points: np.ndarray
     triangles: np.ndarray
     face_of_triangle: np.ndarray
     linear_deflection: float
+    face_normals: FaceNormals = None
 
 
 def tessellate(shape, linear_deflection, angular_deflection):
@@ -93,7 +101,8 @@ def tessellate(shape, linear_deflection, angular_deflection):
         raise MeshError(message("FreeCAD could not tessellate any of its faces."))
     points, triangles = _arrays(mesh)
     points += (centre.x, centre.y, centre.z)
-    return Tessellation(points, triangles, _face_of_triangle(mesh, local.countElement("Face")), deflection)
+    normals = geometry_normals(local, np.array(tuple(centre)), NODE_TOLERANCE * deflection)
+    return Tessellation(points, triangles, _face_of_triangle(mesh, local.countElement("Face")), deflection, normals)
 
 
 def tessellate_mapped(faces, diagonal, linear_deflection, angular_deflection):
