@@ -183,7 +183,8 @@ class SolidPart(Part):
         try:
             surface = tessellate_mapped(
                 self._mapped, self._diagonal, linear_deflection, settings.angular_deflection)
-            mesh = surface_mesh(surface.points, surface.triangles, surface.face_of_triangle, rounding=0.0)
+            mesh = surface_mesh(surface.points, surface.triangles, surface.face_of_triangle, rounding=0.0,
+                                face_normals=surface.face_normals)
         except (NotMapped, MeshError):
             return None
         if not mesh.watertight:

@@ -7,71 +7,65 @@ import numpy as np
 from ...core.mesh.face_normals import FaceNormals, NodeNormals, RoundFaces
 from .surface_types import PLANE
 
+_ANY = (0.0, 0.0, 1.0)
+
 _ROUND = {
-    "Part::GeomCylinder": lambda surface: (surface.Center, surface.Axis, False, 0.0, 0.0),
-    "Part::GeomCone": lambda surface: (surface.Apex, surface.Axis, False, 0.0, math.tan(abs(surface.SemiAngle))),
-    "Part::GeomSphere": lambda surface: (surface.Center, (0.0, 0.0, 1.0), True, 0.0, 0.0),
-    "Part::GeomToroid": lambda surface: (surface.Center, surface.Axis, True, surface.MajorRadius, 0.0),
+    "Part::GeomCylinder": lambda surface: (*surface.Center, *surface.Axis, False, 0.0, 0.0),
+    "Part::GeomCone": lambda surface: (*surface.Apex, *surface.Axis, False, 0.0, math.tan(abs(surface.SemiAngle))),
+    "Part::GeomSphere": lambda surface: (*surface.Center, *_ANY, True, 0.0, 0.0),
+    "Part::GeomToroid": lambda surface: (*surface.Center, *surface.Axis, True, surface.MajorRadius, 0.0),
 }
-"""Centre, axis, whether normals go through a centre or ring, major radius in mm and slope of each kind of `RoundFaces`."""
+"""What `RoundFaces` has of each kind of surface: centre, axis, whether it counts as a centre, major radius, slope."""
 
 
-def geometry_normals(shape, offset, tolerance):
+def geometry_normals(faces, parameters, tolerance, offset=(0.0, 0.0, 0.0)):
     """Normals of the curved faces of a tessellated shape.
 
     Parameters
     ----------
-    shape : Part.Shape
-        With its triangulation, if it has free-form faces whose normals are wanted.
-    offset : ndarray of shape (3,), mm
-        By which the mesh is moved against the shape.
+    faces : list of Part.Face
+    parameters : callable
+        Of the index of a free-form face; gives the parameters (u, v) of the nodes on it.
     tolerance : float, mm
         How far a node of the mesh may be from its place on a free-form face.
+    offset : tuple of three float, mm
+        By which the mesh is moved against the faces.
 
     Returns
     -------
     FaceNormals
     """
-    round_numbers, round_rows, node_counts, node_points, node_normals = [], [], [], [], []
-    free_numbers = []
-    faces = shape.Faces
+    round_faces, round_rows, free_faces, nodes = [], [], [], []
     for number, face in enumerate(faces):
         try:
             surface = face.Surface
-        except (TypeError, RuntimeError):  # a surface without a Python class; the exception differs between versions
+        except (TypeError, RuntimeError):  # it has no Python class; the exception differs between versions
             continue
         kind = surface.TypeId
-        if kind == PLANE:
-            continue
         if kind in _ROUND:
-            centre, axis, has_centre, major, slope = _ROUND[kind](surface)
-            round_numbers.append(number)
-            round_rows.append((*centre, *axis, has_centre, major, slope))
-            continue
-        points, normals = _nodes(face, surface)
-        free_numbers.append(number)
-        node_counts.append(len(points))
-        node_points += points
-        node_normals += normals
-    rows = np.array(round_rows, dtype=float).reshape(-1, 9)
+            round_faces.append(number)
+            round_rows.append(_ROUND[kind](surface))
+        elif kind != PLANE:
+            of_face = _node_rows(surface, parameters(number))
+            free_faces += [number] * len(of_face)
+            nodes += of_face
+    row = np.array(round_rows, dtype=float).reshape(-1, 9)
+    node = np.array(nodes, dtype=float).reshape(-1, 6)
     return FaceNormals(
         len(faces),
-        RoundFaces(np.array(round_numbers, dtype=np.int64), rows[:, :3] + offset, rows[:, 3:6], rows[:, 6] > 0.0,
-                   rows[:, 7], rows[:, 8]),
-        NodeNormals(np.repeat(np.array(free_numbers, dtype=np.int64), node_counts),
-                    np.array(node_points, dtype=float).reshape(-1, 3) + offset,
-                    np.array(node_normals, dtype=float).reshape(-1, 3), tolerance),
+        RoundFaces(np.array(round_faces, dtype=np.int64), row[:, :3] + offset, row[:, 3:6], row[:, 6] > 0.0, row[:, 7],
+                   row[:, 8]),
+        NodeNormals(np.array(free_faces, dtype=np.int64), node[:, :3] + offset, node[:, 3:], tolerance),
     )
 
 
-def _nodes(face, surface):
-    """Points and normals of the nodes of a face's triangulation."""
-    points, normals = [], []
-    for u, v in face.getUVNodes():
+def _node_rows(surface, parameters):
+    """Point and normal of a surface for each of many parameters: list of tuples of six float, mm."""
+    rows = []
+    for u, v in parameters:
         try:
             normal = surface.normal(u, v)
-        except Exception:  # where a face is drawn together to a point, it has none
+        except Exception:  # where a surface is drawn together to a point it has none; FreeCAD raises classes of its own
             continue
-        points.append(surface.value(u, v))
-        normals.append(normal)
-    return [tuple(point) for point in points], [tuple(normal) for normal in normals]
+        rows.append((*surface.value(u, v), *normal))
+    return rows

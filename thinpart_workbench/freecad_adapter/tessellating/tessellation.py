@@ -28,9 +28,8 @@ WIDEST_ANGLE_ALONG = math.radians(30.0)
 _DEFLECTION_SHARE = 0.8
 """Share of the requested deflection that grids are made for, because twisted grids deviate a little more."""
 
-
-NODE_TOLERANCE = 0.1
-"""Share of the chord error by which a node of a free-form face may be off its surface."""
+_NODE_TOLERANCE = 0.1
+"""Share of the requested deflection by which a node of the mesh may be off its place on a free-form face."""
 
 
 @dataclass(frozen=True)
@@ -101,8 +100,10 @@ def tessellate(shape, linear_deflection, angular_deflection):
         raise MeshError(message("FreeCAD could not tessellate any of its faces."))
     points, triangles = _arrays(mesh)
     points += (centre.x, centre.y, centre.z)
-    normals = geometry_normals(local, np.array(tuple(centre)), NODE_TOLERANCE * deflection)
-    return Tessellation(points, triangles, _face_of_triangle(mesh, local.countElement("Face")), deflection, normals)
+    faces = local.Faces
+    normals = geometry_normals(
+        faces, lambda number: faces[number].getUVNodes(), _NODE_TOLERANCE * deflection, tuple(centre))
+    return Tessellation(points, triangles, _face_of_triangle(mesh, len(faces)), deflection, normals)
 
 
 def tessellate_mapped(faces, diagonal, linear_deflection, angular_deflection):
@@ -128,7 +129,9 @@ def tessellate_mapped(faces, diagonal, linear_deflection, angular_deflection):
     """
     deflection = linear_deflection * diagonal
     pieces, _ = mapped_division(faces, deflection, angular_deflection)
-    return Tessellation(*faces.surface(pieces), deflection)
+    normals = geometry_normals(
+        faces.faces, lambda number: faces.parameters(number, pieces), _NODE_TOLERANCE * deflection)
+    return Tessellation(*faces.surface(pieces), deflection, normals)
 
 
 def mapped_division(faces, deflection, angular_deflection):
