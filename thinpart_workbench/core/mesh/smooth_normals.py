@@ -62,7 +62,7 @@ def normals_at(mesh, triangle, points):
 
     Notes
     -----
-    Corner normals are means over the facets of the same face, with the weights of Max (1999,
+    Corner normals are those of the geometry, or else means over the facets of the same face, with the weights of Max (1999,
     doi:10.1080/10867651.1999.10487501), which are exact on a sphere. They are interpolated as by Phong (1975,
     doi:10.1145/360825.360839). On a plane they equal the normal of the facet. By these normals, the two walls of a
     tessellated shell are parallel, although their facets are not.
@@ -141,11 +141,13 @@ def corner_normals(mesh):
 def _take_known(mesh, which, mean):
     """Put the normals of the geometry in place of means, ndarray of shape (3, k), where it has any like them."""
     triangle = np.flatnonzero(mesh.face_normals.is_known[mesh.face_of_triangle])
-    vertex_of, face_of = np.full((2, mean.shape[1]), -1)
-    vertex_of[which[:, triangle]] = mesh.triangles[triangle].T
-    face_of[which[:, triangle]] = mesh.face_of_triangle[triangle]
-    chosen = np.flatnonzero(face_of >= 0)
-    known = mesh.face_normals.at(face_of[chosen], np.take(mesh.vertex_columns, vertex_of[chosen], axis=1) + mesh.origin[:, None])
+    vertex, face = np.full((2, mean.shape[1]), -1)
+    vertex[which[:, triangle]] = mesh.triangles[triangle].T
+    face[which[:, triangle]] = mesh.face_of_triangle[triangle]
+    chosen = np.flatnonzero(face >= 0)
+    points = np.take(mesh.vertex_columns, vertex[chosen], axis=1) + mesh.origin[:, None]
+    known = mesh.face_normals.at(face[chosen], points)
+    # The geometry knows no outside; and it knows a kink by one of its sides only.
     alike = dot(known, mean[:, chosen])
     is_near = np.abs(alike) > np.cos(CREASE)
     mean[:, chosen[is_near]] = known[:, is_near] * np.sign(alike[is_near])
