@@ -69,7 +69,8 @@ def test_nodes_have_the_normal_of_their_own_face_and_points_beside_them_none():
     empty = np.empty(0)
     nodes = NodeNormals(np.array([0, 1, 1]), np.array([[0.0, 0, 0], [0, 0, 0], [1, 0, 0]]),
                         np.array([[0.0, 0, 2], [0, 3, 0], [1, 0, 0]]), 0.01)
-    of_faces = FaceNormals(2, RoundFaces(empty.astype(int), np.empty((0, 3)), np.empty((0, 3)), empty > 0, empty, empty), nodes)
+    no_round_faces = RoundFaces(empty.astype(int), np.empty((0, 3)), np.empty((0, 3)), empty > 0, empty, empty)
+    of_faces = FaceNormals(2, no_round_faces, nodes)
     points = np.array([[0.001, 0, 0], [0.001, 0, 0], [1, 0.005, 0], [0.5, 0, 0], [1.0, 0, 0]]).T
     found = of_faces.at(np.array([0, 1, 1, 1, 0]), points).T
     assert found.tolist() == [[0, 0, 1], [0, 1, 0], [1, 0, 0], [0, 0, 0], [0, 0, 0]]
@@ -81,7 +82,8 @@ def quarter_of_a_cylinder(normals=None):
     rim = np.column_stack([np.cos(angle), np.sin(angle)])
     points = np.concatenate([np.column_stack([rim, np.full(7, height)]) for height in (0.0, 2.0)])
     first = np.arange(6)
-    triangles = np.concatenate([np.column_stack([first, first + 1, first + 8]), np.column_stack([first, first + 8, first + 7])])
+    triangles = np.concatenate(
+        [np.column_stack([first, first + 1, first + 8]), np.column_stack([first, first + 8, first + 7])])
     return surface_mesh(points, triangles, np.zeros(12, dtype=int), face_normals=normals)
 
 

@@ -35,7 +35,8 @@ def free_form(part):
 def lofted(part):
     import FreeCAD
 
-    wires = [part.Wire(part.makeCircle(radius, FreeCAD.Vector(0, 0, height))) for radius, height in ((9, 0), (5, 12), (8, 30))]
+    wires = [part.Wire(part.makeCircle(radius, FreeCAD.Vector(0, 0, height)))
+             for radius, height in ((9, 0), (5, 12), (8, 30))]
     return part.makeLoft(wires, True).common(part.makeBox(40, 40, 40))
 
 
@@ -48,7 +49,7 @@ def bent_wire(part):
 
 
 def greatest_error(shape, mesh):
-    """Degrees between normals at corners and those of the faces there, without facets that are turned far from their face."""
+    """Degrees between normals at corners and those of the faces there, without facets turned far from their face."""
     import FreeCAD
 
     worst = 0.0
@@ -99,7 +100,8 @@ def test_a_kink_within_a_face_stays():
 
     surface = Part.BSplineSurface()
     heights = (0.0, 0.0, 6.0)  # a roof: flat, then at 31 degrees
-    poles = [[FreeCAD.Vector(10.0 * column, 12.0 * row, height) for row in range(2)] for column, height in enumerate(heights)]
+    poles = [[FreeCAD.Vector(10.0 * column, 12.0 * row, height) for row in range(2)]
+             for column, height in enumerate(heights)]
     surface.buildFromPolesMultsKnots(poles, (2, 1, 2), (2, 2), (0, 1, 2), (0, 1), False, False, 1, 1)
     mesh, _ = SolidPart("part", "part", shape=surface.toShape()).surface_mesh(SETTINGS, SETTINGS.linear_deflection)
 
