@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Optional
 
 import numpy as np
 from scipy.sparse import coo_matrix
@@ -61,7 +62,7 @@ class SurfaceMesh:
     warnings: tuple = ()
     rounding: float = TOLERANCES.rounding
     has_faces: bool = False
-    face_normals: FaceNormals = None
+    face_normals: Optional[FaceNormals] = None
 
     @property
     def count(self):

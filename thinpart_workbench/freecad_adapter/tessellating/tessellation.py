@@ -3,6 +3,7 @@
 import math
 from dataclasses import dataclass
 from itertools import chain
+from typing import Optional
 
 import numpy as np
 
@@ -50,7 +51,7 @@ class Tessellation:
     triangles: np.ndarray
     face_of_triangle: np.ndarray
     linear_deflection: float
-    face_normals: FaceNormals = None
+    face_normals: Optional[FaceNormals] = None
 
 
 def tessellate(shape, linear_deflection, angular_deflection):
