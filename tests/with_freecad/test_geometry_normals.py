@@ -110,3 +110,15 @@ def test_a_kink_within_a_face_stays():
         return np.degrees(np.arccos(np.clip(cosine, -1.0, 1.0))) @ mesh.areas / mesh.areas.sum()
 
     assert turned(mesh.corner_normals) < 0.5 * turned(replace(mesh, face_normals=None).corner_normals)
+
+
+def test_a_face_that_could_not_be_tessellated_has_no_nodes():
+    """OCC leaves out faces of damaged parts, and FreeCAD raises where their nodes are asked for."""
+    import Part
+
+    from thinpart_workbench.freecad_adapter.tessellating.tessellation import _node_parameters
+
+    shape = Part.makeSphere(5).toNurbs()
+    assert _node_parameters(shape.Faces[0]) == []
+    shape.tessellate(0.5)
+    assert len(_node_parameters(shape.Faces[0])) > 20

@@ -103,7 +103,7 @@ def tessellate(shape, linear_deflection, angular_deflection):
     points += (centre.x, centre.y, centre.z)
     faces = local.Faces
     normals = geometry_normals(
-        faces, lambda number: faces[number].getUVNodes(), _NODE_TOLERANCE * deflection, tuple(centre))
+        faces, lambda number: _node_parameters(faces[number]), _NODE_TOLERANCE * deflection, tuple(centre))
     return Tessellation(points, triangles, _face_of_triangle(mesh, len(faces)), deflection, normals)
 
 
@@ -151,6 +151,14 @@ def mapped_division(faces, deflection, angular_deflection):
             return pieces, triangles
         along = min(1.3 * along, WIDEST_ANGLE_ALONG)
         around = max(around, min(along, WIDEST_ANGLE))
+
+
+def _node_parameters(face):
+    """Parameters of the nodes on a face, list of (u, v); none where OCC could not tessellate it."""
+    try:
+        return face.getUVNodes()
+    except RuntimeError:  # it has no triangulation
+        return []
 
 
 def _arrays(mesh):
