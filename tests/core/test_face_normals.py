@@ -108,5 +108,5 @@ def test_normals_that_are_far_from_the_facets_are_not_taken():
         1, RoundFaces(np.array([0]), np.zeros((1, 3)), np.array([[1.0, 0, 0]]), np.array([False]), np.zeros(1), np.zeros(1)),
         NodeNormals(np.empty(0, dtype=np.int64), np.empty((0, 3)), np.empty((0, 3)), 0.1))
     own, other = quarter_of_a_cylinder(), quarter_of_a_cylinder(turned)
-    far = np.abs(np.einsum("ijk,ijk->ik", own.corner_normals, other.corner_normals)) < np.cos(np.radians(20.0))
+    far = np.abs(np.einsum("ijk,ijk->ik", own.corner_normals, other.corner_normals)) < np.cos(np.radians(30.0))
     assert not far.any()
