@@ -4,7 +4,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
-from thinpart_workbench.core.mesh.edge_balance import paired_sides, shared_sides
+from thinpart_workbench.core.mesh.edge_balance import paired_sides, shared_sides, slit_area
 from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 from thinpart_workbench.core.thickness.measurement import measure
 
@@ -53,3 +53,46 @@ def test_sides_are_paired_on_closed_surfaces_only(spread):
     for triangles in (closed[1:], closed[2:], np.concatenate([closed, closed[:1]]), np.concatenate([closed, closed]),
                       np.concatenate([closed, [[0, 0, spread]]]), np.concatenate([closed, closed[:1, ::-1], closed[:1]])):
         assert paired_sides(triangles) is None
+
+
+def _welded_block(turn=UNTURNED, cells=20):
+    mesh = surface_mesh(*made_meshes.moved(made_meshes.box(100, 60, 10, cells=cells), turn))
+    return mesh.vertices, mesh.triangles
+
+
+@pytest.mark.parametrize("turn", [UNTURNED, TURNED])
+def test_the_area_of_what_is_missing_is_found(turn):
+    points, triangles = _welded_block(turn)
+    left_out = [0, 700, len(triangles) - 1]
+    corners = points[triangles[left_out]]
+    missing = 0.5 * np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    assert slit_area(points, triangles) == 0.0
+    assert slit_area(points, triangles[1:]) == pytest.approx(missing[0])
+    assert slit_area(points, np.delete(triangles, left_out, axis=0)) == pytest.approx(missing.sum())
+
+
+def test_openings_that_touch_or_turn_over_are_no_slits():
+    points, triangles = _welded_block()
+    uses = np.bincount(triangles.ravel())
+    around = np.flatnonzero((triangles == uses.argmax()).any(axis=1))
+    apart = next(other for other in around[1:] if len(np.intersect1d(triangles[around[0]], triangles[other])) == 1)
+    assert slit_area(points, np.delete(triangles, [around[0], apart], axis=0)) == np.inf
+    turned = triangles.copy()
+    turned[5] = turned[5, ::-1]
+    assert slit_area(points, turned) == np.inf
+
+
+def test_a_slit_closes_the_mesh_of_a_solid_and_of_nothing_else():
+    """A triangle has another within it, a millionth as large, that is missing, as those that OCC leaves out."""
+    points, triangles = _welded_block(cells=1)
+    corners = triangles[0]
+    middle = points[corners].mean(axis=0)
+    inner = np.arange(3) + len(points)
+    points = np.concatenate([points, middle + 1e-3 * (points[corners] - middle)])
+    pieces = [piece for k in range(3) for piece in (
+        [corners[k], corners[k - 2], inner[k - 2]], [corners[k], inner[k - 2], inner[k]])]
+    around, missing = np.concatenate([triangles[1:], pieces]), triangles[1:]
+    faces = np.zeros(len(around), dtype=int)
+    assert surface_mesh(points, around, faces, of_solid=True).watertight
+    assert not surface_mesh(points, around, faces).watertight
+    assert not surface_mesh(points, missing, faces[:len(missing)], of_solid=True).watertight

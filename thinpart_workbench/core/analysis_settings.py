@@ -64,8 +64,7 @@ class AnalysisSettings:
         Chord error of the tessellation, as a share of the diagonal of the part.
     angular_deflection : float
         Degrees between neighbouring facets. Walls are measured between the smooth surfaces that facets approximate, so that
-        12 degrees are as good as 2. A face that is one facet wide has the normal of that facet everywhere, half of this
-        angle off at either side; opposite faces that are divided alike are off alike.
+        12 degrees are as good as 2.
     wall_deflection : float
         Greatest error of a thickness as a share of the thinnest wall; beyond it the part is
         tessellated finer and measured again.

@@ -121,6 +121,38 @@ def closes_at_t_junctions(vertices, triangles, tolerance):
     return not _balance(pieces, balance[edge[1:][within]])[1].any()
 
 
+def slit_area(vertices, triangles):
+    """Area between the open edges of a mesh, mm2: float; infinity where they are not simple loops.
+
+    Parameters
+    ----------
+    vertices : ndarray of shape (v, 3), mm
+    triangles : ndarray of shape (n, 3), int64
+
+    Notes
+    -----
+    A mesher that divides the two sides of one edge of a B-Rep differently, or leaves out the smallest triangles of a face,
+    leaves slits.
+    """
+    edges, balance, _ = edge_balance(triangles)
+    is_open = balance != 0
+    if (np.abs(balance[is_open]) != 1).any():
+        return np.inf
+    directed = np.where(balance[is_open, None] > 0, edges[is_open], edges[is_open][:, ::-1])
+    follower = dict(directed.tolist())
+    if len(follower) < len(directed) or set(follower) != set(follower.values()):
+        return np.inf
+    total = 0.0
+    while follower:
+        loop, vertex = [], next(iter(follower))
+        while vertex in follower:
+            loop.append(vertex)
+            vertex = follower.pop(vertex)
+        away = vertices[loop[1:]] - vertices[loop[0]]
+        total += 0.5 * float(np.linalg.norm(np.cross(away[:-1], away[1:]), axis=1).sum())
+    return total
+
+
 def _vertices_on(vertices, edges, tolerance):
     """Pairs (edge, vertex) of open vertices on open edges, the ends included."""
     candidates = np.unique(edges)

@@ -11,6 +11,10 @@ _AT_ONCE = 16384
 CREASE = np.radians(20.0)
 """Facets that meet at less than this angle belong to one smooth surface, unless B-Rep faces are known."""
 
+KNOWN_CREASE = np.radians(30.0)
+"""Facets that are turned by less than this against a normal that the geometry has belong to its smooth surface: where OCC
+keeps to the chord error only, as in the bend of a free-form tube, facets are turned by more than `CREASE`."""
+
 MOST_BEND = np.radians(10.0)
 """Greatest angle between a facet and the smooth surface at its corners where B-Rep faces are not known: facets that are
 turned by more may well be meant as they are, such as those of the flanks of a coarsely meshed thread."""
@@ -62,7 +66,7 @@ def normals_at(mesh, triangle, points):
 
     Notes
     -----
-    Corner normals are means over the facets of the same face, with the weights of Max (1999,
+    Corner normals are those of the geometry, or else means over the facets of the same face, with the weights of Max (1999,
     doi:10.1080/10867651.1999.10487501), which are exact on a sphere. They are interpolated as by Phong (1975,
     doi:10.1145/360825.360839). On a plane they equal the normal of the facet. By these normals, the two walls of a
     tessellated shell are parallel, although their facets are not.
@@ -127,13 +131,32 @@ def corner_normals(mesh):
     mean = np.stack([np.bincount(which, np.tile(facet[k], 3) * weight) for k in range(3)])
     length = np.sqrt(dot(mean, mean))
     mean /= np.where(length > 0.0, length, 1.0)
+    least = np.full(mean.shape[1], np.cos(CREASE))
+    if mesh.face_normals is not None:
+        least[_take_known(mesh, which.reshape(3, -1), mean)] = np.cos(KNOWN_CREASE)
     normals = np.empty((3, 3, mesh.count))
     for corner, vertex in zip(normals, which.reshape(3, -1)):
         np.take(mean, vertex, axis=1, out=corner, mode="clip")
         # The tip of a cone and a kink within a face have no unique normal: use that of the facet.
-        sharp = np.flatnonzero(dot(corner, facet) < np.cos(CREASE))
+        sharp = np.flatnonzero(dot(corner, facet) < np.take(least, vertex, mode="clip"))
         corner[:, sharp] = facet[:, sharp]
     return normals
+
+
+def _take_known(mesh, which, mean):
+    """Put the normals of the geometry in place of means, ndarray of shape (3, k), where it has any like them; which ones."""
+    triangle = np.flatnonzero(mesh.face_normals.is_known[mesh.face_of_triangle])
+    vertex, face = np.full((2, mean.shape[1]), -1)
+    vertex[which[:, triangle]] = mesh.triangles[triangle].T
+    face[which[:, triangle]] = mesh.face_of_triangle[triangle]
+    chosen = np.flatnonzero(face >= 0)
+    points = np.take(mesh.vertex_columns, vertex[chosen], axis=1) + mesh.origin[:, None]
+    known = mesh.face_normals.at(face[chosen], points)
+    # The geometry knows no outside; and it knows a kink by one of its sides only.
+    alike = dot(known, mean[:, chosen])
+    is_near = np.abs(alike) > np.cos(KNOWN_CREASE)
+    mean[:, chosen[is_near]] = known[:, is_near] * np.sign(alike[is_near])
+    return chosen[is_near]
 
 
 def _vertex_of_face(mesh):

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Optional
 
 import numpy as np
 from scipy.sparse import coo_matrix
@@ -13,9 +14,14 @@ from ..errors import MeshError
 from ..message import message
 from ..tolerances import TOLERANCES
 from .curved_surface import CurvedSurface
-from .edge_balance import closes_at_t_junctions, edge_balance, paired_sides, shared_sides
+from .edge_balance import closes_at_t_junctions, edge_balance, paired_sides, shared_sides, slit_area
+from .face_normals import FaceNormals
 from .flat_regions import flattened
 from .smooth_normals import MOST_BEND, corner_normals, smooth_patches
+
+MOST_SLITS = 2e-6
+"""Area of the slits in the mesh of a solid, as a share of its surface, which makes no difference to its volume. OCC leaves
+single triangles out; with whole faces it is a thousand times as much."""
 
 
 @dataclass(frozen=True)
@@ -44,6 +50,8 @@ class SurfaceMesh:
         Error of the points, as a share of the diagonal.
     has_faces : bool
         Whether the faces are those of a B-Rep, so that the facets of a face approximate a smooth surface.
+    face_normals : FaceNormals or None
+        What is known of the normals of that surface.
     """
 
     vertices: np.ndarray
@@ -58,6 +66,7 @@ class SurfaceMesh:
     warnings: tuple = ()
     rounding: float = TOLERANCES.rounding
     has_faces: bool = False
+    face_normals: Optional[FaceNormals] = None
 
     @property
     def count(self):
@@ -124,7 +133,7 @@ class SurfaceMesh:
         return float(np.linalg.norm(np.ptp(self.vertices, axis=0)))
 
 
-def surface_mesh(points, triangles, face_of_triangle=None, rounding=TOLERANCES.rounding):
+def surface_mesh(points, triangles, face_of_triangle=None, rounding=TOLERANCES.rounding, face_normals=None, of_solid=False):
     """Check, weld, clean and orient triangles into a `SurfaceMesh`.
 
     Parameters
@@ -134,6 +143,10 @@ def surface_mesh(points, triangles, face_of_triangle=None, rounding=TOLERANCES.r
     face_of_triangle : array_like of shape (n,), int, optional
     rounding : float, optional
         Error of the points, as a share of the diagonal; by default that of float32.
+    face_normals : FaceNormals, optional
+        Of the faces, if they are those of a B-Rep.
+    of_solid : bool, optional
+        Whether the triangles are those of a solid, so that slits between them are the mesher's and no openings.
 
     Raises
     ------
@@ -174,6 +187,7 @@ def surface_mesh(points, triangles, face_of_triangle=None, rounding=TOLERANCES.r
         cracked = len(triangles) > 0 and _open_edges(triangles) > 0
         watertight = len(triangles) > 0 and (
             not cracked or closes_at_t_junctions(vertices, triangles, TOLERANCES.gap * extent)
+            or of_solid and slit_area(vertices, triangles) < MOST_SLITS * _area(vertices, triangles)
         )
 
     flat = _is_flat(vertices, triangles, TOLERANCES.zero_height * extent)
@@ -202,7 +216,7 @@ def surface_mesh(points, triangles, face_of_triangle=None, rounding=TOLERANCES.r
         warnings.append(message("{count} triangles of zero area were left out.", count=degenerate))
     mesh = SurfaceMesh(
         vertices, np.ascontiguousarray(triangles), face_of_triangle, origin, watertight, cracked,
-        inside_out, duplicates, degenerate, tuple(warnings), rounding, has_faces,
+        inside_out, duplicates, degenerate, tuple(warnings), rounding, has_faces, face_normals,
     )
     mesh.__dict__["shared_sides"] = sides  # the cached property, known already
     return mesh
@@ -324,6 +338,11 @@ def _is_flat(vertices, triangles, height):
     longest = np.sqrt(np.max([dot(side, side) for side in sides], axis=0))
     doubled = cross(sides[1], sides[2])
     return np.sqrt(dot(doubled, doubled)) <= longest * height
+
+
+def _area(vertices, triangles):
+    a, b, c = (vertices[triangles[:, k]] for k in range(3))
+    return 0.5 * float(np.linalg.norm(_cross(b - a, c - a), axis=1).sum())
 
 
 def _signed_volume(vertices, triangles):

@@ -22,6 +22,14 @@ from .solid_measures import SolidMeasures
 _SLOW_TO_MESH = 10_000
 """Triangles on grids from which free-form faces go straight to grids: OCC makes ten times as many, in minutes."""
 
+_OTHER_ANGLES = (0.7, 0.45)
+"""Shares of the angle between facets at which a solid whose mesh is open is tried again: OCC leaves out faces and triangles
+of some parts, others at other angles."""
+
+_SAME_AREA = 0.9999
+"""Least share of the area of an open mesh that a finer one has which is closed because nothing is left out, not because
+more is."""
+
 _LEAST_AREA = 0.95
 """Least share of the area that a complete tessellation has; facets reduce the area by less than 1 %."""
 
@@ -97,14 +105,30 @@ class SolidPart(Part):
             mesh = self._mapped_mesh(settings, linear_deflection)
             if mesh is not None:
                 return mesh
-        surface = tessellate(self.shape, linear_deflection, settings.angular_deflection)
-        mesh = surface_mesh(surface.points, surface.triangles, surface.face_of_triangle)
-        if not mesh.watertight or self._lacks_surface(mesh):
-            mapped = self._mapped_mesh(settings, linear_deflection)
-            if mapped is not None:
-                return mapped
+        mesh, deflections = first = self._tessellated(linear_deflection, settings.angular_deflection)
+        if mesh.watertight and not self._lacks_surface(mesh):
+            return first
+        mapped = self._mapped_mesh(settings, linear_deflection)
+        return mapped or self._closed_mesh(settings, linear_deflection, mesh) or first
+
+    def _tessellated(self, linear_deflection, angular_deflection):
+        surface = tessellate(self.shape, linear_deflection, angular_deflection)
+        mesh = surface_mesh(
+            surface.points, surface.triangles, surface.face_of_triangle, face_normals=surface.face_normals, of_solid=True)
         planar = np.array([kind == PLANE for kind in self._surface_types])
         return mesh, chord_errors(mesh, planar, surface.linear_deflection)
+
+    def _closed_mesh(self, settings, linear_deflection, open_mesh):
+        """A watertight surface mesh at a lesser angle and the chord error of each face in mm, or None."""
+        if open_mesh.watertight or not self.shape.isClosed():
+            return None
+        for turn in _OTHER_ANGLES:
+            if open_mesh.count > turn ** 2 * MOST_TRIANGLES:
+                break
+            found = self._tessellated(linear_deflection, turn * settings.angular_deflection)
+            if found[0].watertight and area(found[0]) > _SAME_AREA * area(open_mesh):
+                return found
+        return None
 
     def coarse_mesh(self):
         """A `SurfaceMesh` for the first colours."""
@@ -182,7 +206,8 @@ class SolidPart(Part):
         try:
             surface = tessellate_mapped(
                 self._mapped, self._diagonal, linear_deflection, settings.angular_deflection)
-            mesh = surface_mesh(surface.points, surface.triangles, surface.face_of_triangle, rounding=0.0)
+            mesh = surface_mesh(surface.points, surface.triangles, surface.face_of_triangle, rounding=0.0,
+                                face_normals=surface.face_normals)
         except (NotMapped, MeshError):
             return None
         if not mesh.watertight:

@@ -41,6 +41,7 @@ class MappedFaces:
 
     Attributes
     ----------
+    faces : list of Part.Face
     planar : ndarray of shape (f,), bool
 
     Raises
@@ -49,7 +50,7 @@ class MappedFaces:
     """
 
     def __init__(self, shape, types):
-        faces = shape.Faces
+        self.faces = faces = shape.Faces
         if not 0 < len(faces) <= MOST_FACES or None in types:
             raise NotMapped
         self.planar = np.array([kind == PLANE for kind in types])
@@ -122,6 +123,12 @@ class MappedFaces:
             np.concatenate([triangles + start for (_, triangles), start in zip(parts, starts)]),
             np.repeat(np.arange(len(parts)), [len(triangles) for _, triangles in parts]),
         )
+
+    def parameters(self, number, pieces):
+        """Parameters of the grid on a face that is no plane, list of (u, v)."""
+        first, second = self._faces[number].parameters(pieces)
+        columns = second.tolist()
+        return [(u, v) for u in first.tolist() for v in columns]
 
 
 class _Edges:
@@ -249,8 +256,7 @@ class _GridFace:
 
     def surface(self, nodes):
         """Points and triangles, given the nodes of all edges."""
-        steps = [self._steps(along, nodes) for along in (0, 1)]
-        first, second = (self._low[along] + steps[along] * self._range[along] for along in (0, 1))
+        first, second = self.parameters([len(points) - 1 for points in nodes])
         value, columns = self._surface.value, second.tolist()
         points = np.array([tuple(value(u, v)) for u in first.tolist() for v in columns])
         points = points.reshape(len(first), len(second), 3)
@@ -263,9 +269,13 @@ class _GridFace:
         triangles = np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
         return points.reshape(-1, 3), triangles[:, ::-1] if self._reversed else triangles
 
-    def _steps(self, along, nodes):
+    def parameters(self, pieces):
+        """The two ndarrays of parameters between which the grid lies, given the number of pieces of all edges."""
+        return [self._low[along] + self._steps(along, pieces) * self._range[along] for along in (0, 1)]
+
+    def _steps(self, along, pieces):
         """Positions at which a side is divided, as shares of its range."""
-        steps = [np.linspace(low, high, len(nodes[edge]))[:-1]
+        steps = [np.linspace(low, high, pieces[edge] + 1)[:-1]
                  for low, high, edge, _ in self._sides[along][0]]
         return np.concatenate([*steps, [1.0]])
 

@@ -3,12 +3,15 @@
 import math
 from dataclasses import dataclass
 from itertools import chain
+from typing import Optional
 
 import numpy as np
 
 from ...core.errors import MeshError
+from ...core.mesh.face_normals import FaceNormals
 from ...core.message import message
 from ..bootstrap import load_freecad
+from .geometry_normals import geometry_normals
 
 COMFORTABLE_TRIANGLES = 100_000
 """Triangles of a wire or coil above which facets may meet at greater angles. The chord error does not change."""
@@ -26,6 +29,9 @@ WIDEST_ANGLE_ALONG = math.radians(30.0)
 _DEFLECTION_SHARE = 0.8
 """Share of the requested deflection that grids are made for, because twisted grids deviate a little more."""
 
+_NODE_TOLERANCE = 0.1
+"""Share of the requested deflection by which a node of the mesh may be off its place on a free-form face."""
+
 
 @dataclass(frozen=True)
 class Tessellation:
@@ -38,12 +44,14 @@ class Tessellation:
     face_of_triangle : ndarray of shape (n,), int64
         Index into ``shape.Faces``.
     linear_deflection : float, mm
+    face_normals : FaceNormals or None
     """
 
     points: np.ndarray
     triangles: np.ndarray
     face_of_triangle: np.ndarray
     linear_deflection: float
+    face_normals: Optional[FaceNormals] = None
 
 
 def tessellate(shape, linear_deflection, angular_deflection):
@@ -93,7 +101,10 @@ def tessellate(shape, linear_deflection, angular_deflection):
         raise MeshError(message("FreeCAD could not tessellate any of its faces."))
     points, triangles = _arrays(mesh)
     points += (centre.x, centre.y, centre.z)
-    return Tessellation(points, triangles, _face_of_triangle(mesh, local.countElement("Face")), deflection)
+    faces = local.Faces
+    normals = geometry_normals(
+        faces, lambda number: _node_parameters(faces[number]), _NODE_TOLERANCE * deflection, tuple(centre))
+    return Tessellation(points, triangles, _face_of_triangle(mesh, len(faces)), deflection, normals)
 
 
 def tessellate_mapped(faces, diagonal, linear_deflection, angular_deflection):
@@ -119,7 +130,9 @@ def tessellate_mapped(faces, diagonal, linear_deflection, angular_deflection):
     """
     deflection = linear_deflection * diagonal
     pieces, _ = mapped_division(faces, deflection, angular_deflection)
-    return Tessellation(*faces.surface(pieces), deflection)
+    normals = geometry_normals(
+        faces.faces, lambda number: faces.parameters(number, pieces), _NODE_TOLERANCE * deflection)
+    return Tessellation(*faces.surface(pieces), deflection, normals)
 
 
 def mapped_division(faces, deflection, angular_deflection):
@@ -138,6 +151,14 @@ def mapped_division(faces, deflection, angular_deflection):
             return pieces, triangles
         along = min(1.3 * along, WIDEST_ANGLE_ALONG)
         around = max(around, min(along, WIDEST_ANGLE))
+
+
+def _node_parameters(face):
+    """Parameters of the nodes on a face, list of (u, v); none where OCC could not tessellate it."""
+    try:
+        return face.getUVNodes()
+    except RuntimeError:  # it has no triangulation
+        return []
 
 
 def _arrays(mesh):
