@@ -16,10 +16,10 @@ from .tree_descent import Work, cosines, descend
 PACKETS_AT_ONCE = 384
 """Packets that descend together: few enough for their boxes and candidates to fit into the processor's cache."""
 
-_PAIRS_AT_ONCE = 32768
+_PAIRS_AT_ONCE = 65536
 _STRIDE = 8
 _GUESS_MARGIN = 1.2
-_GUESS_GROWTH = 4.0
+_GUESS_GROWTH = 16.0
 
 _GRAZING_FLOAT32 = np.float32(0.05)
 """Cosine under which float32 cannot locate the hit on a plane, so that float64 must decide."""
