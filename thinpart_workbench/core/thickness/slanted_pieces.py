@@ -85,7 +85,7 @@ def _zero(increasing, low, high):
             below *= _kept(value / above) if last > 0.0 and above > 0.0 else 1.0
             high, above = between, value
         last = value
-    return high
+    return float(high)
 
 
 def _kept(share):
