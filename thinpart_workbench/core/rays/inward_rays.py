@@ -68,7 +68,8 @@ class InwardRays:
             inf and -1 where nothing is hit.
         """
         if expected is not None:
-            return first_hits_about(self.tree, *self._rays(samples, slice(None)), expected, side)
+            origins, directions = self._rays(samples, slice(None))
+            return first_hits_about(self.tree, origins, directions, expected, side)
         report_progress(report, 0.0)
         order = self._coherent_order(samples)
         report_progress(report, 0.0)
