@@ -10,7 +10,7 @@ from thinpart_workbench.core.mesh.sampling import centroid_samples, surface_samp
 from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 from thinpart_workbench.core.rays.box_tree import box_tree
 from thinpart_workbench.core.rays.inward_rays import InwardRays
-from thinpart_workbench.core.rays.ray_casting import OUTER, first_hits, first_hits_within
+from thinpart_workbench.core.rays.ray_casting import OUTER, first_hits, first_hits_about, first_hits_within
 from thinpart_workbench.core.rays.ray_packets import PACKET
 from thinpart_workbench.core.rays.tree_descent import Work
 from thinpart_workbench.core.tolerances import TOLERANCES
@@ -126,6 +126,9 @@ def test_any_rays_from_any_place_are_identical_to_brute_force(side):
     assert np.isinf(limited[met]).all()
     reached, _ = first_hits_within(tree, origins.T, directions.T, np.full(500, np.inf), side)
     assert (reached == distance).all()
+    guess = np.where(met, truth * rng.uniform(0.01, 3.0, 500), rng.choice([1e-6, 1.0, np.inf], 500))
+    guessed, which = first_hits_about(tree, origins.T, directions.T, guess, side)
+    assert (guessed == distance).all() and (which == triangle).all()
 
 
 def _columns(mesh):
@@ -146,6 +149,7 @@ def test_no_rays_are_no_error():
     for distance, triangle in (
         first_hits(tree, np.empty((3, 0)), np.empty((3, 0))),
         first_hits_within(tree, np.empty((3, 0)), np.empty((3, 0)), np.empty(0)),
+        first_hits_about(tree, np.empty((3, 0)), np.empty((3, 0)), np.empty(0)),
     ):
         assert len(distance) == len(triangle) == 0
 

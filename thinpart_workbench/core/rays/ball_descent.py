@@ -17,7 +17,7 @@ def least_of_nodes(tree, values):
     Returns
     -------
     list of ndarray of shape (8, p), float32
-        By level, from the roots down, as `BoxTree.levels`; 0 where a node of the last level lacks a child.
+        By level, from the root down, as `BoxTree.levels`; 0 where a node of the last level lacks a child.
     """
     least = children_of_nodes(values[tree.order])
     levels = [least]
@@ -49,9 +49,7 @@ def boxes_met(tree, centres, radii, values, most):
         `leaf` is the position of the triangle along the curve; `BoxTree.order[leaf]` is its index.
     """
     rows = np.concatenate([centres, (radii * radii)[None], most[None]]).astype(np.float32)
-    roots = tree.levels[0].shape[1]
-    ball = np.repeat(np.arange(len(radii)), roots)
-    node = np.tile(np.arange(roots), len(radii))
+    ball, node = np.arange(len(radii)), np.zeros(len(radii), dtype=np.int64)
     for boxes, value in zip(tree.levels, values):
         count = len(ball)
         low, high = np.take(boxes, node, axis=1, mode="clip").reshape(2, 3, WIDTH, count)

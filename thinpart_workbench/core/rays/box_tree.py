@@ -28,7 +28,7 @@ class BoxTree:
     order : ndarray of shape (n,), int64
         Index of the triangle at each position along the curve.
     levels : list of ndarray of shape (6 * 8, p), float32
-        From the roots down. Column q holds the lower and then the upper corners of the boxes of the children of
+        From the root down. Column q holds the lower and then the upper corners of the boxes of the children of
         node q: rows ``axis * 8 + child``, upper corners from row 24 on. Child c of node q is node ``8 q + c`` of the
         next level; below the last level, position ``8 q + c`` along the curve. The long axis is contiguous because
         that makes numpy several times faster.
@@ -82,7 +82,7 @@ def box_tree(corners, normals, areas, gap=0.0):
         low, high = _fill_up(low, np.inf), _fill_up(high, np.inf)
         nodes = low.shape[1] // WIDTH
         levels.append(np.concatenate([_children_of(low), _children_of(high)]))
-        if nodes <= WIDTH:
+        if nodes == 1:
             break
         high[:, present:] = -np.inf
         low = low.reshape(3, nodes, WIDTH).min(axis=2)

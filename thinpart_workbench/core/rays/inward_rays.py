@@ -7,7 +7,7 @@ from ..mesh.dominant_directions import dominant_axes
 from ..progress import portion, report_progress
 from ..tolerances import TOLERANCES
 from .box_tree import box_tree
-from .ray_casting import OUTER, first_hits_in_order, first_hits_within
+from .ray_casting import OUTER, first_hits_about, first_hits_in_order, first_hits_within
 from .ray_packets import side_of_cube
 from .space_filling_curve import hilbert_index
 
@@ -48,7 +48,7 @@ class InwardRays:
         gap = TOLERANCES.gap * mesh.extent if mesh.cracked else 0.0
         self.tree = box_tree(corners_of(vertices, mesh.triangles), self.normals, mesh.areas, gap)
 
-    def first_hits(self, samples, side, report=None):
+    def first_hits(self, samples, side, report=None, expected=None):
         """Find the first triangle under each sample.
 
         Parameters
@@ -58,6 +58,8 @@ class InwardRays:
             Side of the triangles that can be hit; see `ray_casting`.
         report : callable, optional
             Called with the fraction done; may raise to stop.
+        expected : ndarray of shape (m,), mm, optional
+            About how far the hits are, for samples that are few and far from each other.
 
         Returns
         -------
@@ -65,6 +67,9 @@ class InwardRays:
         triangle : ndarray of shape (m,), int64
             inf and -1 where nothing is hit.
         """
+        if expected is not None:
+            origins, directions = self._rays(samples, slice(None))
+            return first_hits_about(self.tree, origins, directions, expected, side)
         report_progress(report, 0.0)
         order = self._coherent_order(samples)
         report_progress(report, 0.0)

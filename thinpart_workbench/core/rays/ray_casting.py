@@ -16,10 +16,10 @@ from .tree_descent import Work, cosines, descend
 PACKETS_AT_ONCE = 384
 """Packets that descend together: few enough for their boxes and candidates to fit into the processor's cache."""
 
-_PAIRS_AT_ONCE = 32768
+_PAIRS_AT_ONCE = 65536
 _STRIDE = 8
 _GUESS_MARGIN = 1.2
-_GUESS_GROWTH = 4.0
+_GUESS_GROWTH = 16.0
 
 _GRAZING_FLOAT32 = np.float32(0.05)
 """Cosine under which float32 cannot locate the hit on a plane, so that float64 must decide."""
@@ -93,6 +93,27 @@ def first_hits_within(tree, origins, directions, limit, side=INNER):
     return rays.found()
 
 
+def first_hits_about(tree, origins, directions, expected, side=INNER):
+    """Same as `first_hits` for a few rays far from each other of which it is known about how far their hits are.
+
+    Parameters
+    ----------
+    tree, origins, directions, side
+        As for `first_hits`.
+    expected : ndarray of shape (m,), mm
+        More than 0; inf where it is not known. Rays that hit nothing up to there are cast farther.
+
+    Returns
+    -------
+    distance, triangle
+        As of `first_hits`.
+    """
+    rays = _Rays(tree, origins, directions, side, None, Work())
+    full_length = tree.extent * 1.01
+    _solve(rays, np.arange(rays.count), np.minimum(expected * _GUESS_MARGIN, full_length), full_length, 1)
+    return rays.found()
+
+
 class _Rays:
     """Rays in coherent order, and their hits so far."""
 
@@ -138,9 +159,8 @@ def _solve_in_stages(rays):
         solved, stride = stride, stride // _STRIDE
 
 
-def _solve(rays, ray, limit, full_length):
-    """Find the first hits of some rays, increasing the limit of those that hit nothing."""
-    size = PACKET
+def _solve(rays, ray, limit, full_length, size=PACKET):
+    """Find the first hits of some rays, increasing the limit of those that hit nothing; at first `size` in a packet."""
     while len(ray):
         _cast(rays, ray, limit, size)
         open_end = (rays.leaf[ray] < 0) & (limit < full_length)

@@ -45,9 +45,7 @@ def descend(tree, thick, triangle_filter, work=None, node_filter=None):
         `leaf` is the position of the triangle along the curve; `BoxTree.order[leaf]` is its index.
     """
     packets = thick.rows.shape[1]
-    roots = tree.levels[0].shape[1]
-    packet = np.repeat(np.arange(packets), roots)
-    node = np.tile(np.arange(roots), packets)
+    packet, node = np.arange(packets), np.zeros(packets, dtype=np.int64)
     visited = 0
     for depth, boxes in enumerate(tree.levels):
         count = len(packet)

@@ -6,6 +6,7 @@ import numpy as np
 from scipy.sparse.csgraph import connected_components, dijkstra
 from scipy.spatial import cKDTree
 
+from ..columns import cross, dot
 from ..descriptors.region_kinds import BAR, BLOCK, PLATE, TAPER, TOOTH, TUBE
 from ..mesh.bounds import spread_directions
 from ..mesh.dominant_directions import dominant_directions
@@ -142,11 +143,14 @@ def _sides(points):
     probed = _spread(len(points.sample), _PROBED)
     tree = cKDTree(points.points)
     around = tree.query_ball_point(points.middle[probed], _ROUND * points.thickness[probed])
-    shares = []
-    for near in around:
-        normals, area = points.normals[near], points.area[near]
-        tensor = np.einsum("i,ij,ik->jk", area, normals, normals)
-        shares.append(np.sum(tensor * tensor) / np.trace(tensor) ** 2 if len(near) else 1.0)
+    counts = np.array([len(near) for near in around])
+    near, own = np.concatenate(around).astype(np.int64), np.repeat(np.arange(len(probed)), counts)
+    # The sums of area times both coordinates of normals around each place: nine of them.
+    normals = points.normals[near].T
+    products = points.area[near] * normals[:, None] * normals
+    tensor = np.stack([np.bincount(own, row, len(probed)) for row in products.reshape(9, -1)])
+    trace = tensor[0] + tensor[4] + tensor[8]
+    shares = np.where(counts > 0, np.sum(tensor * tensor, axis=0) / np.where(counts > 0, trace, 1.0) ** 2, 1.0)
     return float(np.average(shares, weights=points.area[probed]))
 
 
@@ -200,19 +204,19 @@ def _box(points):
     axes = np.concatenate([*(np.linalg.eigh(tensor)[1].T for tensor in tensors),
                            dominant_directions(points.normals, points.area, _DOMINANT)])
     # About each axis, the sides at all angles; those across them come a right angle later.
-    around = np.concatenate([(_TURNED @ np.stack(_across(axis))) for axis in axes])
-    sides = np.ptp(around @ corners.T, axis=1).reshape(len(axes), 2, len(_ANGLES))
+    around = _TURNED @ np.stack(_across(axes), axis=1)
+    sides = np.ptp(around.reshape(-1, 3) @ corners.T, axis=1).reshape(len(axes), 2, len(_ANGLES))
     floor, height = sides[:, 0] * sides[:, 1], np.ptp(axes @ corners.T, axis=1)
     angle = np.argmin(floor, axis=1)
     best = np.argmin(floor[np.arange(len(axes)), angle] * height)
     return np.sort([*sides[best, :, angle[best]], height[best]])[::-1]
 
 
-def _across(axis):
-    """Two directions across an axis and each other."""
-    first = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
-    first /= np.linalg.norm(first)
-    return first, np.cross(axis, first)
+def _across(axes):
+    """Two directions across each axis and each other, two ndarrays of shape (k, 3)."""
+    first = cross(axes.T, np.eye(3)[np.argmin(np.abs(axes), axis=1)].T)
+    first /= np.sqrt(dot(first, first))
+    return first.T, cross(axes.T, first).T
 
 
 def _tube_axis(points):
@@ -223,7 +227,7 @@ def _tube_axis(points):
     shares, axes = np.linalg.eigh(np.einsum("i,ij,ik->jk", area, points.normals, points.normals))
     if shares[0] > TUBE_AXIS:
         return None
-    flat = np.column_stack(_across(axes[:, 0]))
+    flat = np.concatenate(_across(axes[:, :1].T)).T
     middle = points.middle @ flat
     middle -= area @ middle
     radius = np.linalg.norm(middle, axis=1)

@@ -10,7 +10,7 @@ from ..rays.box_tree import WIDTH, children_of_nodes
 from ..rays.ray_packets import PACKET, coherent_order, thick_rays
 from ..rays.tree_descent import cosines, descend
 
-_PACKETS_AT_ONCE = 96
+_PACKETS_AT_ONCE = 384
 _PAIRS_AT_ONCE = 8192
 
 _ROUNDING = 1e-5
@@ -71,7 +71,7 @@ class _Outlines:
     bend_of_children : ndarray of shape (8, p), float32
         `bend`, arranged like the last level of the tree.
     normals_of_children : list of tuple
-        For each level above, from the roots down: the middles of the normals below each child, ndarray of shape (3, 8, p),
+        For each level above, from the root down: the middles of the normals below each child, ndarray of shape (3, 8, p),
         how far they reach from there, summed over the coordinates, and the greatest `bend`, each ndarray of shape (8, p).
     """
 

@@ -11,6 +11,7 @@ from ..tolerances import TOLERANCES
 from .convex_clipping import areas, clip
 
 _BANDS, _LEAST_FACING = 8, 1e-3
+_CERTAIN, _HALVED_EVERY = 1e-9, 6
 _CORNERS = 3 + 3 + 2 + 2
 """Of a triangle, cut by the three sides of another one, by two ends of distance and by two of a band."""
 
@@ -60,9 +61,36 @@ class SlantedPieces:
         others = SlantedPieces(self.points[across], self.distance[across], self.area[across])
         if known + others.area_below(low) >= target or low == high:
             return low
-        from scipy.optimize import brentq  # importing it takes as long as measuring a small part
+        return _zero(lambda level: known + others.area_below(level) - target, low, high)
 
-        return brentq(lambda level: known + others.area_below(level) - target, low, high, rtol=1e-9)
+
+def _zero(increasing, low, high):
+    """float: where a function is 0 that is negative at a low argument and not at a high one, both above 0.
+
+    By false position after Anderson and Björck (1973, doi:10.1007/BF01951936), and halving now and then, which ends also
+    where the function jumps. Importing scipy's `brentq` takes as long as measuring a small part.
+    """
+    below, above, last, steps = increasing(low), increasing(high), 0.0, 0
+    while high - low > _CERTAIN * high:
+        steps += 1
+        # Never nearer to an end than that, so that the other end follows.
+        least = 0.5 * _CERTAIN * high
+        share = -below / (above - below) if steps % _HALVED_EVERY else 0.5
+        between = min(max(low + share * (high - low), low + least), high - least)
+        value = increasing(between)
+        if value < 0.0:
+            above *= _kept(value / below) if last < 0.0 else 1.0
+            low, below = between, value
+        else:
+            below *= _kept(value / above) if last > 0.0 and above > 0.0 else 1.0
+            high, above = between, value
+        last = value
+    return float(high)
+
+
+def _kept(share):
+    """What the value at the end that stays is multiplied by, when the other one has come to a share of its value: float."""
+    return 1.0 - share if share < 1.0 else 0.5
 
 
 def _reached(value, area, target):

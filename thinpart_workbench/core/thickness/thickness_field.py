@@ -118,12 +118,20 @@ def measure_rays(mesh, samples, report=None, rays=None):
     entered = rays.entered(samples, reach)
     corners = corner_samples(mesh, _likely_thinnest(mesh, samples, walls.distance, walls.wedge_angle))
     report_progress(report, CORNERS_CHOSEN)
-    of_corners, _ = walls_under(mesh, rays, corners)
+    of_corners, _ = walls_under(mesh, rays, corners, expected=_farthest_on(mesh, samples, reach)[corners.triangle])
     report_progress(report, 1.0)
     return ThicknessField(mesh, samples.followed_by(corners),
                           np.concatenate([walls.distance, of_corners.distance]),
                           np.concatenate([walls.wedge_angle, of_corners.wedge_angle]),
                           np.concatenate([walls.opposite, of_corners.opposite]), entered)
+
+
+def _farthest_on(mesh, samples, reach):
+    """Distance, mm, that no sample of a triangle sees farther than: ndarray of shape (n,), inf where that is not known."""
+    hit = np.flatnonzero(np.isfinite(reach))
+    farthest = np.zeros(mesh.count)
+    np.maximum.at(farthest, samples.triangle[hit], reach[hit])
+    return np.where(farthest > 0.0, farthest, np.inf)
 
 
 def _likely_thinnest(mesh, samples, distance, wedge_angle):

@@ -34,7 +34,7 @@ class Walls(NamedTuple):
     opposite: np.ndarray
 
 
-def walls_under(mesh, rays, samples, report=None):
+def walls_under(mesh, rays, samples, report=None, expected=None):
     """Measure the walls under samples, between the smooth surfaces that the facets approximate.
 
     Parameters
@@ -44,6 +44,8 @@ def walls_under(mesh, rays, samples, report=None):
     samples : SurfaceSamples
     report : callable, optional
         Called with the fraction done; may raise to stop.
+    expected : ndarray of shape (m,), mm, optional
+        About how far samples see, where that is known; it saves time and changes nothing.
 
     Returns
     -------
@@ -56,7 +58,7 @@ def walls_under(mesh, rays, samples, report=None):
     The ray runs from the facet, along the normal of the smooth surface there. What the surface rises above either facet
     (`CurvedSurface`) is added, so that the diameter of a rod is that of the rod and not of a prism.
     """
-    reach, opposite = rays.first_hits(samples, INNER, portion(report, 0.0, RAYS_DONE))
+    reach, opposite = rays.first_hits(samples, INNER, portion(report, 0.0, RAYS_DONE), expected)
     distance, angle = reach.copy(), np.full(samples.count, np.pi)
     met = np.flatnonzero(opposite >= 0)
     normals = samples.normals_on(mesh)[met]

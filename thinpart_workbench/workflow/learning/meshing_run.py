@@ -21,7 +21,8 @@ from ...system.process_limits import WALL_FACTOR
 from ..meshing.gmsh_program import gmsh_program
 from ..workers.pool_supervisor import PoolSupervisor
 from ..workers.process_pool import WorkerDied, WorkerFault
-from ..workers.worker_pool import close_documents, start_reader, worker_folder
+from ..workers.reading import close_documents, start_reader
+from ..workers.worker_pool import worker_folder
 from .gmsh_mesh import NOT_MESHABLE, MeshingTask, mesh_document, results_fault
 from .labels import info_files
 from .meshing_cache import MeshingCache

@@ -18,8 +18,9 @@ from ...storage.png import png_bytes
 from ..analysis.analyse_part import analyse_part
 from ..analysis.analysis_outcome import failure, failure_fault
 from ..workers.pool_supervisor import PoolSupervisor
+from ..workers.reading import close_documents, start_reader
 from ..workers.reported_failure import reported_failure
-from ..workers.worker_pool import answer_of, close_documents, start_reader, worker_folder
+from ..workers.worker_pool import answer_of, worker_folder
 
 PNG = ".png"
 FORMATS = (PNG, VTP, PLY)

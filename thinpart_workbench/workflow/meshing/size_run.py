@@ -9,8 +9,9 @@ from ...core.run_control import RunControl
 from ...system.process_limits import WALL_FACTOR
 from ..analysis.analysis_outcome import failure, failure_fault
 from ..workers.pool_supervisor import PoolSupervisor
+from ..workers.reading import close_documents, start_reader
 from ..workers.reported_failure import reported_failure
-from ..workers.worker_pool import answer_of, close_documents, start_reader, worker_folder
+from ..workers.worker_pool import answer_of, worker_folder
 from .gmsh_program import INCOMPLETE
 from .mesh_check import ATTEMPTS
 from .size_cache import SizeCache

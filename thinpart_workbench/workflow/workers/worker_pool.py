@@ -1,10 +1,5 @@
 """Analyse files in worker processes, so that a file which kills its reader is one failed row."""
 
-import faulthandler
-import os
-import signal
-import tempfile
-import time
 from collections import deque
 from concurrent.futures import TimeoutError as TaskTimeout
 from contextlib import ExitStack, contextmanager
@@ -14,22 +9,14 @@ from pathlib import Path
 from ...core.errors import ThinPartError
 from ...core.message import message
 from ...core.run_control import RunControl
-from ...freecad_adapter.bootstrap import has_home
 from ...storage.temporary_folder import temporary_folder
 from ...system.exit_cause import ExitCause
-from ...system.process_limits import crash_quietly, limit_files, limit_memory
 from ..analysis.analysis_outcome import checked_outcome, failure
 from ..analysis.result_files import write_results
 from .compiled_modules import compiled_modules
 from .pool_supervisor import PoolSupervisor
 from .process_pool import WorkerDied, WorkerFault
-from .reported_failure import reported_failure
-
-LARGEST_FILE = 4 << 30
-"""Maximum bytes of a file that a worker writes: FreeCAD unpacks documents into the worker's folder."""
-
-MOST_OPEN_FILES = 512
-"""Files that a worker may have open: FreeCAD opens some 60, and one per linked document."""
+from .reading import process_task, start_reader
 
 
 def analyse_files(tasks, limits, control=None, meanwhile=()):
@@ -97,7 +84,7 @@ def file_analyser(limits):
 def _workers(count, limits):
     with worker_folder() as folder:
         workers = PoolSupervisor(
-            max(1, count), limits.seconds, folder, _process_task, start_reader, (limits.megabytes,), confine=True)
+            max(1, count), limits.seconds, folder, process_task, start_reader, (limits.megabytes,), confine=True)
         try:
             yield workers
         finally:
@@ -124,55 +111,6 @@ def _outcomes(tasks, workers, limits, control, meanwhile=()):
         outcome = _outcome(future, task, limits)
         control.check()
         yield write_results(task, {**outcome, "confinement": workers.confinement})
-
-
-def start_reader(megabytes):
-    """Initialize a worker: ignore Ctrl-C, which the parent handles, and limit memory and files."""
-    if not has_home():
-        os.environ.update(dict.fromkeys(("FREECAD_USER_HOME", "HOME"), tempfile.gettempdir()))
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    limit_memory(megabytes * 1024 * 1024)
-    limit_files(LARGEST_FILE, MOST_OPEN_FILES)
-    crash_quietly()  # the parent reports the crash as a row
-    _reserve_for_linear_algebra()
-
-
-def _reserve_for_linear_algebra():
-    # OpenBLAS allocates its buffer on first use, and retries forever if there is no memory for it. It keeps
-    # the buffer.
-    import numpy as np
-
-    np.linalg.eigh(np.eye(64) @ np.eye(64))
-
-
-def _process_task(task):
-    """Analyse one file; if FreeCAD crashes, the parent reads what it has printed."""
-    started = time.perf_counter()
-    faulthandler.enable()
-    outcome = _analyse(task)
-    outcome.setdefault("seconds", round(time.perf_counter() - started, 4))
-    return outcome
-
-
-def _analyse(task):
-    from ..analysis.analyse_file import analyse_file
-
-    try:
-        return analyse_file(task)
-    except Exception as error:  # a failed row instead of a traceback
-        return failure(task.file, **reported_failure(error, Path(task.file).name))
-    finally:
-        close_documents()
-
-
-def close_documents():
-    """Close what a task has opened; for the end of a task."""
-    import sys
-
-    freecad = sys.modules.get("FreeCAD")
-    if freecad is not None:
-        for name in list(freecad.listDocuments()):
-            freecad.closeDocument(name)
 
 
 def _outcome(future, task, limits):
