@@ -2,6 +2,8 @@
 
 import math
 
+from thinpart_workbench.core.foreign_text import xml_text
+
 POOR_LEAST = 1e-5
 """Share of poor elements at which the logarithmic axis begins; fewer are drawn there."""
 
@@ -33,7 +35,7 @@ def meshing_plot(groups):
            *_axis(_LEFT + _PLOT + _GAP, "thin walls with the wanted layers", _LAYER_TICKS, _share_place, height)]
     y = _TOP + _ROW
     for title, parts in groups:
-        out.append(f'<text x="8" y="{y + 4}">{title.replace("_", " ")}</text>')
+        out.append(f'<text x="8" y="{y + 4}">{xml_text(title.replace("_", " "))}</text>')
         for part in parts:
             out += _row(part["check"], y)
             y += _ROW

@@ -3,9 +3,14 @@
 import json
 import shutil
 import subprocess
+import sys
 import xml.etree.ElementTree as ElementTree
 from itertools import groupby
-from xml.sax.saxutils import escape
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+
+from thinpart_workbench.core.foreign_text import xml_text
 
 COMPILERS = ("lrelease", "/usr/lib/qt5/bin/lrelease", "/usr/lib/qt6/bin/lrelease")
 
@@ -46,11 +51,11 @@ def write_ts(path, language, translations):
     lines = ['<?xml version="1.0" encoding="utf-8"?>', "<!DOCTYPE TS>",
              f'<TS version="2.1" language="{language}" sourcelanguage="en">']
     for context, group in groupby(sorted(translations.items()), key=lambda each: each[0][0]):
-        lines += ["<context>", f"    <name>{escape(context)}</name>"]
+        lines += ["<context>", f"    <name>{xml_text(context)}</name>"]
         for (_, text), translation in group:
             mark = "" if translation else ' type="unfinished"'
-            lines += ["    <message>", f"        <source>{escape(text)}</source>",
-                      f"        <translation{mark}>{escape(translation)}</translation>", "    </message>"]
+            lines += ["    <message>", f"        <source>{xml_text(text)}</source>",
+                      f"        <translation{mark}>{xml_text(translation)}</translation>", "    </message>"]
         lines.append("</context>")
     path.write_text("\n".join([*lines, "</TS>", ""]), encoding="utf-8")
 

@@ -8,7 +8,7 @@ import socket
 import pytest
 from program import records, thinpart
 
-from thinpart_workbench.storage.part_table import csv_text
+from thinpart_workbench.core.foreign_text import csv_text
 from thinpart_workbench.storage.regular_file import open_regular
 
 

@@ -1,12 +1,7 @@
 import csv
 
-from thinpart_workbench.storage.part_table import (
-    FIRST_COLUMNS,
-    PartRow,
-    csv_text,
-    failed_row,
-    write_part_table,
-)
+from thinpart_workbench.core.foreign_text import csv_text
+from thinpart_workbench.storage.part_table import FIRST_COLUMNS, PartRow, failed_row, write_part_table
 
 
 def test_what_cannot_be_text_and_what_must_be_quoted_is_written(tmp_path):

@@ -11,6 +11,7 @@ from urllib.parse import urlsplit
 from .. import __version__
 from ..core.categories import NORMAL
 from ..core.errors import ThinPartError
+from ..core.foreign_text import printable
 from ..core.message import message
 from ..core.record.mesh_settings import LEAST_ALIKE, settings_for, wall_sizes_for, worked_settings
 from ..core.record.part_definition import ANNOTATIONS, PERSON
@@ -311,7 +312,7 @@ def link_address(text, library, info_file):
     """
     text = text.strip()
     if not text.isprintable():
-        raise _refused(text.encode("unicode_escape").decode())
+        raise _refused(printable(text))
     if re.match("https?://", text, re.IGNORECASE):
         try:
             if urlsplit(text).hostname:

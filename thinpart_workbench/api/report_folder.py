@@ -8,6 +8,7 @@ from collections import Counter, namedtuple
 from .. import __version__
 from ..core.analysis_settings import RAY
 from ..core.errors import ThinPartError
+from ..core.foreign_text import csv_form, csv_text
 from ..core.judging.criteria import NORMAL, UNKNOWN, profile_from
 from ..core.judging.wall_check import check_walls
 from ..core.length_unit import MILLIMETRE, UNITS
@@ -17,7 +18,7 @@ from ..storage.atomic_file import write_atomically
 from ..storage.face_table import FACE_COLUMNS
 from ..storage.info.info_file import new_source
 from ..storage.info.info_location import call_in_folder, info_location
-from ..storage.part_table import check_cells, check_titles, csv_text, failed_row, measured_row, write_part_table
+from ..storage.part_table import check_cells, check_titles, failed_row, measured_row, write_part_table
 from ..storage.user_limits import limits_named
 from ..workflow.report import page_language
 from ..workflow.report.page_language import ENGLISH
@@ -107,7 +108,8 @@ class ReportFolder:
             rows.append(failed_row(document, error.get("part"), error.get("label"), error))
         self._part_blocks.append((document, csv_text(rows)))
         start = self._faces.tell()
-        self._faces.write("".join(outcome.get("faces", {}).values()).encode("utf-8", "backslashreplace"))
+        # Lines from a worker, which a file may control.
+        self._faces.write(csv_form("".join(outcome.get("faces", {}).values())).encode())
         self._face_blocks.append((document, start, self._faces.tell() - start))
 
     def finish(self):

@@ -9,8 +9,8 @@ import sys
 
 from .. import __version__
 from ..core.errors import ThinPartError
+from ..core.foreign_text import printable
 from ..core.message import with_messages
-from .terminal_table import printable
 
 COMMANDS = {
     "classify": ("classify", "classify parts and folders of parts"),
@@ -77,8 +77,15 @@ def _discard_output():
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
+class _Parser(argparse.ArgumentParser):
+    """A parser whose sentences command no terminal: ``*`` makes arguments of all names in a folder."""
+
+    def error(self, message):
+        super().error(printable(message))
+
+
 def _parser(arguments):
-    parser = argparse.ArgumentParser(
+    parser = _Parser(
         prog="thinpart", description="Check before meshing whether a CAD part is thin, and where.",
         epilog="'thinpart COMMAND --help' lists a command's options.",
     )

@@ -2,7 +2,8 @@
 
 import sys
 
-from .terminal_table import CATEGORY_STYLES, OTHER_CATEGORY, TableColumn, print_table, printable
+from ..core.foreign_text import printable
+from .terminal_table import CATEGORY_STYLES, OTHER_CATEGORY, TableColumn, print_table
 
 MOST_ROWS = 20
 """Most parts in the printed table of those that people disagree about; --json lists all."""

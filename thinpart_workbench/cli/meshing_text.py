@@ -4,7 +4,8 @@ import sys
 from collections import Counter
 from contextlib import contextmanager
 
-from .terminal_table import CATEGORY_STYLES, OTHER_CATEGORY, TableColumn, print_table, printable
+from ..core.foreign_text import printable
+from .terminal_table import CATEGORY_STYLES, OTHER_CATEGORY, TableColumn, print_table
 
 MOST_REASONS = 10
 """Most rows of the table of parts without a mesh; --json lists all."""

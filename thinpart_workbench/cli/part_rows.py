@@ -5,8 +5,9 @@ import os
 from collections import namedtuple
 
 from ..core.errors import ThinPartError
+from ..core.foreign_text import csv_text
 from ..core.number_text import percent
-from ..storage.part_table import check_cells, check_titles, csv_text, failed_row, measured_row, write_part_table
+from ..storage.part_table import check_cells, check_titles, failed_row, measured_row, write_part_table
 from .check_options import check_columns, check_remarks
 from .terminal_table import (
     CATEGORY_STYLES,

@@ -7,9 +7,10 @@ import sys
 from contextlib import contextmanager
 
 from ..core.errors import ThinPartError
+from ..core.foreign_text import json_text, printable
 from ..core.message import with_messages
 from .plain_table import text_width
-from .terminal_table import has_rich, printable
+from .terminal_table import has_rich
 
 
 def new_report(as_json, translatable=False):
@@ -55,7 +56,7 @@ class RunReport:
 
     def note(self, sentence):
         """Report a sentence about the whole run."""
-        _write_line(f"thinpart: {sentence}")
+        _write_line(f"thinpart: {printable(sentence)}")
 
     def failures(self, outcome):
         """Report the failures of one file, one sentence each."""
@@ -94,7 +95,7 @@ class JsonReport(RunReport):
         with standard_output() as stream:
             for line in json_lines(outcome):
                 # One write per line, so that a reader always finds complete lines.
-                stream.write(json.dumps(self._with_templates(line), ensure_ascii=False, allow_nan=False) + "\n")
+                stream.write(json_text(self._with_templates(line)) + "\n")
 
     @staticmethod
     def _progress(progress, file):

@@ -7,6 +7,7 @@ import sys
 from collections import namedtuple
 from itertools import chain, islice
 
+from ..core.foreign_text import printable, terminal_cell
 from .plain_table import plain_lines, text_width
 
 CATEGORY_STYLES = {"thin": "red", "thin_features": "yellow", "normal": "green", "unknown": "magenta"}
@@ -112,16 +113,8 @@ def _widths(columns, rows, available, width_of):
     return widths
 
 
-def printable(text):
-    """Escape unprintable characters: a file name may hold line breaks and terminal commands."""
-    if text.isprintable():
-        return text
-    return "".join(character if character.isprintable() else character.encode("unicode_escape").decode()
-                   for character in text)
-
-
 def _text(column, row):
-    return printable(str(column.value(row)))
+    return terminal_cell(column.value(row))
 
 
 def _fit(widths, available):

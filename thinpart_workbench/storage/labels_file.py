@@ -6,9 +6,9 @@ import os
 from typing import NamedTuple
 
 from ..core.errors import ThinPartError
+from ..core.foreign_text import csv_text, csv_value
 from ..core.message import message
 from .atomic_file import write_atomically
-from .part_table import csv_text, unescaped
 from .regular_file import open_regular
 
 REQUIRED, OPTIONAL = ("file", "category"), ("part", "person", "sure", "second", "group")
@@ -139,7 +139,7 @@ def _label(row, columns, categories, place, stem):
     if len(row) > len(columns):
         raise refused_label(place, message("it has {count} cells, and the header has {columns}: put quotes around what "
                                            "holds a comma", count=len(row), columns=len(columns)))
-    cells = dict(zip(columns, map(unescaped, map(str.strip, row))))
+    cells = dict(zip(columns, map(csv_value, map(str.strip, row))))
     if not cells.get("file"):
         raise refused_label(place, message("it names no file"))
     category, second = cells.get("category", ""), cells.get("second", "")
@@ -177,7 +177,7 @@ def write_labels(path, labels, more=()):
              label.group or "", *(cell(number) for _, cell in more)) for number, label in enumerate(labels)]
     text = csv_text([(*_TITLES, *(title for title, _ in more)), *rows])
     try:
-        write_atomically(path, text.encode("utf-8", "backslashreplace"))
+        write_atomically(path, text.encode())
     except OSError as error:
         raise ThinPartError(message("The labels could not be written to {file} ({problem}): choose another place for them.",
                                     file=os.fspath(path), problem=error.strerror)) from None

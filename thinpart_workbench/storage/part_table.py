@@ -1,9 +1,8 @@
 """The CSV table of classified parts: a row per part and per failure."""
 
-import csv
-import io
 from typing import Any
 
+from ..core.foreign_text import csv_text
 from .atomic_file import write_atomically
 from .record_columns import TITLED, labels_text, row_class
 
@@ -83,32 +82,6 @@ def check_cells(checks):
 _PASSES = {True: "passes", False: "fails", None: "unknown"}
 
 
-def csv_text(rows):
-    """Rows as lines of a CSV file.
-
-    Parameters
-    ----------
-    rows : iterable of tuple
-    """
-    text = io.StringIO(newline="")
-    csv.writer(text).writerows(map(_escaped, row) for row in rows)
-    return text.getvalue()
-
-
-_FORMULA_STARTS = ("=", "+", "-", "@", "\t", "\r")
-"""First characters of cells that spreadsheets evaluate, and may send elsewhere (OWASP, CSV injection)."""
-
-
-def _escaped(value):
-    """A value that no spreadsheet evaluates as a formula: names of files and parts are untrusted."""
-    return "'" + value if isinstance(value, str) and value.startswith(_FORMULA_STARTS) else value
-
-
-def unescaped(cell):
-    """Undo `csv_text` on a cell that was read: str."""
-    return cell[1:] if cell[:1] == "'" and cell[1:].startswith(_FORMULA_STARTS) else cell
-
-
 def write_part_table(path, blocks, more_titles=()):
     """Write a CSV file atomically: a line of titles, then the rows.
 
@@ -125,4 +98,4 @@ def write_part_table(path, blocks, more_titles=()):
     OSError
     """
     text = csv_text([(*PartRow._fields, *more_titles)]) + "".join(blocks)
-    write_atomically(path, text.encode("utf-8", "backslashreplace"))
+    write_atomically(path, text.encode())

@@ -1,10 +1,10 @@
 """A user's own limits of walls: the file, and what is known with it."""
 
-import json
 import os
 from pathlib import Path
 
 from ..core.errors import ThinPartError
+from ..core.foreign_text import json_text
 from ..core.judging.wall_limits import SHIPPED, chosen_limits, limits_content, read_limits, shipped_limits
 from ..core.message import message
 from ..system.user_folders import settings_home
@@ -76,7 +76,7 @@ def write_user_limits(processes):
     content = {**limits_content(file if os.path.lexists(file) else SHIPPED), "processes": processes}
     try:
         os.makedirs(file.parent, exist_ok=True)
-        write_atomically(file, (json.dumps(content, indent=2, ensure_ascii=False) + "\n").encode("utf-8"))
+        write_atomically(file, (json_text(content, indent=2) + "\n").encode())
     except OSError as error:
         raise _not_written(file, error) from None
     return file

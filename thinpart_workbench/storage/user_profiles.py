@@ -5,6 +5,7 @@ import os
 from pathlib import Path
 
 from ..core.errors import ProfileError, ThinPartError
+from ..core.foreign_text import json_text
 from ..core.judging.criteria import PROFILES, profile_from
 from ..core.message import message
 from ..system.user_folders import settings_home
@@ -62,11 +63,11 @@ def write_profile(content, file):
         See `check_profile_file`; kind ``failed`` if the file cannot be written.
     """
     check_profile_file(file)
-    text = json.dumps(content, indent=2, ensure_ascii=False) + "\n"
+    text = json_text(content, indent=2) + "\n"
     try:
         if Path(os.path.abspath(file)).parent == user_profiles_folder():
             os.makedirs(user_profiles_folder(), exist_ok=True)
-        write_atomically(file, text.encode("utf-8", "backslashreplace"))
+        write_atomically(file, text.encode())
     except OSError as error:
         raise ThinPartError(message("The profile {file} could not be written ({problem}): choose another place for it.",
                                     file=os.fspath(file), problem=error.strerror)) from None

@@ -1,10 +1,10 @@
 """``thinpart find``: search libraries for parts by category, thickness, size, words and conditions."""
 
 import argparse
-import json
 import sys
 
 from ...core.errors import ThinPartError
+from ...core.foreign_text import json_text
 from ...storage.index.written_query import SORTABLE, moment, part_query
 from ..check_options import PartChecks, add_check_options, check_columns, checked_limits, named_limits
 from ..stored_rows import print_stored
@@ -69,7 +69,7 @@ def run(options):
             for line in found.records():
                 if checks.limits and "error" not in line:
                     line = {**line, "checks": checks.of(line)}
-                print(json.dumps(line, ensure_ascii=False, allow_nan=False))
+                print(json_text(line))
         else:
             print_stored([part.stored for part in found], sys.stdout, opened.folder, _columns(found, checks))
             if len(found) < found.total and options.limit == len(found):

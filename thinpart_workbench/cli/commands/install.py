@@ -6,6 +6,7 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 from ...core.errors import ThinPartError
+from ...core.foreign_text import printable
 
 ROOT = Path(__file__).resolve().parents[3]
 NAME = "ThinPart"
@@ -28,10 +29,10 @@ def run(options):
             action(folder)
         except ThinPartError as error:
             # An error in one version's folder does not stop the others.
-            print(f"thinpart: {error}", file=sys.stderr)
+            print(f"thinpart: {printable(error)}", file=sys.stderr)
             failed += 1
     if options.command == "install" and failed < len(folders):
-        print(f"FreeCAD reads {ROOT} from there: start it and choose the workbench {NAME}.")
+        print(printable(f"FreeCAD reads {ROOT} from there: start it and choose the workbench {NAME}."))
     return 1 if failed else 0
 
 
@@ -39,7 +40,7 @@ def _install(folder):
     link = folder.path / NAME
     for copy in _copies(folder.path):
         if _leads_to_checkout(copy):
-            print(f"{_version_names(folder)}: ThinPart is installed already, {copy}")
+            print(printable(f"{_version_names(folder)}: ThinPart is installed already, {copy}"))
             return
         raise ThinPartError(f"{_version_names(folder)}: {copy} already exists and is not this checkout: remove it "
                             f"{_removal_hint(copy)} and install again.")
@@ -52,7 +53,7 @@ def _install(folder):
     except OSError as error:
         raise ThinPartError(
             f"{_version_names(folder)}: the link {link} could not be created ({error.strerror}).") from None
-    print(f"{_version_names(folder)}: installed, {link}")
+    print(printable(f"{_version_names(folder)}: installed, {link}"))
 
 
 def _uninstall(folder):
@@ -65,13 +66,13 @@ def _uninstall(folder):
             except OSError as error:
                 raise ThinPartError(
                     f"{_version_names(folder)}: the link {copy} could not be removed ({error.strerror}).") from None
-            print(f"{_version_names(folder)}: removed, {copy}")
+            print(printable(f"{_version_names(folder)}: removed, {copy}"))
     left = [copy for copy in copies if os.path.lexists(copy)]
     if left:
         raise ThinPartError(f"{_version_names(folder)}: not removed, since it is not a link to {ROOT}: " + "; ".join(
             f"{copy} (remove it {_removal_hint(copy)})" for copy in left))
     if not copies:
-        print(f"{_version_names(folder)}: ThinPart is not installed, {folder.path}")
+        print(printable(f"{_version_names(folder)}: ThinPart is not installed, {folder.path}"))
 
 
 def _copies(mod):

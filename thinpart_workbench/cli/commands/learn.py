@@ -1,17 +1,16 @@
 """``thinpart learn``: thresholds from parts that people have labelled, and how good they are."""
 
 import argparse
-import json
 
 from ...api.learning import MESHING_LIMITS, export_labels, label_by_meshing, learn
 from ...core.analysis_settings import DEFAULT_PROFILE
 from ...core.errors import ThinPartError
+from ...core.foreign_text import json_text, printable
 from ...core.run_control import RunControl
 from ..learned_text import print_learned
 from ..meshing_text import meshing_progress, print_meshing
 from ..run_options import add_limit_options, limits_of
 from ..stop_signals import stop_signals
-from ..terminal_table import printable
 
 
 def add_arguments(parser):
@@ -45,7 +44,7 @@ def run(options):
     learned = learn(options.library, options.labels, options.profile, kept_labels=options.kept_labels,
                     output=options.output)
     if options.json:
-        print(json.dumps(learned.as_dict(), ensure_ascii=False, allow_nan=False))
+        print(json_text(learned.as_dict()))
     else:
         print_learned(learned, options.output)
     return 0
@@ -65,7 +64,7 @@ def _mesh(options):
         content = meshing.as_dict()
         if learned is not None:
             content["learned"] = learned.as_dict()
-        print(json.dumps(content, ensure_ascii=False, allow_nan=False))
+        print(json_text(content))
     else:
         print_meshing(meshing, options.export_labels)
         if learned is not None:
@@ -84,7 +83,7 @@ def _export(options):
     count = export_labels(options.library, options.export_labels, options.labels, options.profile,
                           kept_labels=options.kept_labels)
     if options.json:
-        print(json.dumps({"labels": count, "file": options.export_labels}, ensure_ascii=False))
+        print(json_text({"labels": count, "file": options.export_labels}))
     else:
         print(f"{count} labels were written to {printable(options.export_labels)}.")
     return 0

@@ -5,6 +5,7 @@ from contextlib import contextmanager
 from itertools import groupby
 
 from ...api.libraries import Libraries
+from ...core.foreign_text import printable
 
 PROGRESS_THRESHOLD = 2000
 """Number of info files to read from which progress is printed on a terminal."""
@@ -43,7 +44,7 @@ def _print_problems(problems):
         sentences.append(f"{len(messages) - MOST_MESSAGES} more info files cannot be used: "
                          "'thinpart find --failed' names them.")
     for sentence in sentences:
-        print(f"thinpart: {sentence}", file=sys.stderr)
+        print(f"thinpart: {printable(sentence)}", file=sys.stderr)
 
 
 def _print_progress(done, total):

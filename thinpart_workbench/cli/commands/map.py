@@ -1,11 +1,11 @@
 """``thinpart map``: the thickness map of a part as a picture, or as triangles with values."""
 
 import argparse
-import json
 import os
 
 from ...api.file_run import write_map
 from ...core.errors import ThinPartError
+from ...core.foreign_text import json_text, printable
 from ...core.length_unit import MILLIMETRE, UNITS
 from ...core.message import message
 from ...core.rendering.colour_maps import COLOUR_MAPS
@@ -13,7 +13,6 @@ from ...core.rendering.map_picture import LEAST_SIDE, MOST_SIDE, VIEWS, MapLook
 from ...core.run_control import RunControl
 from ..run_options import add_limit_options, add_measurement_options, limits_of, settings_of, shown_measure_of
 from ..stop_signals import stop_signals
-from ..terminal_table import printable
 
 _FORMATS = {"png": "a picture, with the colour bar",
             "vtp": "triangles with the thickness at every corner, for ParaView and VTK",
@@ -54,7 +53,7 @@ def run(options):
             options.path, files, part=options.part, look=_look(options, unit), measure=shown_measure_of(options),
             profile=options.profile, settings=settings_of(options), limits=limits_of(options), control=control)
     if options.json:
-        print(json.dumps({**found, "files": files}, ensure_ascii=False, allow_nan=False))
+        print(json_text({**found, "files": files}))
     else:
         # Terminals that cannot show the space before a unit would print its code.
         thinnest, low, high = (unit.text(found[name]).replace("\u00a0", " ") for name in ("thinnest", "low", "high"))

@@ -1,13 +1,12 @@
 """``thinpart note``: show or set the annotations of a part."""
 
-import json
 import os
 
 from ...api.annotations import annotate_part, label_part, mesh_settings
 from ...core.errors import ThinPartError
+from ...core.foreign_text import json_text, printable
 from ...storage.info.annotations import ANNOTATION_KEYS
 from ...storage.info.stored_records import stored_records
-from ..terminal_table import printable
 
 
 def add_arguments(parser):
@@ -51,8 +50,8 @@ def run(options):
     for record in records:
         annotations = {key: record.get(key) or None for key in ANNOTATION_KEYS}
         if options.json:
-            print(json.dumps({"file": os.fspath(options.path), "name": record["name"], "label": record["label"],
-                              **annotations}, ensure_ascii=False, allow_nan=False))
+            print(json_text({"file": os.fspath(options.path), "name": record["name"], "label": record["label"],
+                              **annotations}))
         else:
             _show(record["label"], annotations)
     return 0
@@ -65,7 +64,7 @@ def _show(label, annotations):
         print("  " + printable(line))
     if annotations["mesh"]:
         settings = annotations["mesh"].get("settings")
-        settings_text = annotations["mesh"]["file"] if settings is None else json.dumps(settings, ensure_ascii=False)
+        settings_text = annotations["mesh"]["file"] if settings is None else json_text(settings)
         print(f"  mesh settings: {printable(settings_text)}")
     if annotations["link"]:
         print(f"  {printable(annotations['link'])}")

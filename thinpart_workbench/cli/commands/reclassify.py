@@ -1,6 +1,5 @@
 """``thinpart reclassify``: judge stored parts by another profile, without geometry."""
 
-import json
 import os
 import sys
 from collections import Counter
@@ -8,6 +7,7 @@ from contextlib import closing
 
 from ...api.reclassification import reclassify
 from ...core.analysis_settings import DEFAULT_PROFILE
+from ...core.foreign_text import json_text, printable
 from ...core.run_control import RunControl
 from ..stop_signals import stop_signals
 from ..terminal_table import CATEGORY_STYLES, OTHER_CATEGORY, TableColumn, print_table
@@ -34,21 +34,21 @@ def run(options):
     control = RunControl()
     run = reclassify(options.paths, options.profile, write=options.write, jobs=max(1, options.jobs), control=control)
     for sentence in run.problems:
-        print(f"thinpart: {sentence}", file=sys.stderr)
+        print(f"thinpart: {printable(sentence)}", file=sys.stderr)
     status = 1 if run.problems else 0
     changes, counts, changed = Counter(), Counter(), []
     judged = iter(run)
     with stop_signals(control), closing(judged):
         for file in judged:
             if file.error:
-                print(f"thinpart: {file.info_file}: {file.error}", file=sys.stderr)
+                print(f"thinpart: {printable(file.info_file)}: {printable(file.error)}", file=sys.stderr)
                 status = 1
             for part in file.parts:
                 before, after = part.before["category"], part.after["category"]
                 counts[after] += 1
                 changes[before, after] += 1
                 if options.json:
-                    print(json.dumps(_line(file, part), ensure_ascii=False, allow_nan=False))
+                    print(json_text(_line(file, part)))
                 elif before != after and len(changed) < MOST_ROWS:
                     changed.append((file, part))
     if not options.json:
@@ -69,9 +69,9 @@ def _print_changes(changed, changes, counts, profile, written):
     if total > len(changed):
         print(f"... and {total - len(changed)} more; --json lists all.")
     for (before, after), count in sorted(moved.items(), key=lambda item: (-item[1], item[0])):
-        print(f"{count} from {before} to {after}")
+        print(printable(f"{count} from {before} to {after}"))
     summary = ", ".join(f"{count} {name}" for name, count in sorted(counts.items()))
-    print(f"{sum(counts.values())} parts by the profile {profile.name}: {summary}; {total} changed.")
+    print(printable(f"{sum(counts.values())} parts by the profile {profile.name}: {summary}; {total} changed."))
     if total and not written:
         print("Nothing was written: --write updates the info files.")
 

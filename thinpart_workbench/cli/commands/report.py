@@ -3,6 +3,7 @@
 from contextlib import closing
 
 from ...api.report_folder import LANGUAGES, ReportFolder
+from ...core.foreign_text import printable
 from ...core.judging.criteria import load_profile
 from ...core.length_unit import MILLIMETRE, UNITS
 from ...core.run_control import RunControl
@@ -66,5 +67,5 @@ def run(options):
                 folder.finish()
     if not options.json:
         with standard_output() as stream:
-            stream.write(f"{folder.overview}\n")
+            stream.write(f"{printable(folder.overview)}\n")
     return checks.exit_status(1 if failed else 0)

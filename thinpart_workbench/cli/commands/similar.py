@@ -1,10 +1,10 @@
 """``thinpart similar``: find parts with similar walls, fill and box, and the reasons."""
 
 import argparse
-import json
 import sys
 
 from ...api.libraries import reference_part
+from ...core.foreign_text import json_text
 from ..stored_rows import print_stored
 from ..terminal_table import TableColumn
 from .library import libraries
@@ -33,8 +33,7 @@ def run(options):
             for match in found:
                 line = match.line()
                 if line is not None:
-                    print(json.dumps({"score": round(match.score, 2), "reasons": match.reasons, **line},
-                                     ensure_ascii=False, allow_nan=False))
+                    print(json_text({"score": round(match.score, 2), "reasons": match.reasons, **line}))
         elif found:
             by_part = {match.stored: match for match in found}
             print_stored(list(by_part), sys.stdout, opened.folder, (

@@ -18,6 +18,7 @@ from xml.etree import ElementTree
 
 from ...core.errors import ThinPartError
 from ...core.file_formats import is_document
+from ...core.foreign_text import printable, shortened
 from ...core.message import message
 from ...system.file_paths import is_below
 from ..bootstrap import trusted_code_folders
@@ -64,7 +65,7 @@ class NamedModules:
         """One sentence about the other modules; empty if there are none."""
         if not self.others:
             return ""
-        named = ", ".join(_printable(name) for name in self.others[:5]) + (", ..." if len(self.others) > 5 else "")
+        named = ", ".join(_named(name) for name in self.others[:5]) + (", ..." if len(self.others) > 5 else "")
         return message("The document names Python modules that are not FreeCAD's ({names}): they were not loaded, "
                        "and objects that need them may lack their shape.", names=named)
 
@@ -153,13 +154,13 @@ def _check_entries(file, archive):
     seen, end = set(), 0
     for entry in sorted(archive.infolist(), key=lambda entry: entry.header_offset):
         if leaves_its_folder(entry.orig_filename) or leaves_its_folder(entry.filename):
-            raise _unsafe(file, message("an entry is called '{entry}'", entry=_printable(entry.orig_filename)))
+            raise _unsafe(file, message("an entry is called '{entry}'", entry=_named(entry.orig_filename)))
         if entry.filename in seen:
-            raise _unsafe(file, message("two entries are called '{entry}'", entry=_printable(entry.filename)))
+            raise _unsafe(file, message("two entries are called '{entry}'", entry=_named(entry.filename)))
         seen.add(entry.filename)
         if not _follows(entry.header_offset - end, end):
             raise _unsafe(file, message("{bytes} bytes that belong to no entry lie before '{entry}'",
-                                        bytes=entry.header_offset - end, entry=_printable(entry.filename)))
+                                        bytes=entry.header_offset - end, entry=_named(entry.filename)))
         end = _end_of(archive, entry)
     if not _follows(archive.start_dir - end, end):
         raise _unsafe(file, message("{bytes} bytes after its last entry belong to no entry",
@@ -191,12 +192,12 @@ def _check_xml(file, archive, name):
         stored = element.get("file", "")
         # Links may lead to documents anywhere: those are only read, and checked like this one.
         if stored and "XLink" not in element.tag and leaves_its_folder(stored):
-            raise _unsafe(file, message("it stores a file as '{path}'", path=_printable(stored)))
+            raise _unsafe(file, message("it stores a file as '{path}'", path=_named(stored)))
         if element.tag == "Property" and element.get("name") == "Resources":
             for string in element.iter("String"):
                 if leaves_its_folder(string.get("value", "")):
                     raise _unsafe(file, message("it stores a resource as '{path}'",
-                                                path=_printable(string.get("value"))))
+                                                path=_named(string.get("value"))))
 
 
 def _elements(file, archive, name):
@@ -258,11 +259,9 @@ def leaves_its_folder(path):
     return path.startswith(("/", "\\")) or bool(re.match(r"[A-Za-z]:", path)) or ".." in parts or "\0" in path
 
 
-def _printable(name):
-    """A name for a message: unprintable characters are escaped, and a long name is cut."""
-    text = "".join(character if character.isprintable() else ascii(character)[1:-1]
-                   for character in name[:_LONGEST_NAME])
-    return text + "..." if len(name) > _LONGEST_NAME else text
+def _named(name):
+    """A name for a message, of no more characters than people read."""
+    return shortened(printable(name[:_LONGEST_NAME + 1]), _LONGEST_NAME)
 
 
 def _unsafe(file, found):

@@ -1,6 +1,7 @@
 """Exports the table of results to a CSV file in a thread."""
 
-from ...storage.part_table import check_cells, check_titles, csv_text, write_part_table
+from ...core.foreign_text import csv_text
+from ...storage.part_table import check_cells, check_titles, write_part_table
 from ..application.qt import QtCore, translate
 
 

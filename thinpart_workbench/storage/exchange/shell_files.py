@@ -5,6 +5,7 @@ import os
 
 import numpy as np
 
+from ...core.foreign_text import head_text
 from ..atomic_file import write_atomically
 
 _UNV_ORDER = {3: (0, 1, 2), 6: (0, 3, 1, 4, 2, 5)}
@@ -27,7 +28,7 @@ def write_shell(path, shell, label):
     OSError
         What was there stays.
     """
-    about = " ".join(f"Mid-surface of {label} with the thickness of its walls, by ThinPart".split())
+    about = f"Mid-surface of {head_text(label)} with the thickness of its walls, by ThinPart"
     text = SHELL_FORMATS[os.path.splitext(os.fspath(path))[1].lower()](shell, about)
     write_atomically(path, text.encode())
 

@@ -4,6 +4,7 @@ from typing import Callable
 
 from ...core.descriptors.packed_distribution import packed_middle, packed_slanted, packed_walls
 from ...core.descriptors.similarity import signature
+from ...core.foreign_text import sql_text
 from ..record_columns import INDEXED
 
 LARGE_COLUMNS = ("wall_bins", "wall_area", "slanted_bins", "slanted_angles", "slanted_area", "middle_bins",
@@ -11,12 +12,7 @@ LARGE_COLUMNS = ("wall_bins", "wall_area", "slanted_bins", "slanted_angles", "sl
 """Blobs, stored in a table of their own: most queries do not need them."""
 
 
-def stored_text(text):
-    """A text that SQLite accepts: bytes of a file name that are not valid text become question marks."""
-    return text if text.isascii() else text.encode("utf-8", "replace").decode()
-
-
-_CONVERTERS: dict[str, Callable] = {"TEXT": stored_text, "INTEGER": int, "REAL": float}
+_CONVERTERS: dict[str, Callable] = {"TEXT": sql_text, "INTEGER": int, "REAL": float}
 
 
 def small_values(part):

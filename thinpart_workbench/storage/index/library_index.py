@@ -10,6 +10,7 @@ from functools import cache
 
 from ...core.descriptors.packed_distribution import least_slanted, middle_share, wall_share
 from ...core.errors import ThinPartError
+from ...core.foreign_text import sql_text
 from ...core.judging.packed_check import packed_walls_pass
 from ...core.message import Message, message, to_data
 from ..cache_folder import cache_folder
@@ -18,7 +19,7 @@ from ..info.info_reading import read_open_info
 from ..info.info_tree import Stamp, scan, stamp_of
 from ..record_columns import INDEXED
 from ..regular_file import open_regular
-from .index_columns import LARGE_COLUMNS, large_values, small_values, stored_text
+from .index_columns import LARGE_COLUMNS, large_values, small_values
 from .index_version import index_version
 
 FILES_AT_ONCE = 2000
@@ -245,7 +246,7 @@ def _read(root, path):
                     for entry in content.get("failures", ())]
         source = content["source"]
         source_values = (os.fsencode(source.get("folder", "")), os.fsencode(source["file"]),
-                 source["sha256"], source["modified"], stored_text(content["profile"]["name"]))
+                 source["sha256"], source["modified"], sql_text(content["profile"]["name"]))
     except ThinPartError as error:
         failure = str(error)
     except OSError as error:
@@ -258,7 +259,7 @@ def _read(root, path):
 
 def _words(path):
     """The path in the form in which words are searched in it."""
-    return stored_text(os.fsdecode(path)).casefold()
+    return sql_text(os.fsdecode(path)).casefold()
 
 
 def _insert_statement(table, columns):
@@ -278,13 +279,13 @@ def _insert(database, path, stamp, source_values, rows, failures):
         number = database.execute(_INSERT_PART, (file, *small)).lastrowid
         database.execute(_INSERT_LARGE, (number, *large))
     database.executemany(_INSERT_FAILURE, [
-        (file, *(value and stored_text(value) for value in (*failure, _message_json(failure[-1]))))
+        (file, *(value and sql_text(value) for value in (*failure, _message_json(failure[-1]))))
         for failure in failures])
 
 
 def _message_json(sentence):
     """JSON of the template and fields of a failure's message; None if they are unknown or cannot be stored as text."""
-    is_storable = isinstance(sentence, Message) and stored_text(sentence) == sentence
+    is_storable = isinstance(sentence, Message) and sql_text(sentence) == sentence
     return json.dumps(to_data(sentence)) if is_storable else None
 
 

@@ -6,6 +6,7 @@ from typing import Optional
 
 from ...core.descriptors.descriptor_table import STATED_ANGLES, STATED_FLOOR
 from ...core.descriptors.quantity import MiddleShare
+from ...core.foreign_text import sql_like, sql_text
 from ..record_columns import INDEXED
 
 FAILED = "failed"
@@ -81,7 +82,8 @@ class PartQuery:
         values : list
         """
         terms = [term for field in fields(self) for term in _TERMS[field.name](getattr(self, field.name))]
-        return " AND ".join(sql for sql, _ in terms) or "1", [value for _, values in terms for value in values]
+        return " AND ".join(sql for sql, _ in terms) or "1", [
+            sql_text(value) if isinstance(value, str) else value for _, values in terms for value in values]
 
 
 def _at_least(column):
@@ -107,8 +109,8 @@ def _categories(names):
 
 def _criteria(names):
     if names:
-        condition = "criteria LIKE '%,' || ? || ',%'"
-        yield f"({' OR '.join([condition] * len(names))})", list(map(str, names))
+        condition = "criteria LIKE ? ESCAPE '!'"
+        yield f"({' OR '.join([condition] * len(names))})", [f"%,{sql_like(str(name))},%" for name in names]
 
 
 def _said(names):

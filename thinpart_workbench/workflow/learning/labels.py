@@ -9,6 +9,7 @@ from typing import NamedTuple, Optional
 from ...core.categories import NORMAL
 from ...core.descriptors.descriptor_table import Descriptors
 from ...core.errors import ThinPartError
+from ...core.foreign_text import csv_form
 from ...core.message import message
 from ...core.record.part_record import descriptors_of
 from ...storage.info.info_file import SUFFIX, read_info
@@ -169,7 +170,9 @@ def _document(label, documents, library):
     path = os.path.normpath(named).replace(os.sep, "/")
     if path in documents:
         return path
-    same = [document for document in documents if document.rpartition("/")[2] == path]
+    forms = {document: csv_form(document) for document in documents}
+    same = ([document for document, form in forms.items() if path == form]
+            or [each for each, form in forms.items() if path in (each.rpartition("/")[2], form.rpartition("/")[2])])
     if len(same) > 1:
         raise refused_label(label.place, message("{count} documents of the library are called {file!r}: write the path",
                                                  count=len(same), file=label.file))
@@ -184,8 +187,8 @@ def _record(label, records, document):
     if not label.part:
         matching = records
     else:
-        matching = ([record for record in records if record["name"] == label.part]
-                    or [record for record in records if record["label"] == label.part])
+        matching = ([record for record in records if label.part in (record["name"], csv_form(record["name"]))]
+                    or [record for record in records if label.part in (record["label"], csv_form(record["label"]))])
     if len(matching) == 1:
         return matching[0]
     names = ", ".join(record["name"] for record in records)

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from ...core.errors import ThinPartError
-from ...storage.index.index_columns import stored_text
+from ...core.foreign_text import sql_text
 from ...storage.index.library_index import LibraryIndex
 from ...storage.index.part_query import PartQuery
 from ...storage.index.stored_part import SELECT, stored_part
@@ -119,6 +119,6 @@ def read_records(parts):
 def _records(info_file):
     """Records by their name in the index; and the error if they can no longer be read, or None."""
     try:
-        return {stored_text(record["name"]): record for record in stored_records(info_file)}, None
+        return {sql_text(record["name"]): record for record in stored_records(info_file)}, None
     except ThinPartError as error:
         return {}, {"kind": error.kind, "message": str(error)}

@@ -1,10 +1,10 @@
 """The templates of report pages; all values, such as labels, are escaped and shown as text."""
 
-import unicodedata
 from functools import cache, partial
 from pathlib import Path
 
 from ...core.errors import ThinPartError
+from ...core.foreign_text import head_text, html_text
 from ...core.length_unit import MILLIMETRE
 from ...core.message import message
 from .page_language import ENGLISH, page_language
@@ -27,9 +27,9 @@ def fill_in(template, language=ENGLISH, unit=MILLIMETRE, **values):
     Returns
     -------
     bytes
-        UTF-8. Bytes of file names that are not valid text are shown as escapes.
+        UTF-8.
     """
-    return _environment(language, unit).get_template(template).render(**values).encode("utf-8", "backslashreplace")
+    return _environment(language, unit).get_template(template).render(**values).encode()
 
 
 def check_templates():
@@ -58,7 +58,7 @@ def _environment(code, unit):
                               undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True)
     language = page_language(code, unit)
     environment.globals.update(_=partial(_text, language), language=code, length=language.length)
-    environment.filters.update(sentence=language.sentence, number=language.number, percent=language.percent,
+    environment.filters.update(head=head_text, sentence=language.sentence, number=language.number, percent=language.percent,
                                large=language.large)
     return environment
 
@@ -72,10 +72,4 @@ def _text(language, template, **fields):
 
 
 def _printable(value):
-    """Text with control characters, including those that change the writing direction, as escapes."""
-    if type(value) is not str:
-        return value
-    return "".join(
-        repr(character)[1:-1]
-        if unicodedata.category(character) in ("Cc", "Cf") and character not in "\n\t" else character
-        for character in value)
+    return html_text(value) if type(value) is str else value  # not what is marked up already

@@ -1,7 +1,6 @@
 """The report page of one part."""
 
 import base64
-import json
 
 from ... import __version__
 from ...core.analysis_settings import SPHERE
@@ -9,6 +8,7 @@ from ...core.categories import UNKNOWN
 from ...core.descriptors.bins import BINS
 from ...core.descriptors.descriptor_table import quantity_named
 from ...core.descriptors.distribution_bars import bars, round_up
+from ...core.foreign_text import json_text
 from ...core.judging.criteria import profile_from
 from ...core.judging.verdict_reasons import deciding_criteria, nearest_other, reason_of
 from ...core.judging.verdict_sentence import verdict_sentence
@@ -106,7 +106,7 @@ def _checks(record, limits):
 def _annotations(part):
     mesh = part.get("mesh")
     return {"notes": part.get("notes"), "link": part.get("link"), "labels": part.get("labels") or [],
-            "mesh": None if mesh is None else json.dumps(mesh, indent=1, ensure_ascii=False)}
+            "mesh": None if mesh is None else json_text(mesh, indent=1)}
 
 
 def _view(view):

@@ -3,15 +3,14 @@
 import hashlib
 import os
 from dataclasses import dataclass
-from urllib.parse import quote
 
 from ...core.analysis_settings import RAY
 from ...core.errors import ThinPartError
+from ...core.foreign_text import csv_text, safe_name, url_path
 from ...core.length_unit import MILLIMETRE, LengthUnit
 from ...core.message import message
 from ...storage.atomic_file import write_atomically
 from ...storage.info.info_file import stored_info
-from ...storage.part_table import csv_text
 from .page_language import ENGLISH
 
 PAGES = "pages"
@@ -91,16 +90,13 @@ class ReportPages:
 
 def address(path):
     """The relative URL of a path below the folder of a page."""
-    return quote(os.fsencode(path if os.sep == "/" else path.replace(os.sep, "/")))
+    return url_path(path if os.sep == "/" else path.replace(os.sep, "/"))
 
 
 def _safe(name):
     """A file name that is valid on every file system, and unique for each name."""
-    safe_name = "".join(
-        character if character.isascii() and (character.isalnum() or character in "._-") else "-" for character in name)
-    if safe_name == name and len(safe_name) <= _LONGEST and not safe_name.startswith("."):
-        return safe_name
-    return f"{safe_name[:_LONGEST].lstrip('.')}~{hashlib.sha256(os.fsencode(name)).hexdigest()[:10]}"
+    safe = safe_name(name, _LONGEST)
+    return safe if safe == name else f"{safe}~{hashlib.sha256(os.fsencode(name)).hexdigest()[:10]}"
 
 
 class PageMaker:

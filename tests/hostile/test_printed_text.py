@@ -1,0 +1,66 @@
+"""What people store with a part is printed in a few lines, searched whatever its bytes, and commands no terminal."""
+
+import csv
+import json
+import os
+import unicodedata
+
+import pytest
+from hostile_texts import NAMED
+from program import thinpart
+
+NOTE = "begin " + "note " * 24_000 + "end"
+
+
+def obeyed(text):
+    """Characters of a text that a terminal would obey."""
+    return {each for each in text if unicodedata.category(each) in ("Cc", "Cf", "Cs") and each not in "\r\n\t"}
+
+
+def test_a_long_note_takes_a_few_lines_of_a_table_and_is_kept_whole(library):
+    assert thinpart("note", library / "plate.step", "--set", NOTE).returncode == 0
+    for run in (thinpart("find", library), thinpart("similar", library / "plate.step", library)):
+        assert run.returncode == 0 and len(run.stdout.splitlines()) < 20
+    found = thinpart("find", library)
+    assert "begin note" in "".join(found.stdout.split("\n")) and "..." in found.stdout
+    assert json.loads(thinpart("find", library, "--json").stdout)["notes"] == NOTE
+
+
+@pytest.mark.parametrize("option", [("--text", "\udce9"), ("--category", "\udcff"), ("--criterion", "\udcff%"),
+                                    ("--said", "\udcff")], ids=lambda option: option[0])
+def test_words_that_are_not_text_are_searched(library, option):
+    run = thinpart("find", library, *option)
+    assert (run.returncode, run.stdout, run.stderr) == (0, "", "No stored part fulfils all these conditions.\n")
+
+
+def test_a_sign_of_patterns_is_no_pattern(library):
+    line = json.loads(thinpart("find", library, "--json").stdout)
+    criterion = str(line["criteria"][0])
+    assert json.loads(thinpart("find", library, "--json", "--criterion", criterion).stdout) == line
+    for sign in ("%", "_", f"%{criterion}", f"{criterion[:-1]}_"):
+        assert thinpart("find", library, "--json", "--criterion", sign).stdout == ""
+
+
+def test_no_output_has_what_a_terminal_obeys(library):
+    name = os.fsdecode(b"caf\xe9") + "\x1b[2J\x9b\u202e.step"
+    part = library / name
+    os.rename(library / "plate.step", part)
+    os.rename(library / "plate.step.thinpart.json", library / f"{name}.thinpart.json")
+    note = NAMED["terminal"] + NAMED["direction"] + NAMED["html"]
+    table, labels = library / "table.csv", library / "labels.csv"
+    runs = [
+        thinpart("note", part, "--set", note, "--label", "thin"), thinpart("note", part, "--json"),
+        thinpart("classify", library, "--csv", table), thinpart("classify", library, "--json", "--no-info"),
+        thinpart("find", library, "--json"), thinpart("learn", library, "--export-labels", labels),
+        thinpart("size", part), thinpart("classify", library / "none\x1b[2J.step"), thinpart("find", "--x\x1b[2J", library)]
+    for run in runs:
+        assert not obeyed(run.stdout + run.stderr), run.args
+    assert json.loads(runs[1].stdout)["notes"] == note == json.loads(runs[4].stdout)["notes"]
+    shown = r"caf\udce9\x1b[2J\x9b\u202e.step"
+    for file in (table, labels):
+        text = file.read_text(encoding="utf-8")
+        assert not obeyed(text) and shown in {row["file"] for row in csv.DictReader(text.splitlines())}
+    # Labels are found again under the name that the table shows.
+    again = thinpart("learn", library, "--labels", labels, "--no-kept-labels", "--export-labels", library / "again.csv")
+    assert again.returncode == 0, again.stderr
+    assert (library / "again.csv").read_text(encoding="utf-8") == labels.read_text(encoding="utf-8")
