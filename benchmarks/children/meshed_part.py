@@ -5,6 +5,7 @@ Each mesh is made by a program of its own with a limit of processor time; all ha
 
 import json
 import os
+import shutil
 import sys
 import tempfile
 import time
@@ -25,6 +26,7 @@ from thinpart_workbench.core.sizing.size_proposal import propose_sizes
 from thinpart_workbench.core.sizing.sizing_settings import SizingSettings
 from thinpart_workbench.freecad_adapter.bootstrap import load_meshing
 from thinpart_workbench.freecad_adapter.reading.part_files import read_parts
+from thinpart_workbench.storage.exchange.gmsh_shape import gmsh_ending
 from thinpart_workbench.storage.exchange.msh_file import read_tetrahedra
 from thinpart_workbench.system.process_limits import limit_memory, run_limited
 from thinpart_workbench.workflow.analysis.analyse_part import analyse_part
@@ -75,7 +77,10 @@ class _PartMeshes:
         self._walls = (*places, round(settings.wanted_layers))
         self._solid = os.path.join(folder, "part.brep")
         part.write_brep(self._solid)
-        self._shape = os.path.abspath(file) if is_shape(file) else self._solid
+        self._shape = self._solid
+        if is_shape(file):
+            self._shape = os.path.join(folder, f"document{gmsh_ending(file)}")
+            shutil.copyfile(file, self._shape)
         self._gmsh = gmsh_program()[0]
 
     def figures(self, netgen):

@@ -20,9 +20,12 @@ from ..core.sizing.size_field import SizeField
 from ..core.sizing.size_sources import places
 from ..core.sizing.sizing_settings import SizingSettings
 from ..freecad_adapter.objects.snapshot import read_snapshot
-from ..storage.atomic_file import write_atomically
 from ..storage.exchange.geo_file import write_geo
+from ..storage.exchange.gmsh_shape import OPTIONS, gmsh_ending, is_opened_as_shape, stem_for_gmsh
 from ..storage.exchange.shell_files import SHELL_FORMATS, write_shell
+from ..storage.new_file import write_new
+from ..storage.regular_file import open_regular
+from ..system.file_paths import relative_path
 from ..workflow.analysis.analyse_part import analyse_part
 from ..workflow.analysis.run_progress import RunProgress
 from ..workflow.meshing.gmsh_program import gmsh_program
@@ -131,9 +134,15 @@ def write_size_script(path, part, file, solids=1):
         What `mesh_sizes` yields for a part, with ``sources``.
     file : str
         The document of the part; the script opens it where Gmsh can. A part that was mended to mesh it is written beside the
-        script, with the ending ``.mended.brep``, and opened in its place.
+        script, with the ending ``.mended.brep``, and opened in its place; so is a copy with the ending ``.part.step`` or the
+        like, where the script cannot say the path, or Gmsh would take the file for a script.
     solids : int
         Parts of the document: the script opens it only where there is one.
+
+    Returns
+    -------
+    str or None
+        The name of the file that was written beside the script, or was there with the same content; none is replaced.
 
     Raises
     ------
@@ -150,18 +159,32 @@ def write_size_script(path, part, file, solids=1):
     low, high = part["box"]
     inner = np.asarray(part["inner"], dtype=np.float64).reshape(-1, 3)
     boxes = size_boxes(field, low, high, inner) if field.least < part["global_size"] else None
-    opened, mended = None, part.get("mended_shape")
-    if solids == 1 and is_shape(file):
-        opened = os.path.relpath(os.path.abspath(file), os.path.dirname(os.path.abspath(path)))
     try:
-        if mended:
-            opened = os.path.basename(path)[:-len(".geo")] + ".mended.brep"
-            write_atomically(os.path.join(os.path.dirname(path), opened), mended.encode())
+        opened, copy = _opened_by_script(path, os.path.abspath(file), part.get("mended_shape"), solids)
         write_geo(path, part["global_size"], boxes, opened, part["order"],
                   [(each["name"], each["value"]) for each in part["gmsh_options"]])
     except OSError as error:
         raise ThinPartError(message("{file} cannot be written ({problem}): name another place.", file=path,
                                     problem=error.strerror), "failed") from None
+    return copy
+
+
+def _opened_by_script(script, file, mended, solids):
+    """What a script opens as the part, and the name of the file that was written for it; None for nothing."""
+    folder = os.path.dirname(os.path.abspath(script))
+    if mended:
+        content, ending = mended.encode(), ".mended.brep"
+    elif solids == 1 and is_shape(file):
+        opened = relative_path(file, folder)
+        if is_opened_as_shape(opened, folder):
+            return opened, None
+        with open_regular(file) as stream:
+            content, ending = stream.read(), f".part{gmsh_ending(file)}"
+    else:
+        return None, None
+    name = write_new(folder, stem_for_gmsh(os.path.basename(script)[:-len(".geo")]), ending, content,
+                     mode=os.stat(file).st_mode & 0o666, companion=OPTIONS)
+    return name, name
 
 
 def check_shell_file(path):

@@ -2,7 +2,8 @@
 
 import os
 
-from .terminal_table import CATEGORY_STYLES, OTHER_CATEGORY, TableColumn, print_table, printable
+from ..core.foreign_text import printable
+from .terminal_table import CATEGORY_STYLES, OTHER_CATEGORY, TableColumn, print_table
 
 _MESH_KEYS = ("elements", "gamma_least", "gamma_1_percent", "gamma_mean", "sicn_least", "sicn_1_percent",
               "sicn_mean", "poor_share", "layers_share", "seconds", "reason")
@@ -28,12 +29,7 @@ def flat_row(file, part):
              "; ".join(each["what"] for each in check["proposed"].get("tries", ())),
              *(part["idealisation"][key] for key in _IDEALISATION_KEYS), *(shell.get(key) for key in _SHELL_KEYS),
              " ".join(face for each in shell.get("left_solid", ()) for face in each["faces"])]
-    return ["" if cell is None else _harmless(cell) for cell in cells]
-
-
-def _harmless(cell):
-    # As in other tables: no spreadsheet takes a name for a formula.
-    return "'" + cell if isinstance(cell, str) and cell[:1] in ("=", "+", "-", "@", "\t", "\r") else cell
+    return ["" if cell is None else cell for cell in cells]
 
 
 def print_part(stream, file, part):
@@ -41,7 +37,7 @@ def print_part(stream, file, part):
     stream.write(_sentences(file, part) + "\n")
     stream.write(_idealisation(part["idealisation"]) + "\n")
     if part["idealisation"]["no_shell"] and "shell" not in part:
-        stream.write(f"No shell: {part['idealisation']['no_shell']}\n")
+        stream.write(printable(f"No shell: {part['idealisation']['no_shell']}") + "\n")
     if "shell" in part:
         stream.write(_shell(part["shell"]) + "\n")
     if part["regions"]:
@@ -116,13 +112,13 @@ def _idealisation(found):
 def _shell(shell):
     """What the shell is, or why there is none, str."""
     if not shell["elements"]:
-        return f"No shell: {shell['reason']}"
+        return printable(f"No shell: {shell['reason']}")
     thick = [wall["thickness"] for wall in shell["walls"]]
     text = (f"Shell: {shell['elements']:,} triangles of up to {shell['size']:.3g} mm, {len(thick)} walls from "
             f"{min(thick):.3g} to {max(thick):.3g} mm thick, {_share(shell['volume_share'])} of the part's volume.")
     for each in shell["left_solid"]:
-        text += f"\nLeft solid: a {each['kind']} {each['thickness']:.3g} mm thick, {_some(each['faces'])}."
-    return "\n".join([text, *shell["warnings"]])
+        text += f"\nLeft solid: a {each['kind']} {each['thickness']:.3g} mm thick, {printable(_some(each['faces']))}."
+    return "\n".join([text, *map(printable, shell["warnings"])])
 
 
 def _share(value):

@@ -1,7 +1,5 @@
 """``thinpart size``: element sizes that fit the walls of parts, and meshes with and without them."""
 
-import csv
-import io
 import sys
 from dataclasses import asdict
 from pathlib import Path
@@ -11,6 +9,7 @@ from ...api.libraries import reference_part
 from ...api.mesh_sizes import MESH_SECONDS, check_shell_file, mesh_sizes, write_shell_file, write_size_script
 from ...core.categories import NORMAL
 from ...core.errors import ThinPartError
+from ...core.foreign_text import csv_text, printable
 from ...core.message import message
 from ...core.run_control import RunControl
 from ...core.shells.shell_settings import ShellSettings
@@ -121,8 +120,10 @@ def run(options):
         raise ThinPartError(refused, "usage")
     if options.geo is not None:
         outcome, part = _chosen(options, found, options.geo)
-        write_size_script(options.geo, part, outcome["file"], outcome["solids"])
+        copy = write_size_script(options.geo, part, outcome["file"], outcome["solids"])
         _say(options, message("The sizes were written to {file}: open it in Gmsh.", file=Path(options.geo).name))
+        if copy is not None:
+            _say(options, message("The script opens {copy}, a copy of the part beside it.", copy=copy))
     if options.shell is not None:
         part = _chosen(options, found, options.shell)[1]
         write_shell_file(options.shell, part)
@@ -170,7 +171,7 @@ def _keep(options, settings, sizes, file, part):
         keep_mesh_settings(file, part["name"], asdict(settings), part["global_size"], part["diagonal"], rows, figures,
                            options.info_dir)
     except ThinPartError as error:
-        print(error, file=sys.stderr)
+        print(printable(error), file=sys.stderr)
         return False
     _say(options, message("The settings were kept with {part}.", part=part["label"]))
     return True
@@ -186,12 +187,9 @@ def _without_places(part):
 
 
 def _write_csv(path, parts):
-    text = io.StringIO()
-    writer = csv.writer(text)
-    writer.writerow(SIZE_COLUMNS)
-    writer.writerows(flat_row(file, part) for file, part in parts)
+    text = csv_text([SIZE_COLUMNS, *(flat_row(file, part) for file, part in parts)])
     try:
-        write_atomically(path, text.getvalue().encode())
+        write_atomically(path, text.encode())
     except OSError as error:
         raise ThinPartError(message("{file} cannot be written ({problem}): name another place.", file=path,
                                     problem=error.strerror), "failed") from None
@@ -212,4 +210,4 @@ def _chosen(options, found, path):
 
 def _say(options, sentence):
     if not options.json:
-        print(sentence)
+        print(printable(sentence))

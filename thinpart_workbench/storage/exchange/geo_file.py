@@ -1,10 +1,10 @@
 """Writes element sizes as a script for Gmsh."""
 
 import io
-import json
 
 import numpy as np
 
+from ...core.foreign_text import gmsh_text
 from ..atomic_file import write_atomically
 
 
@@ -17,7 +17,7 @@ def geo_text(global_size, boxes, part_file=None, order=1, options=()):
     boxes : SizeBoxes or None
         None for a uniform size.
     part_file : str, optional
-        Path of the geometry, as the script says it.
+        Path of the geometry, as the script says it; see `gmsh_shape.is_opened_as_shape`.
     order : int
         Of the elements.
     options : iterable of (str, number)
@@ -37,7 +37,7 @@ def geo_text(global_size, boxes, part_file=None, order=1, options=()):
     if part_file is None:
         text.write("// Open the part first, in mm, and then merge this file.\n")
     else:
-        text.write(f"Merge {json.dumps(str(part_file), ensure_ascii=False)};\n")
+        text.write(f"Merge {gmsh_text(part_file)};\n")
     if boxes is not None:
         text.write('View "element size, mm" {\n')
         rows = np.concatenate([boxes.corners.reshape(-1, 24), boxes.sizes], axis=1)

@@ -6,6 +6,7 @@ import shutil
 import sys
 
 from ...core.errors import ThinPartError
+from ...core.foreign_text import is_gmsh_text
 from ...core.message import message
 from ...system.exit_cause import ExitCause
 from ...system.process_limits import run_limited
@@ -65,7 +66,7 @@ def mesh_volume(program, inputs, output, seconds, folder, options=()):
     seconds : float
         Limit.
     folder : str
-        Working directory.
+        Working directory, in which all of them lie: a temporary one, since Gmsh runs scripts that are called like its files.
     options : sequence of str, optional
         Further ones of Gmsh.
 
@@ -105,8 +106,8 @@ def mesh_surface(program, file, output, seconds, folder, size, around, order):
 
 
 def _meshed(program, inputs, output, seconds, folder, options):
-    end = run_limited([program, *inputs, *options, "-format", "msh2", "-bin", "-nt", "1", "-v", "2", "-o", output],
-                      seconds, folder)
+    end = run_limited([program, *(_own(each, folder) for each in inputs), *options, "-format", "msh2", "-bin", "-nt", "1",
+                       "-v", "2", "-o", _own(output, folder)], seconds, folder)
     reason = _reason(end)
     if not reason and not os.path.exists(output):
         reason = message("Gmsh wrote no mesh")
@@ -121,8 +122,16 @@ def convert_mesh(program, mesh, output, seconds, folder):
     str
         Why that failed; empty if it did not.
     """
-    end = run_limited([program, mesh, "-save", "-save_all", "-v", "2", "-o", output], seconds, folder)
+    end = run_limited([program, _own(mesh, folder), "-save", "-save_all", "-v", "2", "-o", _own(output, folder)], seconds,
+                      folder)
     return _reason(end) or ("" if os.path.exists(output) else message("Gmsh wrote no mesh"))
+
+
+def _own(file, folder):
+    """The plain name of a file in a working directory, whose own path may hold anything."""
+    if os.path.dirname(os.path.abspath(file)) != os.path.abspath(folder) or not is_gmsh_text(os.path.basename(file)):
+        raise ValueError(file, folder)
+    return os.path.basename(file)
 
 
 def _reason(end):

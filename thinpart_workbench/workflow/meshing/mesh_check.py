@@ -32,7 +32,7 @@ def checked_sizes(program, shape, measurement, proposal, seconds, folder, defaul
     program : str
         Path of Gmsh.
     shape : str
-        File of the part that Gmsh opens.
+        File of the part that Gmsh opens, in `folder`.
     measurement : Measurement
     proposal : SizeProposal
     seconds : float
@@ -70,7 +70,7 @@ def checked_sizes(program, shape, measurement, proposal, seconds, folder, defaul
         sizes = tried.proposal
         boxes = None if sizes.is_uniform else size_boxes(sizes.field, low, high, sizes.inner.points.reshape(-1, 3))
         with open(script, "w", encoding="utf-8") as file:
-            file.write(geo_text(sizes.global_size, boxes, tried.mended or shape, sizes.settings.order,
+            file.write(geo_text(sizes.global_size, boxes, os.path.basename(tried.mended or shape), sizes.settings.order,
                                 tried.options.items()))
         proposed, stated = _meshed(program, [script], seconds, folder, (), walls,
                                    partial(on_mesh, "proposed") if on_mesh else None)

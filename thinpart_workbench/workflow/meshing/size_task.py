@@ -1,6 +1,7 @@
 """Propose element sizes for the parts of one document, and mesh them. Runs in a worker process."""
 
 import os
+import shutil
 import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -19,6 +20,7 @@ from ...core.shells.shell_or_solid import idealisation, idealisation_values
 from ...core.shells.shell_settings import SHARE_OF_DIAGONAL, ShellSettings
 from ...core.sizing.size_proposal import propose_sizes
 from ...core.sizing.sizing_settings import SizingSettings
+from ...storage.exchange.gmsh_shape import gmsh_ending
 from ..analysis.analyse_part import analyse_part
 from .mesh_check import checked_sizes
 from .mesh_tries import usual_options
@@ -125,7 +127,10 @@ def _proposed(part, profile, task, is_alone):
             shape = solid = os.path.join(folder, "part.brep")
             part.write_brep(shape)
             if is_alone and is_shape(task.file):
-                shape = os.path.abspath(task.file)  # as the script opens it; what FreeCAD exports may differ in a detail
+                # As the script opens it: what FreeCAD exports may differ in a detail. A copy, since Gmsh runs some files by
+                # their names, and scripts that lie beside others.
+                shape = os.path.join(folder, f"document{gmsh_ending(task.file)}")
+                shutil.copyfile(task.file, shape)
             check, tried = checked_sizes(task.program, shape, measurement, proposal, task.seconds, folder, solid=solid)
             proposal = tried.proposal
             if tried.mended and task.has_sources:
