@@ -4,7 +4,8 @@ import csv
 import io
 from typing import Any
 
-from .atomic_file import write_atomically
+from ..core.file_marks import TABLE
+from .output_file import write_output
 from .record_columns import TITLED, labels_text, row_class
 
 _Row: Any = row_class("_Row", ("file", *(column.title for column in TITLED), "error_kind", "error"))
@@ -38,10 +39,6 @@ class CheckedRow(PartRow):
         row = self._replace(labels=labels_text(labels))
         row.checks, row.said = self.checks, tuple(labels)
         return row
-
-
-FIRST_COLUMNS = ",".join(PartRow._fields[:3]).encode()
-"""The bytes with which every such table starts; files that start otherwise are not overwritten."""
 
 
 def measured_row(file, record):
@@ -109,7 +106,7 @@ def unescaped(cell):
     return cell[1:] if cell[:1] == "'" and cell[1:].startswith(_FORMULA_STARTS) else cell
 
 
-def write_part_table(path, blocks, more_titles=()):
+def write_part_table(path, blocks, more_titles=(), overwrite=False, inputs=()):
     """Write a CSV file atomically: a line of titles, then the rows.
 
     Parameters
@@ -119,10 +116,13 @@ def write_part_table(path, blocks, more_titles=()):
         From `csv_text`, of PartRows.
     more_titles : tuple of str, optional
         Titles of further columns, after those of a PartRow.
+    overwrite, inputs
+        See `check_output`.
 
     Raises
     ------
-    OSError
+    ThinPartError, OSError
+        See `write_output`.
     """
     text = csv_text([(*PartRow._fields, *more_titles)]) + "".join(blocks)
-    write_atomically(path, text.encode("utf-8", "backslashreplace"))
+    write_output(path, text.encode("utf-8", "backslashreplace"), TABLE, overwrite, inputs)
