@@ -13,6 +13,7 @@ from thinpart_workbench.core.errors import ThinPartError
 from thinpart_workbench.core.rendering.colour_maps import RED_IS_THIN
 from thinpart_workbench.core.rendering.colour_scale import ColourScale
 from thinpart_workbench.core.rendering.map_picture import MapLook
+from thinpart_workbench.storage.png import png_bytes
 
 WHITE = [255, 255, 255, 255]
 
@@ -122,12 +123,12 @@ def test_what_cannot_be_drawn_is_refused_before_anything_is_measured(options, se
 
 def test_what_fails_leaves_the_picture_that_was_there(sheet, tmp_path):
     kept, damaged = tmp_path / "map.png", tmp_path / "damaged.step"
-    kept.write_bytes(b"kept")
+    kept.write_bytes(content := png_bytes(bytes(4), 1, 1))
     damaged.write_text("ISO-10303-21;\nthis is no STEP file\n")
     run = thinpart("map", damaged, "--png", kept)
     assert run.returncode == 1 and "damaged.step" in run.stderr and "Traceback" not in run.stderr
     run = thinpart("map", tmp_path / "missing.step", "--png", kept)
     assert run.returncode == 1 and "missing.step is no file: name a CAD file with one part." in run.stderr
-    assert kept.read_bytes() == b"kept"
+    assert kept.read_bytes() == content
     with pytest.raises(ThinPartError, match="cannot be written"):
         write_map(sheet, [tmp_path / "no folder" / "map.png"], look=MapLook(RED_IS_THIN, width=64, height=64))

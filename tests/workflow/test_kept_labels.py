@@ -234,7 +234,7 @@ def test_the_command_line_writes_the_table_and_overwrites_nothing_else(library, 
     assert main([*command, str(tmp_path / "all.csv")]) == 0, "its own table is written anew"
     (tmp_path / "thesis.csv").write_text("mine")
     assert main([*command, str(tmp_path / "thesis.csv")]) == 2
-    assert "is not overwritten" in capsys.readouterr().err and (tmp_path / "thesis.csv").read_text() == "mine"
+    assert "was not written by ThinPart" in capsys.readouterr().err and (tmp_path / "thesis.csv").read_text() == "mine"
     assert main([*command, str(tmp_path / "x.csv"), "-o", str(tmp_path / "y.json")]) == 2
     assert not (tmp_path / "x.csv").exists()
 

@@ -412,8 +412,8 @@ def test_nothing_else_is_overwritten(library, labels, tmp_path):
     first.write_text(json.dumps(FIRST))
     other = tmp_path / "other.json"
     other.write_text("{}")
-    for output, sentence in ((first, "what is learned from"), (labels, "what is learned from"), (other, "is no profile"),
-                             (tmp_path / "paper.json", "comes with ThinPart")):
+    for output, sentence in ((first, "is an input of this run"), (labels, "is an input of this run"),
+                             (other, "is no profile"), (tmp_path / "paper.json", "comes with ThinPart")):
         before = output.read_bytes() if output.exists() else None
         with pytest.raises(ThinPartError, match=sentence):
             thinpart.learn(library, labels, first, output=output)

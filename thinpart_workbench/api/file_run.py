@@ -1,16 +1,17 @@
 """Find, analyse and map documents in worker processes or on a cluster, for both the command line and the Python API."""
 
 import os
-from contextlib import closing
+from contextlib import closing, contextmanager
 from typing import Optional
 
 from ..core.analysis_limits import Limits
 from ..core.analysis_settings import DEFAULT_PROFILE, RAY, AnalysisSettings
 from ..core.errors import ThinPartError
+from ..core.file_marks import MAPS
 from ..core.judging.criteria import given_profile
 from ..core.message import message
 from ..core.run_control import RunControl
-from ..storage.atomic_file import write_atomically
+from ..storage.output_file import check_output, write_output
 from ..workflow.analysis.analyse_file import FileTask
 from ..workflow.analysis.analysis_outcome import failure
 from ..workflow.analysis.find_documents import NameFilter, find_documents
@@ -142,7 +143,7 @@ class FileRun:
 
 
 def write_map(path, files, *, part=None, look=None, measure=RAY, profile=DEFAULT_PROFILE, settings=None, limits=None,
-              control=None):
+              control=None, overwrite=False, inputs=()):
     """Measure a part and write its thickness map to files.
 
     Parameters
@@ -165,6 +166,8 @@ def write_map(path, files, *, part=None, look=None, measure=RAY, profile=DEFAULT
         Of time and memory.
     control : RunControl, optional
         Stops the run.
+    overwrite, inputs
+        See `storage.output_file.check_output`; the CAD file is an input.
 
     Returns
     -------
@@ -181,24 +184,34 @@ def write_map(path, files, *, part=None, look=None, measure=RAY, profile=DEFAULT
     """
     # Imported late: it imports numpy.
     from ..core.rendering.map_picture import MapLook
-    from ..workflow.maps.map_run import FORMATS, MapTask, map_of_part
+    from ..workflow.maps.map_run import MapTask, map_of_part
 
     path, endings = os.fspath(path), {os.fspath(file): os.path.splitext(file)[1].lower() for file in files}
     for file, ending in endings.items():
-        if ending not in FORMATS:
+        if ending not in MAPS:
             raise ThinPartError(message("{file} is no name for a map: give it one of the endings {endings}.", file=file,
-                                        endings=", ".join(FORMATS)), "usage")
+                                        endings=", ".join(MAPS)), "usage")
     if not os.path.isfile(path):
         raise ThinPartError(message("{file} is no file: name a CAD file with one part.", file=path), "missing")
+    inputs = [path, *inputs]
+    for file, ending in endings.items():
+        with _writing(file):
+            check_output(file, MAPS[ending], overwrite, inputs)
     found = map_of_part(MapTask(path, part, given_profile(profile).content, tuple(sorted(set(endings.values()))),
                                 look or MapLook(), measure, settings or AnalysisSettings()), limits or Limits(), control)
     if "error" in found:
         raise ThinPartError(found["error"]["message"], found["error"]["kind"])
     contents = found.pop("contents")
     for file, ending in endings.items():
-        try:
-            write_atomically(file, contents[ending])
-        except OSError as error:
-            raise ThinPartError(message("{file} cannot be written ({problem}): name another place.", file=file,
-                                        problem=error.strerror), "failed") from None
+        with _writing(file):
+            write_output(file, contents[ending], MAPS[ending], overwrite, inputs)
     return found
+
+
+@contextmanager
+def _writing(file):
+    try:
+        yield
+    except OSError as error:
+        raise ThinPartError(message("{file} cannot be written ({problem}): name another place.", file=file,
+                                    problem=error.strerror), "failed") from None

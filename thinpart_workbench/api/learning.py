@@ -24,7 +24,8 @@ MESHING_LIMITS = Limits(seconds=60.0, megabytes=4096)
 """For each part: at Gmsh's default size most take less than a second."""
 
 
-def learn(library, labels=(), profile=DEFAULT_PROFILE, *, kept_labels=True, output=None, report=None):
+def learn(library, labels=(), profile=DEFAULT_PROFILE, *, kept_labels=True, output=None, report=None,
+          overwrite=False, inputs=()):
     """Learn a profile from labelled parts of a library, from their info files alone. FreeCAD is not needed.
 
     Parameters
@@ -38,9 +39,12 @@ def learn(library, labels=(), profile=DEFAULT_PROFILE, *, kept_labels=True, outp
     kept_labels : bool, optional
         Whether to take the labels too that people keep in the info files.
     output : str or Path, optional
-        Where to write the new profile. Neither a shipped profile nor the start is overwritten.
+        Where to write the new profile. A shipped profile, the start, the labels and files that are no profiles are not
+        overwritten.
     report : callable, optional
         ``report(stage, done, total)``, where the stage is ``read`` or ``learn``; may raise to stop.
+    overwrite, inputs
+        See `storage.output_file.check_output`; labels and profile are inputs.
 
     Returns
     -------
@@ -56,16 +60,17 @@ def learn(library, labels=(), profile=DEFAULT_PROFILE, *, kept_labels=True, outp
     check_scikit_learn()
     start = given_profile(profile)
     files = _files(labels)
+    replacing = {"overwrite": overwrite, "inputs": [*_inputs(files, profile), *inputs]}
     if output is not None:
-        _check_output(output, profile, files)
+        check_profile_file(output, **replacing)
     parts = _labelled(library, files, categories_of(start), kept_labels, report)[0]
     learned = learn_profile(parts, start, UNNAMED if output is None else _stem(output), _of_stage(report, "learn"))
     if output is not None:
-        write_profile(learned.content, output)
+        write_profile(learned.content, output, **replacing)
     return learned
 
 
-def export_labels(library, output, labels=(), profile=DEFAULT_PROFILE, *, kept_labels=True):
+def export_labels(library, output, labels=(), profile=DEFAULT_PROFILE, *, kept_labels=True, overwrite=False, inputs=()):
     """Write the labels of a library as one CSV file, which `learn` reads.
 
     Parameters
@@ -73,7 +78,9 @@ def export_labels(library, output, labels=(), profile=DEFAULT_PROFILE, *, kept_l
     library, labels, profile, kept_labels
         See `learn`; of the profile only the categories count.
     output : str or Path
-        A file that is none of labels is not overwritten.
+        A file that is none of labels, or that somebody has changed, is not overwritten.
+    overwrite, inputs
+        See `storage.output_file.check_output`; labels and profile are inputs.
 
     Returns
     -------
@@ -85,12 +92,16 @@ def export_labels(library, output, labels=(), profile=DEFAULT_PROFILE, *, kept_l
     ThinPartError
         If a label cannot be used, there are none, or the file cannot be written.
     """
-    rows = _labelled(library, _files(labels), categories_of(given_profile(profile)), kept_labels, None)[1]
-    write_labels(output, rows)
+    files = _files(labels)
+    inputs = [*_inputs(files, profile), *inputs]
+    check_labels_output(output, overwrite, inputs)
+    rows = _labelled(library, files, categories_of(given_profile(profile)), kept_labels, None)[1]
+    write_labels(output, rows, overwrite=overwrite, inputs=inputs)
     return len(rows)
 
 
-def label_by_meshing(library, profile=DEFAULT_PROFILE, limits=MESHING_LIMITS, *, output=None, control=None, report=None):
+def label_by_meshing(library, profile=DEFAULT_PROFILE, limits=MESHING_LIMITS, *, output=None, control=None, report=None,
+                     overwrite=False, inputs=()):
     """Label the classified parts of a library without a person: by how Gmsh meshes them.
 
     Parameters
@@ -102,11 +113,13 @@ def label_by_meshing(library, profile=DEFAULT_PROFILE, limits=MESHING_LIMITS, *,
     limits : Limits, optional
         Of time for each part, of memory, and the number of workers.
     output : str or Path, optional
-        Where to write the labels as CSV. A file that is none of labels is not overwritten.
+        Where to write the labels as CSV. A file that is none of labels, or that somebody has changed, is not overwritten.
     control : RunControl, optional
         Pauses and stops the run.
     report : callable, optional
         Called with the number of documents done and their total.
+    overwrite, inputs
+        See `storage.output_file.check_output`.
 
     Returns
     -------
@@ -126,12 +139,13 @@ def label_by_meshing(library, profile=DEFAULT_PROFILE, limits=MESHING_LIMITS, *,
         raise ThinPartError(message("The profile {profile} has no category {categories}: labels from meshing are of these.",
                                     profile=start.name, categories=", ".join(missing)), "usage")
     if output is not None:
-        check_labels_output(output)
+        check_labels_output(output, overwrite, inputs)
     meshing = mesh_library(library, limits, start, control, report)
     if output is not None:
         rows = [result.row() for result in meshing.results]
         write_labels(output, meshing.labels, [(key, lambda number, key=key: _cell(rows[number][key]))
-                                              for key in ("elements", "least_ratio", "trouble_share", "reason")])
+                                              for key in ("elements", "least_ratio", "trouble_share", "reason")],
+                     overwrite, inputs)
     return meshing
 
 
@@ -139,7 +153,7 @@ def _cell(value):
     return "" if value is None else value
 
 
-def save_profile(content, output):
+def save_profile(content, output, overwrite=False):
     """Write a learned profile.
 
     Parameters
@@ -147,14 +161,16 @@ def save_profile(content, output):
     content : dict
         Of a `LearnedProfile`. It gets the name of the file.
     output : str or Path
-        Neither a shipped profile nor a file that is no profile is overwritten.
+        A shipped profile is not overwritten.
+    overwrite : bool, optional
+        Whether a file that is no profile may be overwritten.
 
     Raises
     ------
     ThinPartError
     """
     name = _stem(output)
-    write_profile(profile_from({**content, "name": name, "title": name}).content, output)
+    write_profile(profile_from({**content, "name": name, "title": name}).content, output, overwrite)
 
 
 def _files(labels):
@@ -183,11 +199,6 @@ def _stem(path):
     return os.path.splitext(os.path.basename(path))[0]
 
 
-def _check_output(output, profile, labels):
-    """Refuse before reading what would be overwritten and must not be."""
-    inputs = [*(each for each in labels if not isinstance(each, Meshing)),
-              *([profile] if isinstance(profile, (str, os.PathLike)) and os.path.exists(profile) else [])]
-    if os.path.exists(output) and any(os.path.exists(each) and os.path.samefile(each, output) for each in inputs):
-        raise ThinPartError(message("{file} is what is learned from: write the new profile elsewhere.",
-                                    file=os.fspath(output)), "usage")
-    check_profile_file(output)
+def _inputs(labels, profile):
+    """The files that are learned from."""
+    return [each for each in (*labels, profile) if isinstance(each, (str, os.PathLike))]

@@ -52,7 +52,8 @@ FACETS, SIZES, POOR = "facets.npy", "sizes.npy", "poor.npy"
 
 def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, limits=None, check=False,
                mesh_seconds=MESH_SECONDS, has_sources=False, force=False, include=(), exclude=(), control=None,
-               started=None, report=None, shell=None, region_sizes=None, all_walls=False, part=None):
+               started=None, report=None, shell=None, region_sizes=None, all_walls=False, part=None,
+               found=None):
     """Propose element sizes for the parts of files and folders.
 
     Parameters
@@ -87,6 +88,8 @@ def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, 
     part : str, optional
         Name or label of the only part that is wanted; empty for the only one that there is. Several are refused before they
         are measured.
+    found : callable, optional
+        Called with the paths of the documents, before they are measured; may raise.
 
     Yields
     ------
@@ -105,6 +108,8 @@ def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, 
     limits, settings = limits or Limits(jobs=os.cpu_count() or 1), settings or SizingSettings()
     program, version = gmsh_program() if check or shell else (None, "")
     run = FileRun(paths, include, exclude, control=control)
+    if found is not None:
+        found([document.path for document in run.documents])
     if part == "" and len(run.documents) > 1:
         raise ThinPartError(message("A script or a shell is for one part, and there are {count} documents: name one of "
                                     "them, or the part after --part.", count=len(run.documents)), "usage")
@@ -123,7 +128,7 @@ def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, 
             yield outcome
 
 
-def write_size_script(path, part, file, solids=1):
+def write_size_script(path, part, file, solids=1, overwrite=False, inputs=()):
     """Write the proposed sizes as a script for Gmsh.
 
     Parameters
@@ -138,6 +143,8 @@ def write_size_script(path, part, file, solids=1):
         like, where the script cannot say the path, or Gmsh would take the file for a script.
     solids : int
         Parts of the document: the script opens it only where there is one.
+    overwrite, inputs
+        See `storage.output_file.check_output`; the document is an input.
 
     Returns
     -------
@@ -162,7 +169,7 @@ def write_size_script(path, part, file, solids=1):
     try:
         opened, copy = _opened_by_script(path, os.path.abspath(file), part.get("mended_shape"), solids)
         write_geo(path, part["global_size"], boxes, opened, part["order"],
-                  [(each["name"], each["value"]) for each in part["gmsh_options"]])
+                  [(each["name"], each["value"]) for each in part["gmsh_options"]], overwrite, [file, *inputs])
     except OSError as error:
         raise ThinPartError(message("{file} cannot be written ({problem}): name another place.", file=path,
                                     problem=error.strerror), "failed") from None
@@ -194,7 +201,7 @@ def check_shell_file(path):
                                     file=os.fspath(path), endings=", ".join(SHELL_FORMATS)), "usage")
 
 
-def write_shell_file(path, part):
+def write_shell_file(path, part, overwrite=False, inputs=()):
     """Write the shell of a part, in the format that the ending says: ``.inp``, ``.msh`` or ``.unv``.
 
     Parameters
@@ -202,6 +209,8 @@ def write_shell_file(path, part):
     path : str or Path
     part : dict
         What `mesh_sizes` yields for a part, with ``shell``.
+    overwrite, inputs
+        See `storage.output_file.check_output`.
 
     Raises
     ------
@@ -214,7 +223,7 @@ def write_shell_file(path, part):
         raise ThinPartError(message("{file} was not written. {reason}", file=os.fspath(path), reason=shell["reason"]),
                             "no_shell")
     try:
-        write_shell(path, mesh_of_record(shell), part["label"])
+        write_shell(path, mesh_of_record(shell), part["label"], overwrite, inputs)
     except OSError as error:
         raise ThinPartError(message("{file} cannot be written ({problem}): name another place.", file=os.fspath(path),
                                     problem=error.strerror), "failed") from None

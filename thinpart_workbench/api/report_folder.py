@@ -8,16 +8,17 @@ from collections import Counter, namedtuple
 from .. import __version__
 from ..core.analysis_settings import RAY
 from ..core.errors import ThinPartError
+from ..core.file_marks import PAGE, REPORT, TABLE
 from ..core.foreign_text import csv_form, csv_text
 from ..core.judging.criteria import NORMAL, UNKNOWN, profile_from
 from ..core.judging.wall_check import check_walls
 from ..core.length_unit import MILLIMETRE, UNITS
 from ..core.message import message
 from ..freecad_adapter.reading.linked_files import linked_files
-from ..storage.atomic_file import write_atomically
 from ..storage.face_table import FACE_COLUMNS
 from ..storage.info.info_file import new_source
 from ..storage.info.info_location import call_in_folder, info_location
+from ..storage.output_file import check_output, write_output
 from ..storage.part_table import check_cells, check_titles, failed_row, measured_row, write_part_table
 from ..storage.user_limits import limits_named
 from ..workflow.report import page_language
@@ -29,6 +30,9 @@ MARK = "thinpart-report.json"
 """File that marks the folder of a report; it is written before the first page."""
 
 OVERVIEW = "index.html"
+
+_FILES = {MARK: REPORT, OVERVIEW: PAGE, "parts.csv": TABLE, "faces.csv": TABLE}
+"""Files of a report beside its pages, and their marks."""
 
 LANGUAGES = page_language.LANGUAGES
 """Of pages: codes, English first."""
@@ -61,16 +65,19 @@ class ReportFolder:
         Of the pages: one of `LANGUAGES`.
     unit : LengthUnit, optional
         Of all lengths on the pages; tables are in mm.
+    overwrite, inputs
+        See `storage.output_file.check_output`: for each file of the report. A folder that holds anything but a report is
+        only taken with `overwrite`.
 
     Raises
     ------
     ThinPartError
-        kind ``usage`` if the folder cannot be written or contains anything but a report; ``unsupported`` if
-        templates cannot be rendered.
+        kind ``usage`` if the folder cannot be written, contains anything but a report, or a file that must not be
+        replaced; ``unsupported`` if templates cannot be rendered.
     """
 
     def __init__(self, folder, tree, profile, info_for, limits=(), shown_measure=RAY, subject=None,
-                 language=ENGLISH, unit=MILLIMETRE):
+                 language=ENGLISH, unit=MILLIMETRE, overwrite=False, inputs=()):
         self.folder = os.path.abspath(folder)
         self._tree = tree
         self._subject = os.fspath(tree) if subject is None else subject
@@ -79,8 +86,9 @@ class ReportFolder:
         self._shown_measure, self._language, self._unit = shown_measure, language, unit
         self._parts, self._failures, self._part_blocks = [], [], []
         self._face_blocks = []  # (document, start, length) of its rows in the temporary file
+        self._replacing = {"overwrite": overwrite, "inputs": inputs}
         check_templates()
-        _prepare(self.folder, folder)
+        _prepare(self.folder, folder, self._replacing)
         self._faces = tempfile.TemporaryFile(dir=self.folder)
 
     @property
@@ -91,7 +99,7 @@ class ReportFolder:
     def pages_for(self, file):
         """ReportPages of a document."""
         return ReportPages(self.folder, os.path.relpath(file, self._tree), self._info_for(file),
-                           self._limits, self._shown_measure, self._language, self._unit)
+                           self._limits, self._shown_measure, self._language, self._unit, self._replacing["overwrite"])
 
     def add(self, outcome):
         """Add the outcome of one document."""
@@ -123,9 +131,9 @@ class ReportFolder:
         try:
             blocks = [text for _, text in sorted(self._part_blocks)]
             write_part_table(os.path.join(self.folder, "parts.csv"), blocks,
-                             check_titles(limits.name for limits in self._limits))
-            write_atomically(os.path.join(self.folder, "faces.csv"), self._all_faces())
-            write_atomically(self.overview, self._overview_page())
+                             check_titles(limits.name for limits in self._limits), **self._replacing)
+            write_output(os.path.join(self.folder, "faces.csv"), self._all_faces(), TABLE, **self._replacing)
+            write_output(self.overview, self._overview_page(), PAGE, **self._replacing)
         except OSError as error:
             raise ThinPartError(
                 message("The overview of the report could not be written into {folder} ({problem}): make room for "
@@ -242,17 +250,19 @@ def _summary(record, pages, checks):
     )
 
 
-def _prepare(path, given_name):
+def _prepare(path, given_name, replacing):
     """Create the folder, or reuse that of an earlier report."""
     try:
         os.makedirs(path, exist_ok=True)
         entries = os.listdir(path)
-        if entries and MARK not in entries:
+        if entries and MARK not in entries and not replacing["overwrite"]:
             raise ThinPartError(
                 message("{folder} already exists and is not the folder of a report: it was not changed; give a new or "
                         "an empty folder.", folder=given_name), "usage")
-        mark = {"format": "thinpart-report", "version": 1, "software": __version__}
-        write_atomically(os.path.join(path, MARK), json.dumps(mark).encode() + b"\n")
+        for name, mark in _FILES.items():
+            check_output(os.path.join(path, name), mark, **replacing)
+        content = {"format": REPORT.format, "version": 1, "software": __version__}
+        write_output(os.path.join(path, MARK), json.dumps(content).encode() + b"\n", REPORT, **replacing)
     except FileExistsError:
         raise _not_writable(given_name, message("it is a file")) from None
     except OSError as error:

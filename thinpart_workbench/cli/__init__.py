@@ -11,6 +11,7 @@ from .. import __version__
 from ..core.errors import ThinPartError
 from ..core.foreign_text import printable
 from ..core.message import with_messages
+from .output_options import check_outputs
 
 COMMANDS = {
     "classify": ("classify", "classify parts and folders of parts"),
@@ -47,6 +48,7 @@ def main(arguments=None):
         options.rest = rest
         if signal.getsignal(signal.SIGINT) != signal.SIG_IGN:  # a shell ignores it for a job started with &
             signal.signal(signal.SIGINT, signal.default_int_handler)
+        check_outputs(options)
         status = options.run(options)
         sys.stdout.flush()  # here, because an error at Python's own flush would print a traceback
         return status

@@ -111,8 +111,8 @@ class PartRows:
     def _loaded_rows(self):
         return (table_row for row in self._rows for table_row in json.loads(row.table))
 
-    def write_csv(self, path):
-        """Write a row per part and per failure to a CSV file.
+    def write_csv(self, path, overwrite=False, inputs=()):
+        """Write a row per part and per failure to a CSV file, with `overwrite` and `inputs` as in `write_output`.
 
         Raises
         ------
@@ -121,7 +121,8 @@ class PartRows:
         """
         self._rows.sort(key=lambda row: row.file)
         try:
-            write_part_table(path, (row.csv for row in self._rows), check_titles(limits.name for limits in self._limits))
+            write_part_table(path, (row.csv for row in self._rows), check_titles(limits.name for limits in self._limits),
+                             overwrite, inputs)
         except OSError as error:
             raise ThinPartError(
                 f"The table {path} could not be written ({error.strerror}): free some disk space, or give another "

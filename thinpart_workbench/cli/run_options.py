@@ -20,6 +20,7 @@ from ..core.errors import ThinPartError
 from ..core.message import message
 from ..storage.common_folder import common_folder
 from ..system.file_paths import is_below
+from .output_options import check_with_documents
 
 _MOST = 10 ** 9
 """Greatest value of a limit. More than any machine has; still greater numbers would overflow."""
@@ -151,9 +152,11 @@ def new_file_run(options, control, report, only=None):
     Raises
     ------
     ThinPartError
-        kind ``empty`` if there are no documents.
+        kind ``empty`` if there are no documents; see also `check_outputs`.
     """
-    return FileRun(options.paths, options.include, options.exclude, only, control, report.found)
+    run = FileRun(options.paths, options.include, options.exclude, only, control, report.found)
+    check_with_documents(options, (document.path for document in run.documents))
+    return run
 
 
 def _number(option, kind, what, least):

@@ -52,6 +52,9 @@ FORMATS = (
 ENDINGS = tuple(ending for file_format in FORMATS for ending in file_format.endings)
 """Endings of all formats."""
 
+INFO_ENDING = ".thinpart.json"
+"""Ending of info files, behind the name of their document."""
+
 CHOICES = {
     name: tuple(ending for file_format in FORMATS if file_format.choice == name for ending in file_format.endings)
     for name in dict.fromkeys(file_format.choice for file_format in FORMATS)}

@@ -4,6 +4,7 @@ import os
 import secrets
 import stat
 from contextlib import suppress
+from typing import NamedTuple, Optional
 
 from ..system.file_lock import lock
 from ..system.user import is_own
@@ -16,7 +17,46 @@ _LEFTOVER_SECONDS = 60.0
 _cleaned_folders: set[str] = set()  # each folder is listed once: it may hold 100,000 info files
 
 
-def write_atomically(path, content, durable=True, beside=None):
+class FileAccess(NamedTuple):
+    """Who may read a file at most.
+
+    Attributes
+    ----------
+    mode : int
+        Permission bits; its owner can always read and write it.
+    group : int or None
+        The group that the bits are for; None for any.
+    """
+
+    mode: int
+    group: Optional[int] = None
+
+    @classmethod
+    def of(cls, paths):
+        """The access that all of these files have: of what is made of them. None where none of them is there."""
+        found = []
+        for path in paths:
+            with suppress(OSError):
+                found.append(os.stat(path))
+        if not found:
+            return None
+        mode = 0o666
+        for status in found:
+            mode &= status.st_mode
+        groups = {status.st_gid for status in found}
+        return cls(mode | 0o600, *groups) if len(groups) == 1 else cls(_for_no_group(mode | 0o600))
+
+
+OWNER_ONLY = FileAccess(0o600)
+"""For what is made of the parts of many folders, such as the search index."""
+
+
+def _for_no_group(mode):
+    """Permission bits whose group may no more than everybody."""
+    return mode & ~0o070 | mode & (mode << 3) & 0o070
+
+
+def write_atomically(path, content, durable=True, beside=None, access=None, place=os.replace):
     """Write bytes to a temporary file beside `path`, flush them to disk, and rename it.
 
     Parameters
@@ -29,6 +69,10 @@ def write_atomically(path, content, durable=True, beside=None):
     beside : str, optional
         A file in the same folder without which nothing is written. If the share of the folder was unmounted, the new file
         would be in the empty mount point: either this file is missing there, or the temporary one cannot be renamed.
+    access : FileAccess, optional
+        Who may read it at most. Otherwise as the file that it replaces, or as any new file.
+    place : callable, optional
+        Gives the temporary file its name: called with both paths.
 
     Raises
     ------
@@ -42,7 +86,7 @@ def write_atomically(path, content, durable=True, beside=None):
     path = os.path.abspath(path)
     folder = os.path.dirname(path)
     mode = _mode(path)
-    handle, temporary = _new_temporary(folder, mode)
+    handle, temporary = _new_temporary(folder, mode if access is None else mode & 0o600)
     try:
         with os.fdopen(handle, "wb") as file:
             with suppress(OSError):  # a file system without locks
@@ -54,11 +98,13 @@ def write_atomically(path, content, durable=True, beside=None):
             file.flush()
             if durable:
                 os.fsync(file.fileno())
+        if access is not None:
+            mode &= _limit(temporary, access)
         if stat.S_IMODE(os.stat(temporary).st_mode) != mode:  # a confined process may not change it
             os.chmod(temporary, mode)
         if beside is not None:
             os.lstat(beside)
-        os.replace(temporary, path)
+        place(temporary, path)
     except BaseException:
         _remove(temporary)
         raise
@@ -103,6 +149,41 @@ def _mode(path):
         mask = os.umask(0)
         os.umask(mask)
         return 0o666 & ~mask
+
+
+def _limit(path, access):
+    """The permission bits that a file of ours may have, once its group is the one that they are for, if that is possible."""
+    own_group = os.stat(path).st_gid
+    if access.group in (None, own_group) or access.mode == _for_no_group(access.mode):
+        return access.mode
+    try:
+        os.chown(path, -1, access.group)
+    except OSError:  # this user is not in that group
+        return _for_no_group(access.mode)
+    return access.mode
+
+
+def place_new(temporary, path):
+    """Give a temporary file a name that no file has, for `write_atomically`.
+
+    Raises
+    ------
+    FileExistsError
+        The file that has the name stays as it is.
+    """
+    try:
+        os.link(temporary, path)
+    except FileExistsError:
+        raise
+    except OSError:  # a file system without hard links: the name is taken by an empty file first
+        os.close(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL))
+        try:
+            os.replace(temporary, path)
+        except OSError:
+            os.unlink(path)
+            raise
+    else:
+        os.unlink(temporary)
 
 
 def _remove(path):

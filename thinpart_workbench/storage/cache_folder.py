@@ -1,10 +1,11 @@
-"""The folder for files that can be regenerated: the search index and thumbnails of parts."""
+"""The folder for files that can be regenerated: the search index, thumbnails of parts, and results of meshing."""
 
 import errno
 import os
 from pathlib import Path
 
 from ..system.user_folders import cache_home
+from .atomic_file import OWNER_ONLY, write_atomically
 
 
 def cache_folder():
@@ -23,3 +24,20 @@ def cache_folder():
     if chosen.startswith("~"):
         raise FileNotFoundError(errno.ENOENT, "There is no home folder", chosen)
     return Path(chosen)
+
+
+def write_cached(path, content):
+    """Write a file of the cache, and its folder where that is missing: readable by this user alone, as are some parts.
+
+    Parameters
+    ----------
+    path : Path
+    content : bytes
+
+    Raises
+    ------
+    OSError
+        No partial file is left, and an existing file stays.
+    """
+    path.parent.mkdir(parents=True, exist_ok=True)
+    write_atomically(path, content, durable=False, access=OWNER_ONLY)

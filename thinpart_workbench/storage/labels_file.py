@@ -3,12 +3,14 @@
 import csv
 import io
 import os
+from contextlib import contextmanager
 from typing import NamedTuple
 
 from ..core.errors import ThinPartError
+from ..core.file_marks import LABELS
 from ..core.foreign_text import csv_text, csv_value
 from ..core.message import message
-from .atomic_file import write_atomically
+from .output_file import check_output, write_output
 from .regular_file import open_regular
 
 REQUIRED, OPTIONAL = ("file", "category"), ("part", "person", "sure", "second", "group")
@@ -156,46 +158,44 @@ def _label(row, columns, categories, place, stem):
                  cells.get("person") or stem, cells.get("group") or None)
 
 
-def write_labels(path, labels, more=()):
+def write_labels(path, labels, more=(), overwrite=False, inputs=()):
     """Write a file of labels, which `read_labels` reads.
 
     Parameters
     ----------
     path : str or Path
-        A file that is none of labels is not overwritten.
+        A file that was not written here, or that somebody has changed since then, is not overwritten.
     labels : list of Label
     more : sequence of (str, callable), optional
         Titles of further columns, and functions of a label's number for their cells.
+    overwrite, inputs
+        See `check_output`.
 
     Raises
     ------
     ThinPartError
         kind ``usage`` or ``failed``.
     """
-    check_labels_output(path)
     rows = [(label.file, label.part, label.category, label.person, "yes" if label.is_sure else "no", label.second,
              label.group or "", *(cell(number) for _, cell in more)) for number, label in enumerate(labels)]
     text = csv_text([(*_TITLES, *(title for title, _ in more)), *rows])
+    with _writing(path):
+        write_output(path, LABELS.sealed(text).encode(), LABELS, overwrite, inputs)
+
+
+def check_labels_output(path, overwrite=False, inputs=()):
+    """Raise a ThinPartError where `write_labels` would not write; see `check_output`."""
+    with _writing(path):
+        check_output(path, LABELS, overwrite, inputs)
+
+
+@contextmanager
+def _writing(path):
     try:
-        write_atomically(path, text.encode())
+        yield
     except OSError as error:
         raise ThinPartError(message("The labels could not be written to {file} ({problem}): choose another place for them.",
                                     file=os.fspath(path), problem=error.strerror)) from None
-
-
-def check_labels_output(path):
-    """Raise a ThinPartError of kind ``usage`` for a file that is there and is none of `write_labels`."""
-    start = ",".join(_TITLES).encode()
-    try:
-        with open_regular(path) as file:
-            is_ours = file.read(len(start)) == start
-    except FileNotFoundError:
-        return
-    except OSError:
-        is_ours = False
-    if not is_ours:
-        raise ThinPartError(message("{file} is no file of labels that was written here, and is not overwritten: choose "
-                                    "another name.", file=os.fspath(path)), "usage")
 
 
 def _stem(name):

@@ -2,8 +2,9 @@
 
 from typing import Any
 
+from ..core.file_marks import TABLE
 from ..core.foreign_text import csv_text
-from .atomic_file import write_atomically
+from .output_file import write_output
 from .record_columns import TITLED, labels_text, row_class
 
 _Row: Any = row_class("_Row", ("file", *(column.title for column in TITLED), "error_kind", "error"))
@@ -37,10 +38,6 @@ class CheckedRow(PartRow):
         row = self._replace(labels=labels_text(labels))
         row.checks, row.said = self.checks, tuple(labels)
         return row
-
-
-FIRST_COLUMNS = ",".join(PartRow._fields[:3]).encode()
-"""The bytes with which every such table starts; files that start otherwise are not overwritten."""
 
 
 def measured_row(file, record):
@@ -82,7 +79,7 @@ def check_cells(checks):
 _PASSES = {True: "passes", False: "fails", None: "unknown"}
 
 
-def write_part_table(path, blocks, more_titles=()):
+def write_part_table(path, blocks, more_titles=(), overwrite=False, inputs=()):
     """Write a CSV file atomically: a line of titles, then the rows.
 
     Parameters
@@ -92,10 +89,13 @@ def write_part_table(path, blocks, more_titles=()):
         From `csv_text`, of PartRows.
     more_titles : tuple of str, optional
         Titles of further columns, after those of a PartRow.
+    overwrite, inputs
+        See `check_output`.
 
     Raises
     ------
-    OSError
+    ThinPartError, OSError
+        See `write_output`.
     """
     text = csv_text([(*PartRow._fields, *more_titles)]) + "".join(blocks)
-    write_atomically(path, text.encode())
+    write_output(path, text.encode(), TABLE, overwrite, inputs)

@@ -3,6 +3,8 @@
 import struct
 import zlib
 
+_SIGNATURE = b"\x89PNG\r\n\x1a\n"
+
 
 def png_bytes(pixels, width, height):
     """An image as a PNG file.
@@ -32,8 +34,14 @@ def png_bytes(pixels, width, height):
         raise ValueError(len(pixels))
     rows = b"".join(b"\x00" + pixels[start:start + row] for start in range(0, len(pixels), row))
     header = struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0)
-    return b"\x89PNG\r\n\x1a\n" + b"".join(
-        _chunk(*chunk) for chunk in ((b"IHDR", header), (b"IDAT", zlib.compress(rows, 6)), (b"IEND", b"")))
+    return marked_png(_SIGNATURE + b"".join(
+        _chunk(*chunk) for chunk in ((b"IHDR", header), (b"IDAT", zlib.compress(rows, 6)), (b"IEND", b""))))
+
+
+def marked_png(content):
+    """A PNG file with the mark of ThinPart (`core.file_marks.PICTURE`): bytes."""
+    end = len(_SIGNATURE) + len(_chunk(b"IHDR", bytes(13)))
+    return content[:end] + _chunk(b"tEXt", b"Software\0ThinPart") + content[end:]
 
 
 def _chunk(kind, content):

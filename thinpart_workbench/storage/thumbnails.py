@@ -4,8 +4,7 @@ import hashlib
 import re
 
 from ..core.rendering.picture_size import HEIGHT, WIDTH
-from .atomic_file import write_atomically
-from .cache_folder import cache_folder
+from .cache_folder import cache_folder, write_cached
 from .png import png_bytes
 
 
@@ -53,6 +52,4 @@ def write_thumbnail(sha256, part_name, pixels):
     ValueError
         If there are more or fewer pixels.
     """
-    path = thumbnail_path(sha256, part_name)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    write_atomically(path, png_bytes(pixels, WIDTH, HEIGHT), durable=False)
+    write_cached(thumbnail_path(sha256, part_name), png_bytes(pixels, WIDTH, HEIGHT))

@@ -4,11 +4,12 @@ import os
 from pathlib import Path
 
 from ..core.errors import ThinPartError
+from ..core.file_marks import LIMITS
 from ..core.foreign_text import json_text
 from ..core.judging.wall_limits import SHIPPED, chosen_limits, limits_content, read_limits, shipped_limits
 from ..core.message import message
 from ..system.user_folders import settings_home
-from .atomic_file import write_atomically
+from .output_file import write_output
 
 NAME = "wall_limits.json"
 
@@ -30,7 +31,7 @@ def new_user_limits():
     try:
         if not os.path.lexists(file):
             os.makedirs(file.parent, exist_ok=True)
-            write_atomically(file, SHIPPED.read_bytes())
+            write_output(file, SHIPPED.read_bytes(), LIMITS)
     except OSError as error:
         raise _not_written(file, error) from None
     return file
@@ -76,7 +77,7 @@ def write_user_limits(processes):
     content = {**limits_content(file if os.path.lexists(file) else SHIPPED), "processes": processes}
     try:
         os.makedirs(file.parent, exist_ok=True)
-        write_atomically(file, (json_text(content, indent=2) + "\n").encode())
+        write_output(file, (json_text(content, indent=2) + "\n").encode(), LIMITS)
     except OSError as error:
         raise _not_written(file, error) from None
     return file

@@ -1,15 +1,16 @@
 """A user's own profiles: their folder, and writing one."""
 
-import json
 import os
+from contextlib import contextmanager
 from pathlib import Path
 
-from ..core.errors import ProfileError, ThinPartError
+from ..core.errors import ThinPartError
+from ..core.file_marks import PROFILE
 from ..core.foreign_text import json_text
-from ..core.judging.criteria import PROFILES, profile_from
+from ..core.judging.criteria import PROFILES
 from ..core.message import message
 from ..system.user_folders import settings_home
-from .atomic_file import write_atomically
+from .output_file import ForeignFile, check_output, write_output
 
 
 def user_profiles_folder():
@@ -26,56 +27,61 @@ def user_profiles():
         return []  # there is none, or it cannot be read now
 
 
-def check_profile_file(file):
+def check_profile_file(file, overwrite=False, inputs=()):
     """Check that a profile may be written to a file.
 
     Parameters
     ----------
     file : str or Path
+        The folder of the user's own profiles is made where it is missing.
+    overwrite, inputs
+        See `check_output`.
 
     Raises
     ------
+    ForeignFile
+        If the file is no profile, and `overwrite` would allow it.
     ThinPartError
-        kind ``usage`` if it has the name of a shipped profile, which would be taken for that, or if it exists and is no
-        profile.
+        kind ``usage`` if it has the name of a shipped profile, which would be taken for that, or must not be written;
+        kind ``failed`` if it cannot be written.
     """
     shipped = {path.stem.casefold() for path in PROFILES.glob("*.json")}
     if Path(file).stem.casefold() in shipped:
         raise ThinPartError(message("{file} would have the name of a profile that comes with ThinPart: choose another.",
                                     file=os.fspath(file)), "usage")
-    if os.path.lexists(file) and not _is_profile(file):
-        raise ThinPartError(message("{file} is no profile and is not overwritten: write the new profile elsewhere.",
-                                    file=os.fspath(file)), "usage")
+    with _writing(file):
+        if Path(os.path.abspath(file)).parent == user_profiles_folder():
+            os.makedirs(user_profiles_folder(), exist_ok=True)
+        check_output(file, PROFILE, overwrite, inputs)
 
 
-def write_profile(content, file):
+def write_profile(content, file, overwrite=False, inputs=()):
     """Write a profile atomically.
 
     Parameters
     ----------
     content : dict
-    file : str or Path
-        The folder of the user's own profiles is made where it is missing.
+    file, overwrite, inputs
+        See `check_profile_file`.
 
     Raises
     ------
     ThinPartError
-        See `check_profile_file`; kind ``failed`` if the file cannot be written.
+        See `check_profile_file`.
     """
-    check_profile_file(file)
+    check_profile_file(file, overwrite, inputs)
     text = json_text(content, indent=2) + "\n"
+    with _writing(file):
+        write_output(file, text.encode(), PROFILE, overwrite, inputs)
+
+
+@contextmanager
+def _writing(file):
     try:
-        if Path(os.path.abspath(file)).parent == user_profiles_folder():
-            os.makedirs(user_profiles_folder(), exist_ok=True)
-        write_atomically(file, text.encode())
+        yield
+    except ForeignFile:
+        raise ForeignFile(message("{file} is no profile and is not overwritten: write the new profile elsewhere.",
+                                  file=os.fspath(file)), "usage") from None
     except OSError as error:
         raise ThinPartError(message("The profile {file} could not be written ({problem}): choose another place for it.",
                                     file=os.fspath(file), problem=error.strerror)) from None
-
-
-def _is_profile(file):
-    try:
-        profile_from(json.loads(Path(file).read_text(encoding="utf-8")))
-    except (OSError, ValueError, RecursionError, ProfileError):
-        return False
-    return True

@@ -2,7 +2,8 @@
 
 It handles requests in their order until the end of its input: ``{"learn": arguments of `learn`}`` is answered by
 ``progress`` (``stage``, ``done``, ``total``) and ``learned``, the attributes of a `LearnedProfile`;
-``{"save": {"content", "output"}}`` by ``saved``, the path. What cannot be done is answered by ``refused``, a sentence.
+``{"save": {"content", "output", "overwrite"}}`` by ``saved``, the path. What cannot be done is answered by ``refused``, a
+sentence.
 """
 
 from ..api.learning import learn, save_profile

@@ -8,17 +8,17 @@ from pathlib import Path
 
 from ...core.cluster_address import cluster_address
 from ...core.errors import ThinPartError
-from ...core.file_formats import ENDINGS
+from ...core.file_marks import TABLE
 from ...core.judging.criteria import load_profile
 from ...core.message import message
 from ...core.run_control import RunControl
 from ...storage.common_folder import common_folder
-from ...storage.info.info_file import SUFFIX, info_path_getter
-from ...storage.part_table import FIRST_COLUMNS
+from ...storage.info.info_file import info_path_getter
 from ...system.file_paths import is_below
 from ..check_options import PartChecks, add_check_options, checked_limits
 from ..control_input import listen
 from ..file_run import analyse_and_report
+from ..output_options import add_output_option, replacing
 from ..part_rows import PartRows
 from ..run_options import (
     add_control_options,
@@ -38,7 +38,7 @@ from ..stop_signals import stop_signals
 def add_arguments(parser):
     """Declare the options."""
     add_file_options(parser)
-    parser.add_argument("--csv", metavar="FILE", help="write the table to a CSV file as well")
+    add_output_option(parser, "--csv", mark=TABLE, metavar="FILE", help="write the table to a CSV file as well")
     parser.add_argument("--regions", action="store_true",
                         help="list the connected walls of each part below the table: kind, thickness, size, faces")
     parser.add_argument("--only", metavar="LIST",
@@ -76,7 +76,7 @@ def run(options):
                 # Also after Ctrl-C, so that finished results are saved.
                 if options.csv and rows:
                     with undisturbed():
-                        rows.write_csv(options.csv)
+                        rows.write_csv(options.csv, **replacing(options))
     finally:
         if not options.json and rows:
             with standard_output() as stream:
@@ -89,8 +89,6 @@ def _classify(options, control, report, rows, checks):
     settings, profile = settings_of(options), load_profile(options.profile).content
     paths = None if options.only is None else _listed(options)
     file_run = new_file_run(options, control, report, paths)
-    if options.csv:
-        _check_table(options.csv, file_run.documents)
     if options.info_dir is not None and not options.no_info:
         _check_info_folder(options.info_dir)
     return analyse_and_report(
@@ -141,37 +139,6 @@ def _check_info_folder(folder):
         raise ThinPartError(
             message("Info files cannot be written into {folder} ({problem}): give another folder to --info-dir.",
                     folder=folder, problem=error.strerror), "usage",
-        ) from None
-
-
-def _check_table(path, documents):
-    """Reject a path for the table that cannot be written or that holds something else."""
-    path, target = Path(path), os.path.realpath(path)
-    names = (*ENDINGS, SUFFIX)
-    same = any(target == os.path.realpath(document.path) for document in documents
-               if not document.path.lower().endswith(names))
-    if same or path.name.lower().endswith(names) or target.lower().endswith(names):
-        raise ThinPartError(
-            message("{table} is a part, not a table, and was not changed: name a .csv file after --csv.",
-                    table=path),
-            "usage",
-        )
-    try:
-        if path.exists():
-            with open(path, "rb") as file:
-                start = file.read(len(FIRST_COLUMNS) + 3)
-            if start.strip() and FIRST_COLUMNS not in start:
-                raise ThinPartError(
-                    message("{table} already exists and is not a table of ThinPart: it was not changed; give another "
-                            "file to --csv.", table=path), "usage",
-                )
-        if path.is_dir() or not os.access(path if path.exists() else path.absolute().parent, os.W_OK):
-            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
-    except OSError as error:
-        raise ThinPartError(
-            message("The table {table} cannot be written ({problem}): give another file to --csv.",
-                    table=path, problem=error.strerror),
-            "usage",
         ) from None
 
 

@@ -5,10 +5,12 @@ import argparse
 from ...api.learning import MESHING_LIMITS, export_labels, label_by_meshing, learn
 from ...core.analysis_settings import DEFAULT_PROFILE
 from ...core.errors import ThinPartError
+from ...core.file_marks import LABELS, PROFILE
 from ...core.foreign_text import json_text, printable
 from ...core.run_control import RunControl
 from ..learned_text import print_learned
 from ..meshing_text import meshing_progress, print_meshing
+from ..output_options import add_output_option, replacing
 from ..run_options import add_limit_options, limits_of
 from ..stop_signals import stop_signals
 
@@ -22,8 +24,8 @@ def add_arguments(parser):
     parser.add_argument("--kept-labels", action=argparse.BooleanOptionalAction, default=True,
                         help="take the labels too that people keep in the info files, by the window or by 'note --label' "
                              "(default), or not")
-    parser.add_argument("--export-labels", metavar="FILE",
-                        help="only write all these labels as one CSV file")
+    add_output_option(parser, "--export-labels", mark=LABELS, metavar="FILE",
+                      help="only write all these labels as one CSV file")
     parser.add_argument("--from-meshing", action="store_true",
                         help="label the parts of LIBRARY by Gmsh instead, without a person: mesh them, say how well each "
                              "quantity foretells trouble, and learn from these labels if there is -o; --export-labels "
@@ -31,7 +33,8 @@ def add_arguments(parser):
     add_limit_options(parser, MESHING_LIMITS, "with --from-meshing: ")
     parser.add_argument("--profile", default=DEFAULT_PROFILE, metavar="NAME-or-FILE",
                         help="where to start: its categories, criteria and quantities are taken (default: %(default)s)")
-    parser.add_argument("-o", "--output", metavar="FILE", help="write the new profile; otherwise it is only described")
+    add_output_option(parser, "-o", "--output", mark=PROFILE, metavar="FILE",
+                      help="write the new profile; otherwise it is only described")
     parser.add_argument("--json", action="store_true", help="print the result as one JSON object")
 
 
@@ -42,7 +45,7 @@ def run(options):
     if options.export_labels is not None:
         return _export(options)
     learned = learn(options.library, options.labels, options.profile, kept_labels=options.kept_labels,
-                    output=options.output)
+                    output=options.output, **replacing(options))
     if options.json:
         print(json_text(learned.as_dict()))
     else:
@@ -56,10 +59,11 @@ def _mesh(options):
     control = RunControl()
     with stop_signals(control), meshing_progress() as report:
         meshing = label_by_meshing(options.library, options.profile, limits_of(options), output=options.export_labels,
-                                   control=control, report=report)
+                                   control=control, report=report, **replacing(options))
     learned = None
     if options.output is not None:
-        learned = learn(options.library, meshing, options.profile, kept_labels=False, output=options.output)
+        learned = learn(options.library, meshing, options.profile, kept_labels=False, output=options.output,
+                        **replacing(options))
     if options.json:
         content = meshing.as_dict()
         if learned is not None:
@@ -81,7 +85,7 @@ def _export(options):
     if options.output is not None:
         raise ThinPartError("--export-labels learns nothing: leave -o out.", "usage")
     count = export_labels(options.library, options.export_labels, options.labels, options.profile,
-                          kept_labels=options.kept_labels)
+                          kept_labels=options.kept_labels, **replacing(options))
     if options.json:
         print(json_text({"labels": count, "file": options.export_labels}))
     else:

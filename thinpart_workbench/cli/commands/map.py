@@ -5,12 +5,14 @@ import os
 
 from ...api.file_run import write_map
 from ...core.errors import ThinPartError
+from ...core.file_marks import MAPS
 from ...core.foreign_text import json_text, printable
 from ...core.length_unit import MILLIMETRE, UNITS
 from ...core.message import message
 from ...core.rendering.colour_maps import COLOUR_MAPS
 from ...core.rendering.map_picture import LEAST_SIDE, MOST_SIDE, VIEWS, MapLook
 from ...core.run_control import RunControl
+from ..output_options import add_output_option, replacing
 from ..run_options import add_limit_options, add_measurement_options, limits_of, settings_of, shown_measure_of
 from ..stop_signals import stop_signals
 
@@ -23,7 +25,8 @@ def add_arguments(parser):
     """Declare the options."""
     parser.add_argument("path", metavar="PART", help="a part; FreeCAD documents and STEP files may hold several, see --part")
     for name, what in _FORMATS.items():
-        parser.add_argument(f"--{name}", metavar="FILE", help=f"write {what}")
+        ending = f".{name}"
+        add_output_option(parser, f"--{name}", mark={ending: MAPS[ending]}, metavar="FILE", help=f"write {what}")
     parser.add_argument("--part", metavar="NAME", help="name or label of the part, where the document has several")
     parser.add_argument("--view", choices=tuple(VIEWS), default=MapLook.view,
                         help="where the picture is seen from (default: %(default)s)")
@@ -51,7 +54,8 @@ def run(options):
     with stop_signals(control):
         found = write_map(
             options.path, files, part=options.part, look=_look(options, unit), measure=shown_measure_of(options),
-            profile=options.profile, settings=settings_of(options), limits=limits_of(options), control=control)
+            profile=options.profile, settings=settings_of(options), limits=limits_of(options), control=control,
+            **replacing(options))
     if options.json:
         print(json_text({**found, "files": files}))
     else:

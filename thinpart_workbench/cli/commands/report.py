@@ -12,6 +12,7 @@ from ...storage.info.info_file import info_path_getter
 from ..check_options import PartChecks, add_check_options, checked_limits
 from ..control_input import listen
 from ..file_run import analyse_and_report
+from ..output_options import FOLDER, add_output_option, replacing
 from ..run_options import (
     add_control_options,
     add_file_options,
@@ -31,9 +32,9 @@ from ..stop_signals import stop_signals
 def add_arguments(parser):
     """Declare the options."""
     add_file_options(parser)
-    parser.add_argument("-o", "--output", metavar="DIR", required=True,
-                        help="folder of the report: a new or an empty one, or that of an earlier report, "
-                             "whose pages are replaced")
+    add_output_option(parser, "-o", "--output", mark=FOLDER, metavar="DIR", required=True,
+                      help="folder of the report: a new or an empty one, or that of an earlier report, "
+                           "whose pages are replaced")
     parser.add_argument("--language", choices=LANGUAGES, default=LANGUAGES[0],
                         help="of the pages (default: %(default)s); the tables are the same in all")
     parser.add_argument("--unit", choices=tuple(UNITS), default=MILLIMETRE.symbol,
@@ -58,7 +59,8 @@ def run(options):
         file_run = new_file_run(options, control, report)
         tree = common_folder(options.paths)
         folder = ReportFolder(options.output, tree, profile, info_path_getter(options.info_dir, info_tree(options)),
-                              checks.limits, shown_measure_of(options), language=options.language, unit=UNITS[options.unit])
+                              checks.limits, shown_measure_of(options), language=options.language, unit=UNITS[options.unit],
+                              **replacing(options))
         with closing(folder):
             failed = analyse_and_report(file_run, report, folder.add, checks=checks, profile=profile,
                                         settings=settings_of(options), limits=limits_of(options),

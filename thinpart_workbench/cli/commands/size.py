@@ -9,14 +9,16 @@ from ...api.libraries import reference_part
 from ...api.mesh_sizes import MESH_SECONDS, check_shell_file, mesh_sizes, write_shell_file, write_size_script
 from ...core.categories import NORMAL
 from ...core.errors import ThinPartError
+from ...core.file_marks import SCRIPT, SHELLS, TABLE
 from ...core.foreign_text import csv_text, printable
 from ...core.message import message
 from ...core.run_control import RunControl
 from ...core.shells.shell_settings import ShellSettings
 from ...core.sizing.sizing_settings import LAYERS_OF_ORDER, SizingSettings
-from ...storage.atomic_file import write_atomically
 from ...storage.info.info_location import info_location
+from ...storage.output_file import write_output
 from ..control_input import listen
+from ..output_options import add_output_option, check_with_documents, replacing
 from ..run_options import (
     add_control_options,
     add_file_options,
@@ -46,11 +48,11 @@ def add_arguments(parser):
                         help="at most so many elements: walls get fewer layers, and it says how many")
     parser.add_argument("--all-walls", action="store_true",
                         help="layers in the thin walls of normal parts too, which otherwise have one size")
-    parser.add_argument("--geo", metavar="FILE",
-                        help="write the sizes of the part as a script for Gmsh, FILE.geo, which opens the part too")
-    parser.add_argument("--shell", metavar="FILE",
-                        help="write the mid-surface of the part as triangles with the thickness of its walls, FILE.inp "
-                             "(CalculiX), FILE.msh (Gmsh) or FILE.unv (I-DEAS)")
+    add_output_option(parser, "--geo", mark={".geo": SCRIPT}, metavar="FILE",
+                      help="write the sizes of the part as a script for Gmsh, FILE.geo, which opens the part too")
+    add_output_option(parser, "--shell", mark=SHELLS, metavar="FILE",
+                      help="write the mid-surface of the part as triangles with the thickness of its walls, FILE.inp "
+                           "(CalculiX), FILE.msh (Gmsh) or FILE.unv (I-DEAS)")
     parser.add_argument("--shell-size", type=float, metavar="MM",
                         help="greatest element size of the shell (default: from the diagonal and the narrowest wall)")
     parser.add_argument("--shell-order", type=int, choices=(1, 2), default=ShellSettings.order,
@@ -69,7 +71,7 @@ def add_arguments(parser):
                              "like it (may be repeated)")
     parser.add_argument("--info-dir", metavar="DIR",
                         help="folder of the info file for --keep and --like, if it is not beside the document")
-    parser.add_argument("--csv", metavar="FILE", help="write one row per part to a CSV file as well")
+    add_output_option(parser, "--csv", mark=TABLE, metavar="FILE", help="write one row per part to a CSV file as well")
     parser.add_argument("--force", action="store_true", help="do not take what an earlier, interrupted run has kept")
     add_measurement_options(parser)
     add_limit_options(parser)
@@ -99,7 +101,8 @@ def run(options):
                     check=options.check, mesh_seconds=options.mesh_timeout, has_sources=options.geo is not None,
                     force=options.force, include=options.include, exclude=options.exclude, control=control,
                     started=report.started, shell=shell, region_sizes=sizes, all_walls=options.all_walls,
-                    part=None if options.geo is None and options.shell is None else options.part or ""):
+                    part=None if options.geo is None and options.shell is None else options.part or "",
+                    found=lambda documents: check_with_documents(options, documents)):
                 if outcome.get("error", {}).get("kind") == "usage":
                     refused = outcome["error"]["message"]
                     continue
@@ -109,7 +112,7 @@ def run(options):
     finally:
         parts = [(outcome["file"], part) for outcome in found for part in outcome.get("parts", ())]
         if options.csv and parts:
-            _write_csv(options.csv, parts)
+            _write_csv(options, parts)
         if parts and not options.json:
             with standard_output() as stream:
                 if len(parts) == 1:
@@ -120,13 +123,13 @@ def run(options):
         raise ThinPartError(refused, "usage")
     if options.geo is not None:
         outcome, part = _chosen(options, found, options.geo)
-        copy = write_size_script(options.geo, part, outcome["file"], outcome["solids"])
+        copy = write_size_script(options.geo, part, outcome["file"], outcome["solids"], **replacing(options))
         _say(options, message("The sizes were written to {file}: open it in Gmsh.", file=Path(options.geo).name))
         if copy is not None:
             _say(options, message("The script opens {copy}, a copy of the part beside it.", copy=copy))
     if options.shell is not None:
         part = _chosen(options, found, options.shell)[1]
-        write_shell_file(options.shell, part)
+        write_shell_file(options.shell, part, **replacing(options))
         _say(options, message("The shell was written to {file}: {elements} elements, {nodes} nodes.",
                               file=Path(options.shell).name, elements=part["shell"]["elements"],
                               nodes=part["shell"]["nodes"]))
@@ -186,12 +189,12 @@ def _without_places(part):
     return shown
 
 
-def _write_csv(path, parts):
+def _write_csv(options, parts):
     text = csv_text([SIZE_COLUMNS, *(flat_row(file, part) for file, part in parts)])
     try:
-        write_atomically(path, text.encode())
+        write_output(options.csv, text.encode(), TABLE, **replacing(options))
     except OSError as error:
-        raise ThinPartError(message("{file} cannot be written ({problem}): name another place.", file=path,
+        raise ThinPartError(message("{file} cannot be written ({problem}): name another place.", file=options.csv,
                                     problem=error.strerror), "failed") from None
 
 

@@ -3,6 +3,7 @@
 import os
 
 from ...core.errors import ThinPartError
+from ...core.file_marks import TABLE
 from ..application import lifelong
 from ..application.length_unit import length_unit
 from ..application.qt import QtCore, QtGui, QtWidgets, Signal, execute, translate
@@ -10,8 +11,9 @@ from ..application.sentences import translated
 from ..document.open_part import DANGEROUS, confirm_dangerous_open, open_part
 from ..processes.path_check import check_path_in_thread
 from ..record.label_button import LabelButton
+from ..widgets.confirmation import may_overwrite
 from ..widgets.row_table import PathDelegate, show_whole_rows
-from .csv_export import CsvExport
+from .csv_export import CsvExport, not_written
 from .results_filter import ResultsFilter
 from .results_model import CATEGORY, CRITERIA, FILE, PART, ResultsModel
 
@@ -182,7 +184,18 @@ class ResultsPanel(QtWidgets.QWidget):
                 "ThinPart", "The table was not written to {}: choose a file name that ends with .csv."
             ).format(chosen[0]))
             return
-        self._export = CsvExport(chosen[0], self.table.shown_rows, [limits.name for limits in self.table.limits], self)
+        try:
+            overwrite = may_overwrite(self, chosen[0], TABLE)
+        except ThinPartError as error:
+            self.failed.emit(translated(error))
+            return
+        except OSError as error:
+            self.failed.emit(not_written(chosen[0], error))
+            return
+        if overwrite is None:
+            return
+        self._export = CsvExport(chosen[0], self.table.shown_rows, [limits.name for limits in self.table.limits], overwrite,
+                                 self)
         self._export.finished.connect(self._on_exported)
         self._export.start()
         self._show_buttons()

@@ -3,6 +3,8 @@
 import os
 from pathlib import Path
 
+from ...core.errors import ThinPartError
+from ...core.file_marks import PROFILE
 from ...freecad_adapter.additional_packages import has_package, install_folder
 from ...freecad_adapter.preferences import set_preference
 from ..application import lifelong
@@ -12,6 +14,7 @@ from ..guide.command import help_button
 from ..processes.conversation import Conversation
 from ..processes.package_installation import PackageInstallation
 from ..record.record_view import show_text, text_line
+from ..widgets.confirmation import may_overwrite
 from ..widgets.push_button import add_button
 from .form import LearnForm
 from .result_view import LearnedView
@@ -104,15 +107,25 @@ class LearnDialog(QtWidgets.QDialog):
         dialog.selectFile("house.json")
         chosen = dialog.selectedFiles() if execute(dialog) else []
         dialog.deleteLater()
-        if chosen:
-            self.save_as(chosen[0])
-        else:
+        overwrite = self._may_overwrite(chosen[0]) if chosen else None
+        if overwrite is None:
             self._use_when_saved = False
+        else:
+            self.save_as(chosen[0], overwrite)
 
-    def save_as(self, file):
-        """Write the learned profile to a file."""
+    def save_as(self, file, overwrite=False):
+        """Write the learned profile to a file; `overwrite` says whether that may be no profile."""
         self._ask(translate("ThinPart", "Writing {}\u2026").format(file),
-                  save={"content": self._learned["content"], "output": file})
+                  save={"content": self._learned["content"], "output": file, "overwrite": overwrite})
+
+    def _may_overwrite(self, file):
+        try:
+            return may_overwrite(self, file, PROFILE)
+        except ThinPartError as error:
+            self._show_message("\u26a0 " + translated(error))
+            return None
+        except OSError:
+            return False  # the attempt says what is wrong
 
     def use(self):
         """Make the learned profile the preferred one; it is saved before."""

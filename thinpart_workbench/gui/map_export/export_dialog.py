@@ -1,15 +1,21 @@
 """Asks where and as what a thickness map is to be written, and writes it."""
 
 import os
+from pathlib import Path
 
 import FreeCADGui as Gui
 
 from ...api.document_maps import parts_of
 from ...core.errors import ThinPartError
+from ...core.file_marks import MAPS
 from ...storage.exchange.map_export import PLY, VTP, write_ply, write_vtp
+from ...storage.output_file import write_output
+from ...storage.png import marked_png
+from ...storage.temporary_folder import temporary_folder
 from ..application.qt import QtWidgets, execute, translate
 from ..application.sentences import translated
 from ..colour_bar.colours import ThicknessColours
+from ..widgets.confirmation import may_overwrite
 
 PNG = ".png"
 
@@ -65,35 +71,42 @@ class ExportDialog(QtWidgets.QFileDialog):
         return self._endings.get(self.selectedNameFilter(), PNG)
 
     def write(self, path):
-        """Write the map to a file.
+        """Write the map to a file; the user is asked before one is replaced that ThinPart did not write.
+
+        Returns
+        -------
+        bool
+            Whether it was written.
 
         Raises
         ------
         ThinPartError
-            kind ``failed``, with a sentence.
+            kind ``usage`` or ``failed``, with a sentence.
         """
         try:
+            overwrite = may_overwrite(self, path, MAPS[self.ending], [self._thickness.Document.FileName])
+            if overwrite is None:
+                return False
             if self.ending == PNG:
-                self._save_picture(path)
+                write_output(path, self._picture(), MAPS[PNG], overwrite)
             elif self.ending == VTP:
-                write_vtp(path, parts_of(self._thickness))
+                write_vtp(path, parts_of(self._thickness), overwrite)
             else:
                 write_ply(path, parts_of(self._thickness), ThicknessColours.of(self._thickness).of_values)
+            return True
         except OSError as error:
             raise ThinPartError(translate("ThinPart", "{} cannot be written ({}): choose another place.").format(
                 path, error.strerror or error), "failed") from None
 
-    def _save_picture(self, path):
+    def _picture(self):
+        """The view as a PNG file: bytes."""
         view = Gui.getDocument(self._thickness.Document.Name).activeView()
-        beside = f"{path}.part{PNG}"
-        try:
-            view.saveImage(beside, self.width_field.value(), self.height_field.value(), "Current")
-            if not os.path.exists(beside):
+        with temporary_folder() as folder:
+            path = os.path.join(folder, f"view{PNG}")
+            view.saveImage(path, self.width_field.value(), self.height_field.value(), "Current")
+            if not os.path.exists(path):
                 raise OSError(translate("ThinPart", "the view cannot be drawn at this size"))
-            os.replace(beside, path)
-        finally:
-            if os.path.exists(beside):
-                os.remove(beside)
+            return marked_png(Path(path).read_bytes())
 
     def _pixels(self, row, name, value):
         field = QtWidgets.QSpinBox(self._size)
@@ -115,7 +128,8 @@ def export_map(thickness, parent):
         if execute(dialog) != QtWidgets.QDialog.Accepted:
             return ""
         path = dialog.selectedFiles()[0]
-        dialog.write(path)
+        if not dialog.write(path):
+            return ""
     except ThinPartError as error:
         return translated(error)
     finally:

@@ -4,6 +4,7 @@ import os
 from pathlib import Path
 
 from ...core.errors import ThinPartError
+from ...core.file_marks import PROFILE
 from ...core.judging.criteria import PROFILES, load_profile, usable_profile
 from ...freecad_adapter.preferences import set_preference
 from ...storage.user_profiles import user_profiles_folder, write_profile
@@ -13,6 +14,7 @@ from ..application.sentences import translated
 from ..guide.command import help_button
 from ..library.command import show_find_parts
 from ..record.record_view import show_text, text_line
+from ..widgets.confirmation import may_overwrite
 from ..widgets.profile_combo import ProfileCombo
 from ..widgets.push_button import add_button
 from .changes_panel import ChangesPanel
@@ -114,12 +116,14 @@ class ProfileDialog(QtWidgets.QDialog):
         """
         return self._ask_where() if self._is_shipped else self.save_as(self._name)
 
-    def save_as(self, file):
+    def save_as(self, file, overwrite=False):
         """Write the profile to a file.
 
         Parameters
         ----------
         file : str
+        overwrite : bool, optional
+            Whether it may be no profile.
 
         Returns
         -------
@@ -134,7 +138,7 @@ class ProfileDialog(QtWidgets.QDialog):
         content = named_content(self._thresholds.content(), self._start, Path(file).stem)
         try:
             usable_profile(content, file)
-            write_profile(content, file)
+            write_profile(content, file, overwrite)
         except ThinPartError as error:
             self._show_message(translated(error))
             return False
@@ -307,12 +311,26 @@ class ProfileDialog(QtWidgets.QDialog):
             os.makedirs(folder, exist_ok=True)
         except OSError:
             folder = Path.home()  # the user may choose any other
-        file, _ = QtWidgets.QFileDialog.getSaveFileName(
-            self, translate("ThinPart", "Save the profile as"), str(folder / f"my_{Path(self._file).stem}.json"),
-            translate("ThinPart", "Thresholds (*.json)"))
-        if not file:
+        dialog = QtWidgets.QFileDialog(
+            self, translate("ThinPart", "Save the profile as"), str(folder), translate("ThinPart", "Thresholds (*.json)"))
+        dialog.setObjectName("ThinPart_ProfileSaveDialog")
+        dialog.setAcceptMode(QtWidgets.QFileDialog.AcceptSave)
+        dialog.setDefaultSuffix("json")
+        dialog.selectFile(f"my_{Path(self._file).stem}.json")
+        chosen = dialog.selectedFiles() if execute(dialog) else []
+        dialog.deleteLater()
+        return bool(chosen) and self._save_chosen(chosen[0])
+
+    def _save_chosen(self, file):
+        """Write to a file that the user chose, and ask first where it is no profile; returns whether it was written."""
+        try:
+            overwrite = may_overwrite(self, file, PROFILE)
+        except ThinPartError as error:
+            self._show_message(translated(error))
             return False
-        return self.save_as(file if file.endswith(".json") else f"{file}.json")
+        except OSError:
+            overwrite = False  # the attempt says what is wrong
+        return overwrite is not None and self.save_as(file, overwrite)
 
     def _add_choice(self, column):
         row = QtWidgets.QHBoxLayout()

@@ -1,6 +1,7 @@
 """Confirmation of actions that cannot be undone."""
 
-from ..application.qt import QtCore, QtWidgets, execute
+from ...storage.output_file import ForeignFile, check_output
+from ..application.qt import QtCore, QtWidgets, execute, translate
 
 
 def is_confirmed(parent, name, icon, sentence, question, answer):
@@ -24,3 +25,36 @@ def is_confirmed(parent, name, icon, sentence, question, answer):
     clicked = execute(box)
     box.deleteLater()
     return clicked == answer
+
+
+def may_overwrite(parent, path, mark, inputs=()):
+    """Ask plainly before a chosen file is overwritten that ThinPart did not write: a file dialog asks that of any file.
+
+    Parameters
+    ----------
+    parent : QWidget
+    path, mark, inputs
+        See `check_output`.
+
+    Returns
+    -------
+    bool or None
+        What to tell `write_output` as ``overwrite``: True where the user said so, False where nothing had to be asked. None
+        where the file is to stay.
+
+    Raises
+    ------
+    ThinPartError
+        Where it must not be overwritten.
+    OSError
+        Where it cannot be written.
+    """
+    try:
+        check_output(path, mark, inputs=inputs)
+    except ForeignFile:
+        is_wanted = is_confirmed(
+            parent, "ThinPart_OverwriteQuestion", QtWidgets.QMessageBox.Warning,
+            translate("ThinPart", "{} was not written by ThinPart.").format(path),
+            translate("ThinPart", "Replace it? What it contains will be lost."), QtWidgets.QMessageBox.Yes)
+        return True if is_wanted else None
+    return False

@@ -4,8 +4,9 @@ import io
 
 import numpy as np
 
+from ...core.file_marks import SCRIPT
 from ...core.foreign_text import gmsh_text
-from ..atomic_file import write_atomically
+from ..output_file import write_output
 
 
 def geo_text(global_size, boxes, part_file=None, order=1, options=()):
@@ -53,6 +54,6 @@ def geo_text(global_size, boxes, part_file=None, order=1, options=()):
     return text.getvalue()
 
 
-def write_geo(path, global_size, boxes, part_file=None, order=1, options=()):
-    """Write the script; an OSError leaves what was there."""
-    write_atomically(path, geo_text(global_size, boxes, part_file, order, options).encode())
+def write_geo(path, global_size, boxes, part_file=None, order=1, options=(), overwrite=False, inputs=()):
+    """Write the script, with `overwrite` and `inputs` as in `write_output`; an OSError leaves what was there."""
+    write_output(path, geo_text(global_size, boxes, part_file, order, options).encode(), SCRIPT, overwrite, inputs)

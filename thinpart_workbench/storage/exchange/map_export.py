@@ -6,16 +6,17 @@ import struct
 import numpy as np
 
 from ...core.file_formats import FORMATS
-from ..atomic_file import write_atomically
+from ...core.file_marks import MAPS, PLY_COMMENT, VTP_COMMENT
+from ..output_file import write_output
 
 VTP = ".vtp"
 PLY, = next(each.endings for each in FORMATS if each.name == "PLY")
 """Endings of the formats."""
 
 
-def write_vtp(path, parts):
-    """Write the content of `vtp_bytes` to a file; OSError where that is not possible, and what was there stays."""
-    write_atomically(path, vtp_bytes(parts))
+def write_vtp(path, parts, overwrite=False):
+    """Write the content of `vtp_bytes` to a file; see `write_output`."""
+    write_output(path, vtp_bytes(parts), MAPS[VTP], overwrite)
 
 
 def vtp_bytes(parts):
@@ -34,7 +35,7 @@ def vtp_bytes(parts):
     count = len(of_facet)
     offsets = 3 * np.arange(1, count + 1, dtype=np.int32)
     return "\n".join([
-        '<?xml version="1.0"?>',
+        '<?xml version="1.0"?>', VTP_COMMENT,
         '<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian" header_type="UInt32">',
         "<PolyData>",
         f'<Piece NumberOfPoints="{3 * count}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" '
@@ -47,8 +48,8 @@ def vtp_bytes(parts):
 
 
 def write_ply(path, parts, colours):
-    """Write the content of `ply_bytes` to a file; OSError where that is not possible, and what was there stays."""
-    write_atomically(path, ply_bytes(parts, colours))
+    """Write the content of `ply_bytes` to a file; see `write_output`."""
+    write_output(path, ply_bytes(parts, colours), MAPS[PLY])
 
 
 def ply_bytes(parts, colours):
@@ -72,7 +73,7 @@ def ply_bytes(parts, colours):
     faces = np.empty(count, dtype=[("number", "u1"), ("corners", "<i4", 3)])
     faces["number"], faces["corners"] = 3, np.arange(3 * count).reshape(-1, 3)
     head = "\n".join([
-        "ply", "format binary_little_endian 1.0", "comment wall thickness in mm, by ThinPart", f"element vertex {3 * count}",
+        "ply", "format binary_little_endian 1.0", PLY_COMMENT, f"element vertex {3 * count}",
         *(f"property float {axis}" for axis in "xyz"), *(f"property uchar {name}" for name in ("red", "green", "blue")),
         "property float thickness", f"element face {count}", "property list uchar int vertex_indices", "end_header", ""])
     return head.encode("ascii") + vertices.tobytes() + faces.tobytes()

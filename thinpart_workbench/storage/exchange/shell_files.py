@@ -5,14 +5,15 @@ import os
 
 import numpy as np
 
+from ...core.file_marks import SHELLS
 from ...core.foreign_text import head_text
-from ..atomic_file import write_atomically
+from ..output_file import write_output
 
 _UNV_ORDER = {3: (0, 1, 2), 6: (0, 3, 1, 4, 2, 5)}
 """Nodes of a triangle as universal files have them: along its outline."""
 
 
-def write_shell(path, shell, label):
+def write_shell(path, shell, label, overwrite=False, inputs=()):
     """Write a shell, in the format that the ending of the path says.
 
     Parameters
@@ -22,15 +23,17 @@ def write_shell(path, shell, label):
     shell : ShellMesh
     label : str
         Of the part, for the head of the file.
+    overwrite, inputs
+        See `check_output`.
 
     Raises
     ------
-    OSError
-        What was there stays.
+    ThinPartError, OSError
+        See `write_output`.
     """
     about = f"Mid-surface of {head_text(label)} with the thickness of its walls, by ThinPart"
-    text = SHELL_FORMATS[os.path.splitext(os.fspath(path))[1].lower()](shell, about)
-    write_atomically(path, text.encode())
+    ending = os.path.splitext(os.fspath(path))[1].lower()
+    write_output(path, SHELL_FORMATS[ending](shell, about).encode(), SHELLS[ending], overwrite, inputs)
 
 
 def inp_text(shell, about):
@@ -93,7 +96,7 @@ def unv_text(shell, about):
     too, but with its documented factor of 1000, FreeCAD reads millimetres as metres.
     """
     text, (section, thickness) = io.StringIO(), shell.sections()
-    text.write(f"    -1\n   151\n{about[:80]}\nLengths in mm\n\n\n\n\n\n    -1\n")
+    text.write(f"    -1\n   151\n{about[:80]}\nLengths in mm\nThinPart\n\n\n\n\n    -1\n")
     text.write("    -1\n  2411\n")
     for number, point in enumerate(shell.points):
         text.write(f"{number + 1:10d}{1:10d}{1:10d}{11:10d}\n" + "".join(f"{value:25.16E}" for value in point).replace(

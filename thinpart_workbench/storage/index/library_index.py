@@ -13,6 +13,7 @@ from ...core.errors import ThinPartError
 from ...core.foreign_text import sql_text
 from ...core.judging.packed_check import packed_walls_pass
 from ...core.message import Message, message, to_data
+from ..atomic_file import OWNER_ONLY
 from ..cache_folder import cache_folder
 from ..folder_lock import folder_lock
 from ..info.info_reading import read_open_info
@@ -26,6 +27,9 @@ FILES_AT_ONCE = 2000
 """Info files per transaction: bounds what a killed refresh loses, and how long a reader waits."""
 
 BUSY_SECONDS = 60.0
+
+_ENDINGS = ("", "-wal", "-shm")
+"""Of the files of an index."""
 
 _FILES = {
     "path": "BLOB UNIQUE NOT NULL", "bytes": "INTEGER", "modified_ns": "INTEGER", "inode": "INTEGER",
@@ -57,6 +61,8 @@ class LibraryIndex:
 
     Notes
     -----
+    It has what is known of parts in many folders, some of which only this user may read: so nobody else may read it.
+
     SQLite with a write-ahead log: others may read during a refresh, and a killed refresh keeps the batches
     that it has finished. A damaged index is deleted and rebuilt. Programs that would build the index
     differently (`index_version`) use a file of their own, so that they do not disturb each other.
@@ -125,6 +131,7 @@ class LibraryIndex:
                 os.makedirs(os.path.dirname(self.path), exist_ok=True)
                 # SQLite does not wait for other processes while it switches a new file to write-ahead logging.
                 with folder_lock(os.path.dirname(self.path)):
+                    _make_private(self.path)
                     self._connection = _connect(self.path)
             except (OSError, sqlite3.OperationalError) as error:
                 self._move_to_memory(error)
@@ -144,7 +151,7 @@ class LibraryIndex:
             raise
         except sqlite3.DatabaseError:
             self.close()
-            for ending in ("", "-wal", "-shm"):
+            for ending in _ENDINGS:
                 with suppress(FileNotFoundError):
                     os.unlink(self.path + ending)
             return operation()
@@ -195,6 +202,14 @@ class LibraryIndex:
             "DELETE FROM distributions WHERE id IN (SELECT id FROM parts WHERE file = ?)", numbers)
         database.executemany("DELETE FROM parts WHERE file = ?", numbers)
         database.executemany("DELETE FROM files WHERE id = ?", numbers)
+
+
+def _make_private(path):
+    """See to it that this user alone may read an index; SQLite gives its further files the mode of the first."""
+    os.close(os.open(path, os.O_RDWR | os.O_CREAT, OWNER_ONLY.mode))
+    for ending in _ENDINGS:
+        with suppress(OSError):  # there is none; or it is another user's, who decides about it
+            os.chmod(path + ending, OWNER_ONLY.mode)
 
 
 def _connect(path):

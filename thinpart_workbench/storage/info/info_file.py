@@ -10,9 +10,10 @@ from pathlib import Path
 
 from ... import __version__
 from ...core.errors import ThinPartError
+from ...core.file_formats import INFO_ENDING
 from ...core.message import message, with_messages
 from ...system.file_paths import path_in_tree, relative_path
-from ..atomic_file import write_atomically
+from ..atomic_file import FileAccess, write_atomically
 from ..fcstd_file import is_fcstd
 from ..folder_lock import folder_lock
 from ..regular_file import open_regular
@@ -20,7 +21,7 @@ from .annotations import carry_annotations
 from .info_definition import FORMAT, VERSION
 from .info_reading import DamagedInfoFile, fault_of, read_info
 
-SUFFIX = ".thinpart.json"
+SUFFIX = INFO_ENDING
 
 _ENCODE = json.JSONEncoder(ensure_ascii=False, allow_nan=False).encode
 
@@ -283,7 +284,7 @@ def write_info(path, content, beside=None):
                 existing = _read_existing(path)
                 _check_same_document(path, existing, content)
                 carry_annotations(content, existing)
-            write_atomically(path, _checked_bytes(path, content), beside=beside)
+            write_atomically(path, _checked_bytes(path, content), beside=beside, access=_access(path, content))
 
 
 def change_info(path, change):
@@ -309,8 +310,13 @@ def change_info(path, change):
     with _writing(path), folder_lock(path.parent):
         content = read_info(path)
         if change(content):
-            write_atomically(path, _checked_bytes(path, content))
+            write_atomically(path, _checked_bytes(path, content), access=_access(path, content))
     return content
+
+
+def _access(path, content):
+    """The access that all documents have of which an info file tells."""
+    return FileAccess.of(each for _, each in _entries(content["source"], _document_of(path, content)))
 
 
 @contextmanager

@@ -2,12 +2,10 @@
 
 import hashlib
 import json
-import os
 from contextlib import suppress
 
 from ...core.mesh.tetrahedra import POOR
-from ...storage.atomic_file import write_atomically
-from ...storage.cache_folder import cache_folder
+from ...storage.cache_folder import cache_folder, write_cached
 from ...storage.regular_file import open_regular
 from .gmsh_mesh import SIZE, results_fault
 
@@ -54,8 +52,7 @@ class MeshingCache:
         """Keep the results of a document; a full disk only costs time later."""
         if self._folder is not None:
             with suppress(OSError):
-                os.makedirs(self._folder, exist_ok=True)
-                write_atomically(self._path(source, task), json.dumps(results).encode(), durable=False)
+                write_cached(self._path(source, task), json.dumps(results).encode())
 
     def _path(self, source, task):
         content = [self._what, source["sha256"], [link["sha256"] for link in source.get("links", ())], task.diagonals]

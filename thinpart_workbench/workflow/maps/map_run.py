@@ -23,8 +23,6 @@ from ..workers.reported_failure import reported_failure
 from ..workers.worker_pool import answer_of, worker_folder
 
 PNG = ".png"
-FORMATS = (PNG, VTP, PLY)
-"""Endings of the files that a map can be written as."""
 
 
 @dataclass(frozen=True)
@@ -39,7 +37,7 @@ class MapTask:
     profile : dict
         Content of the profile.
     formats : tuple of str
-        Of `FORMATS`.
+        Of `core.file_marks.MAPS`.
     look : MapLook
     measure : str
         One of `SHOWN_MEASURES`.

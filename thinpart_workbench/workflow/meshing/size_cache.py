@@ -6,8 +6,7 @@ import os
 from contextlib import suppress
 from dataclasses import asdict, replace
 
-from ...storage.atomic_file import write_atomically
-from ...storage.cache_folder import cache_folder
+from ...storage.cache_folder import cache_folder, write_cached
 from ...storage.info.info_file import source_is_unchanged
 from ...storage.regular_file import open_regular
 from .size_result import sizes_fault
@@ -51,8 +50,7 @@ class SizeCache:
         """Keep a result; a full disk only costs time later."""
         if self._folder is not None:
             with suppress(OSError):
-                os.makedirs(self._folder, exist_ok=True)
-                write_atomically(self._path(task), json.dumps(result).encode(), durable=False)
+                write_cached(self._path(task), json.dumps(result).encode())
 
     def _path(self, task):
         content = [self._what, asdict(replace(task, file=os.path.abspath(task.file), program=bool(task.program)))]

@@ -2,15 +2,18 @@
 
 import hashlib
 import os
+import struct
 from dataclasses import dataclass
 
 from ...core.analysis_settings import RAY
 from ...core.errors import ThinPartError
+from ...core.file_marks import PAGE, PICTURE
 from ...core.foreign_text import csv_text, safe_name, url_path
 from ...core.length_unit import MILLIMETRE, LengthUnit
 from ...core.message import message
-from ...storage.atomic_file import write_atomically
 from ...storage.info.info_file import stored_info
+from ...storage.output_file import bears_mark, write_output
+from ...storage.regular_file import open_regular
 from .page_language import ENGLISH
 
 PAGES = "pages"
@@ -45,6 +48,8 @@ class ReportPages:
         One of `LANGUAGES`.
     unit : LengthUnit
         Of all lengths on the pages; the tables beside them are in mm.
+    overwrite : bool
+        Whether files that ThinPart did not write may be replaced.
     """
 
     folder: str
@@ -54,6 +59,7 @@ class ReportPages:
     shown_measure: str = RAY
     language: str = ENGLISH
     unit: LengthUnit = MILLIMETRE
+    overwrite: bool = False
 
     def page(self, part_name, ending=".html"):
         """Path of a part's page relative to the folder of the report, the same in every run."""
@@ -77,15 +83,27 @@ class ReportPages:
         ThinPartError
             kind ``failed``.
         """
-        for page, content in ((self.picture(record["name"]), drawn.picture), (self.page(record["name"]), drawn.page)):
-            path = os.path.join(self.folder, page)
+        page, picture = (os.path.join(self.folder, each(record["name"])) for each in (self.page, self.picture))
+        # Pictures of earlier versions have no mark, but the page that they belong to has one.
+        of_page = bears_mark(page, PAGE) and _is_small_picture(picture)
+        for path, content, mark, overwrite in ((picture, drawn.picture, PICTURE, self.overwrite or of_page),
+                                               (page, drawn.page, PAGE, self.overwrite)):
             try:
                 os.makedirs(os.path.dirname(path), exist_ok=True)
-                write_atomically(path, content, durable=False)
+                write_output(path, content, mark, overwrite, durable=False)
             except OSError as error:
                 raise ThinPartError(
                     message("The page {page} could not be written ({problem}): make room, or give another folder "
                             "for the report.", page=path, problem=error.strerror), "failed") from None
+
+
+def _is_small_picture(path):
+    """Whether a file is a picture of the size of those in the overview: bool."""
+    try:
+        with open_regular(path) as file:
+            return file.read(24)[12:] == b"IHDR" + struct.pack(">II", PICTURE_WIDTH, PICTURE_HEIGHT)
+    except OSError:
+        return False
 
 
 def address(path):
