@@ -17,7 +17,7 @@ from thinpart_workbench.cli import COMMANDS, main
 from thinpart_workbench.cli.output_options import FOLDER
 from thinpart_workbench.core.errors import ThinPartError
 from thinpart_workbench.core.file_formats import ENDINGS
-from thinpart_workbench.core.file_marks import LABELS, LIMITS, PICTURE, PROFILE, REPORT, SHELLS, TABLE
+from thinpart_workbench.core.file_marks import LABELS, LIMITS, MAPS, PAGE, PICTURE, PROFILE, REPORT, SCRIPT, SHELLS, TABLE
 from thinpart_workbench.core.shells.shell_mesh import ShellMesh
 from thinpart_workbench.storage.atomic_file import place_new
 from thinpart_workbench.storage.exchange.shell_files import write_shell
@@ -324,6 +324,13 @@ def test_labels_that_somebody_wrote_or_changed_are_not_replaced(place, capsys):
 @pytest.mark.parametrize("mark, content", [
     (TABLE, b"file,part,label,instances,category,criteria,margin\n"),
     (TABLE, b"file,part,label,face,made_by,area_mm2,thinnest_mm\n"),
+    (MAPS[".vtp"], b'<?xml version="1.0"?>\n<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian" '
+                   b'header_type="UInt32">\n<PolyData>\n<Piece NumberOfPoints="3" NumberOfPolys="1">\n'
+                   b'<PointData Scalars="thickness_mm">\n'),
+    (MAPS[".ply"], b"ply\nformat binary_little_endian 1.0\ncomment wall thickness in mm, by ThinPart\nelement vertex 3\n"),
+    (SCRIPT, b"// Element sizes in mm, by ThinPart: open this file in Gmsh.\nMerge"),
+    (PAGE, b'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+           b'<meta name="generator" content="ThinPart 0.1">'),
     (PROFILE, json.dumps({"version": 1, "format": "thinpart-profile"}).encode()),
     (LIMITS, b'{"format": "thinpart-wall-limits"}'), (REPORT, b'{"format": "thinpart-report"}'),
 ])

@@ -123,8 +123,8 @@ PICTURE = HeadMark(rb"\x89PNG\r\n\x1a\n.{25}.{4}tEXtSoftware\0ThinPart")
 MAPS = {
     ".png": PICTURE,
     # Those of earlier versions have no comment, but the name of the values.
-    ".vtp": HeadMark(rb'<\?xml version="1\.0"\?>\n(' + VTP_COMMENT.encode() + rb'\n|<VTKFile [^\n]*>\n<PolyData>\n'
-                     rb'<Piece [^\n]*>\n<PointData Scalars="thickness_mm">)'),
+    ".vtp": HeadMark(rb'<\?xml version="1\.0"\?>\n<VTKFile type="PolyData" [^\n]*>\n(' + VTP_COMMENT.encode() + rb'\n|'
+                     rb'<PolyData>\n<Piece [^\n]*>\n<PointData Scalars="thickness_mm">)'),
     # ThinPart reads such files too.
     ".ply": HeadMark(rb"ply\nformat binary_little_endian 1\.0\n" + PLY_COMMENT.encode() + rb"\n", (".ply",)),
 }

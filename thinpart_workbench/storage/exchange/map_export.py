@@ -35,9 +35,9 @@ def vtp_bytes(parts):
     count = len(of_facet)
     offsets = 3 * np.arange(1, count + 1, dtype=np.int32)
     return "\n".join([
-        '<?xml version="1.0"?>', VTP_COMMENT,
+        '<?xml version="1.0"?>',
         '<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian" header_type="UInt32">',
-        "<PolyData>",
+        VTP_COMMENT, "<PolyData>",
         f'<Piece NumberOfPoints="{3 * count}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" '
         f'NumberOfPolys="{count}">',
         '<PointData Scalars="thickness_mm">', _array("thickness_mm", at_corners.ravel()), "</PointData>",
