@@ -8,8 +8,8 @@ import socket
 import pytest
 from program import records, thinpart
 
+from thinpart_workbench.core.regular_file import open_regular
 from thinpart_workbench.storage.part_table import csv_text
-from thinpart_workbench.storage.regular_file import open_regular
 
 
 def _pipe(path):

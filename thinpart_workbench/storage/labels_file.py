@@ -7,9 +7,9 @@ from typing import NamedTuple
 
 from ..core.errors import ThinPartError
 from ..core.message import message
+from ..core.regular_file import open_regular
 from .atomic_file import write_atomically
 from .part_table import csv_text, unescaped
-from .regular_file import open_regular
 
 REQUIRED, OPTIONAL = ("file", "category"), ("part", "person", "sure", "second", "group")
 """Columns. Others are ignored, so that a table may hold remarks."""

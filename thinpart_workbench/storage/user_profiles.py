@@ -6,6 +6,7 @@ from pathlib import Path
 
 from ..core.errors import ProfileError, ThinPartError
 from ..core.judging.criteria import PROFILES, profile_from
+from ..core.kinds.json_file import UnreadableJson, read_json
 from ..core.message import message
 from ..system.user_folders import settings_home
 from .atomic_file import write_atomically
@@ -20,7 +21,7 @@ def user_profiles_folder():
 def user_profiles():
     """The files in that folder, by name: list of Path. Whether they are profiles is not looked at."""
     try:
-        return sorted(path for path in user_profiles_folder().iterdir() if path.suffix == ".json" and path.is_file())
+        return sorted(path for path in user_profiles_folder().iterdir() if path.suffix == ".json" and os.path.isfile(path))
     except OSError:
         return []  # there is none, or it cannot be read now
 
@@ -74,7 +75,7 @@ def write_profile(content, file):
 
 def _is_profile(file):
     try:
-        profile_from(json.loads(Path(file).read_text(encoding="utf-8")))
-    except (OSError, ValueError, RecursionError, ProfileError):
+        profile_from(read_json(file))
+    except (FileNotFoundError, UnreadableJson, ProfileError):
         return False
     return True

@@ -12,12 +12,12 @@ from ...core.descriptors.packed_distribution import least_slanted, middle_share,
 from ...core.errors import ThinPartError
 from ...core.judging.packed_check import packed_walls_pass
 from ...core.message import Message, message, to_data
+from ...core.regular_file import open_regular
 from ..cache_folder import cache_folder
 from ..folder_lock import folder_lock
 from ..info.info_reading import read_open_info
 from ..info.info_tree import Stamp, scan, stamp_of
 from ..record_columns import INDEXED
-from ..regular_file import open_regular
 from .index_columns import LARGE_COLUMNS, large_values, small_values, stored_text
 from .index_version import index_version
 
@@ -132,7 +132,8 @@ class LibraryIndex:
     def _move_to_memory(self, error):
         self.close()
         self.warning = message("The search index {file} cannot be saved ({problem}): it was built in memory, and the "
-                               "next search has to build it again.", file=self.path, problem=error)
+                               "next search has to build it again.", file=self.path,
+                               problem=getattr(error, "strerror", None) or error)
         self._connection = _connect(":memory:")
 
     def _with_database(self, operation):

@@ -6,9 +6,9 @@ import os
 from contextlib import suppress
 
 from ...core.mesh.tetrahedra import POOR
+from ...core.regular_file import open_regular
 from ...storage.atomic_file import write_atomically
 from ...storage.cache_folder import cache_folder
-from ...storage.regular_file import open_regular
 from .gmsh_mesh import SIZE, results_fault
 
 _LARGEST = 64 << 20

@@ -6,10 +6,10 @@ import os
 from contextlib import suppress
 from dataclasses import asdict, replace
 
+from ...core.regular_file import open_regular
 from ...storage.atomic_file import write_atomically
 from ...storage.cache_folder import cache_folder
 from ...storage.info.info_file import source_is_unchanged
-from ...storage.regular_file import open_regular
 from .size_result import sizes_fault
 
 _LARGEST = 1 << 30
