@@ -9,7 +9,7 @@ import pytest
 from program import records, thinpart
 
 from thinpart_workbench.core.foreign_text import csv_text
-from thinpart_workbench.storage.regular_file import open_regular
+from thinpart_workbench.core.regular_file import open_regular
 
 
 def _pipe(path):

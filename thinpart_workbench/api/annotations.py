@@ -1,7 +1,6 @@
 """Set the annotations of a part in its info file: notes, mesh settings, links, labels, notes on walls; check links; find
 settings that worked for parts alike."""
 
-import json
 import os
 import re
 from datetime import datetime, timezone
@@ -12,9 +11,11 @@ from .. import __version__
 from ..core.categories import NORMAL
 from ..core.errors import ThinPartError
 from ..core.foreign_text import printable
+from ..core.kinds.json_file import UnreadableJson, parsed_json
 from ..core.message import message
 from ..core.record.mesh_settings import LEAST_ALIKE, settings_for, wall_sizes_for, worked_settings
 from ..core.record.part_definition import ANNOTATIONS, PERSON
+from ..core.regular_file import open_regular
 from ..storage.info.annotations import set_annotation, set_label, set_region_note
 from ..storage.info.info_file import change_info, stored_info
 from ..storage.info.stored_records import info_file_of, select_record
@@ -248,18 +249,20 @@ def mesh_settings(text):
     if not text.strip():
         return {}
     if text.lstrip().startswith("{"):
-        return {"settings": _settings(text, message("The mesh settings"))}
-    file = Path(text)
-    if not file.is_file():
+        return {"settings": _settings(os.fsencode(text), message("The mesh settings"))}
+    if not os.path.isfile(text):  # Path.is_file raises an error for a name that is too long
         raise ThinPartError(message("There is no file {file}: --mesh takes a JSON object or a file.",
                                     file=text), "missing")
-    if file.suffix.lower() == ".json" and file.stat().st_size <= LARGEST_SETTINGS:
+    if Path(text).suffix.lower() == ".json":
         try:
-            return {"settings": _settings(file.read_text(encoding="utf-8"), message("The file {file}", file=text))}
-        except (OSError, UnicodeDecodeError) as error:
+            with open_regular(text) as file:
+                content = file.read(LARGEST_SETTINGS + 1)
+        except OSError as error:
             raise ThinPartError(message("The file {file} cannot be read ({problem}).",
-                                        file=text, problem=error), "unreadable") from None
-    return {"file": os.path.abspath(file)}
+                                        file=text, problem=error.strerror), "unreadable") from None
+        if len(content) <= LARGEST_SETTINGS:
+            return {"settings": _settings(content, message("The file {file}", file=text))}
+    return {"file": os.path.abspath(text)}
 
 
 def _checked_person(person):
@@ -271,22 +274,18 @@ def _checked_person(person):
     return person
 
 
-def _settings(text, what):
+def _settings(data, what):
     try:
-        content = json.loads(text, parse_constant=_refuse)
-    except (ValueError, RecursionError) as error:
+        content = parsed_json(data)
+    except UnreadableJson as problem:
         raise ThinPartError(message("{what} is not a JSON object ({problem}).",
-                                    what=what, problem=error), "usage") from None
+                                    what=what, problem=str(problem)), "usage") from None
     if not isinstance(content, dict):
         raise ThinPartError(message("{what} is not a JSON object.", what=what), "usage")
     fault = ANNOTATIONS["mesh"].fault({"settings": content}, "")
     if fault:
         raise ThinPartError(message("{what} cannot be stored ({problem}).", what=what, problem=fault), "usage")
     return content
-
-
-def _refuse(constant):
-    raise ValueError(message("{constant} is not a JSON number", constant=constant))
 
 
 def link_address(text, library, info_file):

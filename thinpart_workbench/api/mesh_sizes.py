@@ -14,6 +14,7 @@ from ..core.file_formats import is_shape
 from ..core.judging.classification import classify
 from ..core.judging.criteria import given_profile, profile_from
 from ..core.message import message
+from ..core.regular_file import open_regular
 from ..core.shells.shell_settings import ShellSettings
 from ..core.sizing.size_boxes import size_boxes
 from ..core.sizing.size_field import SizeField
@@ -24,7 +25,6 @@ from ..storage.exchange.geo_file import write_geo
 from ..storage.exchange.gmsh_shape import OPTIONS, gmsh_ending, is_opened_as_shape, stem_for_gmsh
 from ..storage.exchange.shell_files import SHELL_FORMATS, write_shell
 from ..storage.new_file import write_new
-from ..storage.regular_file import open_regular
 from ..system.file_paths import relative_path
 from ..workflow.analysis.analyse_part import analyse_part
 from ..workflow.analysis.run_progress import RunProgress

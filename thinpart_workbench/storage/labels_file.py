@@ -10,8 +10,8 @@ from ..core.errors import ThinPartError
 from ..core.file_marks import LABELS
 from ..core.foreign_text import csv_text, csv_value
 from ..core.message import message
+from ..core.regular_file import open_regular
 from .output_file import check_output, write_output
-from .regular_file import open_regular
 
 REQUIRED, OPTIONAL = ("file", "category"), ("part", "person", "sure", "second", "group")
 """Columns. Others are ignored, so that a table may hold remarks."""

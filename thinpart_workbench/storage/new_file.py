@@ -3,7 +3,7 @@
 import os
 from itertools import count
 
-from .regular_file import open_regular
+from ..core.regular_file import open_regular
 
 
 def write_new(folder, stem, ending, content, mode=0o666, companion=None):

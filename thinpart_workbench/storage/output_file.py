@@ -12,8 +12,8 @@ from ..core.errors import ThinPartError
 from ..core.file_formats import ENDINGS, INFO_ENDING
 from ..core.file_marks import INFO
 from ..core.message import message
+from ..core.regular_file import open_regular
 from .atomic_file import place_new, write_atomically
-from .regular_file import open_regular
 
 
 class ForeignFile(ThinPartError):

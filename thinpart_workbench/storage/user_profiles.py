@@ -22,7 +22,7 @@ def user_profiles_folder():
 def user_profiles():
     """The files in that folder, by name: list of Path. Whether they are profiles is not looked at."""
     try:
-        return sorted(path for path in user_profiles_folder().iterdir() if path.suffix == ".json" and path.is_file())
+        return sorted(path for path in user_profiles_folder().iterdir() if path.suffix == ".json" and os.path.isfile(path))
     except OSError:
         return []  # there is none, or it cannot be read now
 

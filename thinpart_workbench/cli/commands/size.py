@@ -1,5 +1,6 @@
 """``thinpart size``: element sizes that fit the walls of parts, and meshes with and without them."""
 
+import os
 import sys
 from dataclasses import asdict
 from pathlib import Path
@@ -146,7 +147,7 @@ def _settings(options):
         given["order"] = given["order"] or SizingSettings.order
         given["growth"] = given["growth"] or SizingSettings.growth
         return SizingSettings(**given, budget=options.budget), {}
-    if len(options.paths) != 1 or not Path(options.paths[0]).is_file():
+    if len(options.paths) != 1 or not os.path.isfile(options.paths[0]):
         raise ThinPartError(message("--like is for one part: name one file."), "usage")
     record, _ = reference_part(options.paths[0], options.part)
     offer = settings_that_worked(record, options.like, info_location(options.paths[0], options.info_dir))

@@ -257,7 +257,10 @@ def quantity_named(text):
         raise KeyError(text)
     if bounded is None:
         return quantity
-    low, high = float(bounded.group(2)), float(bounded.group(3))
+    try:
+        low, high = float(bounded.group(2)), float(bounded.group(3))
+    except ValueError:  # two points in one number
+        raise KeyError(text) from None
     if not low < high:
         raise KeyError(text)
     return quantity.bounded(text.strip(), low, high)

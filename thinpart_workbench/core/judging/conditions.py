@@ -10,8 +10,9 @@ from ..message import message
 
 COMPARISONS = (">=", "<=", ">", "<")
 
-_AND = re.compile(r"\s+and\s+|\s*[,&]+\s*", re.IGNORECASE)
-_CONDITION = re.compile(r"^\s*(.+?)\s*(>=|<=|>|<)\s*(\S+)\s*$")
+_AND = re.compile(r" and | ?[,&]+ ?", re.IGNORECASE)
+_COMPARISON = re.compile("([<>]=?)")
+"""Both for text with single spaces. Patterns that try every length of a run of spaces take the square of it."""
 
 
 @dataclass(frozen=True)
@@ -40,17 +41,18 @@ def search_conditions(text):
     ThinPartError
         kind ``usage``: one sentence that names the part that is not understood.
     """
-    return tuple(_condition(part, text) for part in _AND.split(text.strip()))
+    text = " ".join(text.split())
+    return tuple(_condition(part, text) for part in _AND.split(text))
 
 
 def _condition(part, text):
-    found = _CONDITION.match(part)
-    if found is None:
+    pieces = [piece.strip() for piece in _COMPARISON.split(part, maxsplit=1)]
+    if len(pieces) < 3 or not all(pieces):
         raise ThinPartError(
             message("The condition {condition!r} is not understood: write a quantity, one of {comparisons} and a "
                     "number, as in 'D2/D3 > 6'.", condition=text, comparisons=", ".join(COMPARISONS)), "usage",
         )
-    name, comparison, number = found.groups()
+    name, comparison, number = pieces
     try:
         value = float(number)
     except ValueError:

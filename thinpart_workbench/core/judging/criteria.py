@@ -1,7 +1,7 @@
 """Criteria and categories as data: profiles, and whether their conditions hold."""
 
-import json
 import math
+import os
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Optional
@@ -11,6 +11,7 @@ from ..categories import NORMAL, UNKNOWN
 from ..descriptors.quantity import Quantity
 from ..errors import ProfileError
 from ..kinds.compound_kinds import ListOf, Record
+from ..kinds.json_file import UnreadableJson, read_json
 from ..kinds.value_kinds import LARGEST_WHOLE, Either, Number, OneOf, Text, Whole
 from ..message import message
 from ..record.part_definition import PROFILE
@@ -24,6 +25,9 @@ PROFILES = Path(__file__).resolve().parents[3] / "resources" / "profiles"
 
 MARGIN_LIMIT = 1000.0
 """Margins are clipped to this: an absent quantity or a threshold of 0 would give infinity."""
+
+MOST_CONDITIONS = 1000
+"""Conditions of a profile. Every pair of those of a criterion is compared, and every verdict checks all of them."""
 
 COMPARISONS = ("<", ">")
 
@@ -228,19 +232,19 @@ def load_profile(name_or_file=DEFAULT_PROFILE):
     ProfileError
     """
     path = PROFILES / f"{name_or_file}.json"
-    if not path.is_file():
+    if not os.path.isfile(path):  # Path.is_file raises an error for a name that is too long
         path = Path(name_or_file)
     try:
-        content = json.loads(path.read_text(encoding="utf-8"))
+        content = read_json(path)
     except FileNotFoundError:
         shipped = ", ".join(sorted(path.stem for path in PROFILES.glob("*.json")))
         raise ProfileError(
             message("There is no profile {profile!r}: give a file or one of {known}.",
                     profile=str(name_or_file), known=shipped)
         ) from None
-    except (OSError, ValueError, RecursionError) as error:
+    except UnreadableJson as problem:
         raise ProfileError(message("The profile {profile} cannot be read ({problem}).",
-                                   profile=path, problem=error)) from None
+                                   profile=path, problem=str(problem))) from None
     return usable_profile(content, str(path))
 
 
@@ -307,6 +311,10 @@ def profile_from(content, where=message("the profile")):
     fault = _CONTENT.fault(content, "") or PROFILE.fault(content, "")
     if fault:
         raise ProfileError(message("{profile} is not well formed: {problem}.", profile=where, problem=fault))
+    count = sum(len(criterion["conditions"]) for category in content["categories"] for criterion in category["criteria"])
+    if count > MOST_CONDITIONS:
+        raise ProfileError(message("{profile} has {count} conditions, more than {most}: leave some out.",
+                                   profile=where, count=count, most=MOST_CONDITIONS))
     try:
         categories = tuple(_category(category, f"categories[{number}]")
                            for number, category in enumerate(content["categories"]))
@@ -321,10 +329,12 @@ def profile_from(content, where=message("the profile")):
 
 
 def _check_names(categories, where):
-    ids = [criterion.id for category in categories for criterion in category.criteria]
-    twice = next((name for number, name in enumerate(ids) if name in ids[:number]), None)
-    if twice is not None:
-        raise ProfileError(message("{profile} uses a criterion's id twice: {id!r}.", profile=where, id=str(twice)))
+    known: set = set()
+    for criterion in (each for category in categories for each in category.criteria):
+        if criterion.id in known:
+            raise ProfileError(message("{profile} uses a criterion's id twice: {id!r}.",
+                                       profile=where, id=str(criterion.id)))
+        known.add(criterion.id)
     if {NORMAL, UNKNOWN} & {category.name for category in categories}:
         raise ProfileError(message("{profile} defines 'normal' or 'unknown', which are reserved: rename the category.",
                                    profile=where))

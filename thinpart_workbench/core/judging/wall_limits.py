@@ -1,12 +1,12 @@
 """Limits of the wall by manufacturing process, in mm, as data: the shipped table and a user's own."""
 
-import json
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Optional
 
 from ..errors import ThinPartError
 from ..kinds.compound_kinds import ListOf, Record
+from ..kinds.json_file import UnreadableJson, read_json
 from ..kinds.value_kinds import LARGEST, Number, OrNull, Text, Whole
 from ..message import Message, message
 
@@ -85,13 +85,13 @@ def read_limits(path):
 def limits_content(path):
     """The content of a table of limits: dict, as in the file. Parameters and errors are those of `read_limits`."""
     try:
-        content = json.loads(Path(path).read_text(encoding="utf-8"))
+        content = read_json(path)
     except FileNotFoundError:
         raise ThinPartError(message("There is no file {file} with limits of walls: copy {shipped} and edit it.",
                                     file=path, shipped=SHIPPED), "usage") from None
-    except (OSError, ValueError, RecursionError) as error:
-        raise ThinPartError(message("The limits of walls {file} cannot be read ({problem}).", file=path, problem=error),
-                            "usage") from None
+    except UnreadableJson as problem:
+        raise ThinPartError(message("The limits of walls {file} cannot be read ({problem}).", file=path,
+                                    problem=str(problem)), "usage") from None
     fault = limits_fault(content)
     if fault:
         raise ThinPartError(message("The limits of walls {file} are not well formed: {problem}.", file=path, problem=fault),

@@ -129,7 +129,7 @@ def _documents(path):
     """The document, if it is one, and the files that it links to, whatever their suffix: list of Path."""
     path = Path(path)
     own = [path] if is_document(path) else []
-    return [file for file in [*own, *linked_files(path)] if file.is_file()]
+    return [file for file in [*own, *linked_files(path)] if os.path.isfile(file)]
 
 
 def _check_file(file):

@@ -15,6 +15,7 @@ from ...core.file_formats import DOCUMENT, ENDINGS, MESH, SHAPE, format_of
 from ...core.message import message
 from ..bootstrap import load_freecad
 from ..shapes.part import MeshedPart
+from .closed_links import closed_links_warning, keep_closed, special_links
 from .damaged_archive import DAMAGED_ARCHIVE
 from .document_parts import DocumentContent, document_content
 from .document_safety import check_document, named_modules, without_modules
@@ -107,12 +108,13 @@ def _read_document(path):
                     file=path.name, problem=damaged or "no Document.xml"),
             "unreadable",
         )
-    modules = named_modules(path)
+    modules, closed = named_modules(path), special_links(path)
     # Without a window FreeCAD does not import these modules while it reads, and objects that need them, such as a
     # Draft array, would have no shape.
     for module in modules.trusted:
         with suppress(Exception):  # the add-on is missing or incomplete: the document has the stored shape
             importlib.import_module(module)
+    keep_closed(closed)
     try:
         with without_modules(modules.others), _readable_path(path) as name:
             document = FreeCAD.openDocument(name, True)
@@ -127,9 +129,9 @@ def _read_document(path):
             document.getObject(name).Visibility = False
     # The document stays open while its shapes are in use; the worker closes it afterwards.
     content = document_content(document)
-    if modules.warning:
+    for warning in filter(None, (modules.warning, closed_links_warning(closed))):
         for part in content.parts:
-            part.warnings = (*part.warnings, modules.warning)
+            part.warnings = (*part.warnings, warning)
     return content
 
 

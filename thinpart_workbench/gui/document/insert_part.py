@@ -8,6 +8,7 @@ import FreeCADGui as Gui
 
 from ...core.errors import ThinPartError
 from ...core.file_formats import is_document
+from ...freecad_adapter.reading.closed_links import check_links
 from ...freecad_adapter.reading.document_safety import check_document
 from ..application.qt import translate
 from .open_part import check_kind
@@ -41,6 +42,7 @@ def insert_part(file, name=None):
         raise ThinPartError(translate("ThinPart", "The file {} no longer exists.").format(file), "missing")
     check_kind(file)
     check_document(file)
+    check_links(file)
     document.openTransaction(translate("ThinPart", "Insert part"))
     try:
         template = _insert(document, file, name)

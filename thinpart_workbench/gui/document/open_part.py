@@ -7,6 +7,7 @@ import FreeCADGui as Gui
 
 from ...core.errors import ThinPartError
 from ...core.file_formats import ENDINGS, is_document
+from ...freecad_adapter.reading.closed_links import check_links
 from ...freecad_adapter.reading.document_safety import check_document
 from ..application.qt import QtWidgets, translate
 from ..widgets.confirmation import is_confirmed
@@ -36,6 +37,7 @@ def open_part(file, name=None):
             "ThinPart", "The file {} no longer exists.").format(file), "missing")
     check_kind(file)
     check_document(file)
+    check_links(file)
     try:
         document = _document(file)
     except Exception as error:  # each importer of FreeCAD raises its own exceptions

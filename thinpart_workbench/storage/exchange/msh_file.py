@@ -4,7 +4,7 @@ import numpy as np
 
 from ...core.errors import ThinPartError
 from ...core.message import message
-from ..regular_file import open_regular
+from ...core.regular_file import open_regular
 
 LARGEST = 2 << 30
 """Bytes of a file above which it is not read."""

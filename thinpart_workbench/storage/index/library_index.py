@@ -13,13 +13,13 @@ from ...core.errors import ThinPartError
 from ...core.foreign_text import sql_text
 from ...core.judging.packed_check import packed_walls_pass
 from ...core.message import Message, message, to_data
+from ...core.regular_file import open_regular
 from ..atomic_file import OWNER_ONLY
 from ..cache_folder import cache_folder
 from ..folder_lock import folder_lock
 from ..info.info_reading import read_open_info
 from ..info.info_tree import Stamp, scan, stamp_of
 from ..record_columns import INDEXED
-from ..regular_file import open_regular
 from .index_columns import LARGE_COLUMNS, large_values, small_values
 from .index_version import index_version
 
@@ -140,7 +140,8 @@ class LibraryIndex:
     def _move_to_memory(self, error):
         self.close()
         self.warning = message("The search index {file} cannot be saved ({problem}): it was built in memory, and the "
-                               "next search has to build it again.", file=self.path, problem=error)
+                               "next search has to build it again.", file=self.path,
+                               problem=getattr(error, "strerror", None) or error)
         self._connection = _connect(":memory:")
 
     def _with_database(self, operation):

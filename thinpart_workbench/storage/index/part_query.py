@@ -6,7 +6,9 @@ from typing import Optional
 
 from ...core.descriptors.descriptor_table import STATED_ANGLES, STATED_FLOOR
 from ...core.descriptors.quantity import MiddleShare
+from ...core.errors import ThinPartError
 from ...core.foreign_text import sql_like, sql_text
+from ...core.message import message
 from ..record_columns import INDEXED
 
 FAILED = "failed"
@@ -15,6 +17,11 @@ FAILED = "failed"
 LABELLED = "(labels IS NOT NULL)"
 DISPUTED = "(labels IS NOT NULL AND said != ',' || category || ',')"
 """In SQL: whether people say what a part is, and whether somebody says otherwise than the verdict."""
+
+MOST_TERMS = 500
+"""Conditions, words and names of a query together: SQLite refuses a deeper expression than 1000."""
+
+_LISTS = ("categories", "criteria", "conditions", "passes", "fails", "said")
 
 _COLUMNS = {column.name for column in INDEXED}
 
@@ -80,10 +87,20 @@ class PartQuery:
         -------
         sql : str
         values : list
+
+        Raises
+        ------
+        ThinPartError
+            kind ``usage`` for more than `MOST_TERMS`.
         """
         terms = [term for field in fields(self) for term in _TERMS[field.name](getattr(self, field.name))]
-        return " AND ".join(sql for sql, _ in terms) or "1", [
-            sql_text(value) if isinstance(value, str) else value for _, values in terms for value in values]
+        count = len(self.words.split()) + sum(len(getattr(self, name)) for name in _LISTS)
+        if count > MOST_TERMS:
+            raise ThinPartError(message("The search has {count} conditions, words and names, more than {most}: leave some "
+                                        "out.", count=count, most=MOST_TERMS), "usage")
+        values = [value for _, values in terms for value in values]
+        return (" AND ".join(sql for sql, _ in terms) or "1",
+                [sql_text(value) if isinstance(value, str) else value for value in values])
 
 
 def _at_least(column):

@@ -12,11 +12,11 @@ from ... import __version__
 from ...core.errors import ThinPartError
 from ...core.file_formats import INFO_ENDING
 from ...core.message import message, with_messages
+from ...core.regular_file import open_regular
 from ...system.file_paths import path_in_tree, relative_path
 from ..atomic_file import FileAccess, write_atomically
 from ..fcstd_file import is_fcstd
 from ..folder_lock import folder_lock
-from ..regular_file import open_regular
 from .annotations import carry_annotations
 from .info_definition import FORMAT, VERSION
 from .info_reading import DamagedInfoFile, fault_of, read_info

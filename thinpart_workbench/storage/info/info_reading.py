@@ -1,15 +1,15 @@
 """Reading and checking info files. All readers use this module and need not check the content again."""
 
-import json
 import os
 from functools import cache
 from pathlib import Path
 
 from ...core.errors import ThinPartError
+from ...core.kinds.json_file import UnreadableJson, parsed_json
 from ...core.kinds.value_checker import checker, is_plain
 from ...core.kinds.value_kinds import shown
-from ...core.message import Message, message, restored
-from ..regular_file import open_regular
+from ...core.message import message, restored
+from ...core.regular_file import open_regular
 from .info_definition import FORMAT, INFO_FILE, VERSION
 
 LARGEST = 256 * 1024 * 1024
@@ -100,26 +100,10 @@ def fault_of(content, plain=False):
 
 def _parsed(data, name):
     try:
-        return _DECODE(str(data, json.detect_encoding(data)))
-    except RecursionError:
-        problem = message("it is nested too deeply")
-    except (json.JSONDecodeError, UnicodeDecodeError) as error:
-        problem = str(error)
-    except ValueError as error:
-        # For a number of thousands of digits Python adds how to raise its limit.
-        problem = str(error)
-        if not isinstance(problem, Message):
-            problem = problem.partition(":")[0]
-    raise ThinPartError(message("The info file {info_file} cannot be read ({problem}).",
-                                info_file=name, problem=problem), "info_file")
-
-
-def _refuse_constant(constant):
-    """Refuse NaN and Infinity, which Python would accept."""
-    raise ValueError(message("{constant} is not a JSON number", constant=constant))
-
-
-_DECODE = json.JSONDecoder(parse_constant=_refuse_constant).decode
+        return parsed_json(data)
+    except UnreadableJson as problem:
+        raise ThinPartError(message("The info file {info_file} cannot be read ({problem}).",
+                                    info_file=name, problem=str(problem)), "info_file") from None
 
 
 @cache

@@ -1,5 +1,6 @@
 """Records of parts as info files hold them: found by document, name or label."""
 
+import os
 from pathlib import Path
 
 from ...core.errors import ThinPartError
@@ -18,7 +19,7 @@ def info_file_of(path, info_folder=None):
     """
     path = Path(path)
     info = path if path.name.endswith(SUFFIX) else info_path(path, info_folder)
-    if not info.is_file():
+    if not os.path.isfile(info):  # Path.is_file raises an error for a name that is too long
         raise ThinPartError(
             message("There is no info file {info_file}: classify {file} first, or name the folder of its info file "
                     "with --info-dir.", info_file=info, file=path.name), "missing",

@@ -7,9 +7,10 @@ from typing import Optional
 from ...core.analysis_settings import AnalysisSettings
 from ...core.errors import ThinPartError
 from ...core.judging.criteria import load_profile, profile_from
-from ...storage.info.info_file import is_current, new_source, stored_info
+from ...storage.info.info_file import is_current, stored_info
 from ..report.report_pages import PageMaker, ReportPages
 from .drawn_part import DrawnPart
+from .measured_source import source_of
 
 
 @dataclass(frozen=True)
@@ -67,10 +68,9 @@ def analyse_file(task, report=None):
     ):
         return _outcome(task, stored["parts"], stored.get("failures", []), True, started)
     # Imported here since the adapter loads FreeCAD, which unchanged files do not need.
-    from ...freecad_adapter.reading.linked_files import linked_files
     from ...freecad_adapter.reading.part_files import read_parts
 
-    source = new_source(task.file, linked_files(task.file), task.info_file)
+    source = source_of(task.file, task.info_file)
     found = read_parts(task.file)
     read_seconds = time.perf_counter() - started
     pages = task.pages and PageMaker(task.pages, source, task.settings.content(), task.profile)

@@ -5,14 +5,12 @@ The worker has read an untrusted file and may write nothing. The task alone dete
 
 import os
 from contextlib import suppress
-from pathlib import Path
 
 from ...core.errors import ThinPartError
-from ...core.message import message
-from ...storage.info.info_file import info_content, source_is_unchanged, write_info
+from ...storage.info.info_file import info_content, write_info
 from ...storage.thumbnails import write_thumbnail
-from .analysis_outcome import failure
 from .drawn_part import DrawnPart
+from .measured_source import source_failure
 
 
 def write_results(task, outcome):
@@ -33,13 +31,10 @@ def write_results(task, outcome):
     unwritten = outcome.get("unwritten")
     if unwritten is None:
         return outcome
-    if not source_is_unchanged(unwritten["source"], task.file):
-        # If the share was unmounted, the info file would be written into the empty mount point.
-        name = Path(task.file).name
-        changed = failure(task.file, "unreadable", message("{file} changed while it was read: classify it again.",
-                                                           file=name))
-        gone = failure(task.file, "missing", message("The file {file} no longer exists.", file=task.file))
-        return {**(changed if os.path.lexists(task.file) else gone), "confinement": outcome.get("confinement")}
+    # If the share was unmounted, the info file would be written into the empty mount point.
+    changed = source_failure(unwritten["source"], task.file)
+    if changed is not None:
+        return {**changed, "confinement": outcome.get("confinement")}
     outcome = {key: value for key, value in outcome.items() if key != "unwritten"}
     records, failures = outcome["parts"], list(outcome["failures"])
     for record in records:

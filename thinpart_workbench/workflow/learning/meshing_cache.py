@@ -5,8 +5,8 @@ import json
 from contextlib import suppress
 
 from ...core.mesh.tetrahedra import POOR
+from ...core.regular_file import open_regular
 from ...storage.cache_folder import cache_folder, write_cached
-from ...storage.regular_file import open_regular
 from .gmsh_mesh import SIZE, results_fault
 
 _LARGEST = 64 << 20

@@ -75,6 +75,8 @@ def mesh_library(library, limits, profile, control=None, report=None):
     for document, results in _outcomes(waiting, limits, control or RunControl()):
         if isinstance(results, str):
             found.fail(document.name, results)
+        elif not source_is_unchanged(document.source, document.task.document):
+            found.fail(document.name, message("{file} changed while it was read: measure it again.", file=document.name))
         else:
             found.add(document, results)
         report(found.count, len(names))

@@ -14,9 +14,11 @@ from ...core.message import message
 from ...core.rendering.map_picture import MapLook, map_picture
 from ...core.run_control import RunControl
 from ...storage.exchange.map_export import PLY, VTP, ply_bytes, vtp_bytes
+from ...storage.info.info_definition import SOURCE
 from ...storage.png import png_bytes
 from ..analysis.analyse_part import analyse_part
 from ..analysis.analysis_outcome import failure, failure_fault
+from ..analysis.measured_source import source_failure, source_of
 from ..workers.pool_supervisor import PoolSupervisor
 from ..workers.reading import close_documents, start_reader
 from ..workers.reported_failure import reported_failure
@@ -88,18 +90,23 @@ def map_of_part(task, limits, control=None):
         return {**found, "file": task.file}
     try:
         contents = {ending: base64.b64decode(found["contents"][ending], validate=True) for ending in task.formats}
-        return {"file": task.file, "label": str(found["label"]), "contents": contents,
-                "thinnest": None if found["thinnest"] is None else float(found["thinnest"]),
-                **{name: float(found[name]) for name in ("low", "high")}}
+        result = {"file": task.file, "label": str(found["label"]), "contents": contents,
+                  "thinnest": None if found["thinnest"] is None else float(found["thinnest"]),
+                  **{name: float(found[name]) for name in ("low", "high")}}
+        fault = SOURCE.fault(found["source"], "source")
+        if fault is not None:
+            raise ValueError(fault)
     except (KeyError, TypeError, ValueError) as error:
         return failure(task.file, "failed", message("{file} failed: its result cannot be used ({problem}).",
                                                     file=Path(task.file).name, problem=str(error)))
+    return source_failure(found["source"], task.file) or result
 
 
 def _drawn(task):
     """Runs in a worker."""
     try:
-        return _contents(task)
+        source = source_of(task.file)
+        return {"source": source, **_contents(task)}
     except Exception as error:  # a failure instead of a traceback
         return failure(task.file, **reported_failure(error, Path(task.file).name))
     finally:

@@ -6,9 +6,9 @@ import os
 from contextlib import suppress
 from dataclasses import asdict, replace
 
+from ...core.regular_file import open_regular
 from ...storage.cache_folder import cache_folder, write_cached
 from ...storage.info.info_file import source_is_unchanged
-from ...storage.regular_file import open_regular
 from .size_result import sizes_fault
 
 _LARGEST = 1 << 30

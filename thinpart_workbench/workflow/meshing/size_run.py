@@ -8,6 +8,7 @@ from ...core.message import message
 from ...core.run_control import RunControl
 from ...system.process_limits import WALL_FACTOR
 from ..analysis.analysis_outcome import failure, failure_fault
+from ..analysis.measured_source import source_failure, source_of
 from ..workers.pool_supervisor import PoolSupervisor
 from ..workers.reading import close_documents, start_reader
 from ..workers.reported_failure import reported_failure
@@ -89,17 +90,16 @@ def _result(future, task, seconds, limits):
     if failure_fault(result) is None:
         return {**result, "file": task.file}
     fault = sizes_fault(result)
-    return result if fault is None else failure(task.file, "failed", message(
-        "{file} failed: its result cannot be used ({problem}).", file=Path(task.file).name, problem=fault))
+    if fault is not None:
+        return failure(task.file, "failed", message("{file} failed: its result cannot be used ({problem}).",
+                                                    file=Path(task.file).name, problem=fault))
+    return source_failure(result["source"], task.file) or result
 
 
 def _propose(task):
     """Runs in a worker."""
-    from ...freecad_adapter.reading.linked_files import linked_files
-    from ...storage.info.info_file import new_source
-
     try:
-        source = new_source(task.file, linked_files(task.file))
+        source = source_of(task.file)
         return {"source": source, **propose_for_document(task)}
     except Exception as error:  # a failed row instead of a traceback
         return failure(task.file, **reported_failure(error, Path(task.file).name))

@@ -11,9 +11,9 @@ from ...core.file_marks import PAGE, PICTURE
 from ...core.foreign_text import csv_text, safe_name, url_path
 from ...core.length_unit import MILLIMETRE, LengthUnit
 from ...core.message import message
+from ...core.regular_file import open_regular
 from ...storage.info.info_file import stored_info
 from ...storage.output_file import bears_mark, write_output
-from ...storage.regular_file import open_regular
 from .page_language import ENGLISH
 
 PAGES = "pages"

@@ -4,7 +4,7 @@ import errno
 import os
 import stat
 
-from ..core.message import message
+from .message import message
 
 
 def open_regular(path):
@@ -33,6 +33,40 @@ def open_regular(path):
         file.close()
         raise
     return file
+
+
+def read_regular(path, most):
+    """The bytes of a regular file.
+
+    Parameters
+    ----------
+    path : str or Path
+    most : int
+        Greatest number of bytes that are read, whatever size the system says the file has.
+
+    Returns
+    -------
+    bytes
+
+    Raises
+    ------
+    OSError
+        As `open_regular`; also if the file is larger.
+    """
+    with open_regular(path) as file:
+        content = file.read(most + 1)
+    if len(content) > most:
+        raise OSError(errno.EFBIG, message("it is larger than {megabytes} MB", megabytes=most >> 20), os.fspath(path))
+    return content
+
+
+def is_special(path):
+    """Whether a path leads to a pipe, a socket or a device, which opening may never end: bool."""
+    try:
+        mode = os.stat(path).st_mode
+    except (OSError, ValueError):
+        return False  # nothing can be opened there
+    return not (stat.S_ISREG(mode) or stat.S_ISDIR(mode))
 
 
 def _check(status, path):

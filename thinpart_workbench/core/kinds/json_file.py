@@ -1,0 +1,77 @@
+"""JSON that others wrote: read with a limit, and a reason in words where that fails."""
+
+import json
+
+from ..message import Message, message
+from ..regular_file import read_regular
+
+LARGEST_WRITTEN = 16 << 20
+"""Bytes above which no file is read that a person wrote, such as a profile."""
+
+
+class UnreadableJson(Exception):
+    """JSON cannot be read; its text is the reason, without a full stop."""
+
+
+def read_json(path, most=LARGEST_WRITTEN):
+    """The content of a JSON file.
+
+    Parameters
+    ----------
+    path : str or Path
+    most : int
+        Greatest number of bytes.
+
+    Returns
+    -------
+    object
+
+    Raises
+    ------
+    FileNotFoundError
+    UnreadableJson
+    """
+    try:
+        return parsed_json(read_regular(path, most))
+    except FileNotFoundError:
+        raise
+    except OSError as error:
+        raise UnreadableJson(error.strerror) from None
+
+
+def parsed_json(data):
+    """The value that JSON text stands for.
+
+    Parameters
+    ----------
+    data : bytes
+        In any of the encodings of Unicode.
+
+    Returns
+    -------
+    object
+
+    Raises
+    ------
+    UnreadableJson
+    """
+    try:
+        return _DECODE(str(data, json.detect_encoding(data)))
+    except RecursionError:
+        raise UnreadableJson(message("it is nested too deeply")) from None
+    except UnicodeDecodeError as error:
+        raise UnreadableJson(message("byte {place} is not text in Unicode", place=error.start + 1)) from None
+    except json.JSONDecodeError as error:
+        raise UnreadableJson(str(error)) from None
+    except ValueError as error:
+        # For a number of thousands of digits Python adds how to raise its limit.
+        problem = str(error)
+        raise UnreadableJson(problem if isinstance(problem, Message) else problem.partition(":")[0]) from None
+
+
+def _refuse_constant(constant):
+    """Refuse NaN and Infinity, which Python would accept."""
+    raise ValueError(message("{constant} is not a JSON number", constant=constant))
+
+
+_DECODE = json.JSONDecoder(parse_constant=_refuse_constant).decode
