@@ -107,11 +107,23 @@ def _broken_link(path, _):
     path.symlink_to("nothing")
 
 
+def _pipe(path, _):
+    os.mkfifo(path)
+
+
+def _device(path, _):
+    path.symlink_to(os.devnull)
+
+
+def _loop(path, _):
+    path.symlink_to(path.name)
+
+
 def _info_file(path, source):
     shutil.copyfile(source.parent / "library" / "plate.step.thinpart.json", path)
 
 
-NEVER = [_hard_link, _symbolic_link, _link_to_foreign, _broken_link, _info_file]
+NEVER = [_hard_link, _symbolic_link, _link_to_foreign, _broken_link, _info_file, _pipe, _device, _loop]
 
 
 def content_of(folder):

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
+from thinpart_workbench.core.errors import ThinPartError
 from thinpart_workbench.core.maps.mapped_part import MappedPart
 from thinpart_workbench.core.maps.thickness_map import thickness_map
 from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
@@ -72,7 +73,7 @@ def test_ply_has_colours_and_thickness(parts, tmp_path):
 
 def test_what_was_there_stays_where_it_cannot_be_written(parts, tmp_path):
     (tmp_path / "folder.vtp").mkdir()
-    with pytest.raises(OSError):
+    with pytest.raises(ThinPartError, match="cannot be written"):
         write_vtp(tmp_path / "folder.vtp", parts)
     with pytest.raises(OSError):
         write_ply(tmp_path / "no such folder" / "map.ply", parts, ColourScale(0.0, 1.0).colours)

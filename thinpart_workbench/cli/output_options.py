@@ -42,7 +42,7 @@ def check_outputs(options):
     files = {}
     for name, mark in getattr(options, "outputs", {}).items():
         file = getattr(options, name)
-        if file is None or mark is FOLDER:
+        if not file or mark is FOLDER:
             continue
         if isinstance(mark, dict):
             mark = mark.get(os.path.splitext(file)[1].lower())

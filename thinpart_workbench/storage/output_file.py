@@ -5,6 +5,7 @@ where the user says so. Never replaced are files with names of CAD formats, info
 link leads to unless it bears the mark.
 """
 
+import errno
 import os
 from typing import NamedTuple, Optional
 
@@ -47,15 +48,15 @@ def check_output(path, mark, overwrite=False, inputs=()):
     ForeignFile
         kind ``usage`` where `overwrite` would allow it.
     ThinPartError
-        kind ``usage`` where nothing does.
+        kind ``usage`` where nothing does; also for folders, pipes and devices.
     OSError
-        If it is no regular file, cannot be read, or its folder cannot be written.
+        If it cannot be read, or its folder cannot be written.
     """
     place = _place(path, mark, overwrite, inputs)
     folder = os.path.dirname(place.path)
     if not os.access(folder, os.W_OK):
         os.stat(folder)
-        raise PermissionError(13, os.strerror(13), folder)
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), folder)
 
 
 def write_output(path, content, mark, overwrite=False, inputs=(), durable=True):
@@ -124,6 +125,11 @@ def _place(path, mark, overwrite, inputs):
             raise _refused(message("{file} is a link to a file that is missing, and was not changed: name the file itself.",
                                    file=given)) from None
         return _Place(place, None)
+    except OSError as error:
+        if error.errno not in (errno.EISDIR, errno.EINVAL, errno.ELOOP):
+            raise
+        raise _refused(message("{file} cannot be written ({problem}): name another place.", file=given,
+                               problem=error.strerror)) from None
     if any(_is_same(each, status) for each in inputs):
         raise _refused(message("{file} is an input of this run and was not changed: name another file.", file=given))
     if is_info:
