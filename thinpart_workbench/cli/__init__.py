@@ -10,7 +10,7 @@ import sys
 from .. import __version__
 from ..core.errors import ThinPartError
 from ..core.foreign_text import printable
-from ..core.message import with_messages
+from ..core.message import message, with_messages
 from .output_options import check_outputs
 
 COMMANDS = {
@@ -53,11 +53,7 @@ def main(arguments=None):
         sys.stdout.flush()  # here, because an error at Python's own flush would print a traceback
         return status
     except ThinPartError as error:
-        if "--control" in arguments:
-            failure = {"kind": error.kind, "message": str(error)}
-            print(json.dumps(with_messages({"failure": failure})), file=sys.stderr)
-        print(f"thinpart: {printable(str(error))}", file=sys.stderr)
-        return WRONG_USAGE if error.kind in ("usage", "profile") else SOME_FAILED
+        return _failed(error, arguments)
     except KeyboardInterrupt:
         print("thinpart: interrupted; finished results are saved.", file=sys.stderr)
         return INTERRUPTED
@@ -66,13 +62,32 @@ def main(arguments=None):
         _discard_output()
         return ALL_CLASSIFIED
     except OSError as error:
-        # An error with a file name is not about standard output; the code that opened the file reports it.
-        if error.filename is not None:
-            raise
+        sentence = _not_about_output(error)
+        if sentence is not None:
+            return _failed(ThinPartError(sentence), arguments)
         _discard_output()
         print(f"thinpart: The output could not be written ({error.strerror}): make room, or write it elsewhere.",
               file=sys.stderr)
         return SOME_FAILED
+
+
+def _not_about_output(error):
+    """The sentence for an OSError that is not about standard output; None for one that is."""
+    if error.filename is not None:
+        return message("{file} cannot be read or written ({problem}): check its name, its permissions and the room on its "
+                       "disk.", file=error.filename, problem=error.strerror)
+    if isinstance(error, FileNotFoundError):  # by os.getcwd
+        return message("The current folder no longer exists: change to another one.")
+    return None
+
+
+def _failed(error, arguments):
+    """Say why a command failed, and return its exit status."""
+    if "--control" in arguments:
+        failure = {"kind": error.kind, "message": str(error)}
+        print(json.dumps(with_messages({"failure": failure})), file=sys.stderr)
+    print(f"thinpart: {printable(str(error))}", file=sys.stderr)
+    return WRONG_USAGE if error.kind in ("usage", "profile") else SOME_FAILED
 
 
 def _discard_output():

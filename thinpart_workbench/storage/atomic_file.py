@@ -1,11 +1,14 @@
 """Atomic writing: a reader sees the old file or the new one, never half of it."""
 
+import errno
 import os
 import secrets
 import stat
 from contextlib import suppress
 from typing import NamedTuple, Optional
 
+from ..core.message import message
+from ..core.regular_file import is_special
 from ..system.file_lock import lock
 from ..system.user import is_own
 
@@ -77,13 +80,16 @@ def write_atomically(path, content, durable=True, beside=None, access=None, plac
     Raises
     ------
     OSError
-        The old file is then still intact and the temporary one removed.
+        The old file is then still intact and the temporary one removed. Also where the name is that of a pipe, a device or
+        a socket, or of a link to one.
 
     Notes
     -----
     A killed process leaves its temporary file behind. The next process that writes into the folder removes it.
     """
     path = os.path.abspath(path)
+    if is_special(path):  # the system would let root rename a file over /dev/null
+        raise OSError(errno.EINVAL, message("it is not a regular file"), path)
     folder = os.path.dirname(path)
     mode = _mode(path)
     handle, temporary = _new_temporary(folder, mode if access is None else mode & 0o600)

@@ -34,6 +34,9 @@ from ..run_options import (
 from ..run_report import new_report, standard_output
 from ..stop_signals import stop_signals
 
+_LARGEST_LIST = 256 << 20
+"""Bytes of a list of files: a million long paths."""
+
 
 def add_arguments(parser):
     """Declare the options."""
@@ -100,7 +103,10 @@ def _classify(options, control, report, rows, checks):
 def _listed(options):
     """The files in the list after --only."""
     try:
-        content = Path(options.only).read_bytes()
+        with open(options.only, "rb") as file:  # another program may write the list into a pipe
+            content = file.read(_LARGEST_LIST + 1)
+        if len(content) > _LARGEST_LIST:
+            raise OSError(errno.EFBIG, message("it is larger than {megabytes} MB", megabytes=_LARGEST_LIST >> 20))
     except OSError as error:
         raise ThinPartError(
             message("The list {list} cannot be read ({problem}): give a file to --only that names the parts.",

@@ -47,7 +47,7 @@ def info_path(document, info_folder=None, root=None):
     document = Path(document)
     name = document.name + SUFFIX
     if info_folder is None:
-        return document.with_name(name)
+        return document.parent / name
     if root is None:
         return Path(info_folder) / name
     return Path(info_folder) / path_in_tree(document.parent, root) / name

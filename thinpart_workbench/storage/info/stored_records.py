@@ -1,6 +1,7 @@
 """Records of parts as info files hold them: found by document, name or label."""
 
 import os
+import stat
 from pathlib import Path
 
 from ...core.errors import ThinPartError
@@ -15,16 +16,26 @@ def info_file_of(path, info_folder=None):
     Raises
     ------
     ThinPartError
-        kind ``missing`` if the document has not been classified yet.
+        kind ``missing`` if the document has not been classified yet, ``info_file`` if the system cannot say.
     """
     path = Path(path)
     info = path if path.name.endswith(SUFFIX) else info_path(path, info_folder)
-    if not os.path.isfile(info):  # Path.is_file raises an error for a name that is too long
+    if not _is_file(info):
         raise ThinPartError(
             message("There is no info file {info_file}: classify {file} first, or name the folder of its info file "
-                    "with --info-dir.", info_file=info, file=path.name), "missing",
+                    "with --info-dir.", info_file=info, file=path.name or path), "missing",
         )
     return info
+
+
+def _is_file(info):
+    try:
+        return stat.S_ISREG(os.stat(info).st_mode)
+    except (FileNotFoundError, NotADirectoryError):
+        return False
+    except OSError as error:
+        raise ThinPartError(message("The info file {info_file} cannot be read ({problem}).",
+                                    info_file=info.name, problem=error.strerror), "info_file") from None
 
 
 def stored_records(path, part=None, info_folder=None):

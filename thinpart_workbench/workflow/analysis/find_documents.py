@@ -93,12 +93,17 @@ def find_documents(paths, names=NameFilter(), report=None):
     """
     search = _Search(names, report or (lambda count: None))
     for path in map(os.fspath, paths):
-        if os.path.isdir(path):
+        if not path:  # as from a variable of a shell that is not set
+            search.failures.append((os.curdir, ThinPartError(_EMPTY, "missing")))
+        elif os.path.isdir(path):
             search.search_folder(path)
         elif not path.endswith(SUFFIX):
             search.add_file(path)
     documents = sorted(search.found.values(), key=lambda document: os.path.abspath(document.path))
     return FoundDocuments(documents, sorted(search.failures, key=lambda failure: failure[0]))
+
+
+_EMPTY = message("One of the given paths is empty: name a file or a folder.")
 
 
 class _Search:

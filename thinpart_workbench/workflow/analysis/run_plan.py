@@ -100,7 +100,7 @@ def _name_problem(document, info_file):
 @lru_cache(maxsize=1024)
 def _name_limit(folder):
     folder = Path(folder).absolute()
-    existing = next((parent for parent in [folder, *folder.parents] if parent.is_dir()), Path("/"))
+    existing = next((parent for parent in [folder, *folder.parents] if os.path.isdir(parent)), Path("/"))
     try:
         return os.pathconf(existing, "PC_NAME_MAX")
     except (OSError, ValueError):
