@@ -4,12 +4,12 @@ import argparse
 import importlib
 import json
 import os
-import signal
 import sys
 
 from .. import __version__
 from ..core.errors import ThinPartError
 from ..core.message import with_messages
+from .stop_signals import interrupting_signals
 from .terminal_table import printable
 
 COMMANDS = {
@@ -45,10 +45,9 @@ def main(arguments=None):
         if rest and options.command != "test":
             parser.error(f"unrecognized arguments: {' '.join(rest)}")
         options.rest = rest
-        if signal.getsignal(signal.SIGINT) != signal.SIG_IGN:  # a shell ignores it for a job started with &
-            signal.signal(signal.SIGINT, signal.default_int_handler)
-        status = options.run(options)
-        sys.stdout.flush()  # here, because an error at Python's own flush would print a traceback
+        with interrupting_signals():
+            status = options.run(options)
+            sys.stdout.flush()  # here, because an error at Python's own flush would print a traceback
         return status
     except ThinPartError as error:
         if "--control" in arguments:

@@ -14,7 +14,7 @@ from ...core.message import message, with_messages
 from ...system.file_paths import path_in_tree, relative_path
 from ..atomic_file import write_atomically
 from ..fcstd_file import is_fcstd
-from ..folder_lock import folder_lock
+from ..folder_lock import FolderIsLocked, folder_lock
 from ..regular_file import open_regular
 from .annotations import carry_annotations
 from .info_definition import FORMAT, VERSION
@@ -317,6 +317,11 @@ def change_info(path, change):
 def _writing(path):
     try:
         yield
+    except FolderIsLocked:
+        raise ThinPartError(
+            message("The info file {info_file} could not be written: another program keeps the folder {folder} locked; end "
+                    "that program, or choose another place for info files.", info_file=path.name, folder=path.parent),
+            "info_write") from None
     except OSError as error:
         raise ThinPartError(
             message("The info file {info_file} could not be written ({problem}): make room or choose another place "
