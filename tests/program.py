@@ -23,11 +23,12 @@ def environment(**more):
     return dict(os.environ, PYTHONPATH=path, **more)
 
 
-def thinpart(*arguments, cwd=None, **options):
-    """Run a command to its end; where it has none, the test's time limit ends and names it."""
+def thinpart(*arguments, cwd=None, variables=None, **options):
+    """Run a command to its end, with further environment variables; where it has none, the test's time limit ends and names
+    it."""
     return subprocess.run(
         [sys.executable, "-m", "thinpart_workbench", *map(str, arguments)], cwd=cwd,
-        env=environment(COLUMNS="200"), capture_output=True, encoding="utf-8", stdin=subprocess.DEVNULL,
+        env=environment(COLUMNS="200", **variables or {}), capture_output=True, encoding="utf-8", stdin=subprocess.DEVNULL,
         **options,
     )
 

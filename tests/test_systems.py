@@ -67,11 +67,11 @@ def test_a_lock_on_windows_keeps_others_out_until_it_is_closed(tmp_path):
         os.write(one, b"ten bytes.")
         lock(one)
         try:
-            lock(two, wait=False)
+            lock(two)
         except OSError:
             print("refused")
         threading.Timer(0.5, os.close, [one]).start()
-        lock(two)
+        lock(two, 60)
         print("waited", *{(call[1], call[3]) for call in sys.modules["msvcrt"].calls})
     """, tmp_path / "lock")
     assert told == ["refused", "waited", "(2,", "0)"]

@@ -5,9 +5,10 @@ import signal
 import sys
 
 if __name__ == "__main__":
-    if signal.getsignal(signal.SIGINT) != signal.SIG_IGN:
-        # Nothing has started yet. Exit directly, because an exception could get lost in the middle of an import.
-        signal.signal(signal.SIGINT, lambda *_: os._exit(130))
+    for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK"):  # `interruption.STOP_SIGNALS`, which is not imported yet
+        if hasattr(signal, name) and signal.getsignal(getattr(signal, name)) != signal.SIG_IGN:
+            # Nothing has started yet. Exit directly, because an exception could get lost in the middle of an import.
+            signal.signal(getattr(signal, name), lambda *_: os._exit(130))
     from .cli import main
 
     sys.exit(main())

@@ -33,7 +33,7 @@ LONGEST = 4.0
 """Seconds after which a command is killed at the latest."""
 
 NOTE = "weighed and found thin"
-COMMANDS = ("classify", "note", "reclassify", "find", "similar", "report")
+COMMANDS = ("classify", "note", "reclassify", "find", "similar", "report", "size")
 _SECONDS_TO_END = 15
 
 
@@ -46,10 +46,15 @@ class Library:
         A new one.
     copies : int
         Of each part.
+
+    Attributes
+    ----------
+    longest : float
+        Seconds that a command took at most to end after it was asked to.
     """
 
     def __init__(self, folder, copies=COPIES):
-        self.folder, self.parts, self.work = folder, folder / "parts", folder / "work"
+        self.folder, self.parts, self.work, self.longest = folder, folder / "parts", folder / "work", 0.0
         if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
             # Started in the background; what it starts would ignore Ctrl-C as well, as it should.
             signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -95,6 +100,7 @@ class Library:
             "find": ["find", self.parts, "--category", "thin"],
             "similar": ["similar", of_one_part, self.parts],
             "report": ["report", *sorted(self.documents)[:3], "--output", self.work / "report", "--jobs", 2],
+            "size": ["size", of_one_part, "--force", *(["--check"] if shutil.which("gmsh") else [])],
         }[command]
 
     def begin(self, *arguments):
@@ -118,6 +124,7 @@ class Library:
         except subprocess.TimeoutExpired:
             how = chance.choice((signal.SIGKILL, signal.SIGKILL, signal.SIGTERM, signal.SIGINT))
             run.send_signal(how)
+            asked = time.monotonic()
             try:
                 output = run.communicate(timeout=_SECONDS_TO_END)[0].decode(errors="replace")
             except subprocess.TimeoutExpired:
@@ -125,6 +132,11 @@ class Library:
             # Python tells of a Ctrl-C that comes before we could have said what becomes of one.
             ours = output.replace("thinpart_workbench/__main__.py", "")
             assert "Traceback" not in output or "thinpart_workbench" not in ours, (command, how, output[-3000:])
+            if how != signal.SIGKILL:
+                self.longest = max(self.longest, time.monotonic() - asked)
+                # Done just now, or asked before Python has come to our first line.
+                assert run.returncode in (0, 130, -how) or "Traceback" in output, (
+                    command, how, run.returncode, output[-3000:])
             self._wait_for_orphans(run.pid)
             return True
         assert "Traceback" not in output, (command, output[-3000:])
@@ -237,7 +249,7 @@ def main():
     killed = kill_commands(library, options.kills, options.seed, tell=_tell)
     library.finish()
     print(f"{options.kills} kills, seed {options.seed}: {time.monotonic() - started:.0f} s, "
-          "nothing lost, nobody left running")
+          f"nothing lost, nobody left running; what was asked to end did within {library.longest:.2f} s")
     for command, count in killed.most_common():
         print(f"  {command:12} {count}")
     shutil.rmtree(options.folder)

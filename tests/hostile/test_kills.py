@@ -13,7 +13,7 @@ def library(tmp_path_factory):
 @pytest.mark.timeout(180)  # eight kills, each followed by a look at the whole library
 @pytest.mark.parametrize("command", COMMANDS)
 def test_nothing_is_lost_when_it_is_killed(library, command):
-    kills = 3 if command in ("classify", "report") else 8
+    kills = 3 if command in ("classify", "report", "size") else 8
     assert kill_commands(library, kills, COMMANDS.index(command) + 1, (command,)) == {command: kills}
 
 

@@ -3,6 +3,7 @@
 import os
 from contextlib import closing
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -15,6 +16,7 @@ from ..core.judging.classification import classify
 from ..core.judging.criteria import given_profile, profile_from
 from ..core.message import message
 from ..core.regular_file import open_regular
+from ..core.run_control import RunControl
 from ..core.shells.shell_settings import ShellSettings
 from ..core.sizing.size_boxes import size_boxes
 from ..core.sizing.size_field import SizeField
@@ -52,7 +54,7 @@ FACETS, SIZES, POOR = "facets.npy", "sizes.npy", "poor.npy"
 
 def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, limits=None, check=False,
                mesh_seconds=MESH_SECONDS, has_sources=False, force=False, include=(), exclude=(), control=None,
-               started=None, report=None, shell=None, region_sizes=None, all_walls=False, part=None,
+               started=None, report=None, on_step=None, shell=None, region_sizes=None, all_walls=False, part=None,
                found=None):
     """Propose element sizes for the parts of files and folders.
 
@@ -79,6 +81,9 @@ def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, 
         Pauses and stops the run.
     started, report : callable, optional
         Called with the `RunProgress` at the start; with it and each outcome.
+    on_step : callable, optional
+        Called with the `RunProgress` and a dict when a worker begins a step of a part, which may take minutes: ``file``,
+        ``part``, its label, ``number`` and ``parts``, ``step``, in words, and ``attempt``.
     shell : ShellSettings, optional
         Where the parts are wanted as shells too, for `write_shell_file`: as ``shell`` of each part.
     region_sizes : dict, optional
@@ -106,7 +111,8 @@ def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, 
     """
     paths = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
     limits, settings = limits or Limits(jobs=os.cpu_count() or 1), settings or SizingSettings()
-    program, version = gmsh_program() if check or shell else (None, "")
+    control = control or RunControl()
+    program, version = _gmsh(control) if check or shell else (None, "")
     run = FileRun(paths, include, exclude, control=control)
     if found is not None:
         found([document.path for document in run.documents])
@@ -120,12 +126,21 @@ def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, 
     if started is not None:
         started(progress)
     yield from run.failures
-    with closing(propose_for_documents(tasks, limits, version, force, run.control)) as outcomes:
+    tell = None if on_step is None else partial(on_step, progress)
+    with closing(propose_for_documents(tasks, limits, version, force, control, tell)) as outcomes:
         for outcome in outcomes:
-            progress.add({"reused": False, "seconds": 0.0, **outcome})
+            progress.add({"reused": False, **outcome})
             if report is not None:
                 report(outcome, progress)
             yield outcome
+
+
+def _gmsh(control):
+    try:
+        return gmsh_program()
+    except ThinPartError:
+        control.check()  # a Ctrl-C that ended Gmsh too does not mean that it is missing
+        raise
 
 
 def write_size_script(path, part, file, solids=1, overwrite=False, inputs=()):

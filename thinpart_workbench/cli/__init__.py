@@ -4,7 +4,6 @@ import argparse
 import importlib
 import json
 import os
-import signal
 import sys
 
 from .. import __version__
@@ -12,6 +11,7 @@ from ..core.errors import ThinPartError
 from ..core.foreign_text import printable
 from ..core.message import message, with_messages
 from .output_options import check_outputs
+from .stop_signals import interrupting_signals
 
 COMMANDS = {
     "classify": ("classify", "classify parts and folders of parts"),
@@ -46,11 +46,10 @@ def main(arguments=None):
         if rest and options.command != "test":
             parser.error(f"unrecognized arguments: {' '.join(rest)}")
         options.rest = rest
-        if signal.getsignal(signal.SIGINT) != signal.SIG_IGN:  # a shell ignores it for a job started with &
-            signal.signal(signal.SIGINT, signal.default_int_handler)
-        check_outputs(options)
-        status = options.run(options)
-        sys.stdout.flush()  # here, because an error at Python's own flush would print a traceback
+        with interrupting_signals():
+            check_outputs(options)
+            status = options.run(options)
+            sys.stdout.flush()  # here, because an error at Python's own flush would print a traceback
         return status
     except ThinPartError as error:
         return _failed(error, arguments)

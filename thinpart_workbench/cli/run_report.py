@@ -54,6 +54,12 @@ class RunReport:
         """Report the outcome of one file."""
         self.failures(outcome)
 
+    def counted(self, outcome, progress):
+        """Report that one more file is done; its outcome is reported elsewhere."""
+
+    def step(self, progress, step):
+        """Report what is done with a part of a file at the moment; see `mesh_sizes`."""
+
     def note(self, sentence):
         """Report a sentence about the whole run."""
         _write_line(f"thinpart: {printable(sentence)}")
@@ -88,7 +94,13 @@ class JsonReport(RunReport):
 
     def ended(self, outcome, progress):
         self.failures(outcome)
+        self.counted(outcome, progress)
+
+    def counted(self, outcome, progress):
         self._progress(progress, outcome["file"])
+
+    def step(self, progress, step):
+        _write_line(json.dumps({"progress": {**progress.content(), **step}}))
 
     def failures(self, outcome):
         super().failures(outcome)
@@ -134,10 +146,16 @@ class BarReport(RunReport):
         self.failures(outcome)
         self._show(progress)
 
-    def _show(self, progress):
+    def counted(self, outcome, progress):
+        self._show(progress)
+
+    def step(self, progress, step):
+        self._show(progress, step)
+
+    def _show(self, progress, step=None):
         is_over = progress.done == progress.total
         self._bar.update(self._task, total=progress.total, completed=progress.done,
-                         status=_progress_text(progress.content()), description="Done" if is_over else self._name)
+                         status=_progress_text(progress.content(), step), description="Done" if is_over else self._name)
 
 
 class LineReport(RunReport):
@@ -164,6 +182,12 @@ class LineReport(RunReport):
         self.failures(outcome)
         self._show_progress(progress)
 
+    def counted(self, outcome, progress):
+        self._show_progress(progress)
+
+    def step(self, progress, step):
+        self._show_progress(progress, step)
+
     def failures(self, outcome):
         self._show("")
         super().failures(outcome)
@@ -172,9 +196,9 @@ class LineReport(RunReport):
         self._show("")
         super().note(sentence)
 
-    def _show_progress(self, progress):
+    def _show_progress(self, progress, step=None):
         name = "Done" if progress.done == progress.total else self._name
-        self._show(f"{name} {_progress_text(progress.content())}")
+        self._show(f"{name} {_progress_text(progress.content(), step)}")
 
     def _show(self, line):
         # Cut the line: one that the terminal wraps could not be overwritten.
@@ -184,7 +208,7 @@ class LineReport(RunReport):
         self._line = line
 
 
-def _progress_text(content):
+def _progress_text(content, step=None):
     words = [f"{content['done']:,} of {content['total']:,} files"]
     for count, what in ((content["failed"], "failed"), (content["reused"], "unchanged")):
         if count:
@@ -195,7 +219,17 @@ def _progress_text(content):
         words.append(f"{_duration(content['seconds'])} in all")
     elif content["seconds_left"] is not None:
         words.append(f"{_duration(content['seconds_left'])} left")
+    if step is not None:
+        words.append(_step_text(step))
     return ", ".join(words)
+
+
+def _step_text(step):
+    """What is done with which part, such as "lid.step: meshing Lid (2 of 3), attempt 2"."""
+    text = f"{printable(os.path.basename(step['file']))}: {step['step']} {printable(step['part'])}".rstrip()
+    if step["parts"] > 1:
+        text += f" ({step['number']} of {step['parts']})"
+    return text if step["attempt"] == 1 else f"{text}, attempt {step['attempt']}"
 
 
 def _pace(per_second):

@@ -15,7 +15,7 @@ class RunControl:
 
     def __init__(self, on_state_changed=None):
         self.paused = False
-        self.stopped = False
+        self.stopped = self.is_ending = False
         self._on_state_changed = on_state_changed
         self._state = None
         self._paused_seconds, self._paused_since = 0.0, None
@@ -33,7 +33,7 @@ class RunControl:
         self.stopped = True
 
     def check(self):
-        """Raise if the run is to stop; the run calls this often.
+        """Raise if the run is to stop; the run calls this often. `is_ending` is true from then on.
 
         Raises
         ------
@@ -41,6 +41,7 @@ class RunControl:
             If the run was asked to stop, as for Ctrl-C.
         """
         if self.stopped:
+            self.is_ending = True
             raise KeyboardInterrupt
 
     def set_state(self, state):

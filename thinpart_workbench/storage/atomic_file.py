@@ -96,7 +96,7 @@ def write_atomically(path, content, durable=True, beside=None, access=None, plac
     try:
         with os.fdopen(handle, "wb") as file:
             with suppress(OSError):  # a file system without locks
-                lock(file.fileno(), wait=False)
+                lock(file.fileno())
             if folder not in _cleaned_folders:
                 _cleaned_folders.add(folder)
                 _remove_leftovers(folder, os.fstat(file.fileno()).st_mtime)
@@ -141,7 +141,7 @@ def _remove_unused(path, now):
     # Since `lstat` the file may have become a link, or something whose opening blocks.
     handle = os.open(path, os.O_RDWR | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0))
     try:
-        lock(handle, wait=False)  # refused where another process is still writing
+        lock(handle)  # refused where another process is still writing
     finally:
         os.close(handle)
     os.unlink(path)

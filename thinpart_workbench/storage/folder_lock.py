@@ -1,11 +1,22 @@
 """A lock on a folder, for read-modify-write: one writer at a time."""
 
+import errno
 import hashlib
 import os
 import tempfile
 from contextlib import contextmanager
 
 from ..system.file_lock import FOLDERS_CAN_BE_LOCKED, lock
+
+PATIENCE = 10.0
+"""Seconds to wait for a folder. Who writes there holds the lock for milliseconds, but whoever can read a folder can lock it,
+and need not let it go."""
+
+_held: set[str] = set()  # folders that were waited for in vain: not once more for each of 100,000 files
+
+
+class FolderIsLocked(OSError):
+    """Another program has kept a folder locked for too long."""
 
 
 @contextmanager
@@ -15,6 +26,11 @@ def folder_lock(folder):
     Parameters
     ----------
     folder : str or Path
+
+    Raises
+    ------
+    FolderIsLocked
+        If another program does not let go of it within `PATIENCE`.
 
     Notes
     -----
@@ -28,13 +44,21 @@ def folder_lock(folder):
         yield  # the caller gets the error when it writes there
         return
     try:
-        try:
-            lock(handle)
-        except OSError:
-            pass  # a share without locks
+        _wait_for(handle, os.path.abspath(folder))
         yield
     finally:
         os.close(handle)
+
+
+def _wait_for(handle, folder):
+    try:
+        lock(handle, 0.0 if folder in _held else PATIENCE)
+    except BlockingIOError:
+        _held.add(folder)
+        raise FolderIsLocked(errno.EAGAIN, "another program keeps the folder locked", folder) from None
+    except OSError:
+        pass  # a share without locks
+    _held.discard(folder)
 
 
 def _open_lock_file(folder):

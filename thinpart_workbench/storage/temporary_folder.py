@@ -75,7 +75,7 @@ def _remove_unused(folder):
     except OSError:
         return
     try:
-        lock(handle, wait=False)
+        lock(handle)
         if OPEN_FILES_CAN_BE_MOVED:
             shutil.rmtree(folder, ignore_errors=True)
     except OSError:

@@ -2,6 +2,7 @@
 
 import signal
 import subprocess
+import threading
 from contextlib import contextmanager
 
 STOP_SIGNALS = tuple(
@@ -23,3 +24,17 @@ def without_ctrl_c():
         yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def interrupt_main_thread(number):
+    """Have the main thread handle a signal soon, even where it waits for the system; for another thread.
+
+    Parameters
+    ----------
+    number : int
+        One of `STOP_SIGNALS`.
+    """
+    if hasattr(signal, "pthread_kill"):
+        signal.pthread_kill(threading.main_thread().ident, number)  # system calls end early
+    else:
+        signal.raise_signal(number)  # Windows: Python handles it in the main thread all the same

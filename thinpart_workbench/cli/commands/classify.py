@@ -4,7 +4,6 @@ import argparse
 import errno
 import os
 import tempfile
-from pathlib import Path
 
 from ...core.cluster_address import cluster_address
 from ...core.errors import ThinPartError

@@ -101,7 +101,8 @@ def run(options):
                     options.paths, settings, options.profile, analysis=settings_of(options), limits=limits_of(options),
                     check=options.check, mesh_seconds=options.mesh_timeout, has_sources=options.geo is not None,
                     force=options.force, include=options.include, exclude=options.exclude, control=control,
-                    started=report.started, shell=shell, region_sizes=sizes, all_walls=options.all_walls,
+                    started=report.started, report=report.counted, on_step=report.step, shell=shell,
+                    region_sizes=sizes, all_walls=options.all_walls,
                     part=None if options.geo is None and options.shell is None else options.part or "",
                     found=lambda documents: check_with_documents(options, documents)):
                 if outcome.get("error", {}).get("kind") == "usage":

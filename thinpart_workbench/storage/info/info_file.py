@@ -16,7 +16,7 @@ from ...core.regular_file import open_regular
 from ...system.file_paths import path_in_tree, relative_path
 from ..atomic_file import FileAccess, write_atomically
 from ..fcstd_file import is_fcstd
-from ..folder_lock import folder_lock
+from ..folder_lock import FolderIsLocked, folder_lock
 from .annotations import carry_annotations
 from .info_definition import FORMAT, VERSION
 from .info_reading import DamagedInfoFile, fault_of, read_info
@@ -323,6 +323,11 @@ def _access(path, content):
 def _writing(path):
     try:
         yield
+    except FolderIsLocked:
+        raise ThinPartError(
+            message("The info file {info_file} could not be written: another program keeps the folder {folder} locked; end "
+                    "that program, or choose another place for info files.", info_file=path.name, folder=path.parent),
+            "info_write") from None
     except OSError as error:
         raise ThinPartError(
             message("The info file {info_file} could not be written ({problem}): make room or choose another place "

@@ -38,7 +38,7 @@ _MEGABYTES = 4096
 _MOST_DEATHS = 2
 """Workers that may die with one info file before it counts as failed: somebody may have killed the first."""
 
-_SECONDS_TO_SETTLE = 2.0
+_SECONDS_TO_SETTLE = 1.0
 """Seconds to wait for files that are being written when a run is stopped."""
 
 

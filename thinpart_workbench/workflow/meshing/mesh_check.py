@@ -14,6 +14,7 @@ from ...storage.exchange.geo_file import geo_text
 from ...storage.exchange.msh_file import read_tetrahedra
 from .gmsh_program import CRASHED, INCOMPLETE, MEMORY, TIMEOUT, mesh_volume, stated_error
 from .mesh_tries import MeshTries
+from .size_steps import ONE_SIZE, SIZES
 
 MESH = "part.msh"
 
@@ -24,7 +25,8 @@ LAYERS_ASKED = 1500
 """Places of thin walls at which layers are counted."""
 
 
-def checked_sizes(program, shape, measurement, proposal, seconds, folder, default=None, on_mesh=None, solid=None):
+def checked_sizes(program, shape, measurement, proposal, seconds, folder, default=None, on_mesh=None, solid=None,
+                  on_step=None):
     """Mesh a part at the global size and at the proposed ones.
 
     Parameters
@@ -45,6 +47,8 @@ def checked_sizes(program, shape, measurement, proposal, seconds, folder, defaul
         Called with ``default`` or ``proposed``, points and tetrahedra of each mesh.
     solid : str, optional
         BREP file of the part, where `shape` is none.
+    on_step : callable, optional
+        Called with `size_steps.ONE_SIZE` or `SIZES`, and the number of the attempt, before each mesh.
 
     Returns
     -------
@@ -56,6 +60,8 @@ def checked_sizes(program, shape, measurement, proposal, seconds, folder, defaul
     order = ("-order", str(proposal.settings.order)) if proposal.settings.order != 1 else ()
     walls, tries = thin_places(measurement, proposal), MeshTries(measurement, proposal, solid or shape, folder)
     if default is None or proposal.is_uniform:
+        if on_step is not None:
+            on_step(ONE_SIZE)
         default, _ = _meshed(program, [shape], seconds, folder, ("-clmax", repr(proposal.global_size), *order),
                              walls, partial(on_mesh, "default") if on_mesh else None)
     done, tried = [], tries.first
@@ -68,6 +74,8 @@ def checked_sizes(program, shape, measurement, proposal, seconds, folder, defaul
     script = os.path.join(folder, "size.geo")
     while True:
         sizes = tried.proposal
+        if on_step is not None:
+            on_step(SIZES, len(done) + 1)
         boxes = None if sizes.is_uniform else size_boxes(sizes.field, low, high, sizes.inner.points.reshape(-1, 3))
         with open(script, "w", encoding="utf-8") as file:
             file.write(geo_text(sizes.global_size, boxes, os.path.basename(tried.mended or shape), sizes.settings.order,

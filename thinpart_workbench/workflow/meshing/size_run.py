@@ -17,13 +17,14 @@ from .gmsh_program import INCOMPLETE
 from .mesh_check import ATTEMPTS
 from .size_cache import SizeCache
 from .size_result import sizes_fault
+from .size_steps import StepNote, watched_steps
 from .size_task import propose_for_document
 
 _MESHED_PARTS = 20
 """Parts of a document that may all take the whole time of their meshes."""
 
 
-def propose_for_documents(tasks, limits, version="", force=False, control=None):
+def propose_for_documents(tasks, limits, version="", force=False, control=None, tell=None):
     """Propose sizes for documents.
 
     Parameters
@@ -36,6 +37,8 @@ def propose_for_documents(tasks, limits, version="", force=False, control=None):
     force : bool, optional
         Whether not to take results of an earlier run.
     control : RunControl, optional
+    tell : callable, optional
+        Called with each step that a worker begins; see `size_steps.watched_steps`.
 
     Yields
     ------
@@ -68,7 +71,9 @@ def propose_for_documents(tasks, limits, version="", force=False, control=None):
         workers = PoolSupervisor(max(1, min(limits.jobs, len(waiting))), seconds, folder, _propose, start_reader,
                                  (limits.megabytes,), confine=True)
         try:
-            for future, task in workers.run(waiting, control):
+            steps = watched_steps(folder, {task.file for task in waiting}, tell) if tell else ()
+            for future, task in workers.run(waiting, control, meanwhile=steps):
+                control.check()  # a signal to all processes of a terminal ends workers too: no failure of the document
                 result = _result(future, task, seconds, limits)
                 if "error" not in result and not _is_incomplete(result):
                     kept.keep(task, result)
@@ -98,11 +103,13 @@ def _result(future, task, seconds, limits):
 
 def _propose(task):
     """Runs in a worker."""
+    note = StepNote(task.file)
     try:
         source = source_of(task.file)
-        return {"source": source, **propose_for_document(task)}
+        return {"source": source, **propose_for_document(task, note)}
     except Exception as error:  # a failed row instead of a traceback
         return failure(task.file, **reported_failure(error, Path(task.file).name))
     finally:
+        note.end()
         with suppress(Exception):  # what cannot be closed does not lose the results
             close_documents()

@@ -25,6 +25,7 @@ from ..analysis.analyse_part import analyse_part
 from .mesh_check import checked_sizes
 from .mesh_tries import usual_options
 from .shell_meshing import no_shell_record, shell_obstacle, shell_of_part, shell_record
+from .size_steps import MEASURE, SHELL
 
 
 @dataclass(frozen=True)
@@ -70,12 +71,14 @@ class SizeTask:
     part: Optional[str] = None
 
 
-def propose_for_document(task):
+def propose_for_document(task, note=None):
     """Propose sizes for every part of a document.
 
     Parameters
     ----------
     task : SizeTask
+    note : StepNote, optional
+        Is told what is done with which part.
 
     Returns
     -------
@@ -99,9 +102,11 @@ def propose_for_document(task):
         raise ThinPartError(message("{file} has {count} parts, and one is written: name it after --part, as {example}.",
                                     file=Path(task.file).name, count=len(parts), example=parts[0].name), "usage")
     records, failures = [], [each.failure() for each in broken]
-    for part in parts:
+    for number, part in enumerate(parts, 1):
+        if note is not None:
+            note.part(part.label, number, len(parts))
         try:
-            records.append(_proposed(part, profile, task, len(content.parts) == 1))
+            records.append(_proposed(part, profile, task, len(content.parts) == 1, note))
         except ThinPartError as error:
             if error.kind == "cancelled":
                 raise
@@ -109,12 +114,14 @@ def propose_for_document(task):
     return {"parts": records, "failures": failures, "solids": len(content.parts)}
 
 
-def _proposed(part, profile, task, is_alone):
+def _proposed(part, profile, task, is_alone, note):
     found: dict = {}
+    begin = _no_note if note is None else note.begin
 
     def keep(measurement, record):
         found.update(measurement=measurement, record=record)
 
+    begin(MEASURE)
     analyse_part(part, task.analysis, profile, on_result=keep)
     measurement = found["measurement"]
     diagonal = measurement.descriptors.box.diagonal
@@ -131,10 +138,13 @@ def _proposed(part, profile, task, is_alone):
                 # their names, and scripts that lie beside others.
                 shape = os.path.join(folder, f"document{gmsh_ending(task.file)}")
                 shutil.copyfile(task.file, shape)
-            check, tried = checked_sizes(task.program, shape, measurement, proposal, task.seconds, folder, solid=solid)
+            check, tried = checked_sizes(task.program, shape, measurement, proposal, task.seconds, folder, solid=solid,
+                                         on_step=begin)
             proposal = tried.proposal
             if tried.mended and task.has_sources:
                 mended = Path(tried.mended).read_text(encoding="utf-8")
+    if task.shell is not None:
+        begin(SHELL)
     shell = None if task.shell is None else _shell(part, measurement, task)
     record = size_record(part, found["record"], measurement, proposal, check, task.has_sources, tried,
                          shell_obstacle(part, measurement) if shell is None else shell["reason"])
@@ -143,6 +153,10 @@ def _proposed(part, profile, task, is_alone):
     if shell is not None:
         record["shell"] = shell
     return record
+
+
+def _no_note(step, attempt=1):
+    """Nobody is told."""
 
 
 def _shell(part, measurement, task):
