@@ -4,6 +4,7 @@ import csv
 import json
 import os
 import unicodedata
+from html.parser import HTMLParser
 
 import pytest
 from hostile_texts import NAMED
@@ -64,3 +65,37 @@ def test_no_output_has_what_a_terminal_obeys(library):
     again = thinpart("learn", library, "--labels", labels, "--no-kept-labels", "--export-labels", library / "again.csv")
     assert again.returncode == 0, again.stderr
     assert (library / "again.csv").read_text(encoding="utf-8") == labels.read_text(encoding="utf-8")
+
+
+class _Head(HTMLParser):
+    """The title of a page, and the tags that a page of ThinPart has no reason to have."""
+
+    def __init__(self, page):
+        super().__init__(convert_charrefs=True)
+        self.title, self.strange, self._is_title = None, [], False
+        self.feed(page)
+
+    def handle_starttag(self, tag, attributes):
+        self._is_title = tag == "title" and self.title is None  # pictures have titles too
+        names = {name for name, _ in attributes}
+        if tag in ("script", "iframe") or any(name.startswith("on") for name in names):
+            self.strange.append((tag, attributes))
+
+    def handle_endtag(self, tag):
+        self._is_title = False
+
+    def handle_data(self, text):
+        if self._is_title:
+            self.title = (self.title or "") + text
+
+
+def test_a_page_has_a_short_title_and_no_tags_of_others(library, tmp_path):
+    name = "<img src=x onerror=alert(1)>\x1b[2J" + "long" * 50
+    os.rename(library / "plate.step", library / f"{name}.step")
+    os.remove(library / "plate.step.thinpart.json")
+    run = thinpart("report", library, "-o", tmp_path / "report")
+    assert run.returncode == 0, run.stderr
+    page, = (each for each in (tmp_path / "report").rglob("*.html") if each.name != "index.html")
+    head = _Head(page.read_text(encoding="utf-8"))
+    assert head.title.startswith(r"<img src=x onerror=alert(1)>\x1b[2Jlong") and "... - wall thickness" in head.title
+    assert len(head.title) <= 80 + len(" - wall thickness") and head.strange == []
