@@ -13,6 +13,7 @@ from thinpart_workbench.core.judging.conditions import search_conditions
 from thinpart_workbench.core.judging.criteria import MOST_CONDITIONS, load_profile, usable_profile
 from thinpart_workbench.core.judging.wall_limits import read_limits
 from thinpart_workbench.core.kinds.json_file import LARGEST_WRITTEN
+from thinpart_workbench.freecad_adapter.reading.instance_names import telling_label
 from thinpart_workbench.freecad_adapter.reading.linked_files import linked_files
 from thinpart_workbench.storage.index.library_index import LibraryIndex
 from thinpart_workbench.storage.index.part_query import MOST_TERMS
@@ -159,3 +160,26 @@ def test_links_are_found_in_one_pass(text, tmp_path):
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr("Document.xml", text * MANY + '><XLink count="1" file="b&amp;c.FCStd"/>')
     assert tmp_path / "b&c.FCStd" in linked_files(path)
+
+
+@pytest.mark.parametrize("named", ["Open CASCADE STEP translator 6.8 1", "NONE001", "solid_12", "=>[0:1:1:2]", "  ", "007"])
+def test_what_nobody_named_has_the_name_of_what_is_around_it(named, freecad):
+    assert _told(freecad, named) == "Around"
+
+
+@pytest.mark.parametrize("named", ["Bracket", "None of these", "solid x", "Bracket 001",
+                                   "Open CASCADE STEP translator" + "_" * MANY + "\nx"])
+def test_other_names_are_told_whatever_their_length(named, freecad):
+    assert _told(freecad, named) == named
+
+
+def _told(freecad, label):
+    """What an object of a label in an assembly is called."""
+    document = freecad.newDocument("Named", hidden=True)
+    try:
+        top, leaf = document.addObject("App::Part", "Top"), document.addObject("Part::Feature", "Leaf")
+        top.addObject(leaf)
+        top.Label, leaf.Label = "Around", label
+        return telling_label(top, "Leaf.", leaf)
+    finally:
+        freecad.closeDocument(document.Name)

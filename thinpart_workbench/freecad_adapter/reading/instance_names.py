@@ -5,8 +5,10 @@ import re
 from ..occurrence import objects_along
 
 _NO_NAME = re.compile(
-    r"(none|solid|shell|compound|unnamed|unknown|=>\[.*\]|open\scascade\sstep\stranslator.*)?[\s_]*\d*", re.IGNORECASE)
-"""What STEP files and FreeCAD's import call what nobody named, with the number that FreeCAD adds."""
+    r"(none|solid|shell|compound|unnamed|unknown|=>\[.*\]|open\scascade\sstep\stranslator.*)?", re.IGNORECASE)
+"""What STEP files and FreeCAD's import call what nobody named, without the number that FreeCAD adds."""
+
+_DIGITS, _BEFORE_DIGITS = "0123456789", " _\t\r\n"
 
 
 def telling_label(top, path, leaf):
@@ -26,6 +28,7 @@ def telling_label(top, path, leaf):
         Such as ``Bracket`` for the solid ``NONE001`` of an imported product ``Bracket``.
     """
     for candidate in (leaf, *reversed(objects_along(top, path))):
-        if not _NO_NAME.fullmatch(candidate.Label.strip()):
+        # Not by the pattern, which would try every length of what comes before the number.
+        if not _NO_NAME.fullmatch(candidate.Label.strip().rstrip(_DIGITS).rstrip(_BEFORE_DIGITS)):
             return candidate.Label
     return leaf.Label

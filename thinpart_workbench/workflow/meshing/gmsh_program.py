@@ -18,7 +18,7 @@ MEMORY = message("Gmsh needed too much memory")
 INCOMPLETE = message("its mesh is incomplete: is the disk full?")
 """Reasons why there is no mesh, beside those that Gmsh states."""
 
-_ERROR_LINE = re.compile(r"^Error\s*:\s*(.+?)\s*$", re.MULTILINE)
+_ERROR_LINE = re.compile(r"^Error *: *(\S.*)$", re.MULTILINE)
 
 
 def gmsh_program(preferred=""):
@@ -149,4 +149,4 @@ def _reason(end):
 def stated_error(output):
     """The first error that Gmsh states."""
     found = _ERROR_LINE.search(output)
-    return "" if found is None else found[1][:200]
+    return "" if found is None else found[1][:200].rstrip()
