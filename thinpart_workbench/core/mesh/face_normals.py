@@ -1,6 +1,6 @@
 """Normals of the faces of a B-Rep, as the geometry has them."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -138,6 +138,23 @@ class FaceNormals:
         row[self.nodes.faces] = -1
         row[self.round_faces.faces] = np.arange(len(self.round_faces.faces))
         return row
+
+    def renumbered(self, new, count):
+        """The same normals under other numbers of the faces.
+
+        Parameters
+        ----------
+        new : ndarray of shape (f,), int64
+            New number of each face; those that become one lie on one surface.
+        count : int
+            Number of faces afterwards.
+
+        Returns
+        -------
+        FaceNormals
+        """
+        return FaceNormals(count, replace(self.round_faces, faces=new[self.round_faces.faces]),
+                           replace(self.nodes, faces=new[self.nodes.faces]))
 
     @property
     def is_known(self):

@@ -11,7 +11,7 @@ from ..occurrence import Occurrence, matrix_at, object_at, shape_at
 from ..shapes.equal_solids import equal_part
 from ..shapes.part import MeshedPart, SolidPart
 from ..shapes.placements import matrix_array
-from ..shapes.solids import loose_faces_warning
+from ..shapes.solids import has_surface, lines_warning, loose_faces_warning
 from .broken_parts import BrokenPart, broken_link_defect, defect_of, is_broken_link, mesh_defect, recompute_warning
 from .instance_names import telling_label
 
@@ -237,13 +237,14 @@ def _add_solids(parts, root, path, leaf):
     shape = shape_at(root, path)
     if leaf.isDerivedFrom("Part::Part2DObject"):
         return None
-    solids = [] if shape.isNull() else shape.Solids
+    whose = f"'{leaf.Label}'"
+    solids = [] if shape.isNull() else [(index, solid) for index, solid in enumerate(shape.Solids) if has_surface(solid)]
     if not solids:
         return defect_of(leaf, shape)
-    warnings = tuple(filter(None, (recompute_warning(leaf),
-                                   loose_faces_warning(shape, f"'{leaf.Label}'"))))
-    alike = all(solid.isPartner(solids[0]) for solid in solids)
-    for index, solid in enumerate(solids):
+    warnings = tuple(filter(None, (
+        recompute_warning(leaf), lines_warning(shape, whose), loose_faces_warning(shape, whose))))
+    alike = all(solid.isPartner(solids[0][1]) for _, solid in solids)
+    for index, solid in solids:
         known = equal_part(parts, solid)
         if known is None:
             name, label = leaf.Name, telling_label(root, path, leaf)

@@ -5,6 +5,9 @@ from ...core.message import message
 SEWING_TOLERANCES = (1e-6, 1e-5, 1e-4)
 """Gaps between loose faces that sewing closes, as shares of the diagonal; tried from tight to loose."""
 
+_NO_AREA = 1e-12
+"""Area of a face that is no more than a line, as a share of the squared diagonal of its solid."""
+
 
 def solids_of(shape, whose=message("The file")):
     """Solids of a shape; loose faces are sewn together.
@@ -23,11 +26,15 @@ def solids_of(shape, whose=message("The file")):
 
     Notes
     -----
-    IGES files hold faces without solids, which have to be sewn first.
+    IGES files hold faces without solids, which have to be sewn first, and so have those of STEP files of which OCC 7.9 takes
+    one face for a solid and leaves the others as an open shell.
     """
+    solids = [solid for solid in shape.Solids if has_surface(solid)]
+    warnings = tuple(filter(None, (lines_warning(shape, whose), solids and loose_faces_warning(shape, whose))))
+    if solids:
+        return solids, warnings
     if shape.Solids:
-        warning = loose_faces_warning(shape, whose)
-        return shape.Solids, (warning,) if warning else ()
+        shape = _without_lines(shape)
     if not shape.Faces:
         return [], ()
     diagonal = shape.BoundBox.DiagonalLength
@@ -37,9 +44,42 @@ def solids_of(shape, whose=message("The file")):
         solids = _closed_solids(sewn)
         if solids:
             return solids, (
-                message("It came as {faces} loose faces, which were sewn together.", faces=len(shape.Faces)),
+                *warnings, message("It came as {faces} loose faces, which were sewn together.", faces=len(shape.Faces)),
             )
     return [], ()
+
+
+def has_surface(solid):
+    """Whether a solid is more than a line. OCC makes such solids of tori and spheres whose border is the same circle twice.
+
+    Parameters
+    ----------
+    solid : Part.Shape
+    """
+    least = _NO_AREA * solid.BoundBox.DiagonalLength ** 2
+    return any(face.Area > least for face in solid.Faces)
+
+
+def lines_warning(shape, whose):
+    """A warning about solids of a shape that have no surface; None if there are none.
+
+    Parameters
+    ----------
+    shape : Part.Shape
+    whose : str
+        Owner of the shape, as the start of the sentence.
+    """
+    lines = sum(not has_surface(solid) for solid in shape.Solids)
+    if not lines:
+        return None
+    return message("{whose} holds {count} solids that are only a line, which were left out.", whose=whose, count=lines)
+
+
+def _without_lines(shape):
+    import Part
+
+    lines = [face for solid in shape.Solids for face in solid.Faces]
+    return Part.Compound([face for face in shape.Faces if not any(face.isSame(line) for line in lines)])
 
 
 def _closed_solids(shape):

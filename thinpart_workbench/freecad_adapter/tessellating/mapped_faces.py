@@ -6,28 +6,23 @@ coil. Such faces have four sides, and a grid over their parameters, with its own
 fewest triangles.
 """
 
-
 import numpy as np
-from scipy.spatial import cKDTree
 
 from .curve_division import CurveDivision, points_at
-from .surface_types import PLANE
+from .plane_face import NotMapped, PlaneFace
+from .surface_types import LINE, PLANE, curve_type
 
 MOST_FACES = 2000
 """Most faces of a solid that is examined. A solid with more is not a wire, and examining takes 1 ms per face."""
 
 _TOLERANCE = 1e-6
-"""Share of a parameter's range, or of a face's size, that is neglected."""
+"""Share of a parameter's range that is neglected."""
 
 _FAR_LONGER = 10.0
 """Ratio of length to width from which a face belongs to a wire: along it, both sides turn alike and stay parallel."""
 
 _ISOLINES = (0.0, 0.25, 0.5, 0.75, 1.0)
 """Shares of the width at which a face is sampled: a ring turns differently inside and outside."""
-
-
-class NotMapped(Exception):
-    """A face is not planar and does not have four sides along its parameters."""
 
 
 class MappedFaces:
@@ -62,7 +57,11 @@ class MappedFaces:
                  for number, (face, plane) in enumerate(zip(faces, self.planar)) if not plane}
         for grid in grids.values():
             grid.measure_sides()
-        self._faces = [grids.get(number) or _PlaneFace(face, self._edges) for number, face in enumerate(faces)]
+        self._faces = [grids.get(number) or PlaneFace(face, self._edges) for number, face in enumerate(faces)]
+        in_grids = {edge for grid in grids.values() for first, second, *_ in grid.opposite for edge in (first, second)}
+        # An edge between two faces of one plane may be curved.
+        self._flat_curves = [None if edge in in_grids else self._edges.curve_division(edge)
+                             for edge in range(self._edges.count)]
 
     def divided(self, deflection, angle, angle_along):
         """Division of every edge, so that neighbours and opposite sides agree.
@@ -87,8 +86,7 @@ class MappedFaces:
                 edge = group[edge]
             return edge
 
-        # Edges that belong to planar faces only are straight.
-        needed = [1] * len(group)
+        needed = [curve.pieces(deflection, angle) if curve else 1 for curve in self._flat_curves]
         for face in self._faces:
             for first, second, isolines, lengthwise in face.opposite:
                 limit = angle_along if lengthwise else angle
@@ -151,6 +149,13 @@ class _Edges:
             if self._edges[number].isSame(edge):
                 return number
         raise NotMapped
+
+    def curve_division(self, number):
+        """The CurveDivision of an edge, None where it is straight."""
+        edge = self._edges[number]
+        if edge.Degenerated or curve_type(edge) == LINE:
+            return None
+        return CurveDivision(edge.valueAt, *edge.ParameterRange, edge.Length)
 
     def nodes(self, number, pieces):
         """Points that divide an edge, in the order of its parameter, ndarray of shape (pieces + 1, 3), mm."""
@@ -283,60 +288,3 @@ class _GridFace:
         parts = [nodes[edge] if forward else nodes[edge][::-1]
                  for _, _, edge, forward in self._sides[along][end]]
         return np.concatenate([*(part[:-1] for part in parts), parts[-1][-1:]])
-
-
-class _PlaneFace:
-    """A planar face: the polygon of its edges' nodes, without further points."""
-
-    opposite = ()
-
-    def __init__(self, face, edges):
-        self._normal = _outward(face)
-        self._wires = [
-            [(edges.number(edge), edge.Orientation != "Reversed") for edge in wire.OrderedEdges]
-            for wire in face.Wires
-        ]
-
-    def triangle_count(self, pieces):
-        return sum(pieces[edge] for wire in self._wires for edge, _ in wire)
-
-    def surface(self, nodes):
-        """Points and triangles, given the nodes of all edges."""
-        import FreeCAD
-        import Part
-
-        loops = [_loop([nodes[edge] if forward else nodes[edge][::-1] for edge, forward in wire])
-                 for wire in self._wires]
-        points = np.concatenate(loops)
-        # Flatten the polygon and centre it: nodes of a spline lie off the plane by its tolerance.
-        origin = points.mean(axis=0)
-        flat = points - origin
-        flat -= np.outer(flat @ self._normal, self._normal)
-        polygons, start = [], 0
-        for loop in loops:
-            corners = [FreeCAD.Vector(*corner) for corner in flat[start:start + len(loop)].tolist()]
-            polygons.append(Part.makePolygon([*corners, corners[0]]))
-            start += len(loop)
-        try:
-            found, triangles = Part.Face(polygons).tessellate(float(np.ptp(flat, axis=0).max()))
-        except Exception:  # FreeCAD raises its own classes, which differ between versions
-            raise NotMapped from None
-        size = float(np.ptp(flat, axis=0).max())
-        distance, which = cKDTree(flat).query(np.array([tuple(point) for point in found]))
-        if not len(triangles) or distance.max() > _TOLERANCE * size:
-            raise NotMapped
-        triangles = which[np.array(triangles)]
-        corners = flat[triangles]
-        up = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) @ self._normal
-        triangles[up < 0.0] = triangles[up < 0.0, ::-1]
-        return points, triangles
-
-
-def _loop(parts):
-    """Distinct nodes of a wire with consecutive edges, ndarray of shape (k, 3), mm."""
-    return np.concatenate([part[:-1] for part in parts])
-
-
-def _outward(face):
-    low_u, high_u, low_v, high_v = face.ParameterRange
-    return np.array(tuple(face.normalAt(0.5 * (low_u + high_u), 0.5 * (low_v + high_v))))

@@ -1,6 +1,7 @@
-"""On which kinds of surfaces the faces of a solid lie."""
+"""On which kinds of surfaces the faces of a solid lie, and on which curves its edges."""
 
 PLANE = "Part::GeomPlane"
+LINE = "Part::GeomLine"
 
 FREE_FORM = ("Part::GeomBSplineSurface", "Part::GeomBezierSurface", "Part::GeomToroid", "Part::GeomOffsetSurface",
              "Part::GeomSurfaceOfRevolution", "Part::GeomSurfaceOfExtrusion")
@@ -19,6 +20,19 @@ def surface_types(shape):
     list of str or None
     """
     return [_surface_type(face) for face in shape.Faces]
+
+
+def curve_type(edge):
+    """FreeCAD's name of the type of an edge's curve, str; None for a curve without a Python class.
+
+    Parameters
+    ----------
+    edge : Part.Edge
+    """
+    try:
+        return edge.Curve.TypeId
+    except (TypeError, RuntimeError):  # the exception differs between versions of FreeCAD
+        return None
 
 
 def _surface_type(face):

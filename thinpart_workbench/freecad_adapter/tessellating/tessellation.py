@@ -1,7 +1,7 @@
 """Tessellate a B-Rep solid."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import chain
 from typing import Optional
 
@@ -52,6 +52,32 @@ class Tessellation:
     face_of_triangle: np.ndarray
     linear_deflection: float
     face_normals: Optional[FaceNormals] = None
+
+    def point_of_each_face(self, count):
+        """The centre of the largest triangle of each face, ndarray of shape (count, 3), mm; nan where it has none."""
+        corners = self.points[self.triangles]
+        doubled = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+        order = np.argsort(doubled)
+        found = np.full((count, 3), np.nan)
+        found[self.face_of_triangle[order]] = corners[order].mean(axis=1)  # of a face, the last and largest stays
+        return found
+
+    def renumbered(self, new, count):
+        """The same triangles with other numbers of their faces.
+
+        Parameters
+        ----------
+        new : ndarray of shape (f,), int64
+            New number of each face; several may become one.
+        count : int
+            Number of faces afterwards.
+
+        Returns
+        -------
+        Tessellation
+        """
+        return replace(self, face_of_triangle=new[self.face_of_triangle],
+                       face_normals=self.face_normals and self.face_normals.renumbered(new, count))
 
 
 def tessellate(shape, linear_deflection, angular_deflection):
