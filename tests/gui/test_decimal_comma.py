@@ -5,9 +5,11 @@ import window_actions as window
 from profile_editor import type_into
 from thickness_window import show_map
 
+from thinpart_workbench.core.figures import Length
 from thinpart_workbench.core.judging.criteria import load_profile
-from thinpart_workbench.gui.application.numbers import marked
+from thinpart_workbench.core.message import message
 from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
+from thinpart_workbench.gui.application.sentences import translated
 from thinpart_workbench.gui.colour_bar.colour_bar import tick_text
 from thinpart_workbench.gui.profile.condition_row import ConditionRow
 from thinpart_workbench.gui.widgets.range_filter import RangeFilter
@@ -55,4 +57,7 @@ def test_conditions_have_the_comma(comma):
 
 
 def test_names_and_versions_keep_their_points(comma):
-    assert marked("t1.5.step, FreeCAD 1.1.3: 0.15 of 2.5 mm") == "t1.5.step, FreeCAD 1.1.3: 0,15 of 2,5 mm"
+    said = message("{file}, {program}: {share:g} of {wall}", file="lid 3.5 mm.step", program="FreeCAD 1.1.3", share=0.15,
+                   wall=Length(2.5))
+    assert translated(said) == "lid 3.5 mm.step, FreeCAD 1.1.3: 0,15 of 2,5\u00a0mm"
+    assert translated("lid 3.5 mm.step has 2.5 mm") == "lid 3.5 mm.step has 2.5 mm"

@@ -34,11 +34,14 @@ from test_preferences import field, in_preferences
 from thickness_window import look_at, move_to, place_of, view_of
 from window_actions import V
 
+from thinpart_workbench.core.figures import Length
+from thinpart_workbench.core.message import message
 from thinpart_workbench.freecad_adapter.objects.thickness_object import thickness_objects
 from thinpart_workbench.freecad_adapter.objects.thickness_probes import probes_of
 from thinpart_workbench.freecad_adapter.preferences import preference, set_preference
 from thinpart_workbench.gui.application.length_unit import INCH, MILLIMETRE, PREFERENCES, length_unit
 from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
+from thinpart_workbench.gui.application.sentences import translated
 from thinpart_workbench.gui.colour_bar.colour_bar import bar_image
 from thinpart_workbench.gui.folder.results_model import BOX, PART
 from thinpart_workbench.gui.folder.results_model import THINNEST as THINNEST_OF_FOLDER
@@ -97,10 +100,12 @@ def test_lengths_are_written_with_three_digits_and_their_unit():
     assert MILLIMETRE.text(3.0) == "3\u00a0mm" and INCH.text(3.0) == "0.118\u00a0in"
     assert INCH.number(None) == "\u2013" and INCH.value(25.4) == 1.0
     assert INCH.bound_text(0.25) == "0.0098\u00a0in" and MILLIMETRE.bound_text(0.25) == "0.25\u00a0mm"
-    sentence = "The wall, 3 mm or 1.5e-05 mm, of 20 mm2 has 1.27 mm: 4 mmx."
-    assert MILLIMETRE.convert_sentence(sentence) == sentence
-    assert INCH.convert_sentence(sentence) == (
-        "The wall, 0.118\u00a0in or 5.91e-07\u00a0in, of 20 mm2 has 0.05\u00a0in: 4 mmx.")
+    said = message("{part}: {wall} or {error:.2g}.", part="lid 3 mm.step", wall=Length(3.0), error=Length(1.5e-05))
+    assert translated(said, MILLIMETRE) == "lid 3 mm.step: 3\u00a0mm or 1.5e-05\u00a0mm."
+    assert translated(said, INCH) == "lid 3 mm.step: 0.118\u00a0in or 5.9e-07\u00a0in."
+    assert translated(said) == translated(said, MILLIMETRE), "that of the window"
+    choose(INCHES)
+    assert translated(said) == translated(said, INCH)
 
 
 def test_the_menu_of_processes_is_in_the_unit_of_each_time_it_opens(document):

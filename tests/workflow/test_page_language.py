@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import pytest
 
+from thinpart_workbench.core.figures import Length, Share
 from thinpart_workbench.core.length_unit import INCH
 from thinpart_workbench.core.message import message
 from thinpart_workbench.workflow.report.page_language import LANGUAGES, page_language
@@ -25,13 +26,16 @@ def test_texts_are_looked_up_and_unknown_ones_stay(code, text):
 
 
 def test_sentences_are_translated_with_those_within_them_and_have_the_decimal_mark():
-    said = message("Only {share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of "
-                   "{middle} mm: mesh it with solids.", share="0.5 %", limit="1.25", part="15 %", middle="40")
-    assert page_language("en").sentence(said) == said
+    said = message("Only {share} of the surface lies over walls thinner than {limit}, {part} of the middle side of "
+                   "{middle}: mesh it with solids.", share=Share(0.005), limit=Length(1.25), part=Share(0.15),
+                   middle=Length(40.0))
+    assert page_language("en").sentence(said).replace("\u00a0mm", " mm") == said
     german = page_language("de").sentence(said)
-    assert german != said and "1,25" in german and "0,5 %" in german and "1.25" not in german
-    inner = message("{first} {next}", first=said, next="bracket_1.25.step")
-    assert page_language("de").sentence(inner) == f"{german} bracket_1.25.step"
+    assert german != said and "1,25" in german and "0,5\u00a0%" in german and "1.25" not in german
+    for name in ("bracket_1.25.step", "lid 3.5 mm.step"):
+        inner = message("{first} {next}", first=said, next=name)
+        assert page_language("de").sentence(inner) == f"{german} {name}"
+        assert page_language("de", INCH).sentence(inner).endswith(f" {name}")
 
 
 @pytest.mark.parametrize("code, shown", [
@@ -48,8 +52,8 @@ def test_numbers(code, shown):
     ("de", "0,0492\u00a0in", "1,57\u00a0in"),
     ("fr", "0,0492\u00a0in", "1,57\u00a0in")])
 def test_lengths_in_sentences_are_in_the_unit_with_the_decimal_mark_of_the_language(code, limit, middle):
-    said = message("No walls are thinner than {limit} mm, {part} of the middle side of {middle} mm: mesh it with "
-                   "solids.", limit="1.25", part="3.1\u00a0%", middle="40")
+    said = message("No walls are thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.",
+                   limit=Length(1.25), part=Share(0.031), middle=Length(40.0))
     shown = page_language(code, INCH).sentence(said)
     assert limit in shown and middle in shown and "mm" not in shown
     assert ("3.1\u00a0%" if code == "en" else "3,1\u00a0%") in shown

@@ -1,11 +1,8 @@
 """The unit in which people read and write lengths. Inside the program, everything is in millimetres."""
 
-import re
 from dataclasses import dataclass
 
 from .number_text import bound_text, number, with_decimal_mark
-
-_LENGTH_IN_TEXT = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?(?:e[+-]?\d+)?)[ \u00a0]mm\b")
 
 
 @dataclass(frozen=True)
@@ -33,13 +30,13 @@ class LengthUnit:
         """A length in this unit, for the powers 2 and 3 an area and a volume: float, None for None."""
         return None if millimetres is None else millimetres / self.millimetres ** power
 
-    def number(self, millimetres):
-        """A length in this unit without its symbol, with three significant digits; a dash for None."""
-        return with_decimal_mark(number(self.value(millimetres)), self.decimal_mark)
+    def number(self, millimetres, digits=3):
+        """A length in this unit without its symbol, with some significant digits; a dash for None."""
+        return with_decimal_mark(number(self.value(millimetres), digits), self.decimal_mark)
 
-    def text(self, millimetres):
+    def text(self, millimetres, digits=3):
         """A length in this unit with its symbol."""
-        return self.with_symbol(self.number(millimetres))
+        return self.with_symbol(self.number(millimetres, digits))
 
     def bound_number(self, millimetres):
         """An error bound without its symbol; see `number_text.bound_text`."""
@@ -52,13 +49,6 @@ class LengthUnit:
     def with_symbol(self, text):
         """One or several numbers, followed by the symbol."""
         return f"{text}\u00a0{self.symbol}"
-
-    def convert_sentence(self, sentence):
-        """A sentence with its lengths converted from millimetres to this unit, and all its numbers with the decimal mark."""
-        if self.millimetres != 1.0:
-            sentence = _LENGTH_IN_TEXT.sub(
-                lambda match: self.with_symbol(number(self.value(float(match.group(1))))), sentence)
-        return with_decimal_mark(sentence, self.decimal_mark)
 
 
 MILLIMETRE = LengthUnit("mm", 1.0, 3)

@@ -4,6 +4,8 @@ import re
 import string
 from numbers import Integral, Real
 
+from .figures import Figure, Length, figure_from, in_unit
+
 MESSAGES_KEY = "messages"
 """Key of a JSON object under which the templates and fields of its sentences are, beside the sentences themselves."""
 
@@ -11,7 +13,9 @@ _MOST_FIELDS, _DEEPEST, _LONGEST = 20, 6, 200_000
 """Limits for messages from other processes: fields of a template, depth of messages within messages, characters."""
 
 _FORMAT = re.compile(r",?(\.\d)?[dfg]?")
-_PLAIN = (str, int, float, bool, type(None))
+_PLAIN = (str, int, float, bool, type(None), Figure)
+_UNIT_BEHIND = re.compile(r"\{([a-z]+)(:\.\dg)\} mm\b")
+"""A length in a template as earlier versions stored them, with its unit behind the field."""
 
 
 class Message(str):
@@ -22,7 +26,7 @@ class Message(str):
     template : str
         English, with named fields in the syntax of `str.format`: "{name} is empty ({bytes} bytes)."
     fields : dict
-        By name: JSON values other than lists and objects, or messages.
+        By name: JSON values other than lists and objects, figures, or messages.
 
     Attributes
     ----------
@@ -54,7 +58,7 @@ def message(template, /, **fields):
     template : str
         Must be a literal, since `resources/translations/texts_of_code.py` collects it from the source code.
     **fields
-        Numbers, texts, paths, exceptions (as their text) and messages.
+        Numbers, texts, paths, exceptions (as their text), messages, and lengths and shares as `figures` have them.
 
     Returns
     -------
@@ -86,8 +90,11 @@ def joined(sentences):
     return text or ""
 
 
-def in_other_words(text, look_up):
-    """A sentence, reason, title or meaning in another language.
+def in_other_words(text, look_up, unit):
+    """A sentence, reason, title or meaning in another language, with its lengths in a unit.
+
+    Only fields that are numbers or figures are written differently. Texts such as names, and sentences that are no
+    messages, stay as they are, whatever stands in them.
 
     Parameters
     ----------
@@ -96,6 +103,8 @@ def in_other_words(text, look_up):
         other text, such as a title, is looked up as it is.
     look_up : callable
         Returns the translation of a text, or the text where there is none.
+    unit : LengthUnit
+        Its decimal mark is that of all numbers.
 
     Returns
     -------
@@ -104,7 +113,7 @@ def in_other_words(text, look_up):
     if not isinstance(text, Message):
         return look_up(text) if text else text
     return look_up(text.template).format_map({
-        name: in_other_words(value, look_up) if isinstance(value, Message) else value
+        name: in_other_words(value, look_up, unit) if isinstance(value, Message) else in_unit(value, unit)
         for name, value in text.fields.items()})
 
 
@@ -118,10 +127,9 @@ def to_data(sentence):
     Returns
     -------
     dict
-        ``template``, and ``fields`` by name, with nested messages in the same form.
+        ``template``, and ``fields`` by name, with nested messages in the same form, and figures as `figures.Figure.data`.
     """
-    return {"template": sentence.template, "fields": {
-        name: to_data(value) if isinstance(value, Message) else value for name, value in sentence.fields.items()}}
+    return {"template": sentence.template, "fields": {name: _field_data(value) for name, value in sentence.fields.items()}}
 
 
 def from_data(data):
@@ -136,7 +144,8 @@ def from_data(data):
     -------
     Message or None
     """
-    return _from_data(data, _DEEPEST)
+    said = _from_data(data, _DEEPEST)
+    return None if said is None else _with_lengths(said)
 
 
 def with_messages(content):
@@ -172,8 +181,14 @@ def restored(content):
     if not isinstance(content, dict) or MESSAGES_KEY not in content:
         return content
     listed = content[MESSAGES_KEY] if isinstance(content[MESSAGES_KEY], list) else ()
-    found = {item: item for item in map(from_data, listed) if item is not None}
+    found = {said: _with_lengths(said) for said in (_from_data(each, _DEEPEST) for each in listed) if said is not None}
     return {key: _restored(value, found) for key, value in content.items() if key != MESSAGES_KEY}
+
+
+def _field_data(value):
+    if isinstance(value, Message):
+        return to_data(value)
+    return value.data() if isinstance(value, Figure) else value
 
 
 def _field(value):
@@ -191,13 +206,28 @@ def _from_data(data, depth):
             return None
         restored_fields = {}
         for name, value in fields.items():
-            restored_fields[name] = _from_data(value, depth - 1) if isinstance(value, dict) else value
+            restored_fields[name] = figure_from(value) or _from_data(value, depth - 1) if isinstance(value, dict) else value
             if not isinstance(restored_fields[name], _PLAIN) or isinstance(value, dict) and restored_fields[name] is None:
                 return None
         result = Message(template, restored_fields)
-    except (AttributeError, KeyError, IndexError, TypeError, ValueError):
+    except (AttributeError, KeyError, IndexError, TypeError, ValueError, OverflowError):
         return None
     return result if len(result) <= _LONGEST else None
+
+
+def _with_lengths(sentence):
+    """A message whose lengths are figures, also where an earlier version wrote it."""
+    fields = {name: _with_lengths(value) if isinstance(value, Message) else value for name, value in sentence.fields.items()}
+
+    def field(found):
+        name, digits = found.groups()
+        if not isinstance(fields[name], Length):
+            if isinstance(fields[name], bool) or not isinstance(fields[name], Real):
+                return found[0]
+            fields[name] = Length(fields[name])
+        return f"{{{name}}}" if digits == ":.3g" else f"{{{name}{digits}}}"
+
+    return Message(_UNIT_BEHIND.sub(field, sentence.template), fields)
 
 
 def _is_template(text):

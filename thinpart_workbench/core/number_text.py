@@ -1,9 +1,5 @@
 """Numbers as text for people: with a decimal point, which `with_decimal_mark` replaces for other languages."""
 
-import re
-
-_POINT = re.compile(r"(?<![\w.])([<\u2212-]?\d+)\.(\d+)(?=$|[\s\u00a0%\u2013,;:)]|\.(?:\s|$))")
-
 
 def percent(share):
     """Format a share as a percentage; empty for None, and 0 below a twentieth of a percent."""
@@ -23,13 +19,13 @@ def bound_text(millimetres):
     return f"{millimetres:.2g}" if millimetres >= 0.001 else "<\u00a00.001"
 
 
-def number(value):
-    """Format a quantity with three significant digits, without an exponent unless it is tiny."""
+def number(value, digits=3):
+    """Format a quantity with some significant digits, without an exponent unless it is tiny."""
     if value is None:
         return "\u2013"
-    return f"{value:.0f}" if abs(value) >= 1000.0 else f"{value:.3g}"
+    return f"{value:.0f}" if abs(value) >= 1000.0 else f"{value:.{digits}g}"
 
 
 def with_decimal_mark(text, mark):
-    """Replace the decimal point of the numbers in a text by another mark. Names of files and versions are left alone."""
-    return text if mark == "." else _POINT.sub(rf"\1{mark}\2", text)
+    """A text of numbers, and of nothing that may be a name or a version, with another mark in place of the decimal point."""
+    return text.replace(".", mark)

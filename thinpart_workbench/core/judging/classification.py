@@ -6,6 +6,7 @@ from typing import Optional
 from ..analysis_settings import MOST_TRIANGLES
 from ..categories import NORMAL, UNKNOWN
 from ..descriptors.quantity import MiddleShare
+from ..figures import Length
 from ..message import message
 
 DEFAULT_THIN_LIMIT_X = 0.05
@@ -160,8 +161,8 @@ def _reason(undecided, descriptors):
 def too_fine_reason(length_error):
     """Message: why a part is ``unknown`` whose lengths may be off by `length_error` mm."""
     return message("The part is too slender or too fine to be measured: it needs more than {triangles:,} triangles, "
-                   "with fewer its lengths are accurate to {mm:.2g} mm only.",
-                   triangles=MOST_TRIANGLES, mm=length_error)
+                   "with fewer its lengths are accurate to {mm:.2g} only.",
+                   triangles=MOST_TRIANGLES, mm=Length(length_error))
 
 
 def unmeasured_reason(quantities, criteria):

@@ -3,8 +3,8 @@
 from ..categories import NORMAL
 from ..descriptors.descriptor_table import quantity_named
 from ..descriptors.quantity import MiddleShare
+from ..figures import Length, Share
 from ..message import message
-from ..number_text import number, percent
 from .verdict_reasons import deciding_criteria
 
 
@@ -38,21 +38,21 @@ def verdict_sentence(record):
 
 def _of_walls(record, quantity, condition, plates):
     width = record["descriptors"]["box_mm"][1]
-    bound, middle = quantity.bounds[1], number(width)
-    share, limit, part = percent(condition["value"]), number(bound * width), percent(bound)
+    bound, middle = quantity.bounds[1], Length(width)
+    share, limit, part = Share(condition["value"]), Length(bound * width), Share(bound)
     if not condition["value"]:
         return message(
-            "No walls are thinner than {limit} mm, {part} of the middle side of {middle} mm: mesh it with solids.",
+            "No walls are thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.",
             limit=limit, part=part, middle=middle)
     if not condition["holds"]:
         return message(
-            "Only {share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm: "
+            "Only {share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: "
             "mesh it with solids.", share=share, limit=limit, part=part, middle=middle)
     if plates is not None:
         return message(
-            "{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm, and "
+            "{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}, and "
             "{plates} over walls that are plates: consider shells (Prepare mesh says whether they can be made).",
-            share=share, limit=limit, part=part, middle=middle, plates=percent(plates["value"]))
+            share=share, limit=limit, part=part, middle=middle, plates=Share(plates["value"]))
     return message(
-        "{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm: refine "
+        "{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: refine "
         "the mesh there.", share=share, limit=limit, part=part, middle=middle)

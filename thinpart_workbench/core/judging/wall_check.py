@@ -9,8 +9,8 @@ from typing import Optional
 
 from ..descriptors.bins import BINS
 from ..descriptors.descriptor_table import STATED_FLOOR
+from ..figures import Length, Share
 from ..message import message
-from ..number_text import number, percent
 from ..tolerances import TOLERANCES
 from .wall_limits import WallLimits
 
@@ -220,49 +220,49 @@ def check_sentence(check):
     -------
     Message
     """
-    limits, thinnest, error = check.limits, number(check.thinnest_mm), f"{check.error_mm:.2g}"
-    process, least, most = limits.full_title, number(limits.min_mm), number(limits.max_mm)
+    limits, thinnest, error = check.limits, Length(check.thinnest_mm), Length(check.error_mm)
+    process, least, most = limits.full_title, Length(limits.min_mm), Length(limits.max_mm)
     if check.holds is False:
         return message("{process}: fails: {findings}.", process=process, findings=_findings(check))
     if check.thin_holds is None and check.thinnest_mm is None:
         return message("{process}: cannot be told: no wall could be measured.", process=process)
     if check.thin_holds is None and check.error_mm > TOO_COARSE * limits.min_mm:
-        return message("{process}: cannot be told: the thinnest wall is {thinnest} mm, give or take {error} mm, the limit "
-                       "is {least} mm.", process=process, thinnest=thinnest, error=error, least=least)
+        return message("{process}: cannot be told: the thinnest wall is {thinnest}, give or take {error:.2g}, the limit "
+                       "is {least}.", process=process, thinnest=thinnest, error=error, least=least)
     if check.thin_holds is None:
         return message("{process}: cannot be told: the surface is open, and there may be walls thinner than the {thinnest} "
-                       "mm that were found.", process=process, thinnest=thinnest)
+                       "that were found.", process=process, thinnest=thinnest)
     if check.thick_holds is None:
-        return message("{process}: cannot be told: {share} of the surface lies over more than {most} mm, but a ray may run "
+        return message("{process}: cannot be told: {share} of the surface lies over more than {most}, but a ray may run "
                        "along a wall there: look at the thickness map.",
-                       process=process, share=percent(check.thick_share), most=most)
+                       process=process, share=Share(check.thick_share), most=most)
     if check.within_tolerance:
-        return message("{process}: passes within tolerance: the thinnest wall is {thinnest} mm, give or take {error} mm, "
-                       "the limit is {least} mm.", process=process, thinnest=thinnest, error=error, least=least)
+        return message("{process}: passes within tolerance: the thinnest wall is {thinnest}, give or take {error:.2g}, "
+                       "the limit is {least}.", process=process, thinnest=thinnest, error=error, least=least)
     if check.tapered_share > STATED_FLOOR:
-        return message("{process}: passes: the thinnest wall is {thinnest} mm, the limit {least} mm; towards their edges, "
+        return message("{process}: passes: the thinnest wall is {thinnest}, the limit {least}; towards their edges, "
                        "tapered walls are thinner on {share} of the surface.",
-                       process=process, thinnest=thinnest, least=least, share=percent(check.tapered_share))
+                       process=process, thinnest=thinnest, least=least, share=Share(check.tapered_share))
     if limits.min_mm is None:
-        return message("{process}: passes: no wall is over {most} mm.", process=process, most=most)
+        return message("{process}: passes: no wall is over {most}.", process=process, most=most)
     if limits.max_mm is not None:
-        return message("{process}: passes: walls from {thinnest} mm on, the limits are {least} and {most} mm.",
+        return message("{process}: passes: walls from {thinnest} on, the limits are {least} and {most}.",
                        process=process, thinnest=thinnest, least=least, most=most)
-    return message("{process}: passes: the thinnest wall is {thinnest} mm, the limit {least} mm.",
+    return message("{process}: passes: the thinnest wall is {thinnest}, the limit {least}.",
                    process=process, thinnest=thinnest, least=least)
 
 
 def _findings(check):
     """What is too thin, what is too thick, or both: Message."""
-    least, most = number(check.limits.min_mm), number(check.limits.max_mm)
+    least, most = Length(check.limits.min_mm), Length(check.limits.max_mm)
     if check.thin_holds is not False:
-        return message("{share} of the surface lies over walls of more than {most} mm",
-                       share=percent(check.thick_share), most=most)
+        return message("{share} of the surface lies over walls of more than {most}",
+                       share=Share(check.thick_share), most=most)
     thin, place = _share_text(check.thin_share), _place(check)
     if check.thick_holds is False:
-        return message("{thin} of the surface is under {least} mm, thinnest {place}, and {thick} over {most} mm",
-                       thin=thin, least=least, place=place, thick=percent(check.thick_share), most=most)
-    return message("{thin} of the surface is under {least} mm, thinnest {place}", thin=thin, least=least, place=place)
+        return message("{thin} of the surface is under {least}, thinnest {place}, and {thick} over {most}",
+                       thin=thin, least=least, place=place, thick=Share(check.thick_share), most=most)
+    return message("{thin} of the surface is under {least}, thinnest {place}", thin=thin, least=least, place=place)
 
 
 def _is_thick_enough(measured, least):
@@ -314,15 +314,16 @@ def _thin_share(record, measured, limit):
 
 
 def _place(check):
-    """The thinnest wall, its error bound where that matters, and its face where it is known: Message."""
-    thinnest = message("{mm} mm", mm=number(check.thinnest_mm))
+    """The thinnest wall, its error bound where that matters, and its face where it is known: Message or
+    Length."""
+    thinnest = Length(check.thinnest_mm)
     if check.within_tolerance:
-        thinnest = message("{mm} mm, give or take {error} mm,", mm=number(check.thinnest_mm), error=f"{check.error_mm:.2g}")
+        thinnest = message("{thinnest}, give or take {error:.2g},", thinnest=thinnest, error=Length(check.error_mm))
     return message("{wall} on {face}", wall=thinnest, face=check.thinnest_face) if check.thinnest_face else thinnest
 
 
 def _share_text(bounds):
     low, high = bounds
     if high - low <= CLOSE:
-        return percent(0.5 * (low + high))
-    return message("{low} to {high}", low=percent(low), high=percent(high))
+        return Share(0.5 * (low + high))
+    return message("{low} to {high}", low=Share(low), high=Share(high))

@@ -10,7 +10,7 @@ def decimal_mark():
 
 
 def marked(text):
-    """str: a text with the decimal mark in all of its numbers."""
+    """str: a text of numbers, and of nothing that may be a name, with their decimal mark."""
     return number_text.with_decimal_mark(text, decimal_mark())
 
 

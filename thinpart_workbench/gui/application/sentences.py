@@ -1,16 +1,18 @@
 """Translates the sentences of the layers below the GUI into the user's language.
 
 Those layers write English, which info files, tables and other programs store. Each of their sentences is a `Message`:
-its template is looked up in the translations, then its fields are filled in.
+its template is looked up in the translations, then its fields are filled in: lengths in the unit of the document,
+numbers with the decimal mark of FreeCAD.
 """
 
-from ...core.message import in_other_words
+from ...core.message import Message, in_other_words
+from .length_unit import length_unit
 from .qt import translate
 
 CONTEXT = "ThinPartCore"
 
 
-def translated(text):
+def translated(text, unit=None):
     """A sentence, reason, title or meaning from the layers below, in the user's language.
 
     Parameters
@@ -18,13 +20,18 @@ def translated(text):
     text : str or ThinPartError
         For a Message, the template is looked up, and so are those of its fields that are messages themselves. Any
         other text, such as a title, is looked up as it is.
+    unit : LengthUnit, optional
+        By default, that of the active document.
 
     Returns
     -------
     str
         The text itself where there is no translation, for example for titles of the user's own profile.
     """
-    return in_other_words(str(text), _looked_up)
+    text = str(text)
+    if not isinstance(text, Message):
+        return in_other_words(text, _looked_up, None)
+    return in_other_words(text, _looked_up, unit or length_unit())
 
 
 def _looked_up(text):

@@ -169,11 +169,11 @@ class ResultsModel(QtCore.QAbstractTableModel):
             return QtGui.QBrush(colour(FAILED_COLOUR))
         if role == QtCore.Qt.ToolTipRole and 0 <= index.column() - FIRST_CHECK < len(self._limits):
             check = _check(row, index.column() - FIRST_CHECK)
-            return check and self._unit.convert_sentence(translated(check["sentence"]))
+            return check and translated(check["sentence"], self._unit)
         if role == QtCore.Qt.ToolTipRole and index.column() == CRITERIA + len(self._limits) and row.criteria:
             return column.text(row)
         if role == QtCore.Qt.ToolTipRole:
-            return translated(row.error or row.warnings or "") or row.file
+            return translated(row.error or row.warnings or "", self._unit) or row.file
         return None
 
     def _change_order(self, change):

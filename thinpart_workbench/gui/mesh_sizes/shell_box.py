@@ -113,7 +113,7 @@ class ShellBox(QtWidgets.QWidget):
         if found["left_solid"]:
             lines.append(translate("ThinPart", "Left solid, not in the shell: {} walls, last in the table.").format(
                 len(found["left_solid"])))
-        show_text(self._figures, "\n".join(lines + [translated(each) for each in found["warnings"]]))
+        show_text(self._figures, "\n".join(lines + [translated(each, unit) for each in found["warnings"]]))
         if not self._size.exact():
             self._size.setSpecialValueText(translate("ThinPart", "automatic: {}").format(unit.text(found["size"])))
         self._fill(found["walls"], found["left_solid"], scale)

@@ -199,7 +199,8 @@ class AutoClassifier(QtCore.QObject):
             [answer["failure"]] if "failure" in answer else answer["failures"])]
         if not self._measures:
             if answer.get("current"):
-                self._set_state(name, headline(answer["verdicts"]), reasons(answer["verdicts"]))
+                self._set_state(name, headline(answer["verdicts"]),
+                                reasons(answer["verdicts"], length_unit(App.getDocument(name))))
             else:
                 self._set_state(name, translate("ThinPart", "not classified"), "\n".join(failures))
             return
@@ -215,7 +216,7 @@ class AutoClassifier(QtCore.QObject):
             lifelong.notifications.show_failure(_failure_text(_display_name(name), failures), App.getDocument(name).Label)
 
     def _show_verdicts(self, name, before, now):
-        self._set_state(name, headline(now), reasons(now))
+        self._set_state(name, headline(now), reasons(now, length_unit(App.getDocument(name))))
         lifelong.notifications.show_message(f"ThinPart: {_display_name(name)}: {headline(now)}")
         for sentence in warnings(_display_name(name), before, now, preference("WarnOfCategory"),
                                  preference("WarnWallUnder"), length_unit(App.getDocument(name))):

@@ -24,9 +24,10 @@ def headline(verdicts):
     return ", ".join(f"{count}\u00a0\u00d7\u00a0{category}" for category, count in counts.items())
 
 
-def reasons(verdicts):
-    """The reason for each part's verdict, one line per part."""
-    lines = [f"{verdict['label']}: {_category_text(verdict)}. {reason_text(verdict)}" for verdict in verdicts.values()]
+def reasons(verdicts, unit):
+    """The reason for each part's verdict, one line per part, with lengths in a unit."""
+    lines = [f"{verdict['label']}: {_category_text(verdict)}. {reason_text(verdict, unit)}"
+             for verdict in verdicts.values()]
     if len(lines) > _MOST_REASONS:
         rest = len(lines) - _MOST_REASONS + 1
         lines[_MOST_REASONS - 1:] = [translate("ThinPart", "and {} more parts").format(rest)]

@@ -6,7 +6,6 @@ from ...core.descriptors.descriptor_table import QUANTITIES, quantity_named
 from ...core.judging.condition_text import quantity_text
 from ...core.judging.criteria import COMPARISONS
 from ..application.length_unit import length_unit
-from ..application.numbers import marked
 from ..application.qt import QtCore, QtWidgets, Signal, translate
 from ..application.sentences import translated
 from ..record.record_view import show_text, text_line
@@ -160,7 +159,7 @@ class ConditionRow(QtWidgets.QWidget):
     def _show_sentence(self):
         quantity = self._chosen()
         compared = f"\u00a0{self._comparison.currentData()}\u00a0\u00a0{self._threshold.text()}"
-        self._sentence.setText(f"{marked(translated(quantity_text(quantity)))} {compared}")
+        self._sentence.setText(f"{translated(quantity_text(quantity))} {compared}")
         tip = f"{quantity.symbol}: {translated(self._chosen_base().meaning)}"
         self._sentence.setToolTip(tip)
         self._quantity.setToolTip(tip)

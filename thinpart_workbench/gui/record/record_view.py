@@ -79,7 +79,7 @@ class RecordView(QtWidgets.QWidget):
         self._headline.setText(category_title(record["category"], profile))
         paint_swatch(self._swatch, category_colour(record["category"]))
         self._part.setText(record["label"])
-        show_text(self._why, unit.convert_sentence(reason_text(record)))
+        show_text(self._why, reason_text(record, unit))
         show_text(self._confidence, confidence_text(record, profile))
         show_text(self._paper, paper_text(record, profile))
         show_text(self._checks, checks_text(record, unit))
@@ -99,7 +99,7 @@ class RecordView(QtWidgets.QWidget):
             record["thin_limit_mm"] / measured["diagonal_mm"], measured["diagonal_mm"], unit)
         self._table.show_evidence(record["evidence"])
         show_text(self._warnings, "\n".join(
-            "\u26a0 " + unit.convert_sentence(translated(warning)) for warning in record["warnings"]))
+            "\u26a0 " + translated(warning, unit) for warning in record["warnings"]))
 
     def show_labels(self, labels, sentence=""):
         """Show what people say of the part, and a sentence about what the user just said."""

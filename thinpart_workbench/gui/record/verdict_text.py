@@ -56,13 +56,13 @@ def category_colour(category):
     return _UNKNOWN_COLOUR if category == UNKNOWN else _COLOURS.get(category, _OTHER_COLOUR)
 
 
-def reason_text(record):
-    """One sentence: the criteria that decided the category."""
+def reason_text(record, unit):
+    """One sentence: the criteria that decided the category, with lengths in a unit."""
     if record["category"] == UNKNOWN:
-        return translated(reason_of(record))
+        return translated(reason_of(record), unit)
     sentence = verdict_sentence(record)
     if sentence is not None:
-        return translated(sentence)
+        return translated(sentence, unit)
     deciding = deciding_criteria(record)
     if not deciding:
         return translate("ThinPart", "No criterion holds: its walls are thick all over.")

@@ -28,4 +28,4 @@ def checks_text(record, unit):
 
 def check_line(check, unit):
     """The result of a check in a line, with its symbol."""
-    return f"{SYMBOLS[check.holds]} {unit.convert_sentence(translated(check_sentence(check)))}"
+    return f"{SYMBOLS[check.holds]} {translated(check_sentence(check), unit)}"

@@ -6,6 +6,7 @@ from dataclasses import replace
 from ...core.analysis_settings import MOST_TRIANGLES, PAIRS
 from ...core.descriptors.descriptor_table import body_thickness
 from ...core.errors import MeshError, ThinPartError
+from ...core.figures import Length
 from ...core.judging.classification import classify
 from ...core.judging.criteria import PAPER, load_profile
 from ...core.mesh.mass_properties import area, volume
@@ -245,29 +246,28 @@ def _resolution_warning(measurement, resolution, wall_error):
     """A warning that the mesh limits the accuracy of the result: str."""
     wall = measurement.thinnest_mm
     if resolution.is_enough_for(wall, wall_error):
-        return message("The part is slender: its lengths are accurate to {error:.2g} mm only, a finer mesh would be "
-                       "too large.", error=resolution.error)
+        return message("The part is slender: its lengths are accurate to {error:.2g} only, a finer mesh would be "
+                       "too large.", error=Length(resolution.error))
     if wall < wall_error:
-        return message("The thinnest wall, {wall:.3g} mm, is below what the mesh resolves ({error:.2g} mm).",
-                       wall=wall, error=wall_error)
-    return message("The thinnest wall is {wall:.3g} mm ± {error:.2g} mm: a finer mesh would be too large.",
-                   wall=wall, error=wall_error)
+        return message("The thinnest wall, {wall}, is below what the mesh resolves ({error:.2g}).",
+                       wall=Length(wall), error=Length(wall_error))
+    return message("The thinnest wall is {wall} ± {error:.2g}: a finer mesh would be too large.",
+                   wall=Length(wall), error=Length(wall_error))
 
 
 def _plausibility_warnings(part, mesh, field, diagonal):
     """Warnings about parts that can be measured but are probably not as intended."""
     warnings = []
     if len(field.entered) and mesh.watertight:
-        position = ", ".join(f"{value:.3g}" for value in field.points(field.entered[0])[0])
         warnings.append(
             message("The surface intersects itself, for example below ({place}): repair it, its thickness and volume "
-                    "are not certain.", place=position)
+                    "are not certain.", place=_place(field.points(field.entered[0])[0]))
         )
     touching = touching_sample(field)
     if touching is not None:
         warnings.append(message(
             "Surfaces touch or cross at ({place}): what lies between them is not counted as a wall.",
-            place=", ".join(f"{value:.3g}" for value in field.points(touching)[0])))
+            place=_place(field.points(touching)[0])))
     missing = part.missing_faces(mesh)
     first_faces = ", ".join(missing[:5])
     if len(missing) > 5:
@@ -277,6 +277,12 @@ def _plausibility_warnings(part, mesh, field, diagonal):
         warnings.append(message("FreeCAD could not tessellate {faces}.", faces=first_faces))
     if diagonal < 0.1 or diagonal > 1e5:
         warnings.append(
-            message("The part is {mm:.3g} mm across: check that the file's unit is millimetres.", mm=diagonal)
+            message("The part is {mm} across: check that the file's unit is millimetres.", mm=Length(diagonal))
         )
     return warnings
+
+
+def _place(point):
+    """Coordinates, mm, as FreeCAD shows them: Message."""
+    x, y, z = point
+    return message("{x:.3g}, {y:.3g}, {z:.3g}", x=x, y=y, z=z)

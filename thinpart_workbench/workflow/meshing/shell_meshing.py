@@ -8,6 +8,7 @@ import numpy as np
 
 from ...core.descriptors.region_kinds import PLATE, TUBE
 from ...core.errors import ThinPartError
+from ...core.figures import Length
 from ...core.message import message
 from ...core.shells.facing_faces import facing_faces
 from ...core.shells.open_ends import open_ends
@@ -236,12 +237,13 @@ def _checked(part, mesh, share, wanted, left, inside, free):
         warnings.append(message("The shell is in {count} pieces: what is left solid lies between them.", count=mesh.pieces))
     if inside > MOST_INSIDE * free and wanted == 1.0:
         raise ThinPartError(message(
-            "The walls of {part} do not meet: {inside:.3g} mm of the {free:.3g} mm of free edges of its mid-surface lie "
-            "inside the material. Mesh it as a solid.", part=part.label, inside=inside, free=free), "no_shell")
+            "The walls of {part} do not meet: {inside} of the {free} of free edges of its mid-surface lie "
+            "inside the material. Mesh it as a solid.", part=part.label, inside=Length(inside), free=Length(free)),
+                            "no_shell")
     if inside > TOLD_INSIDE * free:
         warnings.append(message(
-            "{inside:.3g} mm of the {free:.3g} mm of free edges lie inside the material: there, walls do not meet, or go "
-            "over into what is left solid. Close these gaps before solving.", inside=inside, free=free))
+            "{inside} of the {free} of free edges lie inside the material: there, walls do not meet, or go "
+            "over into what is left solid. Close these gaps before solving.", inside=Length(inside), free=Length(free)))
     if share < 0.9:
         warnings.append(message("The shell has {share:.0f} % of the part's volume: the rest is not in the file.",
                                 share=100.0 * share))

@@ -55,8 +55,7 @@ class PageLanguage:
 
         What has no translation stays in English.
         """
-        # Lengths are recognized by their decimal points: the mark comes last.
-        return self.length.convert_sentence(in_other_words(sentence, self.text))
+        return in_other_words(sentence, self.text, self.length)
 
     def number(self, value):
         """See `number_text.number`."""
