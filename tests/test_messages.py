@@ -22,7 +22,8 @@ NOT_SHOWN = {
     # for programs and the command line
     "freecad_adapter/reading/held_parts.py", "workflow/library/library_search.py", "storage/index/written_query.py",
     "core/cluster_address.py", "api/classification.py", "api/found_parts.py", "api/libraries.py", "api/mesh_arrays.py",
-    "core/file_marks.py", "storage/exchange/geo_file.py", "storage/exchange/map_export.py",
+    "workflow/meshing/size_steps.py",
+    "core/kinds/file_marks.py", "storage/exchange/geo_file.py", "storage/exchange/map_export.py",
     "storage/exchange/shell_files.py",  # what other programs read
 }
 """No sentence of these comes to the window: it starts no cluster, and reads no meanings of preferences. What is wrong

@@ -8,7 +8,7 @@ from folder_dialog_use import dialog, folder, message, no_choices, run  # noqa: 
 from profile_editor import named, opened, own_files, told  # noqa: F401 - a fixture among them
 
 from thinpart_workbench.core.errors import ThinPartError
-from thinpart_workbench.core.file_marks import MAPS, PROFILE, TABLE
+from thinpart_workbench.core.kinds.file_marks import MAPS, PROFILE, TABLE
 from thinpart_workbench.freecad_adapter.objects.thickness_object import thickness_objects
 from thinpart_workbench.gui.application.qt import QtWidgets
 from thinpart_workbench.gui.map_export.export_dialog import ExportDialog

@@ -17,7 +17,18 @@ from thinpart_workbench.cli import COMMANDS, main
 from thinpart_workbench.cli.output_options import FOLDER
 from thinpart_workbench.core.errors import ThinPartError
 from thinpart_workbench.core.file_formats import ENDINGS
-from thinpart_workbench.core.file_marks import LABELS, LIMITS, MAPS, PAGE, PICTURE, PROFILE, REPORT, SCRIPT, SHELLS, TABLE
+from thinpart_workbench.core.kinds.file_marks import (
+    LABELS,
+    LIMITS,
+    MAPS,
+    PAGE,
+    PICTURE,
+    PROFILE,
+    REPORT,
+    SCRIPT,
+    SHELLS,
+    TABLE,
+)
 from thinpart_workbench.core.shells.shell_mesh import ShellMesh
 from thinpart_workbench.storage.atomic_file import place_new
 from thinpart_workbench.storage.exchange.shell_files import write_shell

@@ -1,7 +1,7 @@
 import csv
 
-from thinpart_workbench.core.file_marks import TABLE
 from thinpart_workbench.core.foreign_text import csv_text
+from thinpart_workbench.core.kinds.file_marks import TABLE
 from thinpart_workbench.storage.output_file import bears_mark
 from thinpart_workbench.storage.part_table import PartRow, failed_row, write_part_table
 

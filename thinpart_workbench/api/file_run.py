@@ -7,8 +7,8 @@ from typing import Optional
 from ..core.analysis_limits import Limits
 from ..core.analysis_settings import DEFAULT_PROFILE, RAY, AnalysisSettings
 from ..core.errors import ThinPartError
-from ..core.file_marks import MAPS
 from ..core.judging.criteria import given_profile
+from ..core.kinds.file_marks import MAPS
 from ..core.message import message
 from ..core.run_control import RunControl
 from ..storage.output_file import check_output, write_output

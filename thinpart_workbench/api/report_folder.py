@@ -8,10 +8,10 @@ from collections import Counter, namedtuple
 from .. import __version__
 from ..core.analysis_settings import RAY
 from ..core.errors import ThinPartError
-from ..core.file_marks import PAGE, REPORT, TABLE
 from ..core.foreign_text import csv_form, csv_text
 from ..core.judging.criteria import NORMAL, UNKNOWN, profile_from
 from ..core.judging.wall_check import check_walls
+from ..core.kinds.file_marks import PAGE, REPORT, TABLE
 from ..core.length_unit import MILLIMETRE, UNITS
 from ..core.message import message
 from ..freecad_adapter.reading.linked_files import linked_files

@@ -23,6 +23,9 @@ class FileFormat:
         Whether some or all files of the format hold numbers as text.
     is_recent : bool
         Whether FreeCAD 0.20 cannot read it, only later versions.
+    gmsh_spellings : tuple of str
+        Spellings of the endings with which Gmsh opens a file as a shape. Whatever is in such a file, none of it is run;
+        files with other spellings, such as ``.Step`` and ``.BREP``, are scripts for it (tried with Gmsh 4.8 and 4.15).
     """
 
     name: str
@@ -30,6 +33,7 @@ class FileFormat:
     endings: tuple
     has_text: bool = False
     is_recent: bool = False
+    gmsh_spellings: tuple = ()
 
     @property
     def choice(self):
@@ -39,9 +43,9 @@ class FileFormat:
 
 FORMATS = (
     FileFormat("FreeCAD", DOCUMENT, (".fcstd",)),
-    FileFormat("STEP", SHAPE, (".step", ".stp"), has_text=True),
-    FileFormat("IGES", SHAPE, (".iges", ".igs"), has_text=True),
-    FileFormat("BREP", SHAPE, (".brep", ".brp"), has_text=True),
+    FileFormat("STEP", SHAPE, (".step", ".stp"), has_text=True, gmsh_spellings=(".step", ".STEP", ".stp", ".STP")),
+    FileFormat("IGES", SHAPE, (".iges", ".igs"), has_text=True, gmsh_spellings=(".iges", ".IGES", ".igs", ".IGS")),
+    FileFormat("BREP", SHAPE, (".brep", ".brp"), has_text=True, gmsh_spellings=(".brep", ".brp")),
     FileFormat("STL", MESH, (".stl",), has_text=True),
     FileFormat("OBJ", MESH, (".obj",), has_text=True),
     FileFormat("PLY", MESH, (".ply",), has_text=True),

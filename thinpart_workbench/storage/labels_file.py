@@ -7,8 +7,8 @@ from contextlib import contextmanager
 from typing import NamedTuple
 
 from ..core.errors import ThinPartError
-from ..core.file_marks import LABELS
 from ..core.foreign_text import csv_text, csv_value
+from ..core.kinds.file_marks import LABELS
 from ..core.message import message
 from ..core.regular_file import open_regular
 from .output_file import check_output, write_output

@@ -1,8 +1,8 @@
 """Writes every file that a command or the window was asked to write: what people have is never replaced by it.
 
-A file is written anew where there is none, or an empty one, or one that bears ThinPart's mark (`core.file_marks`); else only
-where the user says so. Never replaced are files with names of CAD formats, info files, inputs of the same run, and what a
-link leads to unless it bears the mark.
+A file is written anew where there is none, or an empty one, or one that bears ThinPart's mark (`core.kinds.file_marks`); else
+only where the user says so. Never replaced are files with names of CAD formats, info files, inputs of the same run, and what
+a link leads to unless it bears the mark.
 """
 
 import errno
@@ -11,7 +11,7 @@ from typing import NamedTuple, Optional
 
 from ..core.errors import ThinPartError
 from ..core.file_formats import ENDINGS, INFO_ENDING
-from ..core.file_marks import INFO
+from ..core.kinds.file_marks import INFO
 from ..core.message import message
 from ..core.regular_file import open_regular
 from .atomic_file import place_new, write_atomically

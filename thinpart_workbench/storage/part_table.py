@@ -2,8 +2,8 @@
 
 from typing import Any
 
-from ..core.file_marks import TABLE
 from ..core.foreign_text import csv_text
+from ..core.kinds.file_marks import TABLE
 from .output_file import write_output
 from .record_columns import TITLED, labels_text, row_class
 

@@ -39,7 +39,7 @@ def png_bytes(pixels, width, height):
 
 
 def marked_png(content):
-    """A PNG file with the mark of ThinPart (`core.file_marks.PICTURE`): bytes."""
+    """A PNG file with the mark of ThinPart (`core.kinds.file_marks.PICTURE`): bytes."""
     end = len(_SIGNATURE) + len(_chunk(b"IHDR", bytes(13)))
     return content[:end] + _chunk(b"tEXt", b"Software\0ThinPart") + content[end:]
 

@@ -4,9 +4,9 @@ import os
 from pathlib import Path
 
 from ..core.errors import ThinPartError
-from ..core.file_marks import LIMITS
 from ..core.foreign_text import json_text
 from ..core.judging.wall_limits import SHIPPED, chosen_limits, limits_content, read_limits, shipped_limits
+from ..core.kinds.file_marks import LIMITS
 from ..core.message import message
 from ..system.user_folders import settings_home
 from .output_file import write_output

@@ -5,9 +5,9 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from ..core.errors import ThinPartError
-from ..core.file_marks import PROFILE
 from ..core.foreign_text import json_text
 from ..core.judging.criteria import PROFILES
+from ..core.kinds.file_marks import PROFILE
 from ..core.message import message
 from ..system.user_folders import settings_home
 from .output_file import ForeignFile, check_output, write_output

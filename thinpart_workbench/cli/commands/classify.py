@@ -7,8 +7,8 @@ import tempfile
 
 from ...core.cluster_address import cluster_address
 from ...core.errors import ThinPartError
-from ...core.file_marks import TABLE
 from ...core.judging.criteria import load_profile
+from ...core.kinds.file_marks import TABLE
 from ...core.message import message
 from ...core.run_control import RunControl
 from ...storage.common_folder import common_folder

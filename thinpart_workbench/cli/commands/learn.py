@@ -5,8 +5,8 @@ import argparse
 from ...api.learning import MESHING_LIMITS, export_labels, label_by_meshing, learn
 from ...core.analysis_settings import DEFAULT_PROFILE
 from ...core.errors import ThinPartError
-from ...core.file_marks import LABELS, PROFILE
 from ...core.foreign_text import json_text, printable
+from ...core.kinds.file_marks import LABELS, PROFILE
 from ...core.run_control import RunControl
 from ..learned_text import print_learned
 from ..meshing_text import meshing_progress, print_meshing

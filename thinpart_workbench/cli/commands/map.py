@@ -5,8 +5,8 @@ import os
 
 from ...api.file_run import write_map
 from ...core.errors import ThinPartError
-from ...core.file_marks import MAPS
 from ...core.foreign_text import json_text, printable
+from ...core.kinds.file_marks import MAPS
 from ...core.length_unit import MILLIMETRE, UNITS
 from ...core.message import message
 from ...core.rendering.colour_maps import COLOUR_MAPS

@@ -10,8 +10,8 @@ from ...api.libraries import reference_part
 from ...api.mesh_sizes import MESH_SECONDS, check_shell_file, mesh_sizes, write_shell_file, write_size_script
 from ...core.categories import NORMAL
 from ...core.errors import ThinPartError
-from ...core.file_marks import SCRIPT, SHELLS, TABLE
 from ...core.foreign_text import csv_text, printable
+from ...core.kinds.file_marks import SCRIPT, SHELLS, TABLE
 from ...core.message import message
 from ...core.run_control import RunControl
 from ...core.shells.shell_settings import ShellSettings

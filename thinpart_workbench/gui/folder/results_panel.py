@@ -3,7 +3,7 @@
 import os
 
 from ...core.errors import ThinPartError
-from ...core.file_marks import TABLE
+from ...core.kinds.file_marks import TABLE
 from ..application import lifelong
 from ..application.length_unit import length_unit
 from ..application.qt import QtCore, QtGui, QtWidgets, Signal, execute, translate

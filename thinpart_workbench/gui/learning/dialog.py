@@ -4,7 +4,7 @@ import os
 from pathlib import Path
 
 from ...core.errors import ThinPartError
-from ...core.file_marks import PROFILE
+from ...core.kinds.file_marks import PROFILE
 from ...freecad_adapter.additional_packages import has_package, install_folder
 from ...freecad_adapter.preferences import set_preference
 from ..application import lifelong

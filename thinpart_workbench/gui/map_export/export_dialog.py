@@ -7,7 +7,7 @@ import FreeCADGui as Gui
 
 from ...api.document_maps import parts_of
 from ...core.errors import ThinPartError
-from ...core.file_marks import MAPS
+from ...core.kinds.file_marks import MAPS
 from ...storage.exchange.map_export import PLY, VTP, write_ply, write_vtp
 from ...storage.output_file import write_output
 from ...storage.png import marked_png

@@ -4,8 +4,8 @@ import os
 from pathlib import Path
 
 from ...core.errors import ThinPartError
-from ...core.file_marks import PROFILE
 from ...core.judging.criteria import PROFILES, load_profile, usable_profile
+from ...core.kinds.file_marks import PROFILE
 from ...freecad_adapter.preferences import set_preference
 from ...storage.user_profiles import user_profiles_folder, write_profile
 from ..application import lifelong

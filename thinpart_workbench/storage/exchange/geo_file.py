@@ -4,8 +4,8 @@ import io
 
 import numpy as np
 
-from ...core.file_marks import SCRIPT
 from ...core.foreign_text import gmsh_text
+from ...core.kinds.file_marks import SCRIPT
 from ..output_file import write_output
 
 

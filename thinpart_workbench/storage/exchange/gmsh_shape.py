@@ -5,9 +5,6 @@ import os
 from ...core.file_formats import format_of
 from ...core.foreign_text import is_gmsh_text, safe_name
 
-_ENDINGS = (".step", ".STEP", ".stp", ".STP", ".iges", ".IGES", ".igs", ".IGS", ".brep", ".brp")
-"""Spellings that Gmsh knows. Whatever the content of such a file, none of it is run; ``.Step`` and ``.BREP`` are scripts."""
-
 OPTIONS = ".opt"
 """What Gmsh appends to the name of a file that it opens: it runs the script of that name too, if there is one."""
 
@@ -33,7 +30,8 @@ def is_opened_as_shape(path, folder):
         Otherwise the name is no string or no path of Gmsh, or the file would be run, or a script beside it.
     """
     stem, ending = os.path.splitext(path.rpartition("/")[2])
-    return (bool(stem) and ending in _ENDINGS and is_gmsh_text(path) and path[1:2] != ":"
+    found = format_of(path)
+    return (bool(stem) and found is not None and ending in found.gmsh_spellings and is_gmsh_text(path) and path[1:2] != ":"
             and not os.path.lexists(os.path.join(folder, path + OPTIONS)))
 
 

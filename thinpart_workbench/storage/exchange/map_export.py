@@ -6,7 +6,7 @@ import struct
 import numpy as np
 
 from ...core.file_formats import FORMATS
-from ...core.file_marks import MAPS, PLY_COMMENT, VTP_COMMENT
+from ...core.kinds.file_marks import MAPS, PLY_COMMENT, VTP_COMMENT
 from ..output_file import write_output
 
 VTP = ".vtp"

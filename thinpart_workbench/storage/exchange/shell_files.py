@@ -5,8 +5,8 @@ import os
 
 import numpy as np
 
-from ...core.file_marks import SHELLS
 from ...core.foreign_text import head_text
+from ...core.kinds.file_marks import SHELLS
 from ..output_file import write_output
 
 _UNV_ORDER = {3: (0, 1, 2), 6: (0, 3, 1, 4, 2, 5)}

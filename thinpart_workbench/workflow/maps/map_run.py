@@ -39,7 +39,7 @@ class MapTask:
     profile : dict
         Content of the profile.
     formats : tuple of str
-        Of `core.file_marks.MAPS`.
+        Of `core.kinds.file_marks.MAPS`.
     look : MapLook
     measure : str
         One of `SHOWN_MEASURES`.

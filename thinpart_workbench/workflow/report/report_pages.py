@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from ...core.analysis_settings import RAY
 from ...core.errors import ThinPartError
-from ...core.file_marks import PAGE, PICTURE
 from ...core.foreign_text import csv_text, safe_name, url_path
+from ...core.kinds.file_marks import PAGE, PICTURE
 from ...core.length_unit import MILLIMETRE, LengthUnit
 from ...core.message import message
 from ...core.regular_file import open_regular
