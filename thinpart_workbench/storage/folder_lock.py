@@ -6,6 +6,7 @@ import os
 import tempfile
 from contextlib import contextmanager
 
+from ..core.message import message
 from ..system.file_lock import FOLDERS_CAN_BE_LOCKED, lock
 
 PATIENCE = 10.0
@@ -55,7 +56,7 @@ def _wait_for(handle, folder):
         lock(handle, 0.0 if folder in _held else PATIENCE)
     except BlockingIOError:
         _held.add(folder)
-        raise FolderIsLocked(errno.EAGAIN, "another program keeps the folder locked", folder) from None
+        raise FolderIsLocked(errno.EAGAIN, message("another program keeps the folder locked"), folder) from None
     except OSError:
         pass  # a share without locks
     _held.discard(folder)
