@@ -41,7 +41,7 @@ def test_a_block_with_a_thin_rib_has_thin_features_and_the_rib_is_red(document):
     feature = window.add(document, "Ribbed", Part.makeBox(100, 60, 40).fuse(rib))
     window.classify()
     assert window.text("ThinPart_Headline") == "Part with thin features"
-    assert window.text("ThinPart_Why").endswith("of the middle side of 60 mm: refine the mesh there.")
+    assert window.text("ThinPart_Why").endswith("of the middle side of 60\u00a0mm: refine the mesh there.")
     assert 2 <= window.rgb(feature).count(RED) < len(feature.Shape.Faces)
 
 

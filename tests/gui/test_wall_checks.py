@@ -51,7 +51,7 @@ def test_the_panel_tells_whether_the_part_passes(document, own_limits):
     window.add_ribbed_block(document)
     window.classify()
     first, second = window.text("ThinPart_Checks").splitlines()
-    assert first.startswith("\u2717 Seven: fails:") and "under 7 mm, thinnest 6 mm on Face" in first
+    assert first.startswith("\u2717 Seven: fails:") and "under 7\u00a0mm, thinnest 6\u00a0mm on Face" in first
     assert second.startswith("\u2713 FDM printing: passes:")
 
 

@@ -120,14 +120,14 @@ def test_size_tells_of_every_part_and_stops_while_a_mesh_takes_minutes(meshed_sl
     command = ("size", "--check", "--json", "--size", "1", "--jobs", "2")
     variables = {"THINPART_CACHE": str(tmp_path / "cache"), "TMPDIR": str(tmp_path)}
     run = begin(*command, meshed_slowly, **variables)
-    wait_until(lambda: any(each.get("number") == 2 and each["step"].startswith("meshing") for each in run.progress())
+    wait_until(lambda: any(each.get("number") == 2 and each["step"] == "mesh_at_one_size" for each in run.progress())
                and any(each["done"] for each in run.progress()), lambda: f"the second part: {run.errors}")
     assert run.stop(number, to_all) == 130, run.errors
     steps = [(os.path.basename(each["file"]), each["number"], each["parts"], each["step"]) for each in run.progress()
              if "step" in each]
     # What takes but a moment may go unnoticed.
-    assert steps[-1] == ("slow.step", 2, 2, "meshing at one size"), steps
-    assert steps.index(("slow.step", 2, 2, "meshing at one size")) > 0 and len(set(steps)) == len(steps), steps
+    assert steps[-1] == ("slow.step", 2, 2, "mesh_at_one_size"), steps
+    assert steps.index(("slow.step", 2, 2, "mesh_at_one_size")) > 0 and len(set(steps)) == len(steps), steps
     assert [os.path.basename(json.loads(line)["file"]) for line in run.lines] == ["quick.brep"]
     assert not list(tmp_path.glob("thinpart-*")), "temporary files"
     again = thinpart(*command, meshed_slowly / "quick.brep", variables=variables)

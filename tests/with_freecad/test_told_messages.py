@@ -94,7 +94,7 @@ def test_the_process_that_measures(freecad, tmp_path, german):
         warnings = [german(each) for each in worker.told("record")["warnings"]]
         assert german(worker.told("failure")["message"]) == "Es enthält keine Dreiecke."
     assert warnings[0].startswith("„Pad“ hat eine leere Form:")
-    assert warnings[1].startswith("Das Bauteil misst 0.0574 mm in der Diagonale:")
+    assert warnings[1].startswith("Das Bauteil misst 0.0574\u00a0mm in der Diagonale:")
 
 
 def test_the_process_that_classifies_what_was_saved(freecad, tmp_path, german):

@@ -6,7 +6,9 @@ from types import SimpleNamespace
 import pytest
 from made_library import record_of, store
 
+from thinpart_workbench.core.figures import Length
 from thinpart_workbench.core.length_unit import INCH
+from thinpart_workbench.core.message import message
 from thinpart_workbench.core.number_text import percent
 from thinpart_workbench.core.rendering.colour_scale import ColourScale
 from thinpart_workbench.storage.info.info_file import read_info
@@ -76,7 +78,7 @@ def test_a_record_of_an_earlier_version_has_no_walls_to_list(tmp_path):
 
 
 def _record_with_lengths():
-    return record_of("plate", warnings=["A wall of 2.54 mm was left out."], regions={
+    return record_of("plate", warnings=[message("A wall of {wall} was left out.", wall=Length(2.54))], regions={
         "listed": [_wall(min=2.54, median=5.08, length_mm=25.4, width_mm=50.8)], "others": 0, "others_share": 0.0})
 
 

@@ -83,7 +83,7 @@ def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, 
         Called with the `RunProgress` at the start; with it and each outcome.
     on_step : callable, optional
         Called with the `RunProgress` and a dict when a worker begins a step of a part, which may take minutes: ``file``,
-        ``part``, its label, ``number`` and ``parts``, ``step``, in words, and ``attempt``.
+        ``part``, its label, ``number`` and ``parts``, ``step`` (see `workflow.meshing.size_steps`) and ``attempt``.
     shell : ShellSettings, optional
         Where the parts are wanted as shells too, for `write_shell_file`: as ``shell`` of each part.
     region_sizes : dict, optional

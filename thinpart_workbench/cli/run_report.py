@@ -224,9 +224,13 @@ def _progress_text(content, step=None):
     return ", ".join(words)
 
 
+_STEPS = {"read": "reading", "measure": "measuring", "mesh_at_one_size": "meshing at one size", "mesh": "meshing",
+          "shell": "making a shell of"}
+
+
 def _step_text(step):
     """What is done with which part, such as "lid.step: meshing Lid (2 of 3), attempt 2"."""
-    text = f"{printable(os.path.basename(step['file']))}: {step['step']} {printable(step['part'])}".rstrip()
+    text = f"{printable(os.path.basename(step['file']))}: {_STEPS[step['step']]} {printable(step['part'])}".rstrip()
     if step["parts"] > 1:
         text += f" ({step['number']} of {step['parts']})"
     return text if step["attempt"] == 1 else f"{text}, attempt {step['attempt']}"

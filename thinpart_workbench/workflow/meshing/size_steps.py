@@ -12,7 +12,7 @@ from ...core.kinds.value_checker import checker
 from ...core.kinds.value_kinds import OneOf, Text, Whole
 from ...core.regular_file import open_regular
 
-READ, MEASURE, ONE_SIZE, SIZES, SHELL = "reading", "measuring", "meshing at one size", "meshing", "making a shell"
+READ, MEASURE, ONE_SIZE, SIZES, SHELL = "read", "measure", "mesh_at_one_size", "mesh", "shell"
 """Steps of a part. `SIZES` is tried up to `mesh_check.ATTEMPTS` times."""
 
 _NAME = "step.json"
