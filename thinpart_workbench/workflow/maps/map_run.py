@@ -18,6 +18,7 @@ from ...storage.png import png_bytes
 from ..analysis.analyse_part import analyse_part
 from ..analysis.analysis_outcome import failure, failure_fault
 from ..workers.pool_supervisor import PoolSupervisor
+from ..workers.preparation import require_preparation
 from ..workers.reading import close_documents, start_reader
 from ..workers.reported_failure import reported_failure
 from ..workers.worker_pool import answer_of, worker_folder
@@ -100,6 +101,7 @@ def map_of_part(task, limits, control=None):
 
 def _drawn(task):
     """Runs in a worker."""
+    require_preparation()
     try:
         return _contents(task)
     except Exception as error:  # a failure instead of a traceback
