@@ -210,9 +210,10 @@ def test_the_disk_and_open_files_are_limited(worked, monkeypatch, confinement):
     assert told["size"] == "File too large" and 300 < told["files"] < 1024
 
 
+@pytest.mark.parametrize("confine", [False, True], ids=["free", "confined"])
 @pytest.mark.parametrize("what", ["pickle", "no-text", "deep", "length"])
-def test_no_answer_of_a_worker_is_run_or_waited_for(worked, tmp_path, what):
-    future = worked(answer_something_else, f"{what} {tmp_path / 'ran'}", confine=False)
+def test_no_answer_of_a_worker_is_run_or_waited_for(worked, tmp_path, what, confine):
+    future = worked(answer_something_else, f"{what} {tmp_path / 'ran'}", confine)
     assert isinstance(future.exception(), WorkerDied) and not (tmp_path / "ran").exists()
 
 

@@ -1,9 +1,11 @@
-"""Confine a process that reads foreign files: it can write into one folder only and has no network."""
+"""Confine a process that reads foreign files: it writes into one folder only, has no network, and affects no other."""
 
 import os
+from contextlib import suppress
 
 from .bubblewrap import bubblewrap, has_bubblewrap
 from .landlock import landlock_version, write_only_below
+from .linux.privileges import give_up_capabilities
 from .system_call_filter import install_system_call_filter
 
 VARIABLE = "THINPART_CONFINEMENT"
@@ -44,13 +46,28 @@ def confined_command(command, confinement, folder):
     return [*bubblewrap(folder), *command] if confinement == BUBBLEWRAP else command
 
 
-def confine(confinement, *folders):
+def confine_writing(confinement, folder):
+    """Restrict this process to writing into one folder, for good, where `confine` would; it may still do all else.
+
+    Parameters
+    ----------
+    confinement, folder
+        The same as for the command that started the process.
+    """
+    if confinement == LANDLOCK:
+        with suppress(OSError):  # `confine` reports it
+            write_only_below([folder])
+
+
+def confine(confinement, *folders, with_programs=False):
     """Confine this process permanently. Call this first, before the process has a second thread.
 
     Parameters
     ----------
     confinement, folders
         The same as for the command that started the process; only where it was not started as a confined one, several.
+    with_programs : bool, optional
+        Whether this process may run programs, which are confined like itself.
 
     Returns
     -------
@@ -68,24 +85,27 @@ def confine(confinement, *folders):
             holds["files"] = NONE
         holds["network"] = NONE
     try:
-        install_system_call_filter()
+        give_up_capabilities()
+        install_system_call_filter(with_programs)
         holds["network"] = SECCOMP if confinement == LANDLOCK else confinement
     except OSError:
         pass  # bubblewrap may have taken the network away already
     return holds
 
 
-def confine_running_process(*folders):
+def confine_running_process(*folders, with_programs=False):
     """Confine this process if it was not started as a confined one, as far as possible.
 
     Parameters
     ----------
     *folders : str
         The folders that it may write to.
+    with_programs : bool, optional
+        See `confine`.
 
     Returns
     -------
     dict
         As `confine`.
     """
-    return confine(LANDLOCK, *folders) if chosen_confinement() == LANDLOCK else UNCONFINED
+    return confine(LANDLOCK, *folders, with_programs=with_programs) if chosen_confinement() == LANDLOCK else UNCONFINED

@@ -6,8 +6,10 @@ import sys
 from dataclasses import dataclass
 
 _MEMORY_SIGNS = (b"bad_alloc", b"bad allocation", b"MemoryError", b"Unable to allocate", b"OutOfMemory",
-                 b"out of memory", b"length_error", b"failed to map segment", b"pthread_create failed")
-"""Messages of C++, Python, numpy, OCCT, the dynamic linker and OpenBLAS when an allocation fails."""
+                 b"out of memory", b"length_error", b"failed to map segment", b"pthread_create failed",
+                 b"terminate called without an active exception")
+"""Messages of C++, Python, numpy, OCCT, the dynamic linker and OpenBLAS when an allocation fails; the last one is that of
+C++ when one of several threads cannot be started."""
 
 _KILL_SIGNALS = {getattr(signal, name).value for name in ("SIGKILL", "SIGTERM", "SIGINT", "SIGHUP")
                  if hasattr(signal, name)}

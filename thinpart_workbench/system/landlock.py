@@ -9,12 +9,13 @@ import os
 import struct
 import sys
 
+from .linux.privileges import set_no_new_privileges
+
 _CREATE_RULESET, _ADD_RULE, _RESTRICT_SELF = 444, 445, 446
 """System calls, the same on every architecture."""
 
 _VERSION_FLAG = 1
 _PATH_BENEATH = 1
-_PR_SET_NO_NEW_PRIVS = 38
 
 _WRITE_FILE, _TRUNCATE = 1 << 1, 1 << 14
 
@@ -83,20 +84,6 @@ def write_only_below(folders):
         _call(_RESTRICT_SELF, rules, ctypes.c_uint32(all_threads))
     finally:
         os.close(rules)
-
-
-def set_no_new_privileges():
-    """Prevent this process and its children from gaining privileges by starting a program (no_new_privs).
-
-    Landlock and seccomp both require it.
-
-    Raises
-    ------
-    OSError
-    """
-    zero = ctypes.c_ulong(0)
-    if ctypes.CDLL(None, use_errno=True).prctl(_PR_SET_NO_NEW_PRIVS, ctypes.c_ulong(1), zero, zero, zero):
-        raise OSError(ctypes.get_errno(), "prctl")
 
 
 def _allow(rules, path, rights):

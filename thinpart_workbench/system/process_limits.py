@@ -1,5 +1,7 @@
 """Limit the resources of a process and of programs that it runs, and suppress core dumps and crash dialogs."""
 
+import errno
+import os
 import shutil
 import signal
 import subprocess
@@ -37,7 +39,7 @@ class ProgramEnd(ProcessEnd):
 
 
 def limit_memory(size):
-    """Make allocations beyond a limit fail in this process.
+    """Make allocations beyond a limit fail in this process and those that it starts; it cannot be raised again.
 
     Parameters
     ----------
@@ -53,7 +55,7 @@ def limit_memory(size):
         if resource is None:
             windows.join_new_job(windows.LIMIT_MEMORY, size)
         else:
-            resource.setrlimit(resource.RLIMIT_AS, (size, resource.getrlimit(resource.RLIMIT_AS)[1]))
+            _lower_limit(resource.RLIMIT_AS, size)
     except (OSError, ValueError):
         if MEMORY_CAN_BE_LIMITED:
             raise
@@ -76,10 +78,8 @@ def limit_files(size, count):
     Windows has no such limits.
     """
     if resource is not None:
-        for limit, requested in ((resource.RLIMIT_FSIZE, size), (resource.RLIMIT_NOFILE, count)):
-            most = resource.getrlimit(limit)[1]
-            least = requested if most == resource.RLIM_INFINITY else min(requested, most)
-            resource.setrlimit(limit, (least, least))
+        _lower_limit(resource.RLIMIT_FSIZE, size)
+        _lower_limit(resource.RLIMIT_NOFILE, count)
 
 
 def crash_quietly():
@@ -87,7 +87,14 @@ def crash_quietly():
     if resource is None:
         windows.crash_without_dialog()
     else:
-        resource.setrlimit(resource.RLIMIT_CORE, (0, resource.getrlimit(resource.RLIMIT_CORE)[1]))
+        _lower_limit(resource.RLIMIT_CORE, 0)
+
+
+def _lower_limit(limit, requested):
+    # The hard limit too: what a file has taken over would raise the soft one again.
+    most = resource.getrlimit(limit)[1]
+    least = requested if most == resource.RLIM_INFINITY else min(requested, most)
+    resource.setrlimit(limit, (least, least))
 
 
 def run_limited(command, seconds, folder, environment=None):
@@ -115,20 +122,23 @@ def run_limited(command, seconds, folder, environment=None):
 
     Notes
     -----
-    A confined process may kill no other (see `system_call_filter`), so the kernel has to end the program.
+    A confined process may neither kill another nor set its limits (see `system_call_filter`), so a shell sets the limit
+    that the program then has, and the kernel ends it.
     """
-    process = subprocess.Popen([*_ends_with_this_process(), *command], cwd=folder, env=environment,
+    if shutil.which(command[0]) is None:
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), command[0])
+    with_limit = _with_processor_limit(seconds)
+    process = subprocess.Popen([*_ends_with_this_process(), *with_limit, *command], cwd=folder, env=environment,
                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-    limited = _limit_processor_time(process.pid, seconds)
     try:
-        output, _ = process.communicate(timeout=WALL_FACTOR * seconds if limited else seconds)
+        output, _ = process.communicate(timeout=WALL_FACTOR * seconds if with_limit else seconds)
     except subprocess.TimeoutExpired:
         try:
             process.kill()
         except PermissionError:
             pass  # confined: what started this process has a limit for it
         return ProgramEnd(process.wait(), b"", True)
-    timed_out = limited and process.returncode in _CPU_SIGNALS
+    timed_out = bool(with_limit) and process.returncode in _CPU_SIGNALS
     return ProgramEnd(process.returncode, output, timed_out)
 
 
@@ -138,12 +148,10 @@ def _ends_with_this_process():
     return [] if program is None else [program, "--pdeathsig", "KILL"]
 
 
-def _limit_processor_time(process, seconds):
-    if not hasattr(resource, "prlimit"):
-        return False
+def _with_processor_limit(seconds):
+    """The prefix of a command on Linux that limits its processor time."""
+    shell = shutil.which("sh") if sys.platform.startswith("linux") else None
+    if shell is None:
+        return []
     whole = max(1, round(seconds))
-    try:
-        resource.prlimit(process, resource.RLIMIT_CPU, (whole, whole + 1))
-    except (OSError, ValueError):
-        return False
-    return True
+    return [shell, "-c", 'ulimit -S -t "$1" && ulimit -H -t "$2" && shift 2 && exec "$@"', shell, str(whole), str(whole + 1)]

@@ -49,7 +49,7 @@ def _serve(send):
     from ..api.mesh_sizes import PartSizes, missing_gmsh
 
     os.chdir(job["folder"])
-    confine_running_process(job["folder"])
+    confine_running_process(job["folder"], with_programs=True)
     limit_memory(job["megabytes"] * 1024 * 1024)
     sizes = PartSizes(job["folder"], lambda fraction: send(progress=round(fraction, 3)))
     send(measured={"record": sizes.record, "gmsh": missing_gmsh(job["gmsh"]), "shell_walls": sizes.shell_walls})

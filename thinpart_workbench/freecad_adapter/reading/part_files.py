@@ -118,6 +118,8 @@ def _read_document(path):
     try:
         with without_modules(modules.others), _readable_path(path) as name:
             document = FreeCAD.openDocument(name, True)
+    except MemoryError:
+        raise
     except Exception as error:  # FreeCAD raises its own classes, which differ between versions
         raise ThinPartError(message("FreeCAD cannot open {file} ({problem}).",
                                     file=path.name, problem=error), "unreadable") from None
@@ -155,6 +157,8 @@ def _read_shape(path):
     try:
         with _readable_path(path) as name:
             shape = Part.read(name)
+    except MemoryError:
+        raise
     except Exception as error:  # as above
         raise ThinPartError(message("{file} is damaged or not what its ending says ({problem}).",
                                     file=path.name, problem=error),
@@ -172,6 +176,8 @@ def _read_mesh(path):
         with _readable_path(path) as name:
             mesh = Mesh.Mesh(name)
         points, triangles = mesh.Topology
+    except MemoryError:
+        raise
     except Exception as error:  # as above
         kind = "unsupported" if format_of(path).is_recent else "unreadable"
         raise ThinPartError(message("FreeCAD cannot read {file} ({problem}).",

@@ -40,7 +40,7 @@ class FileTask:
     pages: Optional[ReportPages] = None
 
 
-def analyse_file(task, report=None):
+def analyse_file(task, report=None, before_reading=None):
     """Analyse every part of a file, or take the results from a current info file.
 
     Parameters
@@ -48,6 +48,8 @@ def analyse_file(task, report=None):
     task : FileTask
     report : callable, optional
         See `analyse_part`.
+    before_reading : callable, optional
+        Called where the info file is not current, so that the file has to be read.
 
     Returns
     -------
@@ -67,6 +69,8 @@ def analyse_file(task, report=None):
         stored, task.file, task.settings.content(), task.profile, task.info_file
     ):
         return _outcome(task, stored["parts"], stored.get("failures", []), True, started)
+    if before_reading is not None:
+        before_reading()
     # Imported here since the adapter loads FreeCAD, which unchanged files do not need.
     from ...freecad_adapter.reading.part_files import read_parts
 

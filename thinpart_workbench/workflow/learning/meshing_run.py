@@ -20,6 +20,7 @@ from ...storage.info.info_reading import read_info
 from ...system.process_limits import WALL_FACTOR
 from ..meshing.gmsh_program import gmsh_program
 from ..workers.pool_supervisor import PoolSupervisor
+from ..workers.preparation import require_preparation
 from ..workers.process_pool import WorkerDied, WorkerFault
 from ..workers.reading import close_documents, start_reader
 from ..workers.worker_pool import worker_folder
@@ -184,7 +185,7 @@ def _outcomes(documents, limits, control):
     by_task = {id(document.task): document for document in documents}
     with worker_folder() as folder:
         workers = PoolSupervisor(max(1, min(limits.jobs, len(documents))), seconds, folder, _mesh, start_reader,
-                                 (limits.megabytes,), confine=True)
+                                 (limits.megabytes,), confine=True, with_programs=True)
         try:
             for future, task in workers.run(deque(document.task for document in documents), control):
                 yield by_task[id(task)], _outcome(future, task)
@@ -194,6 +195,7 @@ def _outcomes(documents, limits, control):
 
 def _mesh(task):
     """Runs in a worker."""
+    require_preparation()
     try:
         return mesh_document(task)
     except ThinPartError as error:

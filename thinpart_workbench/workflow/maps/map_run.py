@@ -20,6 +20,7 @@ from ..analysis.analyse_part import analyse_part
 from ..analysis.analysis_outcome import failure, failure_fault
 from ..analysis.measured_source import source_failure, source_of
 from ..workers.pool_supervisor import PoolSupervisor
+from ..workers.preparation import require_preparation
 from ..workers.reading import close_documents, start_reader
 from ..workers.reported_failure import reported_failure
 from ..workers.worker_pool import answer_of, worker_folder
@@ -104,6 +105,7 @@ def map_of_part(task, limits, control=None):
 
 def _drawn(task):
     """Runs in a worker."""
+    require_preparation()
     try:
         source = source_of(task.file)
         return {"source": source, **_contents(task)}

@@ -10,6 +10,7 @@ from ...system.process_limits import WALL_FACTOR
 from ..analysis.analysis_outcome import failure, failure_fault
 from ..analysis.measured_source import source_failure, source_of
 from ..workers.pool_supervisor import PoolSupervisor
+from ..workers.preparation import require_preparation
 from ..workers.reading import close_documents, start_reader
 from ..workers.reported_failure import reported_failure
 from ..workers.worker_pool import answer_of, worker_folder
@@ -69,7 +70,7 @@ def propose_for_documents(tasks, limits, version="", force=False, control=None, 
         seconds += _MESHED_PARTS * (ATTEMPTS + 1) * (WALL_FACTOR + 1.0) * max(task.seconds for task in waiting)
     with worker_folder() as folder:
         workers = PoolSupervisor(max(1, min(limits.jobs, len(waiting))), seconds, folder, _propose, start_reader,
-                                 (limits.megabytes,), confine=True)
+                                 (limits.megabytes,), confine=True, with_programs=True)
         try:
             steps = watched_steps(folder, {task.file for task in waiting}, tell) if tell else ()
             for future, task in workers.run(waiting, control, meanwhile=steps):
@@ -103,6 +104,7 @@ def _result(future, task, seconds, limits):
 
 def _propose(task):
     """Runs in a worker."""
+    require_preparation()
     note = StepNote(task.file)
     try:
         source = source_of(task.file)

@@ -5,14 +5,17 @@ import struct
 
 from ...core.message import restored, with_messages
 
-READY, TAKEN, DONE, FAILED = b"R", b"T", b"D", b"F"
-"""Kinds of messages: worker started; task received; result of the task; exception of the task."""
+READY, TAKEN, CONFINED, DONE, FAILED = b"R", b"T", b"C", b"D", b"F"
+"""Kinds of messages: worker started; task received; confinement during the task; its result; its exception."""
+
+PART, ENDED = b"P", b"E"
+"""Kinds of messages of a worker that forks: bytes of the messages of the process of a task; its exit code."""
 
 GREETING = b"thinpart-pool-worker\n"
 """The first line of a worker: anything before it was printed by the program that it runs in."""
 
 LARGEST = 1 << 30
-"""Maximum bytes of a message; a faulty worker may announce any length."""
+"""Maximum bytes of a message, and of all parts of one; a faulty worker may announce any length."""
 
 _HEAD = struct.Struct("<cQ")
 

@@ -36,15 +36,15 @@ class PoolSupervisor:
     start : callable
         Runs in each new worker.
     start_arguments : tuple
-    confine : bool
+    confine, with_programs : bool
         See `ProcessPool`.
     """
 
-    def __init__(self, count, seconds, folder, work, start, start_arguments=(), confine=False):
+    def __init__(self, count, seconds, folder, work, start, start_arguments=(), confine=False, with_programs=False):
         self._count = count
         self._seconds = seconds
         self._work = work
-        self._pool_arguments = count, folder, start, start_arguments, confine
+        self._pool_arguments = count, folder, start, start_arguments, confine, with_programs
         self._pool = None
         self._paused = False
         self._finished: SimpleQueue[Future] = SimpleQueue()

@@ -1,6 +1,7 @@
 """A pool of worker processes that may be confined, and that return JSON data only."""
 
 import errno
+import io
 import json
 import os
 import pickle
@@ -18,14 +19,35 @@ from ...freecad_adapter.python_beside_freecad import is_within_freecad, python_b
 from ...system.confinement import NONE, UNCONFINED, chosen_confinement, confined_command
 from ...system.exit_cause import KILLED_END, ProcessEnd
 from ...system.interruption import IGNORE_CTRL_C, without_ctrl_c
+from ...system.linux.forked_process import FORKS
+from ...system.process_group import OWN_GROUP, kill_group
 from ...system.python_process import CHECKOUT, module_command
-from .pool_messages import DONE, FAILED, GREETING, READY, TAKEN, InvalidMessage, decode_response, read_message, write_message
+from .pool_messages import (
+    CONFINED,
+    DONE,
+    ENDED,
+    FAILED,
+    GREETING,
+    LARGEST,
+    PART,
+    READY,
+    TAKEN,
+    InvalidMessage,
+    decode_response,
+    read_message,
+    write_message,
+)
 
 _MODULE = "thinpart_workbench.workflow.workers.pool_worker"
 
 _TEMPORARY = ("TMPDIR", "TEMP", "TMP", "FREECAD_USER_TEMP", "XDG_CACHE_HOME")
 """Environment variables with folders for temporary files. FreeCAD unpacks documents there. It reads the variables when
 it starts, which has already happened if the worker runs in FreeCADCmd."""
+
+_HEAP = ("glibc.malloc.hugetlb=1:glibc.malloc.top_pad=8388608:glibc.malloc.mmap_threshold=33554432:"
+         "glibc.malloc.trim_threshold=268435456")
+"""Settings of the memory of workers that fork, where the C library is glibc. A forked process starts with no free memory;
+with these it asks the system for large pieces and keeps them, as a process would that has analysed files before."""
 
 _LONGEST_LINE = 1 << 16
 """Maximum bytes of a line that a program prints before `GREETING`."""
@@ -73,12 +95,15 @@ class ProcessPool:
         Runs in each new worker.
     arguments : tuple
     confine : bool
-        Whether to restrict workers to writing into their folder, without network, if the system supports that.
+        Whether to restrict workers to writing into their folder, without network, if the system supports that, and to let
+        none process more than one task, if it can fork processes.
+    with_programs : bool
+        Whether confined workers may run programs.
 
     Attributes
     ----------
     confinement : dict
-        Confinement of the worker that started last; see `confinement.confine`.
+        Confinement during the task that finished last; see `confinement.confine`.
 
     Notes
     -----
@@ -87,10 +112,12 @@ class ProcessPool:
     malicious file may have taken over the worker, and unpickling its response would run code.
     """
 
-    def __init__(self, count, folder, start, arguments, confine=False):
+    def __init__(self, count, folder, start, arguments, confine=False, with_programs=False):
         self._count = count
         self._folder = folder
         self._confinement = chosen_confinement() if confine else NONE
+        self._with_programs = with_programs
+        self.forks = confine and FORKS
         self._setup_messages = pickle.dumps(sys.path), pickle.dumps((start, arguments))
         self._tasks: SimpleQueue[Optional[_Task]] = SimpleQueue()
         self._threads: list[_WorkerThread] = []
@@ -184,8 +211,9 @@ class ProcessPool:
         temporary = dict.fromkeys(_TEMPORARY, folder)
         # Tasks run in parallel already; threads of the linear algebra library would compete for the processors.
         openblas = {"OPENBLAS_NUM_THREADS": os.environ.get("OPENBLAS_NUM_THREADS", "1")}
+        heap = {"GLIBC_TUNABLES": ":".join(filter(None, (_HEAP, environment.get("GLIBC_TUNABLES"))))} if self.forks else {}
         return (confined_command(command, self._confinement, folder),
-                {**environment, **openblas, **variables, **temporary, "PYTHONPATH": path})
+                {**environment, **openblas, **heap, **variables, **temporary, "PYTHONPATH": path})
 
     def send_setup(self, process, folder):
         """Send the setup to a new worker; it responds with READY.
@@ -195,7 +223,8 @@ class ProcessPool:
         OSError
             If the worker has ended.
         """
-        setup = json.dumps({"parent": os.getpid(), "confinement": self._confinement, "folder": folder}).encode()
+        setup = json.dumps({"parent": os.getpid(), "confinement": self._confinement, "folder": folder,
+                            "forks": self.forks, "programs": self._with_programs}).encode()
         for part in (setup, *self._setup_messages):
             write_message(process.stdin, READY, part)
 
@@ -251,7 +280,7 @@ class _WorkerThread(threading.Thread):
         with self._lock:
             self._stopped = True
             if self._worker is not None:
-                self._worker.kill()
+                self._kill()
 
     def _process(self, task):
         """Process a task; False if no worker can start."""
@@ -278,7 +307,7 @@ class _WorkerThread(threading.Thread):
                 command, variables = self._pool.command(self._folder)
                 self._worker = subprocess.Popen(
                     command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self._log,
-                    creationflags=IGNORE_CTRL_C, env=variables)
+                    creationflags=IGNORE_CTRL_C, start_new_session=OWN_GROUP, env=variables)
             except OSError:  # not enough memory, too many processes, or no disk space
                 self._remove_folder()
                 return False
@@ -289,9 +318,7 @@ class _WorkerThread(threading.Thread):
                     break
         except OSError:
             pass  # it has ended
-        kind, content = self._read_message()
-        if kind == READY:
-            self._pool.confinement = decode_response(content)
+        if self._read_message()[0] == READY:
             return True
         self._end_worker()
         return False
@@ -310,31 +337,68 @@ class _WorkerThread(threading.Thread):
             self._timed_task, self._timed_out = task, False
         timer = threading.Timer(task.seconds, self._on_timeout, (task,))
         timer.start()
-        kind, content = self._read_message()
+        outcome, code = self._read_outcome()
         timer.cancel()
         with self._lock:
             self._timed_task = None
-        try:
-            if kind == DONE:
-                task.future.set_result(decode_response(content))
-                return
-            if kind == FAILED:
-                task.future.set_exception(WorkerFault(str(decode_response(content))))
-                return
-        except InvalidMessage:
-            pass  # handled as if the worker had died
+        if self._set_response(task, outcome):
+            return
         log = self._read_log()
-        code = self._end_worker(_END_SECONDS if kind is None else 0.0)
+        if code is None:
+            code = self._end_worker(_END_SECONDS)
         if self._timed_out:
             task.future.set_exception(TaskTimeout())
         elif not self._stopped:
             task.future.set_exception(WorkerDied(ProcessEnd(code, log)))
 
+    def _set_response(self, task, outcome):
+        """Whether the messages about a task are valid, and have become its result or exception."""
+        try:
+            _, confinement = read_message(outcome)  # it comes before anything is read that could forge it
+            self._pool.confinement = decode_response(confinement)
+            kind, content = read_message(outcome)
+            response = decode_response(content)
+        except (EOFError, InvalidMessage):
+            return False
+        if kind == DONE:
+            task.future.set_result(response)
+        elif kind == FAILED:
+            task.future.set_exception(WorkerFault(str(response)))
+        return kind in (DONE, FAILED)
+
     def _on_timeout(self, task):
         with self._lock:
             if self._timed_task is task:
                 self._timed_out = True
-                self._worker.kill()
+                self._kill()
+
+    def _kill(self):
+        """Have the worker end; one that forks ends at once, after the processes that it has forked."""
+        if self._pool.forks:
+            self._worker.terminate()
+        else:
+            kill_group(self._worker)
+
+    def _read_outcome(self):
+        """The messages about a task, a binary file, and the exit code of the process that was forked for it or None."""
+        outcome, code = io.BytesIO(), None
+        while outcome.tell() <= LARGEST:
+            kind, content = self._read_message()
+            if kind == PART:
+                outcome.write(content)
+            elif kind == TAKEN:
+                outcome = io.BytesIO()  # another process was forked for the same task
+            elif kind == ENDED:
+                code = decode_response(content)
+                break
+            elif kind is None:
+                break
+            else:
+                write_message(outcome, kind, content)
+                if kind != CONFINED:
+                    break
+        outcome.seek(0)
+        return outcome, code
 
     def _read_message(self):
         """Kind and content of the worker's next message; (None, None) if it has ended."""
@@ -358,7 +422,11 @@ class _WorkerThread(threading.Thread):
             return None
         with suppress(subprocess.TimeoutExpired):
             process.wait(patience)
-        process.kill()
+        if self._pool.forks:
+            process.terminate()  # it ends what it has forked
+            with suppress(subprocess.TimeoutExpired):
+                process.wait(_END_SECONDS)
+        kill_group(process)
         for pipe in (process.stdin, process.stdout):
             with suppress(OSError):
                 pipe.close()
@@ -373,4 +441,5 @@ class _WorkerThread(threading.Thread):
             self._log = None
         with suppress(OSError):
             os.unlink(self._folder + ".log")
-        shutil.rmtree(self._folder, ignore_errors=True)
+        with suppress(RecursionError):  # a reader was made to nest folders; the folder of the run is in it still
+            shutil.rmtree(self._folder, ignore_errors=True)

@@ -11,6 +11,7 @@ from pathlib import Path
 from ...freecad_adapter.bootstrap import has_home
 from ...system.process_limits import crash_quietly, limit_files, limit_memory
 from ..analysis.analysis_outcome import failure
+from .preparation import require_preparation
 from .reported_failure import reported_failure
 
 LARGEST_FILE = 4 << 30
@@ -52,7 +53,7 @@ def _analyse(task):
     from ..analysis.analyse_file import analyse_file
 
     try:
-        return analyse_file(task)
+        return analyse_file(task, before_reading=require_preparation)
     except Exception as error:  # a failed row instead of a traceback
         return failure(task.file, **reported_failure(error, Path(task.file).name))
     finally:

@@ -1,0 +1,1 @@
+"""What only Linux has: its system calls, and the privileges of processes."""
