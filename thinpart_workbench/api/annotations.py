@@ -12,6 +12,7 @@ from .. import __version__
 from ..core.categories import NORMAL
 from ..core.errors import ThinPartError
 from ..core.message import message
+from ..core.problem import problem_of
 from ..core.record.mesh_settings import LEAST_ALIKE, settings_for, wall_sizes_for, worked_settings
 from ..core.record.part_definition import ANNOTATIONS, PERSON
 from ..storage.info.annotations import set_annotation, set_label, set_region_note
@@ -257,7 +258,7 @@ def mesh_settings(text):
             return {"settings": _settings(file.read_text(encoding="utf-8"), message("The file {file}", file=text))}
         except (OSError, UnicodeDecodeError) as error:
             raise ThinPartError(message("The file {file} cannot be read ({problem}).",
-                                        file=text, problem=error), "unreadable") from None
+                                        file=text, problem=problem_of(error)), "unreadable") from None
     return {"file": os.path.abspath(file)}
 
 
@@ -275,7 +276,7 @@ def _settings(text, what):
         content = json.loads(text, parse_constant=_refuse)
     except (ValueError, RecursionError) as error:
         raise ThinPartError(message("{what} is not a JSON object ({problem}).",
-                                    what=what, problem=error), "usage") from None
+                                    what=what, problem=problem_of(error)), "usage") from None
     if not isinstance(content, dict):
         raise ThinPartError(message("{what} is not a JSON object.", what=what), "usage")
     fault = ANNOTATIONS["mesh"].fault({"settings": content}, "")

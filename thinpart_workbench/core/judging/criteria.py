@@ -13,6 +13,7 @@ from ..errors import ProfileError
 from ..kinds.compound_kinds import ListOf, Record
 from ..kinds.value_kinds import LARGEST_WHOLE, Either, Number, OneOf, Text, Whole
 from ..message import message
+from ..problem import problem_of
 from ..record.part_definition import PROFILE
 from .impossible_conditions import impossible_conditions
 from .probability import PROBABILITY, ProbabilityModel, named_quantity, probability_model
@@ -240,7 +241,7 @@ def load_profile(name_or_file=DEFAULT_PROFILE):
         ) from None
     except (OSError, ValueError, RecursionError) as error:
         raise ProfileError(message("The profile {profile} cannot be read ({problem}).",
-                                   profile=path, problem=error)) from None
+                                   profile=path, problem=problem_of(error))) from None
     return usable_profile(content, str(path))
 
 

@@ -9,6 +9,7 @@ from ..errors import ThinPartError
 from ..kinds.compound_kinds import ListOf, Record
 from ..kinds.value_kinds import LARGEST, Number, OrNull, Text, Whole
 from ..message import Message, message
+from ..problem import problem_of
 
 FORMAT = "thinpart-wall-limits"
 SHIPPED = Path(__file__).resolve().parents[3] / "resources" / "wall_limits.json"
@@ -90,8 +91,8 @@ def limits_content(path):
         raise ThinPartError(message("There is no file {file} with limits of walls: copy {shipped} and edit it.",
                                     file=path, shipped=SHIPPED), "usage") from None
     except (OSError, ValueError, RecursionError) as error:
-        raise ThinPartError(message("The limits of walls {file} cannot be read ({problem}).", file=path, problem=error),
-                            "usage") from None
+        raise ThinPartError(message("The limits of walls {file} cannot be read ({problem}).",
+                                    file=path, problem=problem_of(error)), "usage") from None
     fault = limits_fault(content)
     if fault:
         raise ThinPartError(message("The limits of walls {file} are not well formed: {problem}.", file=path, problem=fault),

@@ -12,6 +12,7 @@ from ...core.descriptors.packed_distribution import least_slanted, middle_share,
 from ...core.errors import ThinPartError
 from ...core.judging.packed_check import packed_walls_pass
 from ...core.message import Message, message, to_data
+from ...core.problem import problem_of
 from ..cache_folder import cache_folder
 from ..folder_lock import folder_lock
 from ..info.info_reading import read_open_info
@@ -132,7 +133,7 @@ class LibraryIndex:
     def _move_to_memory(self, error):
         self.close()
         self.warning = message("The search index {file} cannot be saved ({problem}): it was built in memory, and the "
-                               "next search has to build it again.", file=self.path, problem=error)
+                               "next search has to build it again.", file=self.path, problem=problem_of(error, str(error)))
         self._connection = _connect(":memory:")
 
     def _with_database(self, operation):

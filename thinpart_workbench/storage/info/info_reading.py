@@ -8,7 +8,8 @@ from pathlib import Path
 from ...core.errors import ThinPartError
 from ...core.kinds.value_checker import checker, is_plain
 from ...core.kinds.value_kinds import shown
-from ...core.message import Message, message, restored
+from ...core.message import message, restored
+from ...core.problem import problem_of
 from ..regular_file import open_regular
 from .info_definition import FORMAT, INFO_FILE, VERSION
 
@@ -101,15 +102,8 @@ def fault_of(content, plain=False):
 def _parsed(data, name):
     try:
         return _DECODE(str(data, json.detect_encoding(data)))
-    except RecursionError:
-        problem = message("it is nested too deeply")
-    except (json.JSONDecodeError, UnicodeDecodeError) as error:
-        problem = str(error)
-    except ValueError as error:
-        # For a number of thousands of digits Python adds how to raise its limit.
-        problem = str(error)
-        if not isinstance(problem, Message):
-            problem = problem.partition(":")[0]
+    except (RecursionError, ValueError) as error:  # of Python itself where a number has thousands of digits
+        problem = problem_of(error, message("a number in it is too long"))
     raise ThinPartError(message("The info file {info_file} cannot be read ({problem}).",
                                 info_file=name, problem=problem), "info_file")
 

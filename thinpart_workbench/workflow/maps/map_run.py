@@ -93,9 +93,10 @@ def map_of_part(task, limits, control=None):
         return {"file": task.file, "label": str(found["label"]), "contents": contents,
                 "thinnest": None if found["thinnest"] is None else float(found["thinnest"]),
                 **{name: float(found[name]) for name in ("low", "high")}}
-    except (KeyError, TypeError, ValueError) as error:
-        return failure(task.file, "failed", message("{file} failed: its result cannot be used ({problem}).",
-                                                    file=Path(task.file).name, problem=str(error)))
+    except (KeyError, TypeError, ValueError):
+        return failure(task.file, "failed", message(
+            "{file} failed: its result cannot be used ({problem}).", file=Path(task.file).name,
+            problem=message("it is damaged or incomplete")))
 
 
 def _drawn(task):
