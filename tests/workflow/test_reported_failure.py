@@ -3,6 +3,7 @@
 import pytest
 
 from thinpart_workbench.core.errors import KINDS, ThinPartError
+from thinpart_workbench.core.problem import UNEXPECTED
 from thinpart_workbench.workflow.workers.reported_failure import reported_failure
 
 
@@ -30,6 +31,7 @@ def test_a_lack_of_memory_is_told_whatever_class_it_has(error, capfd):
 
 
 def test_what_nobody_foresaw_is_one_sentence_and_its_traceback_goes_to_the_log(capfd):
-    assert reported_failure(raised(KeyError("x")), "Rib") == {"kind": "failed", "message": "Rib failed (KeyError: 'x')."}
-    assert reported_failure(raised(KeyError("x")))["message"] == "The worker process failed (KeyError: 'x')."
-    assert capfd.readouterr().err.count("Traceback") == 2 and "failed" in KINDS
+    assert reported_failure(raised(KeyError("x")), "Rib") == {"kind": "failed", "message": f"Rib failed ({UNEXPECTED})."}
+    assert reported_failure(raised(KeyError("x")))["message"] == f"The worker process failed ({UNEXPECTED})."
+    log = capfd.readouterr().err
+    assert log.count("Traceback") == log.count("KeyError: 'x'") == 2 and "failed" in KINDS

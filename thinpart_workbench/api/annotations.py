@@ -13,6 +13,7 @@ from ..core.errors import ThinPartError
 from ..core.foreign_text import printable
 from ..core.kinds.json_file import UnreadableJson, parsed_json
 from ..core.message import message
+from ..core.problem import problem_of
 from ..core.record.mesh_settings import LEAST_ALIKE, settings_for, wall_sizes_for, worked_settings
 from ..core.record.part_definition import ANNOTATIONS, PERSON
 from ..core.regular_file import open_regular
@@ -259,7 +260,7 @@ def mesh_settings(text):
                 content = file.read(LARGEST_SETTINGS + 1)
         except OSError as error:
             raise ThinPartError(message("The file {file} cannot be read ({problem}).",
-                                        file=text, problem=error.strerror), "unreadable") from None
+                                        file=text, problem=problem_of(error)), "unreadable") from None
         if len(content) <= LARGEST_SETTINGS:
             return {"settings": _settings(content, message("The file {file}", file=text))}
     return {"file": os.path.abspath(text)}

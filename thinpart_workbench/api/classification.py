@@ -5,12 +5,12 @@ import time
 
 from ..core.analysis_limits import LEAST_MEGABYTES, Limits
 from ..core.analysis_settings import DEFAULT_PROFILE, AnalysisSettings
-from ..core.cluster_address import cluster_address
 from ..core.errors import ThinPartError
 from ..core.judging.criteria import given_profile
 from ..storage.common_folder import common_folder
 from ..storage.info.info_file import info_path_getter
 from .classified_parts import ClassifiedPart, ClassifiedParts, PartFailure
+from .cluster_address import cluster_address
 from .file_run import FileRun
 
 

@@ -19,8 +19,8 @@ from ..core.thickness.face_thickness import thin_shares
 from ..freecad_adapter.features.face_features import face_features
 from ..freecad_adapter.objects.snapshot import read_history, read_snapshot
 from ..storage.map_file import write_maps
+from ..system.exit_cause import is_out_of_memory
 from ..workflow.analysis.analyse_part import analyse_part
-from ..workflow.workers.reported_failure import is_out_of_memory
 from .classified_parts import PartFailure
 
 

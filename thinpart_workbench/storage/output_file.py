@@ -1,8 +1,8 @@
 """Writes every file that a command or the window was asked to write: what people have is never replaced by it.
 
 A file is written anew where there is none, or an empty one, or one that bears ThinPart's mark (`core.kinds.file_marks`);
-otherwise only where the user says so. Never replaced are files with names of CAD formats, info files, inputs of the same run,
-and what a link leads to unless it bears the mark.
+otherwise only where the user says so. Never replaced are files with names of CAD formats, info files, inputs of the same
+run, and what a link leads to unless it bears the mark.
 """
 
 import errno

@@ -91,6 +91,16 @@ def mentions_lack_of_memory(words):
     return any(sign in words for sign in _MEMORY_SIGNS)
 
 
+def is_out_of_memory(error):
+    """Whether an exception was caused by lack of memory; FreeCAD and OCCT have their own exception classes for it.
+
+    Parameters
+    ----------
+    error : Exception
+    """
+    return isinstance(error, MemoryError) or mentions_lack_of_memory(f"{type(error).__name__}: {error}")
+
+
 def _cause_of(code):
     if sys.platform == "win32":
         if code % (1 << 32) in _WINDOWS_FAULTS:

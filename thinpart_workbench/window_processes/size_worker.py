@@ -17,6 +17,7 @@ import sys
 
 from ..core.errors import ThinPartError
 from ..core.message import message, restored, with_messages
+from ..core.problem import problem_of
 from ..system.confinement import confine_running_process
 from ..system.process_limits import limit_memory
 from .json_lines import failure_line
@@ -69,7 +70,7 @@ def _answer(send, sizes, gmsh, number, settings=None, sizes_wanted=(), mesh=Fals
         send(refused=error.args[0], number=number)
     except OSError as error:
         send(refused=message("Temporary files cannot be written ({problem}): free some disk space. Nothing was meshed.",
-                             problem=error.strerror or error), number=number)
+                             problem=problem_of(error)), number=number)
 
 
 def _next_request():

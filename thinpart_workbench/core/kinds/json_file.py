@@ -2,7 +2,8 @@
 
 import json
 
-from ..message import Message, message
+from ..message import message
+from ..problem import problem_of
 from ..regular_file import read_regular
 
 LARGEST_WRITTEN = 16 << 20
@@ -57,16 +58,10 @@ def parsed_json(data):
     """
     try:
         return _DECODE(str(data, json.detect_encoding(data)))
-    except RecursionError:
-        raise UnreadableJson(message("it is nested too deeply")) from None
     except UnicodeDecodeError as error:
         raise UnreadableJson(message("byte {place} is not text in Unicode", place=error.start + 1)) from None
-    except json.JSONDecodeError as error:
-        raise UnreadableJson(str(error)) from None
-    except ValueError as error:
-        # For a number of thousands of digits Python adds how to raise its limit.
-        problem = str(error)
-        raise UnreadableJson(problem if isinstance(problem, Message) else problem.partition(":")[0]) from None
+    except (RecursionError, ValueError) as error:  # of Python itself where a number has thousands of digits
+        raise UnreadableJson(problem_of(error, message("a number in it is too long"))) from None
 
 
 def _refuse_constant(constant):

@@ -6,6 +6,7 @@ import numpy as np
 
 from ...core.errors import ThinPartError
 from ...core.message import message
+from ...core.problem import problem_of
 from ...core.shells.walls_through import sides_of
 from ..bootstrap import load_freecad
 from .bridges import bridges, connected_faces, is_bridge, lies_on, spread_points
@@ -222,7 +223,8 @@ def mid_surface(shape, pairs, mesh, rays, report=None, solid_walls=()):
         raise
     except Exception as error:  # OCC's errors have several classes, which differ between versions of FreeCAD
         raise ThinPartError(message("The mid-faces of the walls could not be cut to each other ({problem}): mesh it as a "
-                                    "solid.", problem=error), "no_shell") from None
+                                    "solid.", problem=problem_of(error, message("FreeCAD finds no cut"))),
+                            "no_shell") from None
 
 
 def _too_thick():

@@ -5,6 +5,7 @@ import os
 
 from ...core.errors import ThinPartError
 from ...core.message import message
+from ...core.problem import problem_of
 from ..occurrence import object_at
 from ..occurrences.face_owners import face_indices
 from ..shapes.part import SolidPart
@@ -165,7 +166,7 @@ def read_mesh(file):
         return Fem.read(os.fspath(file))
     except Exception as error:  # FreeCAD raises its own exception classes
         raise ThinPartError(message("The mesh cannot be read ({problem}): free some disk space and try again.",
-                                    problem=error), "unreadable") from None
+                                    problem=problem_of(error, message("FreeCAD cannot read it"))), "unreadable") from None
 
 
 def join_analysis(document, owner, analysis, members):

@@ -5,6 +5,7 @@ import os
 
 from ...core.errors import ThinPartError
 from ...core.message import message
+from ...core.problem import problem_of
 from .fem_mesh import SETTINGS, SHELL_OF, join_analysis, part_property, read_mesh
 
 _GROUP = "ThinPart"
@@ -123,5 +124,5 @@ def _read_shape(path):
         shape.read(os.fspath(path))
     except Exception as error:  # FreeCAD raises its own exception classes
         raise ThinPartError(message("The mid-surface cannot be read ({problem}): free some disk space and try again.",
-                                    problem=error), "unreadable") from None
+                                    problem=problem_of(error, message("FreeCAD cannot read it"))), "unreadable") from None
     return shape

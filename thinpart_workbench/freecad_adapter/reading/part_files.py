@@ -13,6 +13,8 @@ import numpy as np
 from ...core.errors import ThinPartError
 from ...core.file_formats import DOCUMENT, ENDINGS, MESH, SHAPE, format_of
 from ...core.message import message
+from ...core.problem import NOT_READ_BY_FREECAD, problem_of
+from ...system.exit_cause import is_out_of_memory
 from ..bootstrap import load_freecad
 from ..shapes.part import MeshedPart
 from .closed_links import closed_links_warning, keep_closed, special_links
@@ -100,7 +102,7 @@ def _read_document(path):
             hidden = _hidden_objects(archive) if "GuiDocument.xml" in names else set()
     except DAMAGED_ARCHIVE as error:
         raise ThinPartError(message("{file} is damaged or not a FreeCAD document ({problem}).",
-                                    file=path.name, problem=error),
+                                    file=path.name, problem=problem_of(error, message("it cannot be unpacked"))),
                             "unreadable") from None
     if damaged is not None or "Document.xml" not in names:
         raise ThinPartError(
@@ -122,7 +124,7 @@ def _read_document(path):
         raise
     except Exception as error:  # FreeCAD raises its own classes, which differ between versions
         raise ThinPartError(message("FreeCAD cannot open {file} ({problem}).",
-                                    file=path.name, problem=error), "unreadable") from None
+                                    file=path.name, problem=_problem(error)), "unreadable") from None
     if not document.Objects:
         raise ThinPartError(message("{file} is an empty document.", file=path.name), "empty")
     for name in hidden & {candidate.Name for candidate in document.Objects}:
@@ -161,8 +163,7 @@ def _read_shape(path):
         raise
     except Exception as error:  # as above
         raise ThinPartError(message("{file} is damaged or not what its ending says ({problem}).",
-                                    file=path.name, problem=error),
-                            "unreadable") from None
+                                    file=path.name, problem=_problem(error)), "unreadable") from None
     if shape.isNull():
         raise ThinPartError(message("{file} is damaged or holds no shape.", file=path.name), "unreadable")
     return DocumentContent(shape_parts(shape, path.stem))
@@ -181,13 +182,20 @@ def _read_mesh(path):
     except Exception as error:  # as above
         kind = "unsupported" if format_of(path).is_recent else "unreadable"
         raise ThinPartError(message("FreeCAD cannot read {file} ({problem}).",
-                                    file=path.name, problem=error), kind) from None
+                                    file=path.name, problem=_problem(error)), kind) from None
     if not triangles:
         raise ThinPartError(message("{file} is damaged, or its faces are not triangles: triangulate it first.",
                                     file=path.name), "unreadable")
     points = np.array([(p.x, p.y, p.z) for p in points], dtype=np.float64)
     return DocumentContent([MeshedPart("Mesh", path.stem, points=points,
                                        triangles=np.array(triangles, dtype=np.int64))])
+
+
+def _problem(error):
+    """Why FreeCAD could not read a file. A lack of memory is no fault of the file."""
+    if is_out_of_memory(error):
+        raise MemoryError from None
+    return problem_of(error, NOT_READ_BY_FREECAD)
 
 
 _READERS = {

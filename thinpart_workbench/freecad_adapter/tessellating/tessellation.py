@@ -10,6 +10,8 @@ import numpy as np
 from ...core.errors import MeshError
 from ...core.mesh.face_normals import FaceNormals
 from ...core.message import message
+from ...core.problem import problem_of
+from ...system.exit_cause import is_out_of_memory
 from ..bootstrap import load_freecad
 from .geometry_normals import geometry_normals
 
@@ -122,7 +124,10 @@ def tessellate(shape, linear_deflection, angular_deflection):
             AngularDeflection=math.radians(angular_deflection), Relative=False, Segments=True,
         )
     except Exception as error:  # FreeCAD raises its own classes, which differ between versions
-        raise MeshError(message("FreeCAD could not tessellate it ({problem}).", problem=error)) from None
+        if is_out_of_memory(error):
+            raise MemoryError from None
+        raise MeshError(message("FreeCAD could not tessellate it ({problem}).", problem=problem_of(error, message(
+            "look in FreeCAD what 'Check geometry' says about it")))) from None
     if mesh.CountFacets == 0:
         raise MeshError(message("FreeCAD could not tessellate any of its faces."))
     points, triangles = _arrays(mesh)

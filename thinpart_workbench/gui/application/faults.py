@@ -7,6 +7,8 @@ import traceback
 import FreeCAD as App
 
 from ...core.errors import ThinPartError
+from ...core.message import message
+from ...core.problem import problem_of
 from ...freecad_adapter.guard import FAULTS
 from . import lifelong
 from .qt import translate
@@ -40,10 +42,10 @@ def fault_sentence(error):
     """An exception as one readable sentence on one line."""
     if isinstance(error, ThinPartError):
         return translated(error)
-    words = " ".join(f"{type(error).__name__}: {error}".split())
+    words = translated(problem_of(error, message("the log has its details")))
     return translate(
         "ThinPart", "An unexpected error occurred ({}): try again, and if it happens again, report it with FreeCAD's "
-                    "log.").format(words if len(words) <= 200 else words[:200] + "\u2026")
+                    "log.").format(words)
 
 
 def install_fault_handler():

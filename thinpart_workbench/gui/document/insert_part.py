@@ -8,9 +8,11 @@ import FreeCADGui as Gui
 
 from ...core.errors import ThinPartError
 from ...core.file_formats import is_document
+from ...core.problem import NOT_READ_BY_FREECAD, problem_of
 from ...freecad_adapter.reading.closed_links import check_links
 from ...freecad_adapter.reading.document_safety import check_document
 from ..application.qt import translate
+from ..application.sentences import translated
 from .open_part import check_kind
 
 
@@ -49,7 +51,7 @@ def insert_part(file, name=None):
     except Exception as error:  # each importer of FreeCAD raises its own exceptions
         document.abortTransaction()
         raise ThinPartError(translate("ThinPart", "FreeCAD cannot insert {} ({}).").format(
-            os.path.basename(file), error), "unreadable") from None
+            os.path.basename(file), translated(problem_of(error, NOT_READ_BY_FREECAD))), "unreadable") from None
     document.recompute()
     document.commitTransaction()
     App.setActiveDocument(document.Name)
@@ -74,7 +76,7 @@ def _insert(document, file, name):
 def _importer(file):
     modules = App.getImportType(os.path.splitext(file)[1][1:])
     if not modules:
-        raise ValueError(translate("ThinPart", "there is no importer for such files"))
+        raise ThinPartError(translate("ThinPart", "there is no importer for such files"), "unsupported")
     # Of several importers, prefer the GUI's own, which keeps names and colours.
     names = sorted(modules, key=lambda module: (module != "ImportGui", module != "Part"))
     return importlib.import_module(names[0])

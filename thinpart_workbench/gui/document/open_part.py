@@ -7,9 +7,11 @@ import FreeCADGui as Gui
 
 from ...core.errors import ThinPartError
 from ...core.file_formats import ENDINGS, is_document
+from ...core.problem import NOT_READ_BY_FREECAD, problem_of
 from ...freecad_adapter.reading.closed_links import check_links
 from ...freecad_adapter.reading.document_safety import check_document
 from ..application.qt import QtWidgets, translate
+from ..application.sentences import translated
 from ..widgets.confirmation import is_confirmed
 
 DANGEROUS = ("crash", "memory", "timeout")
@@ -42,8 +44,8 @@ def open_part(file, name=None):
         document = _document(file)
     except Exception as error:  # each importer of FreeCAD raises its own exceptions
         raise ThinPartError(translate(
-            "ThinPart", "FreeCAD cannot open {} ({}).").format(os.path.basename(file), error),
-            "unreadable") from None
+            "ThinPart", "FreeCAD cannot open {} ({}).").format(
+                os.path.basename(file), translated(problem_of(error, NOT_READ_BY_FREECAD))), "unreadable") from None
     App.setActiveDocument(document.Name)
     Gui.Selection.clearSelection()
     part = document.getObject(name) if name else None

@@ -73,10 +73,10 @@ class PartDetails(QtWidgets.QTabWidget):
         except ThinPartError as error:
             show_text(self._sentence, translated(error))
             return
-        except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
+        except (KeyError, TypeError, ValueError, AttributeError, IndexError):
             show_text(self._sentence, translate(
                 "ThinPart", "The info file {} is damaged ({}): classify its document again."
-            ).format(response["info_file"], type(error).__name__))
+            ).format(response["info_file"], translate("ThinPart", "values are missing or of another kind")))
             return
         self._response = response
         self._result.show_legend(False)

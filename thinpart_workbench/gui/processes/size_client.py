@@ -5,6 +5,7 @@ import shutil
 import tempfile
 
 from ...core.errors import ThinPartError
+from ...core.problem import NOT_WRITTEN_BY_FREECAD, problem_of
 from ...freecad_adapter.objects.snapshot import write_snapshot
 from ..application.qt import QtCore, Signal, translate
 from ..application.sentences import translated
@@ -81,7 +82,7 @@ class SizeClient(QtCore.QObject):
             self.end()
             raise ThinPartError(translate(
                 "ThinPart", "Temporary files cannot be written ({}): free some disk space. Nothing was measured."
-            ).format(getattr(error, "strerror", None) or error), "failed") from None
+            ).format(translated(problem_of(error, NOT_WRITTEN_BY_FREECAD))), "failed") from None
         self.restart()
 
     def restart(self):

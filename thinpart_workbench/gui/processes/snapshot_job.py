@@ -6,6 +6,7 @@ import tempfile
 import FreeCAD as App
 
 from ...core.errors import ThinPartError
+from ...core.problem import NOT_WRITTEN_BY_FREECAD, problem_of
 from ...freecad_adapter.objects.snapshot import write_snapshot
 from ...system.exit_cause import ExitCause
 from ..application import lifelong
@@ -167,4 +168,4 @@ def _not_started_text():
 def _disk_full_text(error):
     return translate(
         "ThinPart", "Temporary files cannot be written ({}): free some disk space. Nothing was measured."
-    ).format(getattr(error, "strerror", None) or error)
+    ).format(translated(problem_of(error, NOT_WRITTEN_BY_FREECAD)))

@@ -4,6 +4,7 @@ import numpy as np
 
 from ...core.errors import ThinPartError
 from ...core.message import message
+from ...core.problem import problem_of
 from ...core.regular_file import open_regular
 
 LARGEST = 2 << 30
@@ -84,8 +85,9 @@ def _read(path):
             content = file.read(LARGEST)
         return _elements(content)
     except (OSError, ValueError, IndexError, KeyError) as error:
-        raise ThinPartError(message("The mesh {file} cannot be read ({problem}).", file=path, problem=error),
-                            "unreadable") from None
+        raise ThinPartError(message(
+            "The mesh {file} cannot be read ({problem}).", file=path,
+            problem=problem_of(error, message("it is damaged or incomplete"))), "unreadable") from None
 
 
 def _elements(content):

@@ -13,6 +13,7 @@ from ...core.errors import ThinPartError
 from ...core.foreign_text import sql_text
 from ...core.judging.packed_check import packed_walls_pass
 from ...core.message import Message, message, to_data
+from ...core.problem import problem_of
 from ...core.regular_file import open_regular
 from ..atomic_file import OWNER_ONLY
 from ..cache_folder import cache_folder
@@ -140,8 +141,7 @@ class LibraryIndex:
     def _move_to_memory(self, error):
         self.close()
         self.warning = message("The search index {file} cannot be saved ({problem}): it was built in memory, and the "
-                               "next search has to build it again.", file=self.path,
-                               problem=getattr(error, "strerror", None) or error)
+                               "next search has to build it again.", file=self.path, problem=problem_of(error, str(error)))
         self._connection = _connect(":memory:")
 
     def _with_database(self, operation):

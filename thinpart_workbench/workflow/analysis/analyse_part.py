@@ -1,6 +1,8 @@
 """The flow: part -> surface mesh -> descriptors -> classification -> part record."""
 
+import sys
 import time
+import traceback
 from dataclasses import replace
 
 from ...core.analysis_settings import MOST_TRIANGLES, PAIRS
@@ -12,12 +14,14 @@ from ...core.judging.criteria import PAPER, load_profile
 from ...core.mesh.mass_properties import area, volume
 from ...core.mesh.resolution import Resolution, error_to_judge_with, is_turned_too_far, smallest_side
 from ...core.message import message
+from ...core.problem import problem_of
 from ...core.record.part_record import part_record
 from ...core.record.record_types import SecondsRecord
 from ...core.thickness.face_thickness import face_thicknesses, witness_of
 from ...core.thickness.measured_precision import chords_of, precision_of
 from ...core.thickness.measurement import measure
 from ...core.thickness.thinnest_wall import touching_sample
+from ...system.exit_cause import is_out_of_memory
 
 MOST_TRIED = 12
 """Walls that are looked for in the part's own geometry, from the thinnest on."""
@@ -112,6 +116,13 @@ def analyse_parts(parts, settings, profile, read_seconds=0.0, report=None, on_re
                 raise
             failures.append({"part": part.name, "label": part.label, "kind": error.kind,
                              "message": message("{about}: {sentence}", about=part.label, sentence=error)})
+            continue
+        except Exception as error:  # of any kind: the other parts of the file still have their verdicts
+            if is_out_of_memory(error):
+                raise
+            traceback.print_exc(file=sys.stderr)
+            failures.append({"part": part.name, "label": part.label, "kind": "failed",
+                             "message": message("{file} failed ({problem}).", file=part.label, problem=problem_of(error))})
             continue
         record["seconds"]["read"] = read_seconds / len(parts)
         record["seconds"] = {key: round(value, 4) for key, value in record["seconds"].items()}

@@ -208,9 +208,9 @@ class _Cluster:
                 continue
             try:
                 software, outcome = response_from(responses[future])
-            except ValueError as error:
+            except ValueError:
                 yield failure(task.file, "failed", f"{Path(task.file).name} failed on the cluster (a worker answered "
-                                                   f"with something else than a result: {error}).")
+                                                   "with something else than a result).")
                 continue
             self._check_software(software)
             yield _outcome(task, outcome, software["host"])

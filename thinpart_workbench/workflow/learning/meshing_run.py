@@ -13,6 +13,7 @@ from ...core.descriptors.descriptor_table import REPORTED_SHARES, quantity_named
 from ...core.errors import ThinPartError
 from ...core.judging.foretelling import foretellings
 from ...core.message import message
+from ...core.problem import UNEXPECTED
 from ...core.record.part_record import descriptors_of
 from ...core.run_control import RunControl
 from ...storage.info.info_file import source_is_unchanged
@@ -213,8 +214,8 @@ def _outcome(future, task):
         return message("{file} could not be read in time.", file=name)
     except WorkerDied:
         return message("{file} crashed the process that read it: the file is probably damaged.", file=name)
-    except WorkerFault as fault:
-        return message("{file} failed ({problem}).", file=name, problem=fault)
+    except WorkerFault:
+        return message("{file} failed ({problem}).", file=name, problem=UNEXPECTED)
     if isinstance(results, str):
         return results
     problem = results_fault(results, task)

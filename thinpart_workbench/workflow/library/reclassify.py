@@ -14,6 +14,7 @@ from ...core.errors import ThinPartError
 from ...core.judging.classification import classify
 from ...core.judging.criteria import Profile, profile_from
 from ...core.message import message
+from ...core.problem import problem_of
 from ...core.record.part_record import descriptors_of, judge_again, verdict
 from ...core.record.record_types import VerdictRecord
 from ...core.run_control import RunControl
@@ -247,7 +248,7 @@ def _sentence(name, error):
                        info_file=name, seconds=_SECONDS)
     if isinstance(error, WorkerDied):
         return message("The info file {info_file} crashed the process that read it.", info_file=name)
-    return message("The info file {info_file} could not be judged ({problem}).", info_file=name, problem=error)
+    return message("The info file {info_file} could not be judged ({problem}).", info_file=name, problem=problem_of(error))
 
 
 def _start_worker(megabytes):

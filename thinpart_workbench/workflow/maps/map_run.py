@@ -97,9 +97,10 @@ def map_of_part(task, limits, control=None):
         fault = SOURCE.fault(found["source"], "source")
         if fault is not None:
             raise ValueError(fault)
-    except (KeyError, TypeError, ValueError) as error:
-        return failure(task.file, "failed", message("{file} failed: its result cannot be used ({problem}).",
-                                                    file=Path(task.file).name, problem=str(error)))
+    except (KeyError, TypeError, ValueError):
+        return failure(task.file, "failed", message(
+            "{file} failed: its result cannot be used ({problem}).", file=Path(task.file).name,
+            problem=message("it is damaged or incomplete")))
     return source_failure(found["source"], task.file) or result
 
 

@@ -6,7 +6,8 @@ import traceback
 
 from ...core.errors import NO_MEMORY, ThinPartError
 from ...core.message import message
-from ...system.exit_cause import mentions_lack_of_memory
+from ...core.problem import problem_of
+from ...system.exit_cause import is_out_of_memory
 
 
 def reported_failure(error, subject=None):
@@ -33,16 +34,6 @@ def reported_failure(error, subject=None):
             "Temporary files cannot be written ({problem}): free some disk space, or name another folder in TMPDIR.",
             problem=error.strerror)}
     traceback.print_exception(type(error), error, error.__traceback__, file=sys.stderr)
-    description = _description(error)
-    sentence = (message("The worker process failed ({problem}).", problem=description) if subject is None
-                else message("{file} failed ({problem}).", file=subject, problem=description))
-    return {"kind": "failed", "message": sentence}
-
-
-def is_out_of_memory(error):
-    """Whether an exception was caused by lack of memory; FreeCAD and OCCT have their own exception classes for it."""
-    return isinstance(error, MemoryError) or mentions_lack_of_memory(_description(error))
-
-
-def _description(error):
-    return f"{type(error).__name__}: {error}"
+    problem = problem_of(error)
+    return {"kind": "failed", "message": message("The worker process failed ({problem}).", problem=problem)
+            if subject is None else message("{file} failed ({problem}).", file=subject, problem=problem)}

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from ...core.errors import ThinPartError
 from ...core.message import message
+from ...core.problem import UNEXPECTED
 from ...core.run_control import RunControl
 from ...storage.temporary_folder import temporary_folder
 from ...system.exit_cause import ExitCause
@@ -144,5 +145,5 @@ def answer_of(future, file, seconds, megabytes):
                                                          file=name, megabytes=megabytes))
         return None, failure(file, "crash", message("{file} crashed the process that read it: the file is probably damaged.",
                                                     file=name))
-    except WorkerFault as fault:  # an exception outside what reports failures
-        return None, failure(file, "failed", message("{file} failed ({problem}).", file=name, problem=fault))
+    except WorkerFault:  # an exception outside what reports failures
+        return None, failure(file, "failed", message("{file} failed ({problem}).", file=name, problem=UNEXPECTED))

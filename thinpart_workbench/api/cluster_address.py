@@ -2,7 +2,7 @@
 
 from urllib.parse import urlsplit
 
-from .errors import ThinPartError
+from ..core.errors import ThinPartError
 
 
 def cluster_address(text):
