@@ -21,7 +21,7 @@ NOT_SHOWN = {
     "core/record/part_definition.py", "core/descriptors/recorded_descriptors.py", "storage/info/info_definition.py",
     # for programs and the command line
     "freecad_adapter/reading/held_parts.py", "workflow/library/library_search.py", "storage/index/written_query.py",
-    "api/cluster_address.py", "api/classification.py", "api/found_parts.py", "api/libraries.py", "api/mesh_arrays.py",
+    "api/classification.py", "api/found_parts.py", "api/libraries.py", "api/mesh_arrays.py",
     "workflow/meshing/size_steps.py",
     "core/kinds/file_marks.py", "storage/exchange/geo_file.py", "storage/exchange/map_export.py",
     "storage/exchange/shell_files.py",  # what other programs read

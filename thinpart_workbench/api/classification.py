@@ -2,6 +2,7 @@
 
 import os
 import time
+from urllib.parse import urlsplit
 
 from ..core.analysis_limits import LEAST_MEGABYTES, Limits
 from ..core.analysis_settings import DEFAULT_PROFILE, AnalysisSettings
@@ -10,7 +11,6 @@ from ..core.judging.criteria import given_profile
 from ..storage.common_folder import common_folder
 from ..storage.info.info_file import info_path_getter
 from .classified_parts import ClassifiedPart, ClassifiedParts, PartFailure
-from .cluster_address import cluster_address
 from .file_run import FileRun
 
 
@@ -193,3 +193,23 @@ def _info_for(write_info, paths):
 
 def _texts(globs):
     return (globs,) if isinstance(globs, str) else tuple(globs)
+
+
+def cluster_address(text):
+    """The complete address of a scheduler; also accepts ``HOST:PORT``.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``usage``.
+    """
+    address = text if "://" in text else f"tcp://{text}"
+    try:
+        parts = urlsplit(address)
+        usable = parts.scheme in ("tcp", "tls") and parts.hostname and parts.port
+    except ValueError:
+        usable = False
+    if not usable or parts.path or parts.query or parts.username:
+        raise ThinPartError(
+            f"'{text}' is not the address of a Dask scheduler: write it as tcp://HOST:PORT.", "usage")
+    return address

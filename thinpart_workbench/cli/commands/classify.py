@@ -5,7 +5,7 @@ import errno
 import os
 import tempfile
 
-from ...api.cluster_address import cluster_address
+from ...api.classification import cluster_address
 from ...core.errors import ThinPartError
 from ...core.judging.criteria import load_profile
 from ...core.kinds.file_marks import TABLE
