@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 from program import SAMPLES, environment, group_ended, thinpart
-from slow_files import held
+from slow_files import held, make_endless
 from time_limit import wait_until
 
 from thinpart_workbench.cli import stop_signals
@@ -48,11 +48,12 @@ class Run:
 
     def opened(self):
         """Paths that the process has open."""
-        found = set()
-        for link in Path(f"/proc/{self.process.pid}/fd").iterdir():
-            with suppress(OSError):  # closed meanwhile
-                found.add(os.readlink(link))
-        return found
+        return _opened(self.process.pid)
+
+    def opened_by_workers(self):
+        """Paths that the processes of its group have open."""
+        numbers = [int(path.name) for path in Path("/proc").glob("[0-9]*")]
+        return set().union(*(_opened(number) for number in numbers if _group(number) == self.process.pid))
 
     def stop(self, number, to_all=True):
         """Send a signal and wait for the end: the exit status."""
@@ -72,6 +73,22 @@ class Run:
             reader.join()
         self.process.stdout.close()
         self.process.stderr.close()
+
+
+def _opened(process):
+    found = set()
+    with suppress(OSError):  # it has ended, or has closed it meanwhile
+        for link in Path(f"/proc/{process}/fd").iterdir():
+            with suppress(OSError):
+                found.add(os.readlink(link))
+    return found
+
+
+def _group(process):
+    try:
+        return os.getpgid(process)
+    except ProcessLookupError:
+        return None
 
 
 @pytest.fixture
@@ -132,6 +149,16 @@ def test_size_tells_of_every_part_and_stops_while_a_mesh_takes_minutes(meshed_sl
     assert not list(tmp_path.glob("thinpart-*")), "temporary files"
     again = thinpart(*command, meshed_slowly / "quick.brep", variables=variables)
     assert again.returncode == 0 and '"step"' not in again.stderr, "what was done is kept"
+
+
+@pytest.mark.parametrize("command", [("map", "--png", "map.png"), ("size",), ("classify",)], ids=lambda each: each[0])
+def test_a_signal_to_all_processes_is_no_damaged_file(tmp_path, begin, command):
+    make_endless(tmp_path / "endless.step")
+    name, *more = command
+    run = begin(name, tmp_path / "endless.step", *more)
+    wait_until(lambda: str(tmp_path / "endless.step") in run.opened_by_workers(), "a worker that reads")
+    assert run.stop(signal.SIGTERM) == 130, run.errors
+    assert "damaged" not in "".join(run.errors)
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])

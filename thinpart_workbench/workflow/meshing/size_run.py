@@ -74,7 +74,6 @@ def propose_for_documents(tasks, limits, version="", force=False, control=None, 
         try:
             steps = watched_steps(folder, {task.file for task in waiting}, tell) if tell else ()
             for future, task in workers.run(waiting, control, meanwhile=steps):
-                control.check()  # a signal to all processes of a terminal ends workers too: no failure of the document
                 result = _result(future, task, seconds, limits)
                 if "error" not in result and not _is_incomplete(result):
                     kept.keep(task, result)

@@ -113,6 +113,7 @@ class PoolSupervisor:
                 while time.monotonic() < until and next(meanwhile, self) is not self:
                     pass
             else:
+                control.check()  # a signal to all processes of a terminal ends workers too: no failure of their tasks
                 yield finished
 
     def submit(self, task):
