@@ -1743,6 +1743,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Dieses Kriterium entfernen</translation>
     </message>
     <message>
+        <source>Replace it? What it contains will be lost.</source>
+        <translation>Ersetzen? Der Inhalt geht verloren.</translation>
+    </message>
+    <message>
         <source>Report</source>
         <translation>Bericht</translation>
     </message>
@@ -2983,6 +2987,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>bis zu {} darüber</translation>
     </message>
     <message>
+        <source>values are missing or of another kind</source>
+        <translation>Werte fehlen oder sind von anderer Art</translation>
+    </message>
+    <message>
         <source>wedge {:g}–{:g}°</source>
         <translation>Keil {:g}–{:g}°</translation>
     </message>
@@ -3213,6 +3221,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{} was not opened: it is not a CAD file that ThinPart reads.</source>
         <translation>{} wurde nicht geöffnet: Es ist keine CAD-Datei, die ThinPart liest.</translation>
+    </message>
+    <message>
+        <source>{} was not written by ThinPart.</source>
+        <translation>{} wurde nicht von ThinPart geschrieben.</translation>
     </message>
     <message>
         <source>{}, and share of the diagonal</source>
@@ -3554,8 +3566,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>FreeCAD kann {file} nicht öffnen ({problem}).</translation>
     </message>
     <message>
+        <source>FreeCAD cannot read it</source>
+        <translation>FreeCAD kann sie nicht lesen</translation>
+    </message>
+    <message>
+        <source>FreeCAD cannot read it: open it in the program it came from, and export it again</source>
+        <translation>FreeCAD kann sie nicht lesen: Öffnen Sie sie in dem Programm, aus dem sie kommt, und exportieren Sie sie noch einmal</translation>
+    </message>
+    <message>
         <source>FreeCAD cannot read {file} ({problem}).</source>
         <translation>FreeCAD kann {file} nicht lesen ({problem}).</translation>
+    </message>
+    <message>
+        <source>FreeCAD cannot write them</source>
+        <translation>FreeCAD kann sie nicht schreiben</translation>
     </message>
     <message>
         <source>FreeCAD could not tessellate any of its faces.</source>
@@ -3582,8 +3606,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>FreeCAD folgt keinen Verknüpfungen aus einem Dokument, dessen Pfad kein UTF-8-Text ist oder einen umgekehrten Schrägstrich enthält: Benennen Sie {file} oder seinen Ordner um.</translation>
     </message>
     <message>
+        <source>FreeCAD finds no cut</source>
+        <translation>FreeCAD findet keinen Schnitt</translation>
+    </message>
+    <message>
         <source>FreeCAD needs a home folder, but {folder} is not accessible: set FREECAD_USER_HOME to a folder that is.</source>
         <translation>FreeCAD braucht einen Benutzerordner, aber {folder} ist nicht zugänglich: Setzen Sie FREECAD_USER_HOME auf einen zugänglichen Ordner.</translation>
+    </message>
+    <message>
+        <source>FreeCAD's mesher left out {left_out}: a copy was measured whose edges were fitted to its faces; check the shape of the part, and export it again if it is damaged.</source>
+        <translation>Der Vernetzer von FreeCAD hat {left_out} ausgelassen: Gemessen wurde eine Kopie, deren Kanten an die Flächen angepasst sind; prüfen Sie die Form des Bauteils, und exportieren Sie es noch einmal, wenn es beschädigt ist.</translation>
+    </message>
+    <message>
+        <source>FreeCAD's mesher left out {left_out}: a copy was measured whose surfaces were converted to splines; its volume agrees with that of the part.</source>
+        <translation>Der Vernetzer von FreeCAD hat {left_out} ausgelassen: Gemessen wurde eine Kopie, deren Flächen in Splines umgewandelt sind; ihr Volumen stimmt mit dem des Bauteils überein.</translation>
     </message>
     <message>
         <source>From behind, below</source>
@@ -3838,8 +3874,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Keine Wand von {part} ist breit und dünn genug für eine Schale: Vernetzen Sie das Teil als Volumen.</translation>
     </message>
     <message>
-        <source>No walls are thinner than {limit} mm, {part} of the middle side of {middle} mm: mesh it with solids.</source>
-        <translation>Keine Wand ist dünner als {limit} mm, {part} der mittleren Seite von {middle} mm: mit Volumenelementen vernetzen.</translation>
+        <source>No walls are thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
+        <translation>Keine Wand ist dünner als {limit}, {part} der mittleren Seite von {middle}: mit Volumenelementen vernetzen.</translation>
     </message>
     <message>
         <source>Normal part</source>
@@ -3882,8 +3918,12 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Polyamid (PA)</translation>
     </message>
     <message>
-        <source>Only {share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm: mesh it with solids.</source>
-        <translation>Nur {share} der Oberfläche liegen über Wänden, die dünner als {limit} mm sind, {part} der mittleren Seite von {middle} mm: mit Volumenelementen vernetzen.</translation>
+        <source>One of the given paths is empty: name a file or a folder.</source>
+        <translation>Einer der angegebenen Pfade ist leer: Nennen Sie eine Datei oder einen Ordner.</translation>
+    </message>
+    <message>
+        <source>Only {share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
+        <translation>Nur {share} der Oberfläche liegen über Wänden, die dünner als {limit} sind, {part} der mittleren Seite von {middle}: mit Volumenelementen vernetzen.</translation>
     </message>
     <message>
         <source>Part</source>
@@ -4134,12 +4174,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die Bedingung {condition!r} ist nicht verständlich: Schreiben Sie eine Größe, eines der Zeichen {comparisons} und eine Zahl, wie in „D2/D3 &gt; 6“.</translation>
     </message>
     <message>
+        <source>The current folder no longer exists: change to another one.</source>
+        <translation>Der aktuelle Ordner existiert nicht mehr: Wechseln Sie in einen anderen.</translation>
+    </message>
+    <message>
         <source>The document '{document}' is empty: make or import a solid first.</source>
         <translation>Das Dokument „{document}“ ist leer: Erstellen oder importieren Sie zuerst einen Volumenkörper.</translation>
     </message>
     <message>
         <source>The document has no such part any more: classify it again.</source>
         <translation>Das Dokument hat dieses Bauteil nicht mehr: Klassifizieren Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>The document links to {links}, which is a pipe, a device or a socket: it was not opened, and what is linked to is missing.</source>
+        <translation>Das Dokument verweist auf {links}, eine Pipe, ein Gerät oder einen Socket: Das wurde nicht geöffnet, und das Verwiesene fehlt.</translation>
     </message>
     <message>
         <source>The document names Python modules that are not FreeCAD's ({names}): they were not loaded, and objects that need them may lack their shape.</source>
@@ -4228,6 +4276,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>The info file {info_file} could not be written ({problem}): make room or choose another place for it.</source>
         <translation>Die Infodatei {info_file} konnte nicht geschrieben werden ({problem}): Schaffen Sie Platz oder wählen Sie einen anderen Ort dafür.</translation>
+    </message>
+    <message>
+        <source>The info file {info_file} could not be written: another program keeps the folder {folder} locked; end that program, or choose another place for info files.</source>
+        <translation>Die Infodatei {info_file} konnte nicht geschrieben werden: Ein anderes Programm hält den Ordner {folder} gesperrt; beenden Sie dieses Programm, oder wählen Sie einen anderen Ort für Infodateien.</translation>
     </message>
     <message>
         <source>The info file {info_file} crashed the process that read it.</source>
@@ -4342,16 +4394,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Das Bauteil ist insgesamt dünnwandig: Ein Schalennetz oder eine Mittelfläche kommt in Betracht.</translation>
     </message>
     <message>
-        <source>The part is slender: its lengths are accurate to {error:.2g} mm only, a finer mesh would be too large.</source>
-        <translation>Das Bauteil ist schlank: Seine Längen sind nur auf {error:.2g} mm genau, ein feineres Netz würde zu groß.</translation>
+        <source>The part is slender: its lengths are accurate to {error:.2g} only, a finer mesh would be too large.</source>
+        <translation>Das Bauteil ist schlank: Seine Längen sind nur auf {error:.2g} genau, ein feineres Netz würde zu groß.</translation>
     </message>
     <message>
-        <source>The part is too slender or too fine to be measured: it needs more than {triangles:,} triangles, with fewer its lengths are accurate to {mm:.2g} mm only.</source>
-        <translation>Das Bauteil ist zu schlank oder zu fein, um gemessen zu werden: Mehr als {triangles:,} Dreiecke sind nötig, mit weniger sind seine Längen nur auf {mm:.2g} mm bekannt.</translation>
+        <source>The part is too slender or too fine to be measured: it needs more than {triangles:,} triangles, with fewer its lengths are accurate to {mm:.2g} only.</source>
+        <translation>Das Bauteil ist zu schlank oder zu fein, um gemessen zu werden: Mehr als {triangles:,} Dreiecke sind nötig, mit weniger sind seine Längen nur auf {mm:.2g} bekannt.</translation>
     </message>
     <message>
-        <source>The part is {mm:.3g} mm across: check that the file's unit is millimetres.</source>
-        <translation>Das Bauteil misst {mm:.3g} mm in der Diagonale: Prüfen Sie, ob die Einheit der Datei Millimeter ist.</translation>
+        <source>The part is {mm} across: check that the file's unit is millimetres.</source>
+        <translation>Das Bauteil misst {mm} in der Diagonale: Prüfen Sie, ob die Einheit der Datei Millimeter ist.</translation>
     </message>
     <message>
         <source>The parts lie on several drives: name those of one drive at a time.</source>
@@ -4368,6 +4420,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>The profile {profile} has no category {categories}: labels from meshing are of these.</source>
         <translation>Das Profil {profile} hat keine Kategorie {categories}: Einordnungen durch Vernetzen sind von diesen.</translation>
+    </message>
+    <message>
+        <source>The script opens {copy}, a copy of the part beside it.</source>
+        <translation>Das Skript öffnet {copy}, eine Kopie des Teils daneben.</translation>
+    </message>
+    <message>
+        <source>The search has {count} conditions, words and names, more than {most}: leave some out.</source>
+        <translation>Die Suche hat {count} Bedingungen, Wörter und Namen, mehr als {most}: Lassen Sie einige weg.</translation>
     </message>
     <message>
         <source>The search index {file} cannot be saved ({problem}): it was built in memory, and the next search has to build it again.</source>
@@ -4406,10 +4466,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die Oberfläche war nach innen gekehrt und wurde umgedreht.</translation>
     </message>
     <message>
-        <source>The table {table} cannot be written ({problem}): give another file to --csv.</source>
-        <translation>Die Tabelle {table} kann nicht geschrieben werden ({problem}): Geben Sie mit --csv eine andere Datei an.</translation>
-    </message>
-    <message>
         <source>The thickness map {file} cannot be read: measure the part again.</source>
         <translation>Die Wandstärkenkarte {file} kann nicht gelesen werden: Messen Sie das Bauteil erneut.</translation>
     </message>
@@ -4422,20 +4478,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die dünnsten zuerst; dünn ist, was über Wänden unter {limit} liegt</translation>
     </message>
     <message>
-        <source>The thinnest wall is {wall:.3g} mm ± {error:.2g} mm: a finer mesh would be too large.</source>
-        <translation>Die dünnste Wand ist {wall:.3g} mm ± {error:.2g} mm dick: Ein feineres Netz würde zu groß.</translation>
+        <source>The thinnest wall is {wall} ± {error:.2g}: a finer mesh would be too large.</source>
+        <translation>Die dünnste Wand ist {wall} ± {error:.2g} dick: Ein feineres Netz würde zu groß.</translation>
     </message>
     <message>
-        <source>The thinnest wall, {wall:.3g} mm, is below what the mesh resolves ({error:.2g} mm).</source>
-        <translation>Die dünnste Wand, {wall:.3g} mm, liegt unter dem, was das Netz auflöst ({error:.2g} mm).</translation>
+        <source>The thinnest wall, {wall}, is below what the mesh resolves ({error:.2g}).</source>
+        <translation>Die dünnste Wand, {wall}, liegt unter dem, was das Netz auflöst ({error:.2g}).</translation>
     </message>
     <message>
         <source>The triangles are not consistently oriented, so it has no certain volume.</source>
         <translation>Die Dreiecke sind nicht einheitlich orientiert, daher ist das Volumen nicht sicher.</translation>
     </message>
     <message>
-        <source>The walls of {part} do not meet: {inside:.3g} mm of the {free:.3g} mm of free edges of its mid-surface lie inside the material. Mesh it as a solid.</source>
-        <translation>Die Wände von {part} treffen sich nicht: {inside:.3g} mm der {free:.3g} mm freier Kanten der Mittelfläche liegen im Material. Vernetzen Sie das Teil als Volumen.</translation>
+        <source>The walls of {part} do not meet: {inside} of the {free} of free edges of its mid-surface lie inside the material. Mesh it as a solid.</source>
+        <translation>Die Wände von {part} treffen sich nicht: {inside} der {free} freier Kanten der Mittelfläche liegen im Material. Vernetzen Sie das Teil als Volumen.</translation>
     </message>
     <message>
         <source>The worker process failed ({problem}).</source>
@@ -4627,7 +4683,7 @@ Sein Volumen ist unbekannt.</translation>
     </message>
     <message>
         <source>Two lines of a nozzle of 0.4 mm.</source>
-        <translation>Zwei Bahnen einer Düse von 0.4 mm.</translation>
+        <translation>Zwei Bahnen einer Düse von 0,4 mm.</translation>
     </message>
     <message>
         <source>Unknown</source>
@@ -4706,6 +4762,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>ein Block seiner Elemente ist leer</translation>
     </message>
     <message>
+        <source>a number in it is too long</source>
+        <translation>eine Zahl darin ist zu lang</translation>
+    </message>
+    <message>
         <source>along the principal axes; diagonal {diagonal}</source>
         <translation>entlang der Hauptachsen; Diagonale {diagonal}</translation>
     </message>
@@ -4734,6 +4794,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>ein unerwarteter Fehler</translation>
     </message>
     <message>
+        <source>an unexpected error in ThinPart: try again, and report it with the file if it happens again</source>
+        <translation>ein unerwarteter Fehler in ThinPart: Versuchen Sie es noch einmal, und melden Sie ihn mit der Datei, wenn er wieder auftritt</translation>
+    </message>
+    <message>
         <source>and {count} more</source>
         <translation>und {count} weitere</translation>
     </message>
@@ -4744,6 +4808,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>angular deflection</source>
         <translation>Winkelabweichung</translation>
+    </message>
+    <message>
+        <source>another program keeps the folder locked</source>
+        <translation>ein anderes Programm hält den Ordner gesperrt</translation>
     </message>
     <message>
         <source>as it was open in FreeCAD, not saved</source>
@@ -4772,6 +4840,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>box as long</source>
         <translation>Quader gleich lang</translation>
+    </message>
+    <message>
+        <source>byte {place} is not text in Unicode</source>
+        <translation>Byte {place} ist kein Text in Unicode</translation>
     </message>
     <message>
         <source>colours stand for the largest ball inside that touches the surface</source>
@@ -4858,6 +4930,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>format ist nicht {format!r}</translation>
     </message>
     <message>
+        <source>it cannot be unpacked</source>
+        <translation>sie lässt sich nicht entpacken</translation>
+    </message>
+    <message>
         <source>it has no triangles</source>
         <translation>sie hat keine Dreiecke</translation>
     </message>
@@ -4870,8 +4946,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>es ist eine Datei</translation>
     </message>
     <message>
+        <source>it is damaged or incomplete</source>
+        <translation>sie ist beschädigt oder unvollständig</translation>
+    </message>
+    <message>
+        <source>it is larger than {megabytes} MB</source>
+        <translation>sie ist größer als {megabytes} MB</translation>
+    </message>
+    <message>
         <source>it is nested too deeply</source>
         <translation>sie ist zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>it is not JSON: line {line} column {column}</source>
+        <translation>sie ist kein JSON: Zeile {line}, Spalte {column}</translation>
+    </message>
+    <message>
+        <source>it is not UTF-8 text</source>
+        <translation>sie ist kein UTF-8-Text</translation>
     </message>
     <message>
         <source>it is not a CSV table ({problem})</source>
@@ -4958,6 +5050,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>längerer Quader</translation>
     </message>
     <message>
+        <source>look in FreeCAD what 'Check geometry' says about it</source>
+        <translation>sehen Sie in FreeCAD nach, was „Geometrie prüfen“ dazu sagt</translation>
+    </message>
+    <message>
         <source>more filled</source>
         <translation>stärker gefüllt</translation>
     </message>
@@ -5028,6 +5124,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>one size, since nothing finer is meshed</source>
         <translation>eine einzige Größe, da nichts Feineres vernetzt wird</translation>
+    </message>
+    <message>
+        <source>parts of its surface</source>
+        <translation>Teile seiner Oberfläche</translation>
     </message>
     <message>
         <source>plate</source>
@@ -5274,16 +5374,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{count} Warnungen</translation>
     </message>
     <message>
+        <source>{faces} and {count} more</source>
+        <translation>{faces} und {count} weitere</translation>
+    </message>
+    <message>
         <source>{file} cannot be read ({problem}).</source>
         <translation>{file} kann nicht gelesen werden ({problem}).</translation>
+    </message>
+    <message>
+        <source>{file} cannot be read or written ({problem}): check its name, its permissions and the room on its disk.</source>
+        <translation>{file} kann nicht gelesen oder geschrieben werden ({problem}): Prüfen Sie Name, Rechte und Platz auf dem Datenträger.</translation>
     </message>
     <message>
         <source>{file} cannot be written ({problem}): name another place.</source>
         <translation>{file} kann nicht geschrieben werden ({problem}): nennen Sie einen anderen Ort.</translation>
     </message>
     <message>
-        <source>{file} changed while it was read: classify it again.</source>
-        <translation>{file} hat sich während des Lesens geändert: Klassifizieren Sie die Datei erneut.</translation>
+        <source>{file} changed while it was read: measure it again.</source>
+        <translation>{file} wurde beim Lesen geändert: Messen Sie sie noch einmal.</translation>
     </message>
     <message>
         <source>{file} could not be read in time.</source>
@@ -5330,6 +5438,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{file} hat kein Bauteil {part!r}: Vorhanden sind {parts}.</translation>
     </message>
     <message>
+        <source>{file} has the name of a CAD file and was not changed: name another file.</source>
+        <translation>{file} hat den Namen einer CAD-Datei und wurde nicht geändert: eine andere Datei angeben.</translation>
+    </message>
+    <message>
         <source>{file} has {count} parts, and one is written: name it after --part, as {example}.</source>
         <translation>{file} hat {count} Bauteile, und eines wird geschrieben: Nennen Sie es nach --part, etwa {example}.</translation>
     </message>
@@ -5354,6 +5466,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{file} enthält {count} Bauteile: Nennen Sie eines in der Spalte part: {parts}</translation>
     </message>
     <message>
+        <source>{file} is a CAD file that ThinPart did not write, and was not changed: name another file.</source>
+        <translation>{file} ist eine CAD-Datei, die ThinPart nicht geschrieben hat, und wurde nicht geändert: eine andere Datei angeben.</translation>
+    </message>
+    <message>
         <source>{file} is a link that leads back to itself: remove it or link it to a part.</source>
         <translation>{file} ist eine Verknüpfung, die auf sich selbst führt: Entfernen Sie sie oder verknüpfen Sie sie mit einem Bauteil.</translation>
     </message>
@@ -5362,12 +5478,28 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{file} ist eine Verknüpfung, die ins Leere führt: Entfernen Sie sie oder verknüpfen Sie sie mit einem Bauteil.</translation>
     </message>
     <message>
+        <source>{file} is a link to a file that is missing, and was not changed: name the file itself.</source>
+        <translation>{file} ist ein Verweis auf eine Datei, die fehlt, und wurde nicht geändert: die Datei selbst angeben.</translation>
+    </message>
+    <message>
+        <source>{file} is a link to {target}, which is not an output of ThinPart and was not changed: name another file.</source>
+        <translation>{file} ist ein Verweis auf {target}, das keine Ausgabe von ThinPart ist und nicht geändert wurde: eine andere Datei angeben.</translation>
+    </message>
+    <message>
         <source>{file} is a program: it was not opened.</source>
         <translation>{file} ist ein Programm und wurde nicht geöffnet.</translation>
     </message>
     <message>
         <source>{file} is an empty document.</source>
         <translation>{file} ist ein leeres Dokument.</translation>
+    </message>
+    <message>
+        <source>{file} is an info file and was not changed: name another file.</source>
+        <translation>{file} ist eine Infodatei und wurde nicht geändert: eine andere Datei angeben.</translation>
+    </message>
+    <message>
+        <source>{file} is an input of this run and was not changed: name another file.</source>
+        <translation>{file} wird in diesem Lauf gelesen und wurde nicht geändert: eine andere Datei angeben.</translation>
     </message>
     <message>
         <source>{file} is damaged or holds no shape.</source>
@@ -5394,8 +5526,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{file} ist für ein Teil, und es gibt {count}: nennen Sie eines nach --part, etwa {example}.</translation>
     </message>
     <message>
-        <source>{file} is no file of labels that was written here, and is not overwritten: choose another name.</source>
-        <translation>{file} ist keine hier geschriebene Datei mit Einordnungen und wird nicht überschrieben: Wählen Sie einen anderen Namen.</translation>
+        <source>{file} is named for two outputs: name another file for one of them.</source>
+        <translation>{file} ist für zwei Ausgaben angegeben: für eine davon eine andere Datei angeben.</translation>
     </message>
     <message>
         <source>{file} is no file: name a CAD file with one part.</source>
@@ -5438,10 +5570,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{file} ist abgeschnitten: Das Ende fehlt.</translation>
     </message>
     <message>
-        <source>{file} is what is learned from: write the new profile elsewhere.</source>
-        <translation>Aus {file} wird gelernt: Schreiben Sie das neue Profil an einen anderen Ort.</translation>
-    </message>
-    <message>
         <source>{file} needs more memory than {megabytes} MB.</source>
         <translation>{file} braucht mehr als {megabytes} MB Speicher.</translation>
     </message>
@@ -5450,8 +5578,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{file} dauerte länger als {seconds:g} s, das Zeitlimit für eine Datei.</translation>
     </message>
     <message>
+        <source>{file} was not opened: it links to {links}, which is a pipe, a device or a socket, and FreeCAD would wait there for ever. Get it from a source that you trust.</source>
+        <translation>{file} wurde nicht geöffnet: Es verweist auf {links}, eine Pipe, ein Gerät oder einen Socket, und FreeCAD würde dort endlos warten. Beziehen Sie es aus einer Quelle, der Sie vertrauen.</translation>
+    </message>
+    <message>
         <source>{file} was not opened: {problem}, so it would write outside its own folder or hide some of its content. Get it from a source that you trust.</source>
         <translation>{file} wurde nicht geöffnet: {problem}, so würde es außerhalb seines eigenen Ordners schreiben oder einen Teil seines Inhalts verbergen. Beziehen Sie es aus einer Quelle, der Sie vertrauen.</translation>
+    </message>
+    <message>
+        <source>{file} was not written by ThinPart and was not changed: name another file, or allow it to be overwritten (--overwrite).</source>
+        <translation>{file} wurde nicht von ThinPart geschrieben und nicht geändert: eine andere Datei angeben oder das Überschreiben erlauben (--overwrite).</translation>
     </message>
     <message>
         <source>{file} was not written. {reason}</source>
@@ -5460,6 +5596,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{file} was saved again meanwhile: classify it again.</source>
         <translation>{file} wurde inzwischen neu gespeichert: Klassifizieren Sie die Datei erneut.</translation>
+    </message>
+    <message>
+        <source>{file} was written by another program meanwhile and was not changed: name another file.</source>
+        <translation>{file} wurde inzwischen von einem anderen Programm geschrieben und nicht geändert: eine andere Datei angeben.</translation>
     </message>
     <message>
         <source>{file} would have the name of a profile that comes with ThinPart: choose another.</source>
@@ -5502,8 +5642,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{info_file} ist zu groß für eine Infodatei.</translation>
     </message>
     <message>
-        <source>{inside:.3g} mm of the {free:.3g} mm of free edges lie inside the material: there, walls do not meet, or go over into what is left solid. Close these gaps before solving.</source>
-        <translation>{inside:.3g} mm der {free:.3g} mm freier Kanten liegen im Material: Dort treffen sich Wände nicht oder gehen in das über, was massiv bleibt. Schließen Sie diese Lücken vor dem Rechnen.</translation>
+        <source>{inside} of the {free} of free edges lie inside the material: there, walls do not meet, or go over into what is left solid. Close these gaps before solving.</source>
+        <translation>{inside} der {free} freier Kanten liegen im Material: Dort treffen sich Wände nicht oder gehen in das über, was massiv bleibt. Schließen Sie diese Lücken vor dem Rechnen.</translation>
     </message>
     <message>
         <source>{link} was not opened: a link may lead to http:// or https://, or to a file of the library.</source>
@@ -5516,14 +5656,6 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{low} to {high}: {share}</source>
         <translation>{low} bis {high}: {share}</translation>
-    </message>
-    <message>
-        <source>{mm} mm</source>
-        <translation>{mm} mm</translation>
-    </message>
-    <message>
-        <source>{mm} mm, give or take {error} mm,</source>
-        <translation>{mm} mm, auf {error} mm genau,</translation>
     </message>
     <message>
         <source>{number!r} in the condition {condition!r} is not a number.</source>
@@ -5602,40 +5734,40 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{process}: nicht zu entscheiden: Es konnte keine Wand gemessen werden.</translation>
     </message>
     <message>
-        <source>{process}: cannot be told: the surface is open, and there may be walls thinner than the {thinnest} mm that were found.</source>
-        <translation>{process}: nicht zu entscheiden: Die Oberfläche ist offen, und es kann dünnere Wände geben als die gefundenen {thinnest} mm.</translation>
+        <source>{process}: cannot be told: the surface is open, and there may be walls thinner than the {thinnest} that were found.</source>
+        <translation>{process}: nicht zu entscheiden: Die Oberfläche ist offen, und es kann dünnere Wände geben als die gefundenen {thinnest}.</translation>
     </message>
     <message>
-        <source>{process}: cannot be told: the thinnest wall is {thinnest} mm, give or take {error} mm, the limit is {least} mm.</source>
-        <translation>{process}: nicht zu entscheiden: Die dünnste Wand misst {thinnest} mm, auf {error} mm genau, die Grenze ist {least} mm.</translation>
+        <source>{process}: cannot be told: the thinnest wall is {thinnest}, give or take {error:.2g}, the limit is {least}.</source>
+        <translation>{process}: nicht zu entscheiden: Die dünnste Wand misst {thinnest}, auf {error:.2g} genau, die Grenze ist {least}.</translation>
     </message>
     <message>
-        <source>{process}: cannot be told: {share} of the surface lies over more than {most} mm, but a ray may run along a wall there: look at the thickness map.</source>
-        <translation>{process}: nicht zu entscheiden: {share} der Oberfläche liegen über mehr als {most} mm, aber ein Strahl kann dort längs einer Wand laufen: Sehen Sie die Wandstärkenkarte an.</translation>
+        <source>{process}: cannot be told: {share} of the surface lies over more than {most}, but a ray may run along a wall there: look at the thickness map.</source>
+        <translation>{process}: nicht zu entscheiden: {share} der Oberfläche liegen über mehr als {most}, aber ein Strahl kann dort längs einer Wand laufen: Sehen Sie die Wandstärkenkarte an.</translation>
     </message>
     <message>
         <source>{process}: fails: {findings}.</source>
         <translation>{process}: durchgefallen: {findings}.</translation>
     </message>
     <message>
-        <source>{process}: passes within tolerance: the thinnest wall is {thinnest} mm, give or take {error} mm, the limit is {least} mm.</source>
-        <translation>{process}: bestanden im Rahmen der Genauigkeit: Die dünnste Wand misst {thinnest} mm, auf {error} mm genau, die Grenze ist {least} mm.</translation>
+        <source>{process}: passes within tolerance: the thinnest wall is {thinnest}, give or take {error:.2g}, the limit is {least}.</source>
+        <translation>{process}: bestanden im Rahmen der Genauigkeit: Die dünnste Wand misst {thinnest}, auf {error:.2g} genau, die Grenze ist {least}.</translation>
     </message>
     <message>
-        <source>{process}: passes: no wall is over {most} mm.</source>
-        <translation>{process}: bestanden: Keine Wand ist dicker als {most} mm.</translation>
+        <source>{process}: passes: no wall is over {most}.</source>
+        <translation>{process}: bestanden: Keine Wand ist dicker als {most}.</translation>
     </message>
     <message>
-        <source>{process}: passes: the thinnest wall is {thinnest} mm, the limit {least} mm.</source>
-        <translation>{process}: bestanden: Die dünnste Wand misst {thinnest} mm, die Grenze ist {least} mm.</translation>
+        <source>{process}: passes: the thinnest wall is {thinnest}, the limit {least}.</source>
+        <translation>{process}: bestanden: Die dünnste Wand misst {thinnest}, die Grenze ist {least}.</translation>
     </message>
     <message>
-        <source>{process}: passes: the thinnest wall is {thinnest} mm, the limit {least} mm; towards their edges, tapered walls are thinner on {share} of the surface.</source>
-        <translation>{process}: bestanden: Die dünnste Wand misst {thinnest} mm, die Grenze ist {least} mm; zu den Kanten hin sind verjüngte Wände auf {share} der Oberfläche dünner.</translation>
+        <source>{process}: passes: the thinnest wall is {thinnest}, the limit {least}; towards their edges, tapered walls are thinner on {share} of the surface.</source>
+        <translation>{process}: bestanden: Die dünnste Wand misst {thinnest}, die Grenze ist {least}; zu den Kanten hin sind verjüngte Wände auf {share} der Oberfläche dünner.</translation>
     </message>
     <message>
-        <source>{process}: passes: walls from {thinnest} mm on, the limits are {least} and {most} mm.</source>
-        <translation>{process}: bestanden: Wände ab {thinnest} mm, die Grenzen sind {least} und {most} mm.</translation>
+        <source>{process}: passes: walls from {thinnest} on, the limits are {least} and {most}.</source>
+        <translation>{process}: bestanden: Wände ab {thinnest}, die Grenzen sind {least} und {most}.</translation>
     </message>
     <message>
         <source>{profile} cannot be used: {problem} ({place}).</source>
@@ -5648,6 +5780,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{profile} has version {version}; ThinPart reads version 1.</source>
         <translation>{profile} hat Version {version}; ThinPart liest Version 1.</translation>
+    </message>
+    <message>
+        <source>{profile} has {count} conditions, more than {most}: leave some out.</source>
+        <translation>{profile} hat {count} Bedingungen, mehr als {most}: Lassen Sie einige weg.</translation>
     </message>
     <message>
         <source>{profile} is not a ThinPart profile.</source>
@@ -5674,36 +5810,32 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{sentence} Sie blieb unverändert: Verschieben Sie sie, damit sie neu geschrieben wird.</translation>
     </message>
     <message>
-        <source>{share} of the surface lies over walls of more than {most} mm</source>
-        <translation>{share} der Oberfläche liegen über Wänden von mehr als {most} mm</translation>
+        <source>{share} of the surface lies over walls of more than {most}</source>
+        <translation>{share} der Oberfläche liegen über Wänden von mehr als {most}</translation>
     </message>
     <message>
-        <source>{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm, and {plates} over walls that are plates: consider shells (Prepare mesh says whether they can be made).</source>
-        <translation>{share} der Oberfläche liegen über Wänden, die dünner als {limit} mm sind, {part} der mittleren Seite von {middle} mm, und {plates} über Platten: Schalenelemente erwägen (Netz vorbereiten sagt, ob sie möglich sind).</translation>
+        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}, and {plates} over walls that are plates: consider shells (Prepare mesh says whether they can be made).</source>
+        <translation>{share} der Oberfläche liegen über Wänden, die dünner als {limit} sind, {part} der mittleren Seite von {middle}, und {plates} über Platten: Schalenelemente erwägen (Netz vorbereiten sagt, ob sie möglich sind).</translation>
     </message>
     <message>
-        <source>{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm: refine the mesh there.</source>
-        <translation>{share} der Oberfläche liegen über Wänden, die dünner als {limit} mm sind, {part} der mittleren Seite von {middle} mm: das Netz dort verfeinern.</translation>
-    </message>
-    <message>
-        <source>{table} already exists and is not a table of ThinPart: it was not changed; give another file to --csv.</source>
-        <translation>{table} ist schon vorhanden und keine Tabelle von ThinPart: Die Datei blieb unverändert; geben Sie mit --csv eine andere an.</translation>
-    </message>
-    <message>
-        <source>{table} is a part, not a table, and was not changed: name a .csv file after --csv.</source>
-        <translation>{table} ist ein Bauteil und keine Tabelle und blieb unverändert: Nennen Sie nach --csv eine .csv-Datei.</translation>
+        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: refine the mesh there.</source>
+        <translation>{share} der Oberfläche liegen über Wänden, die dünner als {limit} sind, {part} der mittleren Seite von {middle}: das Netz dort verfeinern.</translation>
     </message>
     <message>
         <source>{thickness} and more</source>
         <translation>{thickness} und mehr</translation>
     </message>
     <message>
-        <source>{thin} of the surface is under {least} mm, thinnest {place}</source>
-        <translation>{thin} der Oberfläche sind unter {least} mm, am dünnsten {place}</translation>
+        <source>{thinnest}, give or take {error:.2g},</source>
+        <translation>{thinnest}, auf {error:.2g} genau,</translation>
     </message>
     <message>
-        <source>{thin} of the surface is under {least} mm, thinnest {place}, and {thick} over {most} mm</source>
-        <translation>{thin} der Oberfläche sind unter {least} mm, am dünnsten {place}, und {thick} über {most} mm</translation>
+        <source>{thin} of the surface is under {least}, thinnest {place}</source>
+        <translation>{thin} der Oberfläche sind unter {least}, am dünnsten {place}</translation>
+    </message>
+    <message>
+        <source>{thin} of the surface is under {least}, thinnest {place}, and {thick} over {most}</source>
+        <translation>{thin} der Oberfläche sind unter {least}, am dünnsten {place}, und {thick} über {most}</translation>
     </message>
     <message>
         <source>{title} (rule {number})</source>
@@ -5734,8 +5866,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{whose} enthält neben den Volumenkörpern 1 Fläche, die weggelassen wurde: Schließen Sie sie oder geben Sie ihr eine Wandstärke, wenn sie ein Bauteil ist.</translation>
     </message>
     <message>
+        <source>{whose} holds {count} solids that are only a line, which were left out.</source>
+        <translation>{whose} enthält {count} Körper, die nur eine Linie sind; sie wurden ausgelassen.</translation>
+    </message>
+    <message>
         <source>{whose} holds {faces} faces beside its solids, which were left out: close or thicken them if they are a part.</source>
         <translation>{whose} enthält neben den Volumenkörpern {faces} Flächen, die weggelassen wurden: Schließen Sie sie oder geben Sie ihnen eine Wandstärke, wenn sie ein Bauteil sind.</translation>
+    </message>
+    <message>
+        <source>{x:.3g}, {y:.3g}, {z:.3g}</source>
+        <translation>{x:.3g}; {y:.3g}; {z:.3g}</translation>
     </message>
 </context>
 <context>

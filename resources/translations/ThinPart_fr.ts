@@ -1743,6 +1743,10 @@ Son volume est inconnu.</translation>
         <translation>Retirer ce critère</translation>
     </message>
     <message>
+        <source>Replace it? What it contains will be lost.</source>
+        <translation>Remplacer ce fichier ? Son contenu sera perdu.</translation>
+    </message>
+    <message>
         <source>Report</source>
         <translation>Rapport</translation>
     </message>
@@ -2983,6 +2987,10 @@ Son volume est inconnu.</translation>
         <translation>jusqu'à {} au-dessus</translation>
     </message>
     <message>
+        <source>values are missing or of another kind</source>
+        <translation>des valeurs manquent ou sont d’un autre type</translation>
+    </message>
+    <message>
         <source>wedge {:g}–{:g}°</source>
         <translation>coin {:g}–{:g}°</translation>
     </message>
@@ -3213,6 +3221,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{} was not opened: it is not a CAD file that ThinPart reads.</source>
         <translation>{} n’a pas été ouvert : ce n’est pas un fichier CAO que ThinPart lit.</translation>
+    </message>
+    <message>
+        <source>{} was not written by ThinPart.</source>
+        <translation>{} n'a pas été écrit par ThinPart.</translation>
     </message>
     <message>
         <source>{}, and share of the diagonal</source>
@@ -3554,8 +3566,20 @@ Son volume est inconnu.</translation>
         <translation>FreeCAD ne peut pas ouvrir {file} ({problem}).</translation>
     </message>
     <message>
+        <source>FreeCAD cannot read it</source>
+        <translation>FreeCAD ne peut pas le lire</translation>
+    </message>
+    <message>
+        <source>FreeCAD cannot read it: open it in the program it came from, and export it again</source>
+        <translation>FreeCAD ne peut pas le lire : ouvrez-le dans le programme d’origine et exportez-le à nouveau</translation>
+    </message>
+    <message>
         <source>FreeCAD cannot read {file} ({problem}).</source>
         <translation>FreeCAD ne peut pas lire {file} ({problem}).</translation>
+    </message>
+    <message>
+        <source>FreeCAD cannot write them</source>
+        <translation>FreeCAD ne peut pas les écrire</translation>
     </message>
     <message>
         <source>FreeCAD could not tessellate any of its faces.</source>
@@ -3582,8 +3606,20 @@ Son volume est inconnu.</translation>
         <translation>FreeCAD ne suit aucun lien depuis un document dont le chemin n'est pas du texte UTF-8 ou contient une barre oblique inverse : renommez {file} ou son dossier.</translation>
     </message>
     <message>
+        <source>FreeCAD finds no cut</source>
+        <translation>FreeCAD ne trouve pas de coupe</translation>
+    </message>
+    <message>
         <source>FreeCAD needs a home folder, but {folder} is not accessible: set FREECAD_USER_HOME to a folder that is.</source>
         <translation>FreeCAD a besoin d’un dossier personnel, mais {folder} n’est pas accessible : donnez à FREECAD_USER_HOME un dossier accessible.</translation>
+    </message>
+    <message>
+        <source>FreeCAD's mesher left out {left_out}: a copy was measured whose edges were fitted to its faces; check the shape of the part, and export it again if it is damaged.</source>
+        <translation>Le mailleur de FreeCAD a omis {left_out} : une copie dont les arêtes ont été ajustées aux faces a été mesurée ; vérifiez la forme de la pièce, et exportez-la à nouveau si elle est endommagée.</translation>
+    </message>
+    <message>
+        <source>FreeCAD's mesher left out {left_out}: a copy was measured whose surfaces were converted to splines; its volume agrees with that of the part.</source>
+        <translation>Le mailleur de FreeCAD a omis {left_out} : une copie dont les surfaces ont été converties en splines a été mesurée ; son volume concorde avec celui de la pièce.</translation>
     </message>
     <message>
         <source>From behind, below</source>
@@ -3838,8 +3874,8 @@ Son volume est inconnu.</translation>
         <translation>Aucune paroi de {part} n’est assez large et mince pour une coque : maillez la pièce comme solide.</translation>
     </message>
     <message>
-        <source>No walls are thinner than {limit} mm, {part} of the middle side of {middle} mm: mesh it with solids.</source>
-        <translation>Aucune paroi n'est plus mince que {limit} mm, {part} du côté médian de {middle} mm : mailler en éléments volumiques.</translation>
+        <source>No walls are thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
+        <translation>Aucune paroi n'est plus mince que {limit}, {part} du côté médian de {middle} : mailler en éléments volumiques.</translation>
     </message>
     <message>
         <source>Normal part</source>
@@ -3882,8 +3918,12 @@ Son volume est inconnu.</translation>
         <translation>Nylon (PA)</translation>
     </message>
     <message>
-        <source>Only {share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm: mesh it with solids.</source>
-        <translation>Seulement {share} de la surface recouvre des parois plus minces que {limit} mm, {part} du côté médian de {middle} mm : mailler en éléments volumiques.</translation>
+        <source>One of the given paths is empty: name a file or a folder.</source>
+        <translation>Un des chemins donnés est vide : indiquez un fichier ou un dossier.</translation>
+    </message>
+    <message>
+        <source>Only {share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
+        <translation>Seulement {share} de la surface recouvre des parois plus minces que {limit}, {part} du côté médian de {middle} : mailler en éléments volumiques.</translation>
     </message>
     <message>
         <source>Part</source>
@@ -4134,12 +4174,20 @@ Son volume est inconnu.</translation>
         <translation>La condition {condition!r} n’est pas comprise : écrivez une grandeur, un des signes {comparisons} et un nombre, comme « D2/D3 &gt; 6 ».</translation>
     </message>
     <message>
+        <source>The current folder no longer exists: change to another one.</source>
+        <translation>Le dossier courant n'existe plus : passez à un autre.</translation>
+    </message>
+    <message>
         <source>The document '{document}' is empty: make or import a solid first.</source>
         <translation>Le document « {document} » est vide : créez ou importez d’abord un solide.</translation>
     </message>
     <message>
         <source>The document has no such part any more: classify it again.</source>
         <translation>Le document n’a plus cette pièce : classifiez-le à nouveau.</translation>
+    </message>
+    <message>
+        <source>The document links to {links}, which is a pipe, a device or a socket: it was not opened, and what is linked to is missing.</source>
+        <translation>Le document renvoie à {links}, qui est un tube, un périphérique ou un socket : il n'a pas été ouvert, et ce à quoi il renvoie manque.</translation>
     </message>
     <message>
         <source>The document names Python modules that are not FreeCAD's ({names}): they were not loaded, and objects that need them may lack their shape.</source>
@@ -4228,6 +4276,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>The info file {info_file} could not be written ({problem}): make room or choose another place for it.</source>
         <translation>Le fichier d’information {info_file} n’a pas pu être écrit ({problem}) : faites de la place ou choisissez un autre emplacement.</translation>
+    </message>
+    <message>
+        <source>The info file {info_file} could not be written: another program keeps the folder {folder} locked; end that program, or choose another place for info files.</source>
+        <translation>Le fichier d’information {info_file} n’a pas pu être écrit : un autre programme garde le dossier {folder} verrouillé ; arrêtez ce programme, ou choisissez un autre endroit pour les fichiers d’information.</translation>
     </message>
     <message>
         <source>The info file {info_file} crashed the process that read it.</source>
@@ -4342,16 +4394,16 @@ Son volume est inconnu.</translation>
         <translation>La pièce entière est mince : envisagez un maillage de coque ou une surface moyenne.</translation>
     </message>
     <message>
-        <source>The part is slender: its lengths are accurate to {error:.2g} mm only, a finer mesh would be too large.</source>
-        <translation>La pièce est élancée : ses longueurs ne sont connues qu'à {error:.2g} mm près, un maillage plus fin serait trop grand.</translation>
+        <source>The part is slender: its lengths are accurate to {error:.2g} only, a finer mesh would be too large.</source>
+        <translation>La pièce est élancée : ses longueurs ne sont connues qu'à {error:.2g} près, un maillage plus fin serait trop grand.</translation>
     </message>
     <message>
-        <source>The part is too slender or too fine to be measured: it needs more than {triangles:,} triangles, with fewer its lengths are accurate to {mm:.2g} mm only.</source>
-        <translation>La pièce est trop élancée ou trop fine pour être mesurée : il faut plus de {triangles:,} triangles, avec moins ses longueurs ne sont connues qu'à {mm:.2g} mm près.</translation>
+        <source>The part is too slender or too fine to be measured: it needs more than {triangles:,} triangles, with fewer its lengths are accurate to {mm:.2g} only.</source>
+        <translation>La pièce est trop élancée ou trop fine pour être mesurée : il faut plus de {triangles:,} triangles, avec moins ses longueurs ne sont connues qu'à {mm:.2g} près.</translation>
     </message>
     <message>
-        <source>The part is {mm:.3g} mm across: check that the file's unit is millimetres.</source>
-        <translation>La pièce mesure {mm:.3g} mm en diagonale : vérifiez que l’unité du fichier est le millimètre.</translation>
+        <source>The part is {mm} across: check that the file's unit is millimetres.</source>
+        <translation>La pièce mesure {mm} en diagonale : vérifiez que l’unité du fichier est le millimètre.</translation>
     </message>
     <message>
         <source>The parts lie on several drives: name those of one drive at a time.</source>
@@ -4368,6 +4420,14 @@ Son volume est inconnu.</translation>
     <message>
         <source>The profile {profile} has no category {categories}: labels from meshing are of these.</source>
         <translation>Le profil {profile} n’a pas de catégorie {categories} : les étiquettes par maillage en sont.</translation>
+    </message>
+    <message>
+        <source>The script opens {copy}, a copy of the part beside it.</source>
+        <translation>Le script ouvre {copy}, une copie de la pièce à côté de lui.</translation>
+    </message>
+    <message>
+        <source>The search has {count} conditions, words and names, more than {most}: leave some out.</source>
+        <translation>La recherche contient {count} conditions, mots et noms, plus que {most} : retirez-en.</translation>
     </message>
     <message>
         <source>The search index {file} cannot be saved ({problem}): it was built in memory, and the next search has to build it again.</source>
@@ -4406,10 +4466,6 @@ Son volume est inconnu.</translation>
         <translation>La surface était à l’envers et a été retournée.</translation>
     </message>
     <message>
-        <source>The table {table} cannot be written ({problem}): give another file to --csv.</source>
-        <translation>Le tableau {table} ne peut pas être écrit ({problem}) : donnez un autre fichier à --csv.</translation>
-    </message>
-    <message>
         <source>The thickness map {file} cannot be read: measure the part again.</source>
         <translation>La carte des épaisseurs {file} ne peut pas être lue : mesurez la pièce à nouveau.</translation>
     </message>
@@ -4422,20 +4478,20 @@ Son volume est inconnu.</translation>
         <translation>Les plus minces d’abord ; est mince ce qui est sur des parois sous {limit}</translation>
     </message>
     <message>
-        <source>The thinnest wall is {wall:.3g} mm ± {error:.2g} mm: a finer mesh would be too large.</source>
-        <translation>La paroi la plus mince mesure {wall:.3g} mm ± {error:.2g} mm : un maillage plus fin serait trop grand.</translation>
+        <source>The thinnest wall is {wall} ± {error:.2g}: a finer mesh would be too large.</source>
+        <translation>La paroi la plus mince mesure {wall} ± {error:.2g} : un maillage plus fin serait trop grand.</translation>
     </message>
     <message>
-        <source>The thinnest wall, {wall:.3g} mm, is below what the mesh resolves ({error:.2g} mm).</source>
-        <translation>La paroi la plus mince, {wall:.3g} mm, est en dessous de ce que le maillage résout ({error:.2g} mm).</translation>
+        <source>The thinnest wall, {wall}, is below what the mesh resolves ({error:.2g}).</source>
+        <translation>La paroi la plus mince, {wall}, est en dessous de ce que le maillage résout ({error:.2g}).</translation>
     </message>
     <message>
         <source>The triangles are not consistently oriented, so it has no certain volume.</source>
         <translation>Les triangles ne sont pas orientés de façon cohérente, le volume n’est donc pas certain.</translation>
     </message>
     <message>
-        <source>The walls of {part} do not meet: {inside:.3g} mm of the {free:.3g} mm of free edges of its mid-surface lie inside the material. Mesh it as a solid.</source>
-        <translation>Les parois de {part} ne se rejoignent pas : {inside:.3g} mm des {free:.3g} mm d’arêtes libres de sa surface moyenne sont dans la matière. Maillez la pièce comme solide.</translation>
+        <source>The walls of {part} do not meet: {inside} of the {free} of free edges of its mid-surface lie inside the material. Mesh it as a solid.</source>
+        <translation>Les parois de {part} ne se rejoignent pas : {inside} des {free} d’arêtes libres de sa surface moyenne sont dans la matière. Maillez la pièce comme solide.</translation>
     </message>
     <message>
         <source>The worker process failed ({problem}).</source>
@@ -4627,7 +4683,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Two lines of a nozzle of 0.4 mm.</source>
-        <translation>Deux cordons d’une buse de 0.4 mm.</translation>
+        <translation>Deux cordons d’une buse de 0,4 mm.</translation>
     </message>
     <message>
         <source>Unknown</source>
@@ -4706,6 +4762,10 @@ Son volume est inconnu.</translation>
         <translation>un bloc de ses éléments est vide</translation>
     </message>
     <message>
+        <source>a number in it is too long</source>
+        <translation>un nombre y est trop long</translation>
+    </message>
+    <message>
         <source>along the principal axes; diagonal {diagonal}</source>
         <translation>selon les axes principaux ; diagonale {diagonal}</translation>
     </message>
@@ -4734,6 +4794,10 @@ Son volume est inconnu.</translation>
         <translation>une erreur inattendue</translation>
     </message>
     <message>
+        <source>an unexpected error in ThinPart: try again, and report it with the file if it happens again</source>
+        <translation>une erreur inattendue dans ThinPart : réessayez, et signalez-la avec le fichier si elle se reproduit</translation>
+    </message>
+    <message>
         <source>and {count} more</source>
         <translation>et {count} autres</translation>
     </message>
@@ -4744,6 +4808,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>angular deflection</source>
         <translation>Déflexion angulaire</translation>
+    </message>
+    <message>
+        <source>another program keeps the folder locked</source>
+        <translation>un autre programme garde le dossier verrouillé</translation>
     </message>
     <message>
         <source>as it was open in FreeCAD, not saved</source>
@@ -4772,6 +4840,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>box as long</source>
         <translation>boîte aussi longue</translation>
+    </message>
+    <message>
+        <source>byte {place} is not text in Unicode</source>
+        <translation>l'octet {place} n'est pas du texte Unicode</translation>
     </message>
     <message>
         <source>colours stand for the largest ball inside that touches the surface</source>
@@ -4858,6 +4930,10 @@ Son volume est inconnu.</translation>
         <translation>format n’est pas {format!r}</translation>
     </message>
     <message>
+        <source>it cannot be unpacked</source>
+        <translation>il ne peut pas être décompressé</translation>
+    </message>
+    <message>
         <source>it has no triangles</source>
         <translation>elle n’a pas de triangles</translation>
     </message>
@@ -4870,8 +4946,24 @@ Son volume est inconnu.</translation>
         <translation>c’est un fichier</translation>
     </message>
     <message>
+        <source>it is damaged or incomplete</source>
+        <translation>il est endommagé ou incomplet</translation>
+    </message>
+    <message>
+        <source>it is larger than {megabytes} MB</source>
+        <translation>il dépasse {megabytes} Mo</translation>
+    </message>
+    <message>
         <source>it is nested too deeply</source>
         <translation>l’imbrication est trop profonde</translation>
+    </message>
+    <message>
+        <source>it is not JSON: line {line} column {column}</source>
+        <translation>ce n’est pas du JSON : ligne {line}, colonne {column}</translation>
+    </message>
+    <message>
+        <source>it is not UTF-8 text</source>
+        <translation>ce n’est pas du texte UTF-8</translation>
     </message>
     <message>
         <source>it is not a CSV table ({problem})</source>
@@ -4958,6 +5050,10 @@ Son volume est inconnu.</translation>
         <translation>boîte plus longue</translation>
     </message>
     <message>
+        <source>look in FreeCAD what 'Check geometry' says about it</source>
+        <translation>voyez dans FreeCAD ce qu’en dit « Vérifier la géométrie »</translation>
+    </message>
+    <message>
         <source>more filled</source>
         <translation>plus remplie</translation>
     </message>
@@ -5028,6 +5124,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>one size, since nothing finer is meshed</source>
         <translation>une seule taille, car rien de plus fin ne se maille</translation>
+    </message>
+    <message>
+        <source>parts of its surface</source>
+        <translation>des parties de sa surface</translation>
     </message>
     <message>
         <source>plate</source>
@@ -5274,16 +5374,24 @@ Son volume est inconnu.</translation>
         <translation>{count} avertissements</translation>
     </message>
     <message>
+        <source>{faces} and {count} more</source>
+        <translation>{faces} et {count} autres</translation>
+    </message>
+    <message>
         <source>{file} cannot be read ({problem}).</source>
         <translation>{file} ne peut pas être lu ({problem}).</translation>
+    </message>
+    <message>
+        <source>{file} cannot be read or written ({problem}): check its name, its permissions and the room on its disk.</source>
+        <translation>{file} ne peut être ni lu ni écrit ({problem}) : vérifiez son nom, ses droits et la place sur le disque.</translation>
     </message>
     <message>
         <source>{file} cannot be written ({problem}): name another place.</source>
         <translation>{file} ne peut pas être écrit ({problem}) : indiquez un autre emplacement.</translation>
     </message>
     <message>
-        <source>{file} changed while it was read: classify it again.</source>
-        <translation>{file} a changé pendant la lecture : classifiez à nouveau ce fichier.</translation>
+        <source>{file} changed while it was read: measure it again.</source>
+        <translation>{file} a été modifié pendant la lecture : mesurez-le à nouveau.</translation>
     </message>
     <message>
         <source>{file} could not be read in time.</source>
@@ -5330,6 +5438,10 @@ Son volume est inconnu.</translation>
         <translation>{file} n’a pas de pièce {part!r} : il a {parts}.</translation>
     </message>
     <message>
+        <source>{file} has the name of a CAD file and was not changed: name another file.</source>
+        <translation>{file} porte le nom d'un fichier CAO et n'a pas été modifié : indiquer un autre fichier.</translation>
+    </message>
+    <message>
         <source>{file} has {count} parts, and one is written: name it after --part, as {example}.</source>
         <translation>{file} contient {count} pièces, et une seule est écrite : nommez-la après --part, par exemple {example}.</translation>
     </message>
@@ -5354,6 +5466,10 @@ Son volume est inconnu.</translation>
         <translation>{file} contient {count} pièces : nommez-en une dans la colonne part : {parts}</translation>
     </message>
     <message>
+        <source>{file} is a CAD file that ThinPart did not write, and was not changed: name another file.</source>
+        <translation>{file} est un fichier CAO que ThinPart n'a pas écrit et n'a pas été modifié : indiquer un autre fichier.</translation>
+    </message>
+    <message>
         <source>{file} is a link that leads back to itself: remove it or link it to a part.</source>
         <translation>{file} est un lien qui mène à lui-même : retirez-le ou liez-le à une pièce.</translation>
     </message>
@@ -5362,12 +5478,28 @@ Son volume est inconnu.</translation>
         <translation>{file} est un lien qui ne mène nulle part : retirez-le ou liez-le à une pièce.</translation>
     </message>
     <message>
+        <source>{file} is a link to a file that is missing, and was not changed: name the file itself.</source>
+        <translation>{file} est un lien vers un fichier absent et n'a pas été modifié : indiquer le fichier lui-même.</translation>
+    </message>
+    <message>
+        <source>{file} is a link to {target}, which is not an output of ThinPart and was not changed: name another file.</source>
+        <translation>{file} est un lien vers {target}, qui n'est pas une sortie de ThinPart et n'a pas été modifié : indiquer un autre fichier.</translation>
+    </message>
+    <message>
         <source>{file} is a program: it was not opened.</source>
         <translation>{file} est un programme et n’a pas été ouvert.</translation>
     </message>
     <message>
         <source>{file} is an empty document.</source>
         <translation>{file} est un document vide.</translation>
+    </message>
+    <message>
+        <source>{file} is an info file and was not changed: name another file.</source>
+        <translation>{file} est un fichier d'information et n'a pas été modifié : indiquer un autre fichier.</translation>
+    </message>
+    <message>
+        <source>{file} is an input of this run and was not changed: name another file.</source>
+        <translation>{file} est lu par cette exécution et n'a pas été modifié : indiquer un autre fichier.</translation>
     </message>
     <message>
         <source>{file} is damaged or holds no shape.</source>
@@ -5394,8 +5526,8 @@ Son volume est inconnu.</translation>
         <translation>{file} est pour une pièce, et il y en a {count} : nommez-en une après --part, par exemple {example}.</translation>
     </message>
     <message>
-        <source>{file} is no file of labels that was written here, and is not overwritten: choose another name.</source>
-        <translation>{file} n’est pas un fichier d’étiquettes écrit ici et n’est pas remplacé : choisissez un autre nom.</translation>
+        <source>{file} is named for two outputs: name another file for one of them.</source>
+        <translation>{file} est indiqué pour deux sorties : indiquer un autre fichier pour l'une d'elles.</translation>
     </message>
     <message>
         <source>{file} is no file: name a CAD file with one part.</source>
@@ -5438,10 +5570,6 @@ Son volume est inconnu.</translation>
         <translation>{file} est tronqué : la fin manque.</translation>
     </message>
     <message>
-        <source>{file} is what is learned from: write the new profile elsewhere.</source>
-        <translation>{file} est ce dont on apprend : écrivez le nouveau profil ailleurs.</translation>
-    </message>
-    <message>
         <source>{file} needs more memory than {megabytes} MB.</source>
         <translation>{file} demande plus de {megabytes} Mo de mémoire.</translation>
     </message>
@@ -5450,8 +5578,16 @@ Son volume est inconnu.</translation>
         <translation>{file} a pris plus de {seconds:g} s, la limite pour un fichier.</translation>
     </message>
     <message>
+        <source>{file} was not opened: it links to {links}, which is a pipe, a device or a socket, and FreeCAD would wait there for ever. Get it from a source that you trust.</source>
+        <translation>{file} n'a pas été ouvert : il renvoie à {links}, qui est un tube, un périphérique ou un socket, et FreeCAD y attendrait sans fin. Procurez-vous-le auprès d'une source de confiance.</translation>
+    </message>
+    <message>
         <source>{file} was not opened: {problem}, so it would write outside its own folder or hide some of its content. Get it from a source that you trust.</source>
         <translation>{file} n'a pas été ouvert : {problem}, il écrirait donc hors de son propre dossier ou cacherait une partie de son contenu. Procurez-vous-le auprès d’une source de confiance.</translation>
+    </message>
+    <message>
+        <source>{file} was not written by ThinPart and was not changed: name another file, or allow it to be overwritten (--overwrite).</source>
+        <translation>{file} n'a pas été écrit par ThinPart et n'a pas été modifié : indiquer un autre fichier ou permettre de l'écraser (--overwrite).</translation>
     </message>
     <message>
         <source>{file} was not written. {reason}</source>
@@ -5460,6 +5596,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{file} was saved again meanwhile: classify it again.</source>
         <translation>{file} a été réenregistré entre-temps : classifiez-le à nouveau.</translation>
+    </message>
+    <message>
+        <source>{file} was written by another program meanwhile and was not changed: name another file.</source>
+        <translation>{file} a été écrit entre-temps par un autre programme et n'a pas été modifié : indiquer un autre fichier.</translation>
     </message>
     <message>
         <source>{file} would have the name of a profile that comes with ThinPart: choose another.</source>
@@ -5502,8 +5642,8 @@ Son volume est inconnu.</translation>
         <translation>{info_file} est trop grand pour un fichier d’information.</translation>
     </message>
     <message>
-        <source>{inside:.3g} mm of the {free:.3g} mm of free edges lie inside the material: there, walls do not meet, or go over into what is left solid. Close these gaps before solving.</source>
-        <translation>{inside:.3g} mm des {free:.3g} mm d’arêtes libres sont dans la matière : là, des parois ne se rejoignent pas ou passent à ce qui reste solide. Fermez ces lacunes avant le calcul.</translation>
+        <source>{inside} of the {free} of free edges lie inside the material: there, walls do not meet, or go over into what is left solid. Close these gaps before solving.</source>
+        <translation>{inside} des {free} d’arêtes libres sont dans la matière : là, des parois ne se rejoignent pas ou passent à ce qui reste solide. Fermez ces lacunes avant le calcul.</translation>
     </message>
     <message>
         <source>{link} was not opened: a link may lead to http:// or https://, or to a file of the library.</source>
@@ -5516,14 +5656,6 @@ Son volume est inconnu.</translation>
     <message>
         <source>{low} to {high}: {share}</source>
         <translation>{low} à {high} : {share}</translation>
-    </message>
-    <message>
-        <source>{mm} mm</source>
-        <translation>{mm} mm</translation>
-    </message>
-    <message>
-        <source>{mm} mm, give or take {error} mm,</source>
-        <translation>{mm} mm, à {error} mm près,</translation>
     </message>
     <message>
         <source>{number!r} in the condition {condition!r} is not a number.</source>
@@ -5602,40 +5734,40 @@ Son volume est inconnu.</translation>
         <translation>{process} : indécidable : aucune paroi n’a pu être mesurée.</translation>
     </message>
     <message>
-        <source>{process}: cannot be told: the surface is open, and there may be walls thinner than the {thinnest} mm that were found.</source>
-        <translation>{process} : indécidable : la surface est ouverte, et il peut y avoir des parois plus minces que les {thinnest} mm trouvés.</translation>
+        <source>{process}: cannot be told: the surface is open, and there may be walls thinner than the {thinnest} that were found.</source>
+        <translation>{process} : indécidable : la surface est ouverte, et il peut y avoir des parois plus minces que les {thinnest} trouvés.</translation>
     </message>
     <message>
-        <source>{process}: cannot be told: the thinnest wall is {thinnest} mm, give or take {error} mm, the limit is {least} mm.</source>
-        <translation>{process} : indécidable : la paroi la plus mince fait {thinnest} mm, à {error} mm près, la limite est {least} mm.</translation>
+        <source>{process}: cannot be told: the thinnest wall is {thinnest}, give or take {error:.2g}, the limit is {least}.</source>
+        <translation>{process} : indécidable : la paroi la plus mince fait {thinnest}, à {error:.2g} près, la limite est {least}.</translation>
     </message>
     <message>
-        <source>{process}: cannot be told: {share} of the surface lies over more than {most} mm, but a ray may run along a wall there: look at the thickness map.</source>
-        <translation>{process} : indécidable : {share} de la surface est au-dessus de plus de {most} mm, mais un rayon peut y suivre une paroi : regardez la carte d’épaisseur.</translation>
+        <source>{process}: cannot be told: {share} of the surface lies over more than {most}, but a ray may run along a wall there: look at the thickness map.</source>
+        <translation>{process} : indécidable : {share} de la surface est au-dessus de plus de {most}, mais un rayon peut y suivre une paroi : regardez la carte d’épaisseur.</translation>
     </message>
     <message>
         <source>{process}: fails: {findings}.</source>
         <translation>{process} : échoue : {findings}.</translation>
     </message>
     <message>
-        <source>{process}: passes within tolerance: the thinnest wall is {thinnest} mm, give or take {error} mm, the limit is {least} mm.</source>
-        <translation>{process} : conforme dans la tolérance : la paroi la plus mince fait {thinnest} mm, à {error} mm près, la limite est {least} mm.</translation>
+        <source>{process}: passes within tolerance: the thinnest wall is {thinnest}, give or take {error:.2g}, the limit is {least}.</source>
+        <translation>{process} : conforme dans la tolérance : la paroi la plus mince fait {thinnest}, à {error:.2g} près, la limite est {least}.</translation>
     </message>
     <message>
-        <source>{process}: passes: no wall is over {most} mm.</source>
-        <translation>{process} : conforme : aucune paroi ne dépasse {most} mm.</translation>
+        <source>{process}: passes: no wall is over {most}.</source>
+        <translation>{process} : conforme : aucune paroi ne dépasse {most}.</translation>
     </message>
     <message>
-        <source>{process}: passes: the thinnest wall is {thinnest} mm, the limit {least} mm.</source>
-        <translation>{process} : conforme : la paroi la plus mince fait {thinnest} mm, la limite {least} mm.</translation>
+        <source>{process}: passes: the thinnest wall is {thinnest}, the limit {least}.</source>
+        <translation>{process} : conforme : la paroi la plus mince fait {thinnest}, la limite {least}.</translation>
     </message>
     <message>
-        <source>{process}: passes: the thinnest wall is {thinnest} mm, the limit {least} mm; towards their edges, tapered walls are thinner on {share} of the surface.</source>
-        <translation>{process} : conforme : la paroi la plus mince fait {thinnest} mm, la limite {least} mm ; vers leurs arêtes, des parois en dépouille sont plus minces sur {share} de la surface.</translation>
+        <source>{process}: passes: the thinnest wall is {thinnest}, the limit {least}; towards their edges, tapered walls are thinner on {share} of the surface.</source>
+        <translation>{process} : conforme : la paroi la plus mince fait {thinnest}, la limite {least} ; vers leurs arêtes, des parois en dépouille sont plus minces sur {share} de la surface.</translation>
     </message>
     <message>
-        <source>{process}: passes: walls from {thinnest} mm on, the limits are {least} and {most} mm.</source>
-        <translation>{process} : conforme : parois à partir de {thinnest} mm, les limites sont {least} et {most} mm.</translation>
+        <source>{process}: passes: walls from {thinnest} on, the limits are {least} and {most}.</source>
+        <translation>{process} : conforme : parois à partir de {thinnest}, les limites sont {least} et {most}.</translation>
     </message>
     <message>
         <source>{profile} cannot be used: {problem} ({place}).</source>
@@ -5648,6 +5780,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{profile} has version {version}; ThinPart reads version 1.</source>
         <translation>{profile} a la version {version} ; ThinPart lit la version 1.</translation>
+    </message>
+    <message>
+        <source>{profile} has {count} conditions, more than {most}: leave some out.</source>
+        <translation>{profile} contient {count} conditions, plus que {most} : retirez-en.</translation>
     </message>
     <message>
         <source>{profile} is not a ThinPart profile.</source>
@@ -5674,36 +5810,32 @@ Son volume est inconnu.</translation>
         <translation>{sentence} Il est resté inchangé : déplacez-le pour qu’il soit réécrit.</translation>
     </message>
     <message>
-        <source>{share} of the surface lies over walls of more than {most} mm</source>
-        <translation>{share} de la surface est au-dessus de parois de plus de {most} mm</translation>
+        <source>{share} of the surface lies over walls of more than {most}</source>
+        <translation>{share} de la surface est au-dessus de parois de plus de {most}</translation>
     </message>
     <message>
-        <source>{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm, and {plates} over walls that are plates: consider shells (Prepare mesh says whether they can be made).</source>
-        <translation>{share} de la surface recouvre des parois plus minces que {limit} mm, {part} du côté médian de {middle} mm, et {plates} des plaques : envisager des éléments de coque (Préparer le maillage dit s’ils sont possibles).</translation>
+        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}, and {plates} over walls that are plates: consider shells (Prepare mesh says whether they can be made).</source>
+        <translation>{share} de la surface recouvre des parois plus minces que {limit}, {part} du côté médian de {middle}, et {plates} des plaques : envisager des éléments de coque (Préparer le maillage dit s’ils sont possibles).</translation>
     </message>
     <message>
-        <source>{share} of the surface lies over walls thinner than {limit} mm, {part} of the middle side of {middle} mm: refine the mesh there.</source>
-        <translation>{share} de la surface recouvre des parois plus minces que {limit} mm, {part} du côté médian de {middle} mm : y raffiner le maillage.</translation>
-    </message>
-    <message>
-        <source>{table} already exists and is not a table of ThinPart: it was not changed; give another file to --csv.</source>
-        <translation>{table} existe déjà et n’est pas un tableau de ThinPart : il est resté inchangé ; donnez un autre fichier à --csv.</translation>
-    </message>
-    <message>
-        <source>{table} is a part, not a table, and was not changed: name a .csv file after --csv.</source>
-        <translation>{table} est une pièce et non un tableau, et est resté inchangé : nommez un fichier .csv après --csv.</translation>
+        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: refine the mesh there.</source>
+        <translation>{share} de la surface recouvre des parois plus minces que {limit}, {part} du côté médian de {middle} : y raffiner le maillage.</translation>
     </message>
     <message>
         <source>{thickness} and more</source>
         <translation>{thickness} et plus</translation>
     </message>
     <message>
-        <source>{thin} of the surface is under {least} mm, thinnest {place}</source>
-        <translation>{thin} de la surface est sous {least} mm, au plus mince {place}</translation>
+        <source>{thinnest}, give or take {error:.2g},</source>
+        <translation>{thinnest}, à {error:.2g} près,</translation>
     </message>
     <message>
-        <source>{thin} of the surface is under {least} mm, thinnest {place}, and {thick} over {most} mm</source>
-        <translation>{thin} de la surface est sous {least} mm, au plus mince {place}, et {thick} au-dessus de {most} mm</translation>
+        <source>{thin} of the surface is under {least}, thinnest {place}</source>
+        <translation>{thin} de la surface est sous {least}, au plus mince {place}</translation>
+    </message>
+    <message>
+        <source>{thin} of the surface is under {least}, thinnest {place}, and {thick} over {most}</source>
+        <translation>{thin} de la surface est sous {least}, au plus mince {place}, et {thick} au-dessus de {most}</translation>
     </message>
     <message>
         <source>{title} (rule {number})</source>
@@ -5734,8 +5866,16 @@ Son volume est inconnu.</translation>
         <translation>{whose} contient, outre ses solides, 1 face qui a été omise : fermez-la ou épaississez-la si c’est une pièce.</translation>
     </message>
     <message>
+        <source>{whose} holds {count} solids that are only a line, which were left out.</source>
+        <translation>{whose} contient {count} solides qui ne sont qu’une ligne ; ils ont été omis.</translation>
+    </message>
+    <message>
         <source>{whose} holds {faces} faces beside its solids, which were left out: close or thicken them if they are a part.</source>
         <translation>{whose} contient, outre ses solides, {faces} faces qui ont été omises : fermez-les ou épaississez-les si elles forment une pièce.</translation>
+    </message>
+    <message>
+        <source>{x:.3g}, {y:.3g}, {z:.3g}</source>
+        <translation>{x:.3g} ; {y:.3g} ; {z:.3g}</translation>
     </message>
 </context>
 <context>
