@@ -32,15 +32,20 @@ def _run():
     return 0
 
 
-_status = 1
-try:
-    _status = _run()
-except BaseException:  # nothing may reach FreeCADCmd, which would run the script again
-    traceback.print_exc()
-finally:
-    for _stream in (sys.stdout, sys.stderr):
-        try:
-            _stream.flush()
-        except OSError:
-            _status = _status or 1  # the reader has closed the pipe
-    os._exit(_status)
+def _run_and_exit():
+    status = 1
+    try:
+        status = _run()
+    except BaseException:  # nothing may reach FreeCADCmd, which would run the script again
+        traceback.print_exc()
+    finally:
+        for stream in (sys.stdout, sys.stderr):
+            try:
+                stream.flush()
+            except OSError:
+                status = status or 1  # the reader has closed the pipe
+        os._exit(status)
+
+
+if not __package__:  # FreeCADCmd imports the script by its bare name; as a module of ThinPart it does nothing
+    _run_and_exit()

@@ -2,4 +2,5 @@
 
 import FreeCADGui as Gui
 
-Gui.activateWorkbench("ThinPartWorkbench")
+if not __package__:  # FreeCAD imports the script by its bare name; as a module of ThinPart it does nothing
+    Gui.activateWorkbench("ThinPartWorkbench")

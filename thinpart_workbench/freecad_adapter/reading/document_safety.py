@@ -22,6 +22,7 @@ from ...core.foreign_text import printable, shortened
 from ...core.message import message
 from ...system.file_paths import is_below
 from ..bootstrap import trusted_code_folders
+from ..proxy_modules import OWN_PACKAGE, PROXY_MODULES
 from .damaged_archive import DAMAGED_ARCHIVE
 from .linked_files import linked_files
 
@@ -42,7 +43,6 @@ _MOST_XML = 1 << 30
 """Most bytes of XML; a larger file is an attempt to fill the memory."""
 
 _XML = ("Document.xml", "GuiDocument.xml")
-_OWN_PACKAGE = __package__.partition(".")[0]
 
 
 @dataclass(frozen=True)
@@ -52,9 +52,9 @@ class NamedModules:
     Attributes
     ----------
     trusted : tuple of str
-        Modules in FreeCAD's own folders or those of its add-ons.
+        Modules in FreeCAD's own folders or those of its add-ons, and of ThinPart those of its objects in documents.
     others : tuple of str
-        Modules from anywhere else; importing them runs code that does not belong to FreeCAD.
+        All others; importing them runs code that does not belong to FreeCAD.
     """
 
     trusted: tuple
@@ -237,8 +237,10 @@ _NO_MODULES = ("App", "Base", "Data", "Gui")
 
 def _is_trusted(name):
     top = name.partition(".")[0]
-    if top in _NO_MODULES and name == top or top == _OWN_PACKAGE:
+    if top in _NO_MODULES and name == top:
         return True
+    if top == OWN_PACKAGE:
+        return name in PROXY_MODULES
     # Search the current module path, as FreeCAD would.
     spec = importlib.machinery.BuiltinImporter.find_spec(top) or importlib.machinery.PathFinder.find_spec(top)
     if spec is None:
