@@ -9,6 +9,12 @@ if __name__ == "__main__":
         if hasattr(signal, name) and signal.getsignal(getattr(signal, name)) != signal.SIG_IGN:
             # Nothing has started yet. Exit directly, because an exception could get lost in the middle of an import.
             signal.signal(getattr(signal, name), lambda *_: os._exit(130))
-    from .cli import main
+    from .cli import INTERRUPTED, main
 
-    sys.exit(main())
+    status = main()
+    if status == INTERRUPTED:
+        # Python would end by SIGINT instead where the exception came through an `exec`, as of a dataclass.
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(status)
+    sys.exit(status)

@@ -25,14 +25,14 @@ from thinpart_workbench.core.kinds.file_marks import (
     PICTURE,
     PROFILE,
     REPORT,
-    SCRIPT,
     SHELLS,
     TABLE,
 )
 from thinpart_workbench.core.shells.shell_mesh import ShellMesh
 from thinpart_workbench.storage.atomic_file import place_new
+from thinpart_workbench.storage.exchange.geo_file import write_geo
 from thinpart_workbench.storage.exchange.shell_files import write_shell
-from thinpart_workbench.storage.output_file import ForeignFile, write_output
+from thinpart_workbench.storage.output_file import ForeignFile, bears_mark, write_output
 from thinpart_workbench.storage.png import png_bytes
 from thinpart_workbench.workflow.analysis.drawn_part import DrawnPart
 from thinpart_workbench.workflow.report.report_pages import PICTURE_HEIGHT, PICTURE_WIDTH, ReportPages
@@ -240,6 +240,29 @@ def test_shells_of_every_format_and_label_are_written_anew(tmp_path, ending, lab
         write_shell(path, shell, label)
 
 
+@pytest.mark.parametrize("ending, added", [(".inp", "*STEP\n"), (".msh", "$Periodic\n"), (".unv", "    -1\n")])
+def test_a_shell_that_somebody_has_gone_on_with_is_not_written_anew(tmp_path, ending, added):
+    shell = ShellMesh(np.eye(3), np.array([[0, 1, 2]]), np.array([0]), np.array([2.0]))
+    path = tmp_path / f"shell{ending}"
+    write_shell(path, shell, "plate")
+    path.write_text(path.read_text() + added)
+    with pytest.raises(ForeignFile, match="was not written by ThinPart"):
+        write_shell(path, shell, "plate")
+    assert path.read_text().endswith(added)
+    write_shell(path, shell, "plate", overwrite=True)
+    assert bears_mark(path, SHELLS[ending])
+
+
+def test_a_script_that_somebody_has_gone_on_with_is_not_written_anew(tmp_path):
+    path = tmp_path / "plate.geo"
+    write_geo(path, 3.0, None)
+    write_geo(path, 2.0, None)
+    path.write_text(path.read_text() + 'Physical Volume("mine") = {1};\n')
+    with pytest.raises(ForeignFile, match="was not written by ThinPart"):
+        write_geo(path, 2.0, None)
+    assert "mine" in path.read_text()
+
+
 # What happens between the check and the writing
 
 def test_a_file_that_another_program_writes_meanwhile_is_not_lost(tmp_path):
@@ -351,7 +374,6 @@ def test_labels_that_somebody_wrote_or_changed_are_not_replaced(place, capsys):
                    b'header_type="UInt32">\n<PolyData>\n<Piece NumberOfPoints="3" NumberOfPolys="1">\n'
                    b'<PointData Scalars="thickness_mm">\n'),
     (MAPS[".ply"], b"ply\nformat binary_little_endian 1.0\ncomment wall thickness in mm, by ThinPart\nelement vertex 3\n"),
-    (SCRIPT, b"// Element sizes in mm, by ThinPart: open this file in Gmsh.\nMerge"),
     (PAGE, b'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
            b'<meta name="generator" content="ThinPart 0.1">'),
     (PROFILE, json.dumps({"version": 1, "format": "thinpart-profile"}).encode()),

@@ -14,6 +14,7 @@ from ..core.errors import ThinPartError
 from ..core.file_formats import is_shape
 from ..core.judging.classification import classify
 from ..core.judging.criteria import given_profile, profile_from
+from ..core.kinds.file_marks import SCRIPT
 from ..core.message import message
 from ..core.regular_file import open_regular
 from ..core.run_control import RunControl
@@ -27,6 +28,7 @@ from ..storage.exchange.geo_file import write_geo
 from ..storage.exchange.gmsh_shape import OPTIONS, gmsh_ending, is_opened_as_shape, stem_for_gmsh
 from ..storage.exchange.shell_files import SHELL_FORMATS, write_shell
 from ..storage.new_file import write_new
+from ..storage.output_file import check_output
 from ..system.file_paths import relative_path
 from ..workflow.analysis.analyse_part import analyse_part
 from ..workflow.analysis.run_progress import RunProgress
@@ -182,6 +184,7 @@ def write_size_script(path, part, file, solids=1, overwrite=False, inputs=()):
     inner = np.asarray(part["inner"], dtype=np.float64).reshape(-1, 3)
     boxes = size_boxes(field, low, high, inner) if field.least < part["global_size"] else None
     try:
+        check_output(path, SCRIPT, overwrite, [file, *inputs])  # before a copy is made beside it
         opened, copy = _opened_by_script(path, os.path.abspath(file), part.get("mended_shape"), solids)
         write_geo(path, part["global_size"], boxes, opened, part["order"],
                   [(each["name"], each["value"]) for each in part["gmsh_options"]], overwrite, [file, *inputs])

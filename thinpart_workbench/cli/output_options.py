@@ -18,7 +18,7 @@ def add_output_option(parser, *names, mark, **settings):
     parser : ArgumentParser
     *names : str
         Of the option.
-    mark : HeadMark, JsonMark, SealMark or dict
+    mark : HeadMark, SealedHead, JsonMark, SealMark or dict
         What a file bears that may be replaced; by ending, where the option takes several formats; or `FOLDER`.
     **settings
         See `ArgumentParser.add_argument`.

@@ -6,13 +6,13 @@ an escape as in Python (``\\x1b``, ``\\udce9``); a string of Gmsh, which may nam
 """
 
 import csv
+import html
 import io
 import json
 import os
 import re
 import unicodedata
 from urllib.parse import quote
-from xml.sax.saxutils import escape
 
 LONGEST_HEAD = 80
 """Characters of a text in the head of a file: readers split longer lines, and take the rest for a new line."""
@@ -131,7 +131,7 @@ def html_text(text):
 
 def xml_text(text):
     """Text of an element of XML."""
-    return escape(_NOT_IN_XML.sub(lambda found: _escape(found[0]), text), {"\r": "&#13;"})
+    return html.escape(_NOT_IN_XML.sub(lambda found: _escape(found[0]), text), quote=False).replace("\r", "&#13;")
 
 
 def url_path(path):

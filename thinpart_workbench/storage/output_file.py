@@ -36,7 +36,7 @@ def check_output(path, mark, overwrite=False, inputs=()):
     Parameters
     ----------
     path : str or Path
-    mark : HeadMark, JsonMark or SealMark
+    mark : HeadMark, SealedHead, JsonMark or SealMark
         What a file bears that may be replaced.
     overwrite : bool, optional
         Whether the user has said that a file without the mark may be replaced.
@@ -110,6 +110,7 @@ def _place(path, mark, overwrite, inputs):
     """The place of an output, if it may be written."""
     given, is_link = os.path.abspath(path), os.path.islink(path)
     place = os.path.realpath(given) if is_link else given
+    ending = os.path.splitext(given)[1].lower()
     if _has_name_of(given, (INFO_ENDING,)):
         raise _info_refused(given)
     if _has_name_of(given, ENDINGS) and not given.lower().endswith(mark.endings or ("\0",)):
@@ -132,9 +133,9 @@ def _place(path, mark, overwrite, inputs):
                                problem=error.strerror)) from None
     if any(_is_same(each, status) for each in inputs):
         raise _refused(message("{file} is an input of this run and was not changed: name another file.", file=given))
-    if is_info:
+    if is_info or _has_name_of(place, (INFO_ENDING,)):
         raise _info_refused(given)
-    if is_link and not (is_ours and _has_name_of(place, [os.path.splitext(given)[1].lower()])):
+    if is_link and not (is_ours and ending and _has_name_of(place, [ending])):
         raise _refused(message("{file} is a link to {target}, which is not an output of ThinPart and was not changed: name "
                                "another file.", file=given, target=place))
     if not is_ours and _has_name_of(given, ENDINGS):

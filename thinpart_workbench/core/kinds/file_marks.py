@@ -86,6 +86,42 @@ class SealMark:
         return bool(titles) and titles[-1] == _seal([titles[:-1], *rows])
 
 
+@dataclass(frozen=True)
+class SealedHead:
+    """A mark at the start of a file, with a hash of all else in it behind: people add to such files, as loads to a shell.
+
+    What was changed is no longer ThinPart's.
+
+    Attributes
+    ----------
+    pattern : bytes
+        Regular expression, from the first byte to where the hash stands.
+    """
+
+    pattern: bytes
+    endings = ()
+
+    def sealed(self, content):
+        """A file's content with the hash: bytes, as `content`, which begins with the mark."""
+        mark = re.match(self.pattern, content)
+        if mark is None:
+            raise ValueError(self.pattern)
+        end = mark.end()
+        return content[:end] + f" [{_hash(content)}]".encode() + content[end:]
+
+    def is_in(self, file):
+        """Whether an open binary file bears the mark, and all else is as it was written: bool."""
+        content = file.read(_LARGEST_SEALED + 1)
+        found = re.match(self.pattern + rb"(?P<seal> \[[0-9a-f]{16}\])", content)
+        if found is None or len(content) > _LARGEST_SEALED:
+            return False
+        start, end = found.span("seal")
+        return found["seal"].decode() == f" [{_hash(content[:start] + content[end:])}]"
+
+
+_LARGEST_SEALED = 1 << 30
+"""Bytes of a file with such a mark."""
+
 _SEAL = "thinpart:"
 
 
@@ -98,19 +134,23 @@ def _cells(text):
 
 
 def _seal(rows):
-    return _SEAL + hashlib.sha256(json.dumps(rows).encode()).hexdigest()[:16]
+    return _SEAL + _hash(json.dumps(rows).encode())
 
 
-_SHELL = rb"Mid-surface of [^\n]* with the thickness of its walls, by ThinPart\n"
+def _hash(content):
+    return hashlib.sha256(content).hexdigest()[:16]
 
-SCRIPT = HeadMark(rb"// Element sizes in mm, by ThinPart\b")
+
+_SHELL = rb"Mid-surface of [^\n]* with the thickness of its walls, by ThinPart"
+
+SCRIPT = SealedHead(rb"// Element sizes in mm, by ThinPart")
 """Scripts of Gmsh."""
 
 SHELLS = {
-    ".inp": HeadMark(rb"\*\* " + _SHELL),
-    ".msh": HeadMark(rb"\$Comments\n" + _SHELL),
-    # Its lines have 80 characters at most, so that the first may lack the name of the program.
-    ".unv": HeadMark(rb"    -1\n   151\nMid-surface of [^\n]*\nLengths in mm\n"),
+    ".inp": SealedHead(rb"\*\* " + _SHELL),
+    ".msh": SealedHead(rb"\$Comments\n" + _SHELL),
+    # Its lines have 80 characters at most, which the first may need for the label.
+    ".unv": SealedHead(rb"    -1\n   151\nMid-surface of [^\n]*\nLengths in mm, by ThinPart"),
 }
 """Shells, by their endings."""
 

@@ -56,4 +56,5 @@ def geo_text(global_size, boxes, part_file=None, order=1, options=()):
 
 def write_geo(path, global_size, boxes, part_file=None, order=1, options=(), overwrite=False, inputs=()):
     """Write the script, with `overwrite` and `inputs` as in `write_output`; an OSError leaves what was there."""
-    write_output(path, geo_text(global_size, boxes, part_file, order, options).encode(), SCRIPT, overwrite, inputs)
+    text = geo_text(global_size, boxes, part_file, order, options)
+    write_output(path, SCRIPT.sealed(text.encode()), SCRIPT, overwrite, inputs)

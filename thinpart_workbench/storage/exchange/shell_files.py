@@ -33,7 +33,8 @@ def write_shell(path, shell, label, overwrite=False, inputs=()):
     """
     about = f"Mid-surface of {head_text(label)} with the thickness of its walls, by ThinPart"
     ending = os.path.splitext(os.fspath(path))[1].lower()
-    write_output(path, SHELL_FORMATS[ending](shell, about).encode(), SHELLS[ending], overwrite, inputs)
+    mark = SHELLS[ending]
+    write_output(path, mark.sealed(SHELL_FORMATS[ending](shell, about).encode()), mark, overwrite, inputs)
 
 
 def inp_text(shell, about):
@@ -96,7 +97,7 @@ def unv_text(shell, about):
     too, but with its documented factor of 1000, FreeCAD reads millimetres as metres.
     """
     text, (section, thickness) = io.StringIO(), shell.sections()
-    text.write(f"    -1\n   151\n{about[:80]}\nLengths in mm\nThinPart\n\n\n\n\n    -1\n")
+    text.write(f"    -1\n   151\n{about[:80]}\nLengths in mm, by ThinPart\nThinPart\n\n\n\n\n    -1\n")
     text.write("    -1\n  2411\n")
     for number, point in enumerate(shell.points):
         text.write(f"{number + 1:10d}{1:10d}{1:10d}{11:10d}\n" + "".join(f"{value:25.16E}" for value in point).replace(

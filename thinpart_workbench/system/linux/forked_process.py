@@ -5,6 +5,7 @@ import select
 import signal
 import sys
 import time
+from contextlib import suppress
 
 from .group_use import is_too_much
 from .privileges import adopt_orphans, hide_memory
@@ -25,9 +26,11 @@ _CHUNK = 1 << 16
 
 
 def prepare_to_fork():
-    """Prepare this process for forking copies that foreign files may take over."""
-    adopt_orphans()
-    hide_memory()
+    """Prepare this process for forking copies that foreign files may take over, as far as the system lets it."""
+    with suppress(OSError):
+        adopt_orphans()
+    with suppress(OSError):
+        hide_memory()
 
 
 class ForkedProcess:
@@ -153,6 +156,11 @@ class ForkedProcess:
 
     def _on_termination(self, number, frame):
         self._kill()
+        until = time.monotonic() + _PATIENCE
+        with suppress(ChildProcessError):  # none is left
+            while time.monotonic() < until:  # the kernel may not be able to end one that waits for a share
+                if os.waitpid(-self._number, os.WNOHANG)[0] == 0:
+                    time.sleep(0.001)
         os._exit(128 + number)
 
     @staticmethod
@@ -161,7 +169,8 @@ class ForkedProcess:
         code = 1
         try:
             _join_group(0)
-            hide_memory(False)
+            with suppress(OSError):
+                hide_memory(False)
             signal.signal(signal.SIGTERM, signal.SIG_DFL)
             signal.pthread_sigmask(signal.SIG_SETMASK, mask)
             with os.fdopen(sender, "wb") as output:

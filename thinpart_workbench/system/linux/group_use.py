@@ -24,7 +24,11 @@ def is_too_much(group):
     import resource  # not on other systems, where nothing is forked
 
     count, pages = 0, 0
-    for name in os.listdir("/proc"):
+    try:
+        names = os.listdir("/proc")
+    except OSError:
+        return False  # nothing can be seen
+    for name in names:
         if name.isdigit() and _group_of(name) == group:
             count += 1
             pages += _resident_pages(name)

@@ -6,7 +6,6 @@ Only code of FreeCAD and ThinPart is loaded, and no file is read, so that no fil
 import importlib
 from contextlib import suppress
 
-from ...core.errors import ThinPartError
 from ...freecad_adapter.bootstrap import load_meshing
 
 _MODULES = (
@@ -48,7 +47,7 @@ def prepare():
     """Load FreeCAD and the modules that read and measure parts."""
     global _is_wanted
     _is_wanted = False
-    with suppress(ThinPartError, ImportError, MemoryError):  # the reader meets and reports it
+    with suppress(Exception):  # whatever FreeCAD raises, the reader meets and reports it
         load_meshing()
         for name in _MODULES:
             importlib.import_module(name, __package__)
