@@ -10,13 +10,15 @@ from typing import Optional
 from ...core.analysis_settings import RAY, AnalysisSettings
 from ...core.errors import ThinPartError
 from ...core.judging.criteria import profile_from
+from ...core.kinds.compound_kinds import Record
+from ...core.kinds.value_kinds import Number, OrNull, Text
 from ...core.message import message
 from ...core.rendering.map_picture import MapLook, map_picture
 from ...core.run_control import RunControl
 from ...storage.exchange.map_export import PLY, VTP, ply_bytes, vtp_bytes
 from ...storage.png import png_bytes
 from ..analysis.analyse_part import analyse_part
-from ..analysis.analysis_outcome import failure, failure_fault
+from ..analysis.analysis_outcome import failure, told_failure
 from ..workers.pool_supervisor import PoolSupervisor
 from ..workers.preparation import require_preparation
 from ..workers.reading import close_documents, start_reader
@@ -26,6 +28,11 @@ from ..workers.worker_pool import answer_of, worker_folder
 PNG = ".png"
 FORMATS = (PNG, VTP, PLY)
 """Endings of the files that a map can be written as."""
+
+_SAID = {"label": Text(), "thinnest": OrNull(Number(0.0)), "low": Number(), "high": Number()}
+
+_LONGEST = 1 << 30
+"""Greatest number of characters of a file in base64."""
 
 
 @dataclass(frozen=True)
@@ -87,16 +94,20 @@ def map_of_part(task, limits, control=None):
             workers.stop()
     if failed is not None:
         return failed
-    if failure_fault(found) is None:
-        return {**found, "file": task.file}
+    told = told_failure(task.file, found)
+    if told is not None:
+        return told
+    kind = Record({**_SAID, "contents": Record({ending: Text(_LONGEST, "[A-Za-z0-9+/=]*") for ending in task.formats})})
+    fault = kind.fault(found, "")
     try:
-        contents = {ending: base64.b64decode(found["contents"][ending], validate=True) for ending in task.formats}
-        return {"file": task.file, "label": str(found["label"]), "contents": contents,
-                "thinnest": None if found["thinnest"] is None else float(found["thinnest"]),
-                **{name: float(found[name]) for name in ("low", "high")}}
-    except (KeyError, TypeError, ValueError) as error:
+        contents = {} if fault else {
+            ending: base64.b64decode(found["contents"][ending], validate=True) for ending in task.formats}
+    except ValueError as error:
+        fault = error
+    if fault:
         return failure(task.file, "failed", message("{file} failed: its result cannot be used ({problem}).",
-                                                    file=Path(task.file).name, problem=str(error)))
+                                                    file=Path(task.file).name, problem=str(fault)))
+    return {"file": task.file, **{key: found[key] for key in _SAID}, "contents": contents}
 
 
 def _drawn(task):

@@ -7,7 +7,7 @@ from pathlib import Path
 from ...core.message import message
 from ...core.run_control import RunControl
 from ...system.process_limits import WALL_FACTOR
-from ..analysis.analysis_outcome import failure, failure_fault
+from ..analysis.analysis_outcome import failure, told_failure
 from ..workers.pool_supervisor import PoolSupervisor
 from ..workers.preparation import require_preparation
 from ..workers.reading import close_documents, start_reader
@@ -16,7 +16,7 @@ from ..workers.worker_pool import answer_of, worker_folder
 from .gmsh_program import INCOMPLETE
 from .mesh_check import ATTEMPTS
 from .size_cache import SizeCache
-from .size_result import sizes_fault
+from .size_result import known_values, sizes_fault
 from .size_task import propose_for_document
 
 _MESHED_PARTS = 20
@@ -87,10 +87,11 @@ def _result(future, task, seconds, limits):
     result, failed = answer_of(future, task.file, seconds, limits.megabytes)
     if failed is not None:
         return failed
-    if failure_fault(result) is None:
-        return {**result, "file": task.file}
-    fault = sizes_fault(result)
-    return result if fault is None else failure(task.file, "failed", message(
+    told = told_failure(task.file, result)
+    if told is not None:
+        return told
+    fault = sizes_fault(result, task)
+    return known_values(result) if fault is None else failure(task.file, "failed", message(
         "{file} failed: its result cannot be used ({problem}).", file=Path(task.file).name, problem=fault))
 
 
