@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import sys
+from contextlib import suppress
 from pathlib import Path
 
 import time_limit
@@ -40,6 +41,36 @@ def records(run):
 def failures(run):
     return {Path(line["file"]).name: line["error"]["kind"] for line in records(run)
             if "error" in line}
+
+
+def descendants(process):
+    """Numbers of the processes that a process has started, and of those that these have started: list of int.
+
+    Workers have groups of their own, so that all that they start ends with them.
+    """
+    found, parents = [process], {}
+    for status in Path("/proc").glob("[0-9]*/stat"):
+        with suppress(OSError):  # it has ended meanwhile
+            parents.setdefault(int(status.read_text().rpartition(")")[2].split()[1]), []).append(int(status.parent.name))
+    for number in found:
+        found += parents.get(number, ())
+    return found[1:]
+
+
+def all_ended(processes):
+    """Wait until none of these processes runs; True, so that it can be asserted."""
+    def is_over():
+        return not any(_runs(number) for number in processes)
+
+    time_limit.wait_until(is_over, f"the end of the processes {processes}", 20)
+    return True
+
+
+def _runs(process):
+    try:
+        return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    except OSError:
+        return False
 
 
 def group_ended(group):

@@ -25,6 +25,7 @@ NOT_SHOWN = {
     "workflow/meshing/size_steps.py",
     "core/kinds/file_marks.py", "storage/exchange/geo_file.py", "storage/exchange/map_export.py",
     "storage/exchange/shell_files.py",  # what other programs read
+    "workflow/meshing/size_result.py",  # as what is wrong within an info file
 }
 """No sentence of these comes to the window: it starts no cluster, and reads no meanings of preferences. What is wrong
 within an info file stands in parentheses, in English, as what Python says about JSON does."""

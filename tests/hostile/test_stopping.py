@@ -12,7 +12,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import pytest
-from program import SAMPLES, environment, group_ended, thinpart
+from program import SAMPLES, all_ended, descendants, environment, group_ended, thinpart
 from slow_files import held, make_endless
 from time_limit import wait_until
 
@@ -51,17 +51,17 @@ class Run:
         return _opened(self.process.pid)
 
     def opened_by_workers(self):
-        """Paths that the processes of its group have open."""
-        numbers = [int(path.name) for path in Path("/proc").glob("[0-9]*")]
-        return set().union(*(_opened(number) for number in numbers if _group(number) == self.process.pid))
+        """Paths that the processes that it has started have open."""
+        return set().union(*map(_opened, descendants(self.process.pid)))
 
     def stop(self, number, to_all=True):
         """Send a signal and wait for the end: the exit status."""
+        started = descendants(self.process.pid)
         (os.killpg if to_all else os.kill)(self.process.pid, number)
         wait_until(lambda: self.process.poll() is not None, f"the end after {number!r}", SECONDS_TO_END)
         for reader in self._readers:
             reader.join()
-        assert group_ended(self.process.pid)
+        assert group_ended(self.process.pid) and all_ended(started)
         assert "Traceback" not in "".join(self.errors)
         return self.process.returncode
 
@@ -82,13 +82,6 @@ def _opened(process):
             with suppress(OSError):
                 found.add(os.readlink(link))
     return found
-
-
-def _group(process):
-    try:
-        return os.getpgid(process)
-    except ProcessLookupError:
-        return None
 
 
 @pytest.fixture

@@ -7,7 +7,7 @@ import pickle
 import pytest
 from made_library import record_of
 
-from thinpart_workbench.workflow.cluster.cluster_answer import response_from, software_from
+from thinpart_workbench.workflow.cluster.cluster_answer import pythons_from, response_from, software_from, threads_from
 from thinpart_workbench.workflow.cluster.plain_pickles import PickleRefused, plain_pickles_only, texts_of_pickle
 
 SOFTWARE = {"host": "anvil", "freecad": "1.1.0", "thinpart": "0.1.0", "python": "3.13.1"}
@@ -53,6 +53,33 @@ def test_what_is_no_answer_is_refused(text):
     for read in (response_from, software_from):
         with pytest.raises(ValueError):
             read(text)
+
+
+def test_what_no_outcome_has_is_left_out():
+    failed = {"file": "x", "error": {"kind": "timeout", "message": "It took long."}}
+    assert response_from(answer({**failed, "parts": 7, "failures": [7]}))[1] == failed
+
+
+def test_versions_and_threads_come_through():
+    entry = {"host": {"python": "3.13.1.final.0", "OS": "Linux"}, "packages": {}}
+    assert pythons_from({"scheduler": entry, "workers": {"tcp://a:1": entry}, "client": entry}) == {
+        "": "3.13.1.final.0", "tcp://a:1": "3.13.1.final.0"}
+    assert threads_from({"tcp://a:1": 2, "tcp://b:1": 3}) == 5 and threads_from({}) == 0
+
+
+@pytest.mark.parametrize("versions", [None, 7, [], {}, {"scheduler": None, "workers": {}},
+                                      {"scheduler": {"host": {}}, "workers": {}},
+                                      {"scheduler": {"host": {"python": 3}}, "workers": {}}, {"scheduler": 7, "workers": 7},
+                                      {"scheduler": {"host": {"python": "3.13"}}, "workers": {"a": None}}])
+def test_versions_that_are_none_are_refused(versions):
+    with pytest.raises(ValueError):
+        pythons_from(versions)
+
+
+@pytest.mark.parametrize("threads", [None, 7, [], {"a": "x"}, {"a": -1}, {"a": None}, {7: 1}])
+def test_threads_that_are_none_are_refused(threads):
+    with pytest.raises(ValueError):
+        threads_from(threads)
 
 
 class Program:

@@ -54,18 +54,46 @@ def checked_outcome(task, outcome):
     if fault is not None:
         return failure(task.file, "failed", message("{file} failed: its result cannot be stored ({problem}).",
                                                     file=Path(task.file).name, problem=fault))
-    return {**outcome, "file": task.file}
+    return {**known_outcome(outcome), "file": task.file}
+
+
+def told_failure(file, outcome):
+    """The `failure` of a file that a worker returned, or None if what it returned is none.
+
+    Parameters
+    ----------
+    file : str
+        The file of the task, whichever file the worker has named.
+    outcome : object
+        Any JSON value.
+    """
+    return None if not _checker(_FAILED)(outcome) else {**known_outcome(outcome), "file": file}
 
 
 def outcome_fault(outcome):
     """The reason why an object is no valid outcome, in a few words; None if it is valid."""
-    kind = _FAILED if isinstance(outcome, dict) and "error" in outcome else _ANALYSED
+    kind = _kind_of(outcome)
     return None if _checker(kind)(outcome) else kind.fault(outcome, "")
 
 
-def failure_fault(outcome):
-    """The reason why an object is no valid `failure`, in a few words; None if it is one."""
-    return None if _checker(_FAILED)(outcome) else _FAILED.fault(outcome, "")
+def known_outcome(outcome):
+    """A valid outcome without what none has: others would take the parts of a file that failed for results.
+
+    Parameters
+    ----------
+    outcome : dict
+        Without `outcome_fault`.
+
+    Returns
+    -------
+    dict
+    """
+    kind = _kind_of(outcome)
+    return {key: value for key, value in outcome.items() if key in kind.required or key in kind.optional}
+
+
+def _kind_of(outcome):
+    return _FAILED if isinstance(outcome, dict) and "error" in outcome else _ANALYSED
 
 
 @cache

@@ -2,11 +2,42 @@
 
 import json
 
-from ...core.kinds.compound_kinds import Record
-from ...core.kinds.value_kinds import Text
-from ..analysis.analysis_outcome import outcome_fault
+from ...core.kinds.compound_kinds import MapOf, Record
+from ...core.kinds.value_kinds import Text, Whole
+from ..analysis.analysis_outcome import known_outcome, outcome_fault
 
 _SOFTWARE = Record({"host": Text()}, {name: Text() for name in ("lacks", "thinpart", "freecad", "python")})
+
+_RUNS_ON = Record({"host": Record({"python": Text()})})
+
+_VERSIONS = Record({"scheduler": _RUNS_ON, "workers": MapOf(_RUNS_ON)})
+
+_THREADS = MapOf(Whole(0, 1_000_000))
+
+
+def pythons_from(versions):
+    """Versions of Python by address, as Dask's scheduler tells them; that of the scheduler itself is under the empty text.
+
+    Raises
+    ------
+    ValueError
+        If they are invalid.
+    """
+    _raise_fault(_VERSIONS.fault(versions, "versions"))
+    return {address: entry["host"]["python"]
+            for address, entry in [("", versions["scheduler"]), *versions["workers"].items()]}
+
+
+def threads_from(threads):
+    """Number of threads of all workers, from those of each, as Dask's scheduler tells them.
+
+    Raises
+    ------
+    ValueError
+        If they are invalid.
+    """
+    _raise_fault(_THREADS.fault(threads, "threads"))
+    return sum(threads.values())
 
 
 def response_from(text):
@@ -36,7 +67,7 @@ def response_from(text):
         return response["software"], None
     outcome = _json(response["outcome"])
     _raise_fault(outcome_fault(outcome))
-    return response["software"], outcome
+    return response["software"], known_outcome(outcome)
 
 
 def software_from(text):

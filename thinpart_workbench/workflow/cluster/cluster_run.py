@@ -5,6 +5,7 @@ import io
 import json
 import logging
 import os
+import platform
 import queue
 import time
 import uuid
@@ -20,7 +21,7 @@ from ...core.errors import ThinPartError
 from ...core.run_control import RunControl
 from ..analysis.analysis_outcome import failure
 from .analysis_server import task_line
-from .cluster_answer import response_from, software_from
+from .cluster_answer import pythons_from, response_from, software_from, threads_from
 from .plain_pickles import PickleRefused, plain_pickles_only, texts_of_pickle
 
 PATIENCE = 30.0
@@ -242,7 +243,8 @@ class _Cluster:
         with _scheduler_lost_errors(self.address):
             if self.client.status != "running":
                 raise OSError("the connection was closed")
-            threads = sum(self._ask(self.client.nthreads).values())
+            answer = self._ask(self.client.nthreads)
+        threads = self._valid(threads_from, answer)
         if threads != self._threads and self.on_threads_changed is not None:
             self.on_threads_changed(max(1, threads))
         self._threads = threads
@@ -274,13 +276,21 @@ class _Cluster:
 
     def _refuse_other_python(self):
         # Pickled code only works with the same minor version of Python.
-        versions = self._ask(self.client.get_versions)
-        ours = _minor(versions["client"])
-        for address, entry in [(self.address, versions["scheduler"]), *versions["workers"].items()]:
-            if _minor(entry) != ours:
+        ours = _minor(platform.python_version())
+        for address, version in self._valid(pythons_from, self._ask(self.client.get_versions)).items():
+            if _minor(version) != ours:
                 raise ThinPartError(
-                    f"Python is {_minor(entry)} at {address} and {ours} here: scheduler, workers and this "
+                    f"Python is {_minor(version)} at {address or self.address} and {ours} here: scheduler, workers and this "
                     "machine need the same one, best the same Debian.", "cluster")
+
+    def _valid(self, reading, answer):
+        """What an answer of the scheduler says; ThinPartError if it is none."""
+        try:
+            return reading(answer)
+        except ValueError as error:
+            raise ThinPartError(
+                f"The Dask scheduler {self.address} gave an answer that is not Dask's ({error}): restart it.",
+                "cluster") from None
 
     def _check_software(self, software):
         """Refuse a worker that cannot analyse files, or that has another version of FreeCAD."""
@@ -358,8 +368,8 @@ def _scheduler_lost_errors(address):
             "results are saved: start again.", "cluster") from None
 
 
-def _minor(entry):
-    return ".".join(entry["host"]["python"].split(".")[:2])
+def _minor(version):
+    return ".".join(version.split(".")[:2])
 
 
 def _first_line(error):

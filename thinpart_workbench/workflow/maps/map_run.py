@@ -10,6 +10,8 @@ from typing import Optional
 from ...core.analysis_settings import RAY, AnalysisSettings
 from ...core.errors import ThinPartError
 from ...core.judging.criteria import profile_from
+from ...core.kinds.compound_kinds import Record
+from ...core.kinds.value_kinds import Number, OrNull, Text
 from ...core.message import message
 from ...core.rendering.map_picture import MapLook, map_picture
 from ...core.run_control import RunControl
@@ -17,7 +19,7 @@ from ...storage.exchange.map_export import PLY, VTP, ply_bytes, vtp_bytes
 from ...storage.info.info_definition import SOURCE
 from ...storage.png import png_bytes
 from ..analysis.analyse_part import analyse_part
-from ..analysis.analysis_outcome import failure, failure_fault
+from ..analysis.analysis_outcome import failure, told_failure
 from ..analysis.measured_source import source_failure, source_of
 from ..workers.pool_supervisor import PoolSupervisor
 from ..workers.preparation import require_preparation
@@ -26,6 +28,11 @@ from ..workers.reported_failure import reported_failure
 from ..workers.worker_pool import answer_of, worker_folder
 
 PNG = ".png"
+
+_SAID = {"label": Text(), "thinnest": OrNull(Number(0.0)), "low": Number(), "high": Number()}
+
+_LONGEST = 1 << 30
+"""Greatest number of characters of a file in base64."""
 
 
 @dataclass(frozen=True)
@@ -87,21 +94,21 @@ def map_of_part(task, limits, control=None):
             workers.stop()
     if failed is not None:
         return failed
-    if failure_fault(found) is None:
-        return {**found, "file": task.file}
+    told = told_failure(task.file, found)
+    if told is not None:
+        return told
+    contents = Record({ending: Text(_LONGEST, "[A-Za-z0-9+/=]*") for ending in task.formats})
+    fault = Record({**_SAID, "source": SOURCE, "contents": contents}).fault(found, "")
     try:
-        contents = {ending: base64.b64decode(found["contents"][ending], validate=True) for ending in task.formats}
-        result = {"file": task.file, "label": str(found["label"]), "contents": contents,
-                  "thinnest": None if found["thinnest"] is None else float(found["thinnest"]),
-                  **{name: float(found[name]) for name in ("low", "high")}}
-        fault = SOURCE.fault(found["source"], "source")
-        if fault is not None:
-            raise ValueError(fault)
-    except (KeyError, TypeError, ValueError):
-        return failure(task.file, "failed", message(
-            "{file} failed: its result cannot be used ({problem}).", file=Path(task.file).name,
-            problem=message("it is damaged or incomplete")))
-    return source_failure(found["source"], task.file) or result
+        files = {} if fault else {
+            ending: base64.b64decode(found["contents"][ending], validate=True) for ending in task.formats}
+    except ValueError:  # of base64
+        fault = message("it is damaged or incomplete")
+    if fault:
+        return failure(task.file, "failed", message("{file} failed: its result cannot be used ({problem}).",
+                                                    file=Path(task.file).name, problem=str(fault)))
+    return source_failure(found["source"], task.file) or {
+        "file": task.file, **{key: found[key] for key in _SAID}, "contents": files}
 
 
 def _drawn(task):

@@ -42,9 +42,9 @@ class SizeCache:
         try:
             with open_regular(self._path(task)) as file:
                 result = json.loads(file.read(_LARGEST))
-        except (OSError, ValueError):
+        except (OSError, ValueError, RecursionError):
             return None
-        return result if sizes_fault(result) is None and source_is_unchanged(result["source"], task.file) else None
+        return result if sizes_fault(result, task) is None and source_is_unchanged(result["source"], task.file) else None
 
     def keep(self, task, result):
         """Keep a result; a full disk only costs time later."""

@@ -11,7 +11,8 @@ from ...storage.info.info_definition import SOURCE
 from .mesh_tries import OPTIONS
 
 _LENGTH, _COUNT, _SHARE = Number(0.0, 1e15), Whole(0, 10**15), Number(0.0, 1.0 + 1e-9)
-_POINT = ListOf(Number(), 3, 3)
+_SIZE = Number(1e-12, 1e15)
+_POINT = ListOf(Number(-1e15, 1e15), 3, 3)
 
 MESH_FIGURES = Record({
     "reason": Text(), "elements": _COUNT, "gamma_least": OrNull(Number(0, 2)), "gamma_1_percent": OrNull(Number(0, 2)),
@@ -51,8 +52,8 @@ SHELL = Record({
 PART_SIZES = Record({
     "name": Text(), "label": Text(), "category": Text(), "diagonal": _LENGTH, "thin_limit": _LENGTH, "order": OneOf((1, 2)),
     "growth": Number(1.0, 10.0), "wanted_layers": Number(0.0), "layers": Number(0.0), "layered_from": _LENGTH,
-    "global_size": _LENGTH,
-    "least_size": _LENGTH, "elements": _COUNT, "uniform_elements": _COUNT,
+    "global_size": _SIZE,
+    "least_size": _SIZE, "elements": _COUNT, "uniform_elements": _COUNT,
     "unbounded": OrNull(Record({"layers": Number(0.0), "least_size": _LENGTH, "elements": _COUNT})),
     "regions": ListOf(_REGION, most=10_000), "left_out": Whole(0, 10_000), "idealisation": _IDEALISATION,
     "check": OrNull(Record({"default": MESH_FIGURES, "proposed": MESH_FIGURES})),
@@ -62,15 +63,71 @@ PART_SIZES = Record({
     "inner": ListOf(_POINT, most=1_000_000), "shell": SHELL})
 """Kind of what is proposed for a part; all lengths in mm."""
 
+_PLACES = ("sources", "box", "inner")
+"""Keys that are there where places are wanted."""
+
 _DOCUMENT = Record({
     "source": SOURCE, "parts": ListOf(PART_SIZES, most=1_000_000, distinct="name"),
     "failures": ListOf(FAILURE, most=1_000_000), "solids": Whole(0, 1_000_000),
 })
 
 
-def sizes_fault(content):
-    """Why an object is no result for a document, in a few words; None if it is one."""
-    return None if _check()(content) else _DOCUMENT.fault(content, "")
+def sizes_fault(content, task):
+    """Why an object is no result for a document, in a few words; None if it is one.
+
+    Parameters
+    ----------
+    content : object
+        Any JSON value.
+    task : SizeTask
+        What was asked for has to be in it.
+    """
+    if not _check()(content):
+        return _DOCUMENT.fault(content, "")
+    for number, part in enumerate(content["parts"]):
+        fault = _lack(part, task) or _fault_of_places(part) or _fault_of_shell(part.get("shell"))
+        if fault is not None:
+            return f"parts[{number}].{fault}"
+    return None
+
+
+def known_values(content):
+    """A result that has no fault without what no result has: others would take it for something else, such as an error."""
+    return {key: content[key] for key in _DOCUMENT.required}
+
+
+def _lack(part, task):
+    if task.program is not None and task.check and part["check"] is None:
+        return "check is null"
+    wanted = [*(_PLACES if task.has_sources else ()), *(() if task.shell is None else ("shell",))]
+    return next((f"{key} is missing" for key in wanted if key not in part), None)
+
+
+def _fault_of_places(part):
+    """Places have sizes, and there are points in the part, which lies in a box."""
+    if any(key not in part for key in _PLACES):
+        return None
+    if any(size <= 0.0 or radius < 0.0 for *_, size, radius in part["sources"]):
+        return "sources has a size that is none"
+    if not part["inner"] or any(low > high for low, high in zip(*part["box"])):
+        return "box is not around points in the part"
+    return None
+
+
+def _fault_of_shell(shell):
+    """A shell has a wall and a thickness for each triangle, and its triangles have its nodes."""
+    if shell is None or not shell["elements"]:
+        return None
+    if not shell["walls"]:
+        return "shell has no walls"
+    counts = {shell["elements"], *(len(shell[key]) for key in ("triangles", "wall", "thickness"))}
+    if len(counts) > 1 or shell["nodes"] != len(shell["points"]):
+        return "shell has not the elements and nodes that it says"
+    if {len(triangle) for triangle in shell["triangles"]} not in ({3}, {6}):
+        return "shell has triangles with some other number of nodes"
+    if max(map(max, shell["triangles"])) >= shell["nodes"]:
+        return "shell has triangles with nodes that are not there"
+    return None
 
 
 @cache

@@ -7,7 +7,7 @@ from pathlib import Path
 from ...core.message import message
 from ...core.run_control import RunControl
 from ...system.process_limits import WALL_FACTOR
-from ..analysis.analysis_outcome import failure, failure_fault
+from ..analysis.analysis_outcome import failure, told_failure
 from ..analysis.measured_source import source_failure, source_of
 from ..workers.pool_supervisor import PoolSupervisor
 from ..workers.preparation import require_preparation
@@ -17,7 +17,7 @@ from ..workers.worker_pool import answer_of, worker_folder
 from .gmsh_program import INCOMPLETE
 from .mesh_check import ATTEMPTS
 from .size_cache import SizeCache
-from .size_result import sizes_fault
+from .size_result import known_values, sizes_fault
 from .size_steps import StepNote, watched_steps
 from .size_task import propose_for_document
 
@@ -92,13 +92,14 @@ def _result(future, task, seconds, limits):
     result, failed = answer_of(future, task.file, seconds, limits.megabytes)
     if failed is not None:
         return failed
-    if failure_fault(result) is None:
-        return {**result, "file": task.file}
-    fault = sizes_fault(result)
+    told = told_failure(task.file, result)
+    if told is not None:
+        return told
+    fault = sizes_fault(result, task)
     if fault is not None:
         return failure(task.file, "failed", message("{file} failed: its result cannot be used ({problem}).",
                                                     file=Path(task.file).name, problem=fault))
-    return source_failure(result["source"], task.file) or result
+    return source_failure(result["source"], task.file) or known_values(result)
 
 
 def _propose(task):
