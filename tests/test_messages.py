@@ -24,6 +24,7 @@ NOT_SHOWN = {
     "core/cluster_address.py", "api/classification.py", "api/found_parts.py", "api/libraries.py", "api/mesh_arrays.py",
     "storage/exchange/geo_file.py", "storage/exchange/map_export.py",
     "storage/exchange/shell_files.py",  # what other programs read
+    "workflow/meshing/size_result.py",  # as what is wrong within an info file
 }
 """No sentence of these comes to the window: it starts no cluster, and reads no meanings of preferences. What is wrong
 within an info file stands in parentheses, in English, as what Python says about JSON does."""

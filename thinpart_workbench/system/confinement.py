@@ -84,8 +84,9 @@ def confine(confinement, *folders, with_programs=False):
         except OSError:
             holds["files"] = NONE
         holds["network"] = NONE
-    try:
+    with suppress(OSError):  # the filter takes most of them away too
         give_up_capabilities()
+    try:
         install_system_call_filter(with_programs)
         holds["network"] = SECCOMP if confinement == LANDLOCK else confinement
     except OSError:
