@@ -84,7 +84,7 @@ def confine(confinement, *folders, with_programs=False):
         except OSError:
             holds["files"] = NONE
         holds["network"] = NONE
-    with suppress(OSError):
+    with suppress(OSError):  # the filter takes most of them away too
         give_up_capabilities()
     try:
         install_system_call_filter(with_programs)

@@ -65,12 +65,12 @@ def propose_for_documents(tasks, limits, version="", force=False, control=None, 
             yield {"file": task.file, **result}
     if not waiting:
         return
-    seconds = limits.seconds
-    if any(task.program for task in waiting):
+    seconds, is_meshed = limits.seconds, any(task.program for task in waiting)
+    if is_meshed:
         seconds += _MESHED_PARTS * (ATTEMPTS + 1) * (WALL_FACTOR + 1.0) * max(task.seconds for task in waiting)
     with worker_folder() as folder:
         workers = PoolSupervisor(max(1, min(limits.jobs, len(waiting))), seconds, folder, _propose, start_reader,
-                                 (limits.megabytes,), confine=True, with_programs=True)
+                                 (limits.megabytes,), confine=True, with_programs=is_meshed)
         try:
             steps = watched_steps(folder, {task.file for task in waiting}, tell) if tell else ()
             for future, task in workers.run(waiting, control, meanwhile=steps):
