@@ -8,6 +8,7 @@ XML in the way FreeCAD reads them, without running any of it.
 import importlib.machinery
 import os
 import re
+import site
 import struct
 import sys
 import zipfile
@@ -251,8 +252,10 @@ def _is_trusted(name):
 
 
 def _lies_in_freecad(path):
+    # The package `freecad` is that of FreeCAD and its add-ons, also where Debian or pip has put it.
+    packages = [os.path.join(folder, "freecad") for folder in site.getsitepackages()]
     real = os.path.realpath(path)
-    return any(is_below(real, os.path.realpath(folder)) for folder in trusted_code_folders())
+    return any(is_below(real, os.path.realpath(folder)) for folder in (*trusted_code_folders(), *packages))
 
 
 def leaves_its_folder(path):
