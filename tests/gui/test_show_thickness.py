@@ -267,7 +267,7 @@ def test_a_disk_that_is_full_in_the_middle_of_the_snapshot_ends_the_run(document
     with monkeypatch.context() as patch:
         patch.setattr(snapshot_job, "write_snapshot", write)
         window.press("ThinPart_ShowThickness")
-        window.wait_until(lambda: "files cannot be written (Writing of BREP failed)" in window.text("ThinPart_Message"))
+        window.wait_until(lambda: "files cannot be written (FreeCAD cannot write them)" in window.text("ThinPart_Message"))
     window.wait_until(lambda: window.workers() == [])
     assert _temporary_folders() == folders and thickness_objects(document) == []
 
