@@ -1,6 +1,7 @@
 """Figures in sentences, which are written in the unit and with the decimal mark of whoever reads them."""
 
 import re
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import ClassVar, Optional, Union
 
@@ -11,7 +12,7 @@ _DIGITS = re.compile(r"\.(\d)g?")
 
 
 @dataclass(frozen=True)
-class Figure:
+class Figure(ABC):
     """Something that is measured; base class of its kinds.
 
     Formatted, as in a template, it is in English and in millimetres. The format says the significant digits of a length:
@@ -31,9 +32,9 @@ class Figure:
         if self.value is not None:
             object.__setattr__(self, "value", float(self.value))  # numpy types, which JSON cannot write
 
+    @abstractmethod
     def text(self, unit, spec=""):
         """How it is written in a unit of lengths, with its decimal mark: str."""
-        raise NotImplementedError
 
     def __format__(self, spec):
         return self.text(MILLIMETRE, spec).replace("\u00a0mm", " mm")  # as info files and tables have it
