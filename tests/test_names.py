@@ -1,5 +1,6 @@
 """Every name that the code uses is defined, also on the paths that only a rare failure takes."""
 
+import ast
 from pathlib import Path
 
 import pytest
@@ -38,3 +39,13 @@ def test_what_is_not_defined_is_found():
     wrong = _Wrong()
     api.check("def f():\n    raise ThinPartError('x')\n", "made_up.py", wrong)
     assert len(wrong.found) == 1 and "ThinPartError" in wrong.found[0]
+
+
+def test_no_two_classes_of_the_product_have_one_name():
+    places = {}
+    for file in sorted((ROOT / "thinpart_workbench").rglob("*.py")):
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ClassDef):
+                places.setdefault(node.name, []).append(f"{file.relative_to(ROOT)}:{node.lineno}")
+    assert len(places) > 200
+    assert {name: found for name, found in places.items() if len(found) > 1} == {}

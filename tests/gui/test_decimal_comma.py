@@ -11,7 +11,7 @@ from thinpart_workbench.core.message import message
 from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
 from thinpart_workbench.gui.application.sentences import translated
 from thinpart_workbench.gui.colour_bar.colour_bar import tick_text
-from thinpart_workbench.gui.profile.condition_row import ConditionRow
+from thinpart_workbench.gui.profile.condition_editor import ConditionEditor
 from thinpart_workbench.gui.widgets.range_filter import RangeFilter
 
 
@@ -48,7 +48,7 @@ def test_the_colour_bar_has_the_comma(document, comma):
 def test_conditions_have_the_comma(comma):
     content = load_profile("calibrated").content["categories"][0]["criteria"][0]["conditions"][0]
     row = parent = QtWidgets.QDialog()
-    row = ConditionRow(content, parent)
+    row = ConditionEditor(content, parent)
     parent.show()
     said = row.findChild(QtWidgets.QLabel, "ThinPart_ConditionText").text()
     assert "0,15" in said and "0.15" not in said

@@ -16,7 +16,7 @@ from thinpart_workbench.cli import main
 from thinpart_workbench.core.errors import ProfileError, ThinPartError
 from thinpart_workbench.core.judging.classification import classify
 from thinpart_workbench.core.judging.criteria import load_profile, profile_from, usable_profile
-from thinpart_workbench.core.judging.probability import ProbabilityModel, Step, Term
+from thinpart_workbench.core.judging.probability import ProbabilityModel, Step, WeightedQuantity
 from thinpart_workbench.core.judging.threshold_search import ThresholdSearch
 from thinpart_workbench.storage.labels_file import read_labels
 from thinpart_workbench.workflow.learning.fit_probabilities import ProbabilityFit
@@ -358,7 +358,7 @@ def test_fitted_probabilities_are_right_on_average():
     parts = [part(fill=fill) for fill in fills]
     thin = chance.uniform(size=400) < 1.0 / (1.0 + np.exp(12.0 * (fills - 0.5)))
     fill = load_profile("paper").criteria[0].conditions[0].quantity
-    model = ProbabilityModel(0.6, (Step("thin", 0.0, (Term(fill, 1.0),)),))
+    model = ProbabilityModel(0.6, (Step("thin", 0.0, (WeightedQuantity(fill, 1.0),)),))
     content = ProbabilityFit(model, parts, np.column_stack([thin, ~thin]).astype(float), 1e-4).content(np.ones(400, bool))
     weight = content["steps"][0]["terms"][0]["weight"]
     assert content["unsure_under"] == 0.6 and -16.0 < weight < -9.0

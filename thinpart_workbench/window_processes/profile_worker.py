@@ -9,7 +9,7 @@ Requests, each a JSON object with the key ``ask``:
     ``serial``, the fields of `ChangeCounts`, and ``read``, ``total``, ``failed`` and ``problems`` of `VerdictChanges`. A
     request that comes meanwhile ends the one before.
 ``parts``
-    ``serial``, ``before`` and ``after``. Sends ``parts``: these, and ``rows``, dicts of `StoredPart`. Nothing for a profile
+    ``serial``, ``before`` and ``after``. Sends ``parts``: these, and ``rows``, dicts of `ChangedPart`. Nothing for a profile
     that is no longer the last one counted.
 """
 

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Optional
 from ..errors import ThinPartError
 from ..kinds.value_kinds import LARGEST, Number, OrNull, Whole
 from ..message import message
+from ..tolerances import TOLERANCES
 from .quantity import AreaShare, BoxFill, BoxRatio, MiddleShare, Quantity, WallDistance, middle_by_diagonal
 from .region_kinds import BAR, BLOCK, PLATE, TAPER, TOOTH, TUBE
 
@@ -25,8 +26,7 @@ if TYPE_CHECKING:
     from .distribution import Distribution
     from .precision import Precision
 
-STATED_FLOOR = 0.0001
-"""Share of the area below which a finding counts as a stray ray. `min_nonparallel` is recorded at this floor."""
+STATED_FLOOR = TOLERANCES.floor
 
 STATED_ANGLES = (10, 55)
 """Wedge angles, degrees, between which `min_nonparallel` is recorded (Giannini et al. 2012, 5.2)."""

@@ -22,7 +22,7 @@ PROBABILITY = Record({
 
 
 @dataclass(frozen=True)
-class Term:
+class WeightedQuantity:
     """A quantity's part in a sum.
 
     Attributes
@@ -130,7 +130,7 @@ def probability_model(content, categories):
 
 def _term(content, place):
     offset = content.get("log_offset")
-    return Term(named_quantity(content["quantity"], place), float(content["weight"]),
+    return WeightedQuantity(named_quantity(content["quantity"], place), float(content["weight"]),
                 None if offset is None else float(offset))
 
 

@@ -5,8 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
-ALIKE = 1.25
-"""Ratio of the sizes within a cube, where it lies in the part, up to which it is not divided."""
+from ..tolerances import TOLERANCES
 
 FEWEST = 4
 """Points within the part from which on a cube is known."""
@@ -77,7 +76,8 @@ def size_boxes(field, low, high, inner, most=MOST_BOXES):
         has_points, least, greatest = _sizes_within(cell, np.floor((inner - origin) / side).astype(np.int64), sizes)
         away = tree.query(corner + 0.5 * side, distance_upper_bound=4.0 * side + OUTSIDE * spacing)[0]
         split = (side > np.maximum(middle - off, field.least)) & (middle - off < field.global_size)
-        split &= ~(has_points & (greatest <= ALIKE * least)) & (away < side * _HALF_DIAGONAL + OUTSIDE * spacing)
+        split &= ~(has_points & (greatest <= TOLERANCES.alike * least))  # alike as far as the cube lies in the part
+        split &= away < side * _HALF_DIAGONAL + OUTSIDE * spacing
         if count + len(cell) + 7 * np.count_nonzero(split) > most:
             split[:] = False
         whole = ~split

@@ -6,7 +6,8 @@ from typing import Optional
 import numpy as np
 
 from ..descriptors.descriptor_table import STATED_FLOOR
-from .thinnest_wall import FACE_FLOOR, first_of_extent
+from ..tolerances import TOLERANCES
+from .thinnest_wall import first_of_extent
 
 NEARLY = 0.02
 """Share by which facets may come closer to each other than the part's thinnest wall, which its faces themselves have."""
@@ -137,7 +138,7 @@ def _thinnest_under(field, faces, thinnest):
     parallel = np.flatnonzero(field.parallel)
     group = np.searchsorted(faces, field.face[parallel])
     floor = np.minimum(STATED_FLOOR * float(field.area.sum()),
-                       FACE_FLOOR * np.bincount(group, field.area[parallel], len(faces)))
+                       TOLERANCES.face_floor * np.bincount(group, field.area[parallel], len(faces)))
     if thinnest is not None:
         kept = field.distance[parallel] >= thinnest.distance * (1.0 - NEARLY)
         parallel, group = parallel[kept], group[kept]

@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from ..tolerances import TOLERANCES
+
 PROBED, NEAR = 500, 200
 """Places of a part at which walls are looked at, and points around each of them that are enough to tell its width."""
 
@@ -21,10 +23,6 @@ reach on a plate."""
 
 WITHIN = 1.6
 """Factor within which that ratio is certain."""
-
-ALIKE = 1.25
-"""Greatest ratio of thicknesses of a wall and the points that tell its width: a taper that runs out of it, and is one region
-with it or not as the mesh has it, says nothing about it."""
 
 FEWEST = 8
 """Points from which extents can be told."""
@@ -104,7 +102,9 @@ def _variance_ratio(wall, probed):
         distance = squares + np.einsum("ij,ij->i", middle[part], middle[part])[:, None] - 2.0 * middle[part] @ points.T
         same = distance < reach[part, None] ** 2
         same &= np.abs(probed.normals[part] @ wall.normals.T) > ALONG
-        same &= np.abs(wall.thickness - probed.thickness[part, None]) < (ALIKE - 1.0) * probed.thickness[part, None]
+        # A taper that runs out of a wall, and is one region with it or not as the mesh has it, says nothing about its width.
+        own = probed.thickness[part, None]
+        same &= np.abs(wall.thickness - own) < (TOLERANCES.alike - 1.0) * own
         sums = same.astype(float) @ terms
         enough = np.flatnonzero(sums[:, 0] >= FEWEST)
         sums = sums[enough]

@@ -3,19 +3,10 @@
 import numpy as np
 
 from ..descriptors.descriptor_table import STATED_FLOOR
-
-ALIKE = 1.25
-"""Thicknesses up to this ratio belong to one wall when its extent is added up."""
-
-TOUCHING = 1e-3
-"""Share of the median wall under which what a ray finds is no wall: there surfaces touch, or cross."""
+from ..tolerances import TOLERANCES
 
 _ROUNDING = 1e-9
 """Of the logarithm of a thickness: walls of 4 and of 5 mm are just alike."""
-
-FACE_FLOOR = 0.1
-"""Share of a face's walls that its thinnest one needs where that is less than the floor."""
-
 
 def thinnest_walls(field):
     """Samples over the thinnest walls, the thinnest first.
@@ -57,7 +48,7 @@ def first_of_extent(field, samples, group, floor):
     group : ndarray of shape (m,), int64
         From 0 on.
     floor : float or ndarray of shape (k,), mm2
-        Area that walls up to `ALIKE` times as thick have to cover, of all or of each group.
+        Area that walls up to `TOLERANCES.alike` times as thick have to cover, of all or of each group.
 
     Returns
     -------
@@ -73,7 +64,7 @@ def first_of_extent(field, samples, group, floor):
     covered = np.concatenate([[0.0], np.cumsum(_even_area(field, samples))])
     # One search for all groups: of a group, all logarithms are beyond those of the group before.
     thickness = np.log(np.maximum(field.distance[samples], np.finfo(float).tiny))
-    alike = np.log(ALIKE) + _ROUNDING
+    alike = np.log(TOLERANCES.alike) + _ROUNDING
     place = thickness - thickness.min() + group * (np.ptp(thickness) + 2.0 * alike)
     last = np.searchsorted(place, place + alike, side="right")
     enough = np.flatnonzero(covered[last] - covered[:-1] >= np.broadcast_to(floor, count)[group])
@@ -83,12 +74,12 @@ def first_of_extent(field, samples, group, floor):
 
 
 def _even_area(field, samples):
-    """Area, mm2, that samples represent and over which their walls change by `ALIKE` at most: ndarray of shape (m,).
+    """Area, mm2, that samples represent and over which their walls change by `alike` at most: ndarray of shape (m,).
 
     On a taper that is only a strip of what a sample represents, and beside its edge a narrow one.
     """
     area, slope = field.area[samples], np.tan(field.wedge_angle[samples])
-    strip = (ALIKE - 1.0) * field.distance[samples] / np.maximum(slope, np.finfo(float).eps)
+    strip = (TOLERANCES.alike - 1.0) * field.distance[samples] / np.maximum(slope, np.finfo(float).eps)
     return np.minimum(area, np.sqrt(area) * strip)
 
 
@@ -116,4 +107,4 @@ def _touching_below(field):
         return 0.0
     order = walls[np.argsort(field.distance[walls], kind="stable")]
     covered = np.cumsum(field.area[order])
-    return TOUCHING * float(field.distance[order[np.searchsorted(covered, 0.5 * covered[-1])]])
+    return TOLERANCES.touching * float(field.distance[order[np.searchsorted(covered, 0.5 * covered[-1])]])

@@ -8,8 +8,8 @@ from scipy.spatial import cKDTree
 
 from ..columns import dot
 from ..mesh.smooth_normals import normals_at
+from ..tolerances import TOLERANCES
 from .thickness_field import SLOPE_ALLOWANCE
-from .thinnest_wall import TOUCHING
 from .walls import is_parallel
 
 LEAST_POINTS, MOST_POINTS = 4_000, 10_000
@@ -21,10 +21,6 @@ them: of a solid body, fewer tell as much."""
 
 DENSER = 16.0
 """Thin walls have more points than their area, by the square of their thickness, up to so many times."""
-
-ALIKE = 1.25
-"""Greatest ratio of thicknesses at neighbouring places of one wall: a web of 5 mm and a flange of 8 mm are two walls,
-a casting whose thickness varies is one. As `thinnest_wall.ALIKE`."""
 
 NEIGHBOURS = 16
 """Points around each one that are tried; those of the other side of a thin wall are among them."""
@@ -114,7 +110,7 @@ def wall_points(field):
     if not len(wall):
         return _points_of(field, wall, np.zeros(0)), np.zeros(0, dtype=bool)
     median = np.median(field.distance[wall[_evenly(field.area[wall], _FOR_MEDIAN)]])
-    wall = wall[field.distance[wall] > TOUCHING * median]
+    wall = wall[field.distance[wall] > TOLERANCES.touching * median]
     thickness, area = field.distance[wall], field.area[wall]
     density = np.clip((median / thickness) ** 2, 1.0, DENSER)
     weight = area * density
@@ -157,9 +153,9 @@ def _near_thinner_walls(points):
     if not len(near):
         return near, on_rim
     # Points that are `_STEPS` of these steps thinner are no longer alike.
-    step = np.log(points.thickness / np.median(points.thickness)) / np.log(ALIKE)
+    step = np.log(points.thickness / np.median(points.thickness)) / np.log(TOLERANCES.alike)
     step = np.rint(_STEPS * step).astype(np.int64)
-    expected = 0.5 * points.thickness * np.cos(points.wedge_angle) / ALIKE
+    expected = 0.5 * points.thickness * np.cos(points.wedge_angle) / TOLERANCES.alike
     own, nearest, above = _nearest_thinner(points, step, expected)
     depth = np.einsum("ij,ij->i", points.points[above] - points.middle[own], points.normals[above])
     aside = np.sqrt(np.maximum(nearest**2 - depth**2, 0.0))
@@ -214,7 +210,7 @@ def wall_links(points):
     # Thickness is a fourth direction, so that neighbours are alike although other walls are nearer: of the crest of a
     # thread, its flanks are.
     opposite = points.points - points.thickness[:, None] * points.normals
-    apart = FARTHEST * np.median(points.spacing) / np.log(ALIKE)
+    apart = FARTHEST * np.median(points.spacing) / np.log(TOLERANCES.alike)
     level = apart * np.log(points.thickness)
     place = np.column_stack([points.points, level])
     tree, columns = cKDTree(place, balanced_tree=False), _columns_of(points)
@@ -311,4 +307,4 @@ def _is_alike(columns, first, second, apart, reach, one):
     # Both ends of one wall are apart by its thickness, along which it does not change.
     apart = np.minimum(apart, FARTHEST * reach)
     thinner = np.minimum(one, other)
-    return np.abs(one - other) < np.minimum((ALIKE - 1.0) * thinner + slope * apart, (STEEPEST - 1.0) * thinner)
+    return np.abs(one - other) < np.minimum((TOLERANCES.alike - 1.0) * thinner + slope * apart, (STEEPEST - 1.0) * thinner)

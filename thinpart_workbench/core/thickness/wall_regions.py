@@ -9,10 +9,10 @@ from scipy.sparse.csgraph import connected_components
 from ..descriptors.descriptor_table import STATED_FLOOR
 from ..descriptors.region_kinds import REGION_KINDS, TAPER, TOOTH, TUBE
 from ..mesh.sampling import even_samples
+from ..tolerances import TOLERANCES
 from .face_thickness import Witness, witness_of
 from .plate_likeness import PROBED, plate_likeness
 from .region_shape import area_median, region_shape
-from .thinnest_wall import ALIKE
 from .wall_graph import wall_links, wall_points
 from .walls import is_parallel
 
@@ -217,7 +217,7 @@ def with_thinnest(regions, thinnest):
         for region in regions.listed]
     own = next((number for number, region in enumerate(listed)
                 if thinnest.face in region.faces and region.kind not in (TAPER, TOOTH)
-                and region.least < ALIKE * thinnest.distance), None)
+                and region.least < TOLERANCES.alike * thinnest.distance), None)
     if own is not None:
         listed[own] = replace(listed[own], least=thinnest.distance, witness=thinnest)
     listed = [replace(region, witness=replace(region.witness, distance=region.least)) for region in listed]
@@ -265,5 +265,5 @@ def _thinnest_point(points, floor):
     """Number of the point from whose thickness which on walls that are no more than a quarter thicker cover an area."""
     order = np.argsort(points.thickness, kind="stable")
     thickness, covered = points.thickness[order], np.concatenate([[0.0], np.cumsum(points.area[order])])
-    last = np.searchsorted(thickness, ALIKE * thickness, side="right")
+    last = np.searchsorted(thickness, TOLERANCES.alike * thickness, side="right")
     return int(order[np.argmax(covered[last] - covered[:-1] >= floor)])

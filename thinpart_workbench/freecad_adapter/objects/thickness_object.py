@@ -11,16 +11,13 @@ from ..preferences import QT_TRANSLATE_NOOP, preference
 from ..shapes.placements import global_placement, same_placement
 from ..shapes.source_signature import same_signature, signature
 from .map_recompute import RECOMPUTED
+from .property_flags import COMPUTED, HIDDEN, SHOWN_ONLY
 
 TYPE = "ThinPart::Thickness"
 MILLIMETRES, SHARE = RANGE_UNITS = ("mm", "share of the diagonal")
 
 OWN_CHECK = "own"
 """What `Check` is where the threshold itself is the limit that is checked."""
-
-_SHOWN_ONLY = 16  # App::Prop_NoRecompute: a change shows at once and triggers no recompute
-_COMPUTED = 1 | 8 | 16  # read-only, an output of the object, and triggers no recompute
-_HIDDEN = 4
 
 
 @dataclass(frozen=True)
@@ -55,60 +52,61 @@ PROPERTIES = (
     Property("Sources", "App::PropertyLinkListGlobal", "Base", None,
              QT_TRANSLATE_NOOP("App::Property", "What was measured")),
     Property("Map", "App::PropertyFileIncluded", "Base", None,
-             QT_TRANSLATE_NOOP("App::Property", "The measured thickness"), 16 | _HIDDEN),
+             QT_TRANSLATE_NOOP("App::Property", "The measured thickness"), SHOWN_ONLY | HIDDEN),
     Property("Measure", "App::PropertyEnumeration", "Base", SHOWN_MEASURES,
              QT_TRANSLATE_NOOP("App::Property", "How it was measured: across the wall, or as the largest ball inside"),
-             _COMPUTED),
+             COMPUTED),
     Property("Signature", "App::PropertyString", "Base", None,
-             QT_TRANSLATE_NOOP("App::Property", "The sources' shapes when measured"), _COMPUTED | _HIDDEN),
+             QT_TRANSLATE_NOOP("App::Property", "The sources' shapes when measured"), COMPUTED | HIDDEN),
     Property("SourcePlacements", "App::PropertyPlacementList", "Base", None,
-             QT_TRANSLATE_NOOP("App::Property", "Placements of the sources when they were measured"), _COMPUTED | _HIDDEN),
+             QT_TRANSLATE_NOOP("App::Property", "Placements of the sources when they were measured"), COMPUTED | HIDDEN),
     Property("Stale", "App::PropertyBool", "Base", None,
-             QT_TRANSLATE_NOOP("App::Property", "Whether the sources have changed since"), _COMPUTED),
+             QT_TRANSLATE_NOOP("App::Property", "Whether the sources have changed since"), COMPUTED),
     Property("Diagonal", "App::PropertyFloat", "Base", None,
-             QT_TRANSLATE_NOOP("App::Property", "Diagonal of the largest part's bounding box, mm"), _COMPUTED),
+             QT_TRANSLATE_NOOP("App::Property", "Diagonal of the largest part's bounding box, mm"), COMPUTED),
     Property("Thinnest", "App::PropertyFloat", "Base", None,
-             QT_TRANSLATE_NOOP("App::Property", "Thinnest wall of the map, mm"), _COMPUTED),
+             QT_TRANSLATE_NOOP("App::Property", "Thinnest wall of the map, mm"), COMPUTED),
     Property("Thickest", "App::PropertyFloat", "Base", None,
-             QT_TRANSLATE_NOOP("App::Property", "Thickest wall of the map, mm"), _COMPUTED),
+             QT_TRANSLATE_NOOP("App::Property", "Thickest wall of the map, mm"), COMPUTED),
     Property("RangeUnit", "App::PropertyEnumeration", "Scale", RANGE_UNITS,
-             QT_TRANSLATE_NOOP("App::Property", "Unit of Low and High"), 16),
+             QT_TRANSLATE_NOOP("App::Property", "Unit of Low and High"), SHOWN_ONLY),
     Property("AutomaticRange", "App::PropertyBool", "Scale", True,
              QT_TRANSLATE_NOOP("App::Property", "Whether colours run from the thinnest to the thickest wall"),
-             16),
+             SHOWN_ONLY),
     Property("Low", "App::PropertyFloat", "Scale", None,
-             QT_TRANSLATE_NOOP("App::Property", "Thickness at the lower end of the colours"), 16),
+             QT_TRANSLATE_NOOP("App::Property", "Thickness at the lower end of the colours"), SHOWN_ONLY),
     Property("High", "App::PropertyFloat", "Scale", None,
-             QT_TRANSLATE_NOOP("App::Property", "Thickness at the upper end of the colours"), 16),
+             QT_TRANSLATE_NOOP("App::Property", "Thickness at the upper end of the colours"), SHOWN_ONLY),
     Property("ColourMap", "App::PropertyEnumeration", "Scale", COLOUR_MAPS,
-             QT_TRANSLATE_NOOP("App::Property", "Colours from thin to thick"), 16, "HeatMapColours"),
+             QT_TRANSLATE_NOOP("App::Property", "Colours from thin to thick"), SHOWN_ONLY, "HeatMapColours"),
     Property("Reversed", "App::PropertyBool", "Scale", None,
-             QT_TRANSLATE_NOOP("App::Property", "Whether the colours run the other way"), 16, "HeatMapReversed"),
+             QT_TRANSLATE_NOOP("App::Property", "Whether the colours run the other way"), SHOWN_ONLY, "HeatMapReversed"),
     Property("Bands", "App::PropertyInteger", "Scale", None,
-             QT_TRANSLATE_NOOP("App::Property", "Number of steps; 0: smooth"), 16, "HeatMapBands"),
+             QT_TRANSLATE_NOOP("App::Property", "Number of steps; 0: smooth"), SHOWN_ONLY, "HeatMapBands"),
     Property("Logarithmic", "App::PropertyBool", "Scale", None,
              QT_TRANSLATE_NOOP("App::Property", "Whether equal ratios of thickness are equally far apart on the scale"),
-             16, "HeatMapLogarithmic", before=False),
+             SHOWN_ONLY, "HeatMapLogarithmic", before=False),
     Property("Shaded", "App::PropertyBool", "Scale", None,
              QT_TRANSLATE_NOOP(
                  "App::Property", "Whether the map is lit; off: flat colours, exactly those of the colour bar"),
-             16, "HeatMapShading", before=False),
+             SHOWN_ONLY, "HeatMapShading", before=False),
     Property("UnmeasuredColour", "App::PropertyColor", "Scale", UNMEASURED,
-             QT_TRANSLATE_NOOP("App::Property", "Colour where no wall was measured"), 16, "UnmeasuredColour"),
+             QT_TRANSLATE_NOOP("App::Property", "Colour where no wall was measured"), SHOWN_ONLY, "UnmeasuredColour"),
     Property("Threshold", "App::PropertyFloat", "Thin", None,
-             QT_TRANSLATE_NOOP("App::Property", "Walls thinner than this are thin, mm"), 16),
+             QT_TRANSLATE_NOOP("App::Property", "Walls thinner than this are thin, mm"), SHOWN_ONLY),
     Property("ThinOnly", "App::PropertyBool", "Thin", None,
-             QT_TRANSLATE_NOOP("App::Property", "Whether only thin walls are coloured"), 16),
+             QT_TRANSLATE_NOOP("App::Property", "Whether only thin walls are coloured"), SHOWN_ONLY),
     Property("Check", "App::PropertyString", "Thin", None,
-             QT_TRANSLATE_NOOP("App::Property", "Process whose walls are at least Threshold and at most CheckMost"), 16),
+             QT_TRANSLATE_NOOP("App::Property", "Process whose walls are at least Threshold and at most CheckMost"),
+             SHOWN_ONLY),
     Property("CheckMost", "App::PropertyFloat", "Thin", None,
-             QT_TRANSLATE_NOOP("App::Property", "Greatest wall that the process allows, mm; 0: any"), 16),
+             QT_TRANSLATE_NOOP("App::Property", "Greatest wall that the process allows, mm; 0: any"), SHOWN_ONLY),
     Property("ProbePoints", "App::PropertyVectorList", "Probes", None,
-             QT_TRANSLATE_NOOP("App::Property", "Points where the thickness was probed"), 16),
+             QT_TRANSLATE_NOOP("App::Property", "Points where the thickness was probed"), SHOWN_ONLY),
     Property("ProbeOpposites", "App::PropertyVectorList", "Probes", None,
-             QT_TRANSLATE_NOOP("App::Property", "Points opposite the probed points"), 16),
+             QT_TRANSLATE_NOOP("App::Property", "Points opposite the probed points"), SHOWN_ONLY),
     Property("ProbeValues", "App::PropertyFloatList", "Probes", None,
-             QT_TRANSLATE_NOOP("App::Property", "Wall thickness at the probed points, mm"), 16),
+             QT_TRANSLATE_NOOP("App::Property", "Wall thickness at the probed points, mm"), SHOWN_ONLY),
 )
 """Every property of the object. The groups Scale and Thin hold the display settings; see `scale_of`."""
 

@@ -4,14 +4,13 @@ from ..bootstrap import load_freecad
 from ..guard import guarded_methods
 from ..occurrence import matrix_at, shape_at, split_at_element
 from ..preferences import QT_TRANSLATE_NOOP
+from .property_flags import COMPUTED
 from .wall_at_point import point_on_face, wall_at_point
 
 ID = "THINPART_WALL"
 
 MEASUREMENT = "Measure::MeasurePython"
 """FreeCAD's object type for measurements written in Python, shared by all add-ons."""
-
-_COMPUTED = 1 | 8 | 16  # read-only, an output of the object, and triggers no recompute
 
 
 @guarded_methods("parseSelection", "execute", "onChanged", "onDocumentRestored", isValidSelection=False,
@@ -38,9 +37,9 @@ class WallMeasurement:
                 ("App::PropertyPosition", "Where", QT_TRANSLATE_NOOP(
                     "App::Property", "Measured point on the face, in the coordinates of its object"), 0),
                 ("App::PropertyLength", "Thickness", QT_TRANSLATE_NOOP(
-                    "App::Property", "Wall thickness at the measured point"), _COMPUTED),
+                    "App::Property", "Wall thickness at the measured point"), COMPUTED),
                 ("App::PropertyPosition", "Opposite", QT_TRANSLATE_NOOP(
-                    "App::Property", "Opposite point, in the coordinates of the document"), _COMPUTED)):
+                    "App::Property", "Opposite point, in the coordinates of the document"), COMPUTED)):
             measurement.addProperty(kind, name, "Measurement", meaning, flags)
 
     @classmethod

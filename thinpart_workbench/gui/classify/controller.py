@@ -19,7 +19,7 @@ from ..document.task_controller import TaskController
 from ..document.task_dialog import TaskDialog
 from ..record.label_button import with_own_label
 from ..record.parts_table import part_rows
-from ..view3d.wall_flight import Wall, WallFlight, hidden_sentence
+from ..view3d.wall_flight import PlacedWall, WallFlight, hidden_sentence
 from .panel import ClassifyPanel
 
 
@@ -283,7 +283,7 @@ class ClassificationController(TaskController):
     def _fly(self, wall):
         if self.measured.is_unchanged():
             value, points = wall
-            is_seen = self._flight.fly(self.measured.document, Wall(value, [points]),
+            is_seen = self._flight.fly(self.measured.document, PlacedWall(value, [points]),
                                        self._shown_record["descriptors"]["diagonal_mm"], self._unit)
             self._form.result.show_flight("" if is_seen else hidden_sentence())
 

@@ -21,7 +21,7 @@ class GuideWindow(QtWidgets.QDialog):
         column = QtWidgets.QVBoxLayout(self)
         row = QtWidgets.QHBoxLayout()
         column.addLayout(row)
-        self._page = _Page(self)
+        self._page = _GuidePage(self)
         self._page.setObjectName("ThinPart_GuidePage")
         for name, text, callback in (
                 ("ThinPart_GuideContents", translate("ThinPart", "&Contents"), lambda: self.show_page(CONTENTS)),
@@ -64,7 +64,7 @@ class GuideWindow(QtWidgets.QDialog):
         self.deleteLater()
 
 
-class _Page(QtWidgets.QTextBrowser):
+class _GuidePage(QtWidgets.QTextBrowser):
     """A page of markdown. What is not one, such as an address in the internet, opens in the user's browser."""
 
     def __init__(self, parent):

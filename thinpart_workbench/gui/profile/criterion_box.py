@@ -2,7 +2,7 @@
 
 from ..application.qt import QtWidgets, Signal, translate
 from ..record.record_view import show_text, text_line
-from .condition_row import ConditionRow
+from .condition_editor import ConditionEditor
 from .edited_profile import new_condition
 from .kept_text import KeptText
 from .removable_list import RemovableList
@@ -67,13 +67,13 @@ class CriterionBox(QtWidgets.QFrame):
         column.addLayout(row)
         self._problem = text_line(self, column, "ThinPart_CriterionProblem")
         for condition in content["conditions"]:
-            self._rows.append(ConditionRow(condition, self))
+            self._rows.append(ConditionEditor(condition, self))
         self._show_removal()
         self.show_problem("")
 
     @property
     def conditions(self):
-        """list of ConditionRow"""
+        """list of ConditionEditor"""
         return self._rows.editors
 
     def content(self):
@@ -86,7 +86,7 @@ class CriterionBox(QtWidgets.QFrame):
 
     def add_condition(self):
         """Add a condition."""
-        self._rows.append(ConditionRow(new_condition(), self))
+        self._rows.append(ConditionEditor(new_condition(), self))
         self._show_change()
 
     def show_problem(self, sentence):

@@ -29,7 +29,7 @@ from ..record.parts_table import PartsTableRow
 from ..section.section_presenter import SectionPresenter
 from ..view3d.face_selection import FaceSelection, face_near
 from ..view3d.picking import ThicknessPicker, probe_ends, remove_probe
-from ..view3d.wall_flight import Wall, WallFlight, hidden_sentence
+from ..view3d.wall_flight import PlacedWall, WallFlight, hidden_sentence
 from ..widgets.process_field import offered_limits
 from .histogram import bar_edges
 from .map_check import band_shares, checked_limits, map_check_text
@@ -450,7 +450,7 @@ class ThicknessPresenter(QtCore.QObject):
     def _fly(self, value, places):
         self._boxes.distribution.chart.clear_choice()  # greyed facets would hide the wall that is flown to
         self._flown_at = moved_matrix(self.thickness)
-        is_seen = self._flight.fly(self.thickness.Document, Wall(value, places), self.thickness.Diagonal, self._unit)
+        is_seen = self._flight.fly(self.thickness.Document, PlacedWall(value, places), self.thickness.Diagonal, self._unit)
         if self._flight.target is not None:
             self._section.uncover(self._flight.target)
         self._boxes.head.show_flight("" if is_seen else hidden_sentence())

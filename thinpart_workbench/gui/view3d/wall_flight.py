@@ -13,7 +13,7 @@ from .map_labels import LabelContent, MapLabel
 
 
 @dataclass(frozen=True)
-class Wall:
+class PlacedWall:
     """A wall that can be flown to.
 
     Attributes
@@ -50,7 +50,7 @@ class WallFlight:
         Parameters
         ----------
         document : FreeCAD.Document
-        wall : Wall
+        wall : PlacedWall
         diagonal : float, mm
             Of the part.
         unit : LengthUnit

@@ -15,7 +15,7 @@ from ...core.record.part_record import descriptors_of
 from ...storage.info.info_file import SUFFIX, read_info
 from ...storage.info.info_tree import scan
 from ...storage.labels_file import refused_label
-from .validation import Share, share_of
+from .validation import CountedShare, share_of
 
 UNSURE = 0.5
 """Weight of an answer that its giver is not sure of."""
@@ -68,13 +68,13 @@ class Disagreement:
 
     Attributes
     ----------
-    pairs : Share
+    pairs : CountedShare
         Of two answers to the same part: how many differ.
     parts : tuple of dict
         Those with different answers: ``file``, ``part``, and ``answers`` by person.
     """
 
-    pairs: Share
+    pairs: CountedShare
     parts: tuple
 
 

@@ -17,7 +17,7 @@ _NORMAL_QUANTILE = 1.959963984540054
 
 
 @dataclass(frozen=True)
-class Share:
+class CountedShare:
     """A share, with its interval of 95 % confidence.
 
     Attributes
@@ -39,9 +39,9 @@ class Scores:
 
     Attributes
     ----------
-    sure : Share
+    sure : CountedShare
         Of the parts whose label is sure: those whose verdict is the label.
-    either : Share
+    either : CountedShare
         Of all parts: those whose verdict is the label or the second answer.
     confusion : dict of str to dict of str to int
         Number of parts by label, then by verdict.
@@ -49,8 +49,8 @@ class Scores:
         Expected calibration error of the stated probabilities; None where there are none.
     """
 
-    sure: Share
-    either: Share
+    sure: CountedShare
+    either: CountedShare
     confusion: Mapping
     calibration_error: Optional[float]
 
@@ -64,7 +64,7 @@ def share_of(flags):
 
     Returns
     -------
-    Share
+    CountedShare
 
     Notes
     -----
@@ -73,11 +73,11 @@ def share_of(flags):
     """
     count, total = sum(map(bool, flags)), len(flags)
     if not total:
-        return Share(0, 0, 0.0, 1.0)
+        return CountedShare(0, 0, 0.0, 1.0)
     share, square = count / total, _NORMAL_QUANTILE ** 2
     centre = (share + square / (2 * total)) / (1 + square / total)
     half = _NORMAL_QUANTILE / (1 + square / total) * math.sqrt(share * (1 - share) / total + square / (4 * total ** 2))
-    return Share(count, total, max(0.0, centre - half), min(1.0, centre + half))
+    return CountedShare(count, total, max(0.0, centre - half), min(1.0, centre + half))
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from ...storage.index.written_query import SORTABLE
 from .find_parts import find_parts
 
 
-class SearchResult(NamedTuple):
+class SortedParts(NamedTuple):
     """Sorted parts without duplicates, list of StoredPart; and their number before the limit is applied."""
 
     parts: list
@@ -29,7 +29,7 @@ def search(indexes, query, sort="file", descending=False, limit=None):
 
     Returns
     -------
-    SearchResult
+    SortedParts
 
     Raises
     ------
@@ -42,7 +42,7 @@ def search(indexes, query, sort="file", descending=False, limit=None):
     parts = _distinct(part for parts in found for part in parts)
     if len(found) > 1:
         parts = sorted(parts, key=lambda part: _sort_key(part, sort, descending), reverse=descending)
-    return SearchResult(list(parts)[:limit], sum(map(len, found)))
+    return SortedParts(list(parts)[:limit], sum(map(len, found)))
 
 
 def _order(sort, descending):

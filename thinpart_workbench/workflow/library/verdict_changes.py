@@ -22,7 +22,7 @@ MOST_ERRORS = 20
 _FILES_AT_ONCE = 20
 
 
-class StoredPart(NamedTuple):
+class ChangedPart(NamedTuple):
     """A part of an info file: paths of that and of the document, the part's name and label."""
 
     info_file: str
@@ -71,7 +71,7 @@ class VerdictChanges:
         self._info_files, self.problems = list(info_files), list(problems)
         self.total, self.read, self.failed = len(self._info_files), 0, 0
         self._table = VerdictTable()
-        self._parts: list[StoredPart] = []
+        self._parts: list[ChangedPart] = []
         self._before: list[str] = []
         self._missing: list[frozenset] = []
         self._judged: tuple = [], np.zeros(0, int)
@@ -117,7 +117,7 @@ class VerdictChanges:
         return ChangeCounts(len(numbers), changes, {names[number]: count for number, count in sorted(after.items())})
 
     def parts(self, before, after, most):
-        """The first parts of a change that was counted last: list of StoredPart.
+        """The first parts of a change that was counted last: list of ChangedPart.
 
         Parameters
         ----------
@@ -143,7 +143,7 @@ class VerdictChanges:
         document = described_document(info_file, content)
         for part in content["parts"]:
             self._table.add([descriptors_of(part)])
-            self._parts.append(StoredPart(info_file, document, part["name"], part["label"]))
+            self._parts.append(ChangedPart(info_file, document, part["name"], part["label"]))
             self._before.append(part["category"])
             self._missing.append(_missing_quantities(frozenset(part["descriptors"])))
 

@@ -18,7 +18,7 @@ _WIDEST = 70
 """Characters of the widest line in the list of quantities."""
 
 
-class ConditionRow(QtWidgets.QWidget):
+class ConditionEditor(QtWidgets.QWidget):
     """Edits one condition.
 
     Parameters
