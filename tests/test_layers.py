@@ -288,7 +288,7 @@ def test_circles_are_found_wherever_they_are_closed(tmp_path):
 MADE_AT_IMPORT = {
     "Path", "Path.resolve", "?.as_posix", "tuple", "list", "range", "namedtuple", "re.compile", "np.radians",
     "__name__.partition", "translate", "LengthUnit", "QtGui.QColor", "QtCore.QModelIndex", "Signal", "dataclass",
-    "guarded_methods", "lru_cache",
+    "guarded_methods", "lru_cache", "Command", "QT_TRANSLATE_NOOP",
 }
 """What a module of gui may call when it is imported: what gives values, and what declares classes and functions."""
 
@@ -359,6 +359,15 @@ def test_classes_are_where_saved_documents_name_them(module):
     there = {node.name for node in tree.body if isinstance(node, ast.ClassDef)}
     there |= {name.asname or name.name for node in tree.body if isinstance(node, ast.ImportFrom) for name in node.names}
     assert IN_SAVED_DOCUMENTS[module] in there
+
+
+def test_every_command_opens_something_of_a_module():
+    """COMMANDS names what each opens, so that no import shows it."""
+    named = re.findall(r'"([a-z_.]+):(\w+)"', (PACKAGE / "gui" / "commands.py").read_text(encoding="utf-8"))
+    assert len(named) >= 11
+    for module, name in named:
+        tree = ast.parse((PACKAGE / "gui" / Path(*module.split("."))).with_suffix(".py").read_text(encoding="utf-8"))
+        assert name in {node.name for node in tree.body if isinstance(node, (ast.ClassDef, ast.FunctionDef))}, module
 
 
 def test_every_process_of_the_window_is_a_module():

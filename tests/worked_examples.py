@@ -54,8 +54,8 @@ def _changed(content, block):
         before, line, after = _divided(content, rf"^{name} = ")
         return f"{before}{block.code}\n\n{line}{after}"
     assert where == "in", block.place
-    before, line, after = _divided(content, rf"^{name} = [({{]\n")
-    rows, end, rest = _divided(after, r"^[)}]\n", times=None)
+    before, line, after = _divided(content, rf"^{name} = (?:[({{]|{{.* in \()\n")
+    rows, end, rest = _divided(after, r"^[)}]+\n", times=None)
     return before + line + rows + block.code + end + rest
 
 

@@ -17,12 +17,9 @@ if IN_FREECAD:
     from thinpart_workbench.freecad_adapter.preferences import GROUP
     from thinpart_workbench.gui.application import lifelong
     from thinpart_workbench.gui.application.qt import QtCore
-    from thinpart_workbench.gui.classify.command import end_session
-    from thinpart_workbench.gui.folder.command import end_folder_dialog
-    from thinpart_workbench.gui.learning.command import end_learn_dialog
+    from thinpart_workbench.gui.document.active_task import end_session
     from thinpart_workbench.gui.library.command import end_find_parts
-    from thinpart_workbench.gui.profile.command import end_profile_editor
-    from thinpart_workbench.gui.report.command import end_report_dialog
+    from thinpart_workbench.gui.widgets.single_dialog import end_single_dialog
 
     complaints.listen()
 
@@ -61,13 +58,12 @@ if IN_FREECAD:
 
     def _clean():
         end_session()
-        end_folder_dialog()
+        end_single_dialog("FolderDialog")
         end_find_parts()
         lifelong.auto_classifier.end()
         lifelong.notifications.clear()
-        end_report_dialog()
-        end_profile_editor()
-        end_learn_dialog()
+        for name in ("ReportDialog", "ProfileDialog", "LearnDialog"):
+            end_single_dialog(name)
         Gui.Control.closeDialog()
         for name in list(App.listDocuments()):
             App.closeDocument(name)

@@ -8,14 +8,12 @@ import window_actions as window
 
 from thinpart_workbench.freecad_adapter.preferences import PAGES
 from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
+from thinpart_workbench.gui.commands import COMMANDS
 from thinpart_workbench.gui.document.active_task import end_session, open_session
 from thinpart_workbench.gui.document.part_chooser import PartChooser
-from thinpart_workbench.gui.folder.command import end_folder_dialog, show_folder_dialog
-from thinpart_workbench.gui.learning.command import end_learn_dialog, show_learn_dialog
 from thinpart_workbench.gui.library.command import end_find_parts, show_find_parts
 from thinpart_workbench.gui.preferences.form import PreferencesForm
-from thinpart_workbench.gui.profile.command import end_profile_editor, show_profile_editor
-from thinpart_workbench.gui.report.command import end_report_dialog, show_report_dialog
+from thinpart_workbench.gui.widgets.single_dialog import end_single_dialog
 
 IN_MAIN_WINDOW = ("classification", "thickness", "mesh sizes", "find parts")
 
@@ -47,13 +45,21 @@ def _mesh_sizes(document):
     Gui.Selection.clearSelection()
 
 
-def _dialog(show, end):
+@contextmanager
+def _find_parts(document):
+    dock = show_find_parts()
+    window.settle(300)
+    yield [dock]
+    end_find_parts()
+
+
+def _dialog(command, name):
     @contextmanager
     def shown(document):
-        dialog = show()
+        COMMANDS[command].Activated()
         window.settle(300)
-        yield [dialog]
-        end()
+        yield [window.widget(f"ThinPart_{name}")]
+        end_single_dialog(name)
     return shown
 
 
@@ -85,11 +91,11 @@ WINDOWS = {
     "classification": _classification,
     "thickness": _thickness,
     "mesh sizes": _mesh_sizes,
-    "folder": _dialog(show_folder_dialog, end_folder_dialog),
-    "report": _dialog(show_report_dialog, end_report_dialog),
-    "find parts": _dialog(show_find_parts, end_find_parts),
-    "profile": _dialog(show_profile_editor, end_profile_editor),
-    "learning": _dialog(show_learn_dialog, end_learn_dialog),
+    "folder": _dialog("ThinPart_ClassifyFolder", "FolderDialog"),
+    "report": _dialog("ThinPart_Report", "ReportDialog"),
+    "find parts": _find_parts,
+    "profile": _dialog("ThinPart_EditProfile", "ProfileDialog"),
+    "learning": _dialog("ThinPart_LearnThresholds", "LearnDialog"),
     "part chooser": _chooser,
     **{f"preferences {title}": _page(title) for title in PAGES},
 }

@@ -6,7 +6,7 @@ import window_actions as window
 from thinpart_workbench.api.reclassification import ReclassificationCounts, reclassify
 from thinpart_workbench.freecad_adapter.preferences import set_preference, set_preference_list
 from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
-from thinpart_workbench.gui.profile.command import end_profile_editor
+from thinpart_workbench.gui.widgets.single_dialog import end_single_dialog
 
 
 @pytest.fixture(autouse=True)
@@ -15,7 +15,7 @@ def own_files(tmp_path, monkeypatch):
     monkeypatch.setenv("THINPART_PROFILES", str(tmp_path / "profiles"))
     monkeypatch.setenv("THINPART_LIMITS", str(tmp_path / "wall_limits.json"))
     yield tmp_path
-    end_profile_editor()
+    end_single_dialog("ProfileDialog")
     set_preference("Profile", None)
     window.wait_until(lambda: not window.workers("profile_worker"))
 

@@ -30,7 +30,6 @@ from slow_files import make_endless
 
 from thinpart_workbench.freecad_adapter.preferences import preference_list, set_preference_list
 from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
-from thinpart_workbench.gui.folder import command as classify_folder
 from thinpart_workbench.gui.folder.results_model import (
     BOX,
     CATEGORY,
@@ -41,6 +40,7 @@ from thinpart_workbench.gui.folder.results_model import (
     RATIO,
     THINNEST,
 )
+from thinpart_workbench.gui.widgets.single_dialog import end_single_dialog
 from thinpart_workbench.storage.info.info_file import read_info
 
 
@@ -172,7 +172,7 @@ def test_choices_are_kept(dialog, folder):
     window.click("ThinPart_FolderFormatMesh")
     window.widget("ThinPart_FolderSeconds").setValue(77)
     run(folder, Exclude="*.step")
-    classify_folder.end_folder_dialog()
+    end_single_dialog("FolderDialog")
     window.settle()
     window.press("ThinPart_ClassifyFolder")
     assert window.widget("ThinPart_Folder").currentText() == str(folder)

@@ -8,9 +8,8 @@ import window_actions as window
 from every_window import IN_MAIN_WINDOW, WINDOWS, document_to_show, wheel_over
 
 from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
-from thinpart_workbench.gui.classify.command import current_session
 from thinpart_workbench.gui.commands import COMMANDS
-from thinpart_workbench.gui.document.active_task import end_session
+from thinpart_workbench.gui.document.active_task import end_session, open_session
 from thinpart_workbench.gui.guide.pages import FOLDER, PAGE_OF
 from thinpart_workbench.gui.widgets.controls import controls, menu_letters, mnemonic, plain, reading_order
 
@@ -152,7 +151,7 @@ def test_commands_have_shortcuts_that_nothing_else_has():
         for sequence in action.shortcuts():
             taken.setdefault(sequence.toString(), set()).add(action.objectName() or action.text())
     for name, command in COMMANDS.items():
-        keys = command().GetResources()["Accel"]
+        keys = command.keys
         assert keys.startswith("T, "), name
         window.tool_button(name)
         assert taken.get(keys, {name}) == {name}, (keys, taken.get(keys))
@@ -163,8 +162,7 @@ def test_the_guide_lists_the_keys_of_all_commands():
     page = (FOLDER / "keys.md").read_text(encoding="utf-8")
     rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in page.splitlines() if line.startswith("| T, ")]
     listed = {keys: (title, re.search(r"\]\((.*)\)", link).group(1)) for keys, title, link in rows}
-    texts = {name: command().GetResources() for name, command in COMMANDS.items()}
-    assert listed == {each["Accel"]: (each["MenuText"], PAGE_OF[name]) for name, each in texts.items()}
+    assert listed == {each.keys: (each.text, PAGE_OF[name]) for name, each in COMMANDS.items()}
 
 
 @pytest.mark.parametrize("name", ["folder", "report", "profile", "learning"])
@@ -179,7 +177,7 @@ def test_escape_closes_a_panel_from_the_start(part):
     panel = window.widget("ThinPart_Panel")
     QtWidgets.QApplication.sendEvent(panel, QtGui.QKeyEvent(
         QtCore.QEvent.KeyPress, QtCore.Qt.Key_Escape, QtCore.Qt.NoModifier))
-    window.wait_until(lambda: current_session() is None)
+    window.wait_until(lambda: open_session() is None)
 
 
 @pytest.mark.parametrize("name, first", [

@@ -10,9 +10,10 @@ import window_actions as window
 
 from thinpart_workbench.freecad_adapter.objects import thickness_object
 from thinpart_workbench.freecad_adapter.objects.thickness_object import thickness_objects
-from thinpart_workbench.gui import commands
 from thinpart_workbench.gui.application import faults, lifelong
 from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
+from thinpart_workbench.gui.classify import controller
+from thinpart_workbench.gui.commands import clear_colours
 from thinpart_workbench.gui.document import active_task
 from thinpart_workbench.gui.view3d import scene_sync, view_provider
 
@@ -51,14 +52,14 @@ def told_once(text):
 
 
 def test_a_command(document, monkeypatch, report):
-    monkeypatch.setattr(commands, "classify_active_document", fail)
+    monkeypatch.setattr(controller, "ClassificationController", fail)
     Gui.runCommand("ThinPart_Classify")
     assert told_once(report())
 
 
 def test_whether_a_command_is_active(document, monkeypatch, report):
-    monkeypatch.setattr(commands, "can_report", fail)
-    assert not Gui.isCommandActive("ThinPart_Report")
+    monkeypatch.setattr(lifelong.face_colours, "is_shown", fail)
+    assert not Gui.isCommandActive("ThinPart_ClearColours")
     assert told_once(report())
 
 
@@ -111,10 +112,10 @@ def test_a_task_panel(document, monkeypatch, report):
     assert told_once(report())
 
 
-def test_a_slot_and_a_timer(monkeypatch, report):
-    monkeypatch.setattr(commands, "can_report", fail)
+def test_a_slot_and_a_timer(document, monkeypatch, report):
+    monkeypatch.setattr(lifelong.face_colours, "clear", fail)
     button = QtWidgets.QPushButton()
-    button.clicked.connect(commands.Report.IsActive.__wrapped__)  # without the edge: Qt calls it
+    button.clicked.connect(clear_colours)  # at no edge: Qt calls it
     button.click()
     assert told_once(report())
     faults.forget_reported_faults()
@@ -151,7 +152,7 @@ def test_a_failure_with_a_sentence_of_its_own_is_told_by_that(document, monkeypa
     def foreseen():
         raise ThinPartError("The disk is full: make room.", "info_write")
 
-    monkeypatch.setattr(commands, "classify_active_document", foreseen)
+    monkeypatch.setattr(controller, "ClassificationController", foreseen)
     Gui.runCommand("ThinPart_Classify")
     assert report().rstrip().endswith("ThinPart: The disk is full: make room.")
 
@@ -164,7 +165,7 @@ has_area = hasattr(App.Console, "PrintNotification")
 @pytest.mark.skipif(not has_area, reason="this FreeCAD has no notification area")
 def test_the_area_has_one_sentence_and_no_traceback(document, monkeypatch):
     before = window.notification_area()
-    monkeypatch.setattr(commands, "classify_active_document", fail)
+    monkeypatch.setattr(controller, "ClassificationController", fail)
     Gui.runCommand("ThinPart_Classify")
     window.settle(100)
     found = window.notification_area()

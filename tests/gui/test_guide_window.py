@@ -12,9 +12,10 @@ from every_window import WINDOWS, document_to_show
 from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
 from thinpart_workbench.gui.commands import COMMANDS
 from thinpart_workbench.gui.document.active_task import open_session
-from thinpart_workbench.gui.guide.command import end_guide, show_guide
+from thinpart_workbench.gui.guide.command import show_guide
 from thinpart_workbench.gui.guide.pages import FOLDER, PAGE_OF, heading_anchor
 from thinpart_workbench.gui.profile.command import show_profile_editor
+from thinpart_workbench.gui.widgets.single_dialog import end_single_dialog
 
 HELP_OF = {
     "classification": "ThinPart_Classify", "thickness": "ThinPart_ShowThickness", "folder": "ThinPart_ClassifyFolder",
@@ -45,7 +46,7 @@ def browser():
     yield browser
     for scheme in ("file", "http", "https"):
         QtGui.QDesktopServices.unsetUrlHandler(scheme)
-    end_guide()
+    end_single_dialog("GuideWindow")
 
 
 @pytest.fixture
@@ -92,7 +93,7 @@ def test_whats_this_and_f1_in_a_window_open_its_page(name, browser, part):
         QtWidgets.QWhatsThis.enterWhatsThisMode()
         window.mouse_click(target)
         window.wait_until(lambda: is_at(HELP_OF[name]))
-        end_guide()
+        end_single_dialog("GuideWindow")
         window.wait_until(lambda: not window.is_shown("ThinPart_GuideWindow"))
         window.key(target, QtCore.Qt.Key_F1)
         window.wait_until(lambda: is_at(HELP_OF[name]))

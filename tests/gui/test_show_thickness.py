@@ -15,6 +15,7 @@ from window_actions import V
 from thinpart_workbench.api.document_maps import parts_of
 from thinpart_workbench.freecad_adapter.objects.snapshot import write_snapshot
 from thinpart_workbench.freecad_adapter.objects.thickness_object import thickness_objects
+from thinpart_workbench.gui.commands import COMMANDS
 from thinpart_workbench.gui.processes import snapshot_job
 from thinpart_workbench.gui.thickness.command import is_measuring_again
 from thinpart_workbench.gui.view3d.picking import add_probe
@@ -343,10 +344,8 @@ def test_another_document_in_front_meanwhile(document):
 
 
 def test_without_a_document_it_cannot_be_pressed_and_says_why_when_called():
-    from thinpart_workbench.gui.thickness.command import show_thickness
-
     assert not Gui.isCommandActive("ThinPart_ShowThickness")
-    show_thickness()
+    COMMANDS["ThinPart_ShowThickness"].Activated()
     window.settle(50)
     assert window.text("ThinPart_Message") == "There is no document: open or create one first."
 

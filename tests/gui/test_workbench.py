@@ -1,11 +1,15 @@
 """The workbench is there, and its commands are active when they make sense."""
 
 import xml.etree.ElementTree as ElementTree
+from importlib import import_module
 from pathlib import Path
 
 import FreeCAD as App
 import FreeCADGui as Gui
+import pytest
 import window_actions as window
+
+from thinpart_workbench.gui.commands import COMMANDS
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -17,6 +21,12 @@ def test_the_workbench_has_its_tool_bar_and_menu():
                     "ThinPart_Preferences"):
         button = window.tool_button(command)
         assert button.toolTip() and not button.icon().isNull()
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_what_a_command_opens_is_there(name):
+    module, _, opened = COMMANDS[name].opens.partition(":")
+    assert callable(getattr(import_module(f"thinpart_workbench.gui.{module}"), opened))
 
 
 def test_package_xml_names_the_workbench_and_files_that_exist():
@@ -33,9 +43,7 @@ def test_without_a_document_nothing_can_be_pressed():
 
 
 def test_called_without_a_document_it_says_so():
-    from thinpart_workbench.gui.classify.command import classify_active_document
-
-    classify_active_document()
+    COMMANDS["ThinPart_Classify"].Activated()
     # Not whether it is in sight: a new FreeCAD 1.1 keeps its tasks out of sight until there is a document.
     said = window.widget("ThinPart_Message").text
     window.wait_until(lambda: said() == "There is no document: open or create one first.")

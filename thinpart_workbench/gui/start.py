@@ -11,8 +11,9 @@ from ..freecad_adapter.objects.wall_measurement import add_wall_measurement
 from .application import lifelong
 from .application.faults import install_fault_handler
 from .application.profile_signals import ProfileSignals
+from .application.qt import translate
 from .application.unit_watch import UnitWatch
-from .classify.command import classify_or_explain
+from .commands import COMMANDS
 from .document.active_task import close_session_of
 from .document.document_observer import DocumentObserver
 from .document.face_colours import FaceColours
@@ -59,11 +60,21 @@ def start():
     _connect_maps(observer, lifelong.map_events)
     observer.restored.add(MeasurementWatch().on_object_restored)
     observer.closed.add(close_session_of)
-    lifelong.auto_classifier.clicked.add(classify_or_explain)
+    lifelong.auto_classifier.clicked.add(_classify_or_explain)
     observer.begin()
     lifelong.auto_classifier.begin()
     lifelong.units.begin()
     observer.closed.add(stop_measuring)
+
+
+def _classify_or_explain():
+    """Classify the selected or active part, or explain in the status bar why that is not possible."""
+    command = COMMANDS["ThinPart_Classify"]
+    if command.IsActive():
+        command.Activated()
+    else:
+        lifelong.notifications.show_message(translate(
+            "ThinPart", "To classify a part, open a document and close the task that is open."))
 
 
 def _connect_face_colours(observer, colours):

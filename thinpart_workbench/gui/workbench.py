@@ -5,6 +5,7 @@ from pathlib import Path
 import FreeCADGui as Gui
 
 from .application.qt import translate
+from .commands import add_commands
 
 ICONS = (Path(__file__).resolve().parents[2] / "resources" / "icons").as_posix()
 MENU_TEXT = "ThinPart"
@@ -23,8 +24,6 @@ def initialize(workbench):
     ----------
     workbench : Gui.Workbench
     """
-    from .commands import add_commands
-
     names = add_commands()
     workbench.appendToolbar("ThinPart", names)
     workbench.appendMenu("&ThinPart", names)

@@ -22,11 +22,6 @@ def open_session(kind=None):
     return None
 
 
-def can_open_session():
-    """Whether commands that open a panel are enabled: a document is open."""
-    return App.ActiveDocument is not None
-
-
 def is_task_view_free(document=None):
     """Whether a panel can be opened; shows why where a task of FreeCAD, such as measuring, prevents it.
 
@@ -88,15 +83,22 @@ def _blocks_measure_tool():
     return True
 
 
-def begin_session(kind, session):
-    """Start a session after closing the open one.
+def begin_session(kind, controller, document, *subject):
+    """Start a session after closing the open one; see `is_task_view_free` for when that is refused.
 
     Parameters
     ----------
     kind : str
-    session : object
-        With ``panel``, ``document_name``, ``start`` and ``close``.
+    controller : type
+        Called with the document and the subject, it makes the session, with ``panel``, ``document_name``, ``start`` and
+        ``close``.
+    document : FreeCAD.Document or None
+    *subject : object
+        What in the document it is about.
     """
+    if not is_task_view_free(document):
+        return
+    session = controller(document, *subject)
     end_session()
     if not _measure_tool:
         _measure_tool.append(MeasureTool(_blocks_measure_tool))

@@ -1,7 +1,7 @@
 """Shows the guide: from its command, from FreeCAD's What's This, and from F1 in ThinPart's panels."""
 
 from ..application.qt import QtCore, QtWidgets, translate
-from ..widgets.single_dialog import end_single_dialog, show_single_dialog
+from ..widgets.single_dialog import show_single_dialog
 from .pages import CONTENTS, PAGE_OF
 
 
@@ -23,11 +23,6 @@ def show_guide(name="ThinPart_Guide"):
     window = show_single_dialog(GuideWindow)
     window.show_page(PAGE_OF.get(name, CONTENTS))
     return window
-
-
-def end_guide():
-    """Delete the window."""
-    end_single_dialog("GuideWindow")
 
 
 class WhatsThis(QtCore.QObject):

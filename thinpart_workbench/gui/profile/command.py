@@ -3,7 +3,7 @@
 from ...freecad_adapter.preferences import preference
 from ..application.qt import QtWidgets, execute
 from ..widgets.controls import prepare_controls
-from ..widgets.single_dialog import end_single_dialog, show_single_dialog, single_dialog
+from ..widgets.single_dialog import show_single_dialog, single_dialog
 
 
 def show_profile_editor(name=None):
@@ -37,8 +37,3 @@ def show_profile_editor(name=None):
     elif name is not None:
         dialog.choose(name)
     return show_single_dialog(ProfileDialog)
-
-
-def end_profile_editor():
-    """Delete the editor, without asking about unsaved changes."""
-    end_single_dialog("ProfileDialog")

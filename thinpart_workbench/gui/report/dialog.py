@@ -23,6 +23,7 @@ from ..processes.package_installation import PackageInstallation
 from ..processes.snapshot_job import SnapshotJob
 from ..record.record_view import show_text, text_line
 from ..widgets.push_button import add_button
+from ..widgets.single_dialog import show_single_dialog, single_dialog
 
 _PACKAGE = "Jinja2"
 """Template engine of the report pages; FreeCAD bundles do not include it."""
@@ -40,6 +41,12 @@ def proposed_folder(document):
 
 def _user_documents():
     return QtCore.QStandardPaths.writableLocation(QtCore.QStandardPaths.DocumentsLocation)
+
+
+def show_report_dialog():
+    """Bring the one dialog to the front; unless busy, it switches to the active document."""
+    single_dialog(ReportDialog).show_document(App.ActiveDocument)
+    show_single_dialog(ReportDialog)
 
 
 class ReportDialog(QtWidgets.QDialog):

@@ -5,14 +5,9 @@ import FreeCADGui as Gui
 
 from ..application import lifelong
 from ..application.sentences import translated
-from ..document.active_task import THICKNESS, begin_session, can_open_session, is_task_view_free, open_session
+from ..document.active_task import THICKNESS, begin_session, open_session
 
 _measuring = {}  # ThicknessMeasurement without a panel, by (document name, map name)
-
-
-def can_show_thickness():
-    """Whether the command is available; see `can_open_session`."""
-    return can_open_session()
 
 
 def show_thickness():
@@ -23,17 +18,14 @@ def show_thickness():
 
     document = App.ActiveDocument
     selected = Gui.Selection.getSelection(document.Name) if document is not None else []
-    maps = [item for item in selected if is_thickness(item)]
-    if is_task_view_free(document):
-        begin_session(THICKNESS, ThicknessController(document, maps[0] if maps else None))
+    begin_session(THICKNESS, ThicknessController, document, next(filter(is_thickness, selected), None))
 
 
 def show_thickness_map(thickness):
     """Open the panel of a map."""
     from .controller import ThicknessController
 
-    if is_task_view_free(thickness.Document):
-        begin_session(THICKNESS, ThicknessController(thickness.Document, thickness))
+    begin_session(THICKNESS, ThicknessController, thickness.Document, thickness)
 
 
 def measure_map_again(document_name, name):
