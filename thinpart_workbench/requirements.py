@@ -102,7 +102,6 @@ TABLE = (
     Requirement("python3-pytest-timeout", "ends a test that hangs", _module("pytest_timeout"), ("test",)),
     Requirement("python3-pytest-xdist", "runs tests on all cores", _module("xdist"), ("test",)),
     Requirement("python3-hypothesis", "makes up cases for the tests", _module("hypothesis"), ("test",)),
-    Requirement("python3-pyflakes", "finds names that nothing defines", _module("pyflakes"), ("test",)),
     Requirement("python3-jsonschema", "checks info files against their schema", _module("jsonschema"), ("test",)),
     Requirement("bubblewrap", "confines what reads foreign files where the kernel cannot", _program("bwrap"), ("test",)),
     Requirement("python3-pip", "installs what reports need, as the window offers to", _module("pip"), ("test",)),

@@ -72,6 +72,15 @@ def test_round_and_solid_parts_and_the_greatest_wall(shape, most, holds):
     assert check_walls(made_library.measured_record("part", shape), limits(None, most)).holds is holds
 
 
+@pytest.mark.parametrize("length, holds", [(2.0, True), (20.0, None), (200.0, False)])
+def test_where_little_of_a_part_is_too_thick_it_cannot_be_told(length, holds):
+    """A bar of 20 mm beside a plate of 4 mm: 0, 14 and 66 % of the volume lie deeper than the limit allows."""
+    shape = made_meshes.joined(made_meshes.box(100, 100, 4),
+                               made_meshes.moved(made_meshes.box(length, 20, 20), shift=(200.0, 0.0, 0.0)))
+    check = check_walls(made_library.measured_record("part", shape), limits(None, 4.2))
+    assert (check.thin_holds, check.thick_holds, check.holds) == (True, holds, holds)
+
+
 @pytest.mark.parametrize("thinnest, error, holds, within", [
     (2.0, 0.01, True, True), (1.99, 0.02, True, True), (1.99, 0.005, False, False), (1.9, 0.2, False, True),
     (2.1, 0.2, True, True), (2.3, 0.2, True, False), (1.9, 1.2, None, False), (0.2, 1.2, False, False),

@@ -69,6 +69,13 @@ def test_notes_survive(document):
     assert info_file.read_info(path)["parts"][0]["notes"] == "meshed with 3 layers"
 
 
+def test_notes_that_come_with_a_new_analysis_replace_the_old_ones(document):
+    path = info_file.info_path(document)
+    info_file.write_info(path, content_of(document, notes="meshed with 3 layers"))
+    info_file.write_info(path, content_of(document, notes="meshed with 4 layers"))
+    assert info_file.read_info(path)["parts"][0]["notes"] == "meshed with 4 layers"
+
+
 def test_what_sentences_are_made_of_is_kept(document):
     path, content = info_file.info_path(document), content_of(document)
     said = message("{count} duplicate triangles were left out.", count=3)
