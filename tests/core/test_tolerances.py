@@ -17,9 +17,8 @@ def has_limits(file):
     for node in ast.parse(file.read_text(encoding="utf-8")).body:
         if isinstance(node, ast.Assign):
             names = [each.id for target in node.targets for each in ast.walk(target) if isinstance(each, ast.Name)]
-            constants = (each.value for each in ast.walk(node.value) if isinstance(each, ast.Constant))
-            has_fraction = any(isinstance(value, float) for value in constants)
-            if has_fraction and not all(name.startswith("_") for name in names):
+            values = [each.value for each in ast.walk(node.value) if isinstance(each, ast.Constant)]
+            if any(isinstance(value, float) for value in values) and not all(name.startswith("_") for name in names):
                 return True
     return False
 

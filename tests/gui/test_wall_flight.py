@@ -18,7 +18,7 @@ from thinpart_workbench.gui.document.free_area import free_area
 from thinpart_workbench.gui.scene.drawn_triangles import drawn_triangles
 from thinpart_workbench.gui.scene.view_ray import first_object
 from thinpart_workbench.gui.view3d.label_node import MARK, shown_labels
-from thinpart_workbench.gui.view3d.wall_flight import Wall, WallFlight
+from thinpart_workbench.gui.view3d.wall_flight import PlacedWall, WallFlight
 
 
 def deep_pocket():
@@ -133,7 +133,7 @@ def test_another_part_that_covers_the_wall_is_avoided_and_one_that_is_hidden_is_
     window.add(document, "Part", u_with_rib())
     lid = window.add(document, "Lid", Part.makeBox(100, 200, 2, V(-10, -80, 41)))
     thickness = mapped(document)
-    wall = Wall(0.6, [(V(40, 20, 15), V(40, 20.6, 15))])
+    wall = PlacedWall(0.6, [(V(40, 20, 15), V(40, 20.6, 15))])
     flight = WallFlight()
     fly(document, lambda: flight.fly(document, wall, thickness.Diagonal, MILLIMETRE))
     assert is_near_wall(seen_in_the_middle(document), 0.6, wall.places[0], 0.2)
@@ -159,7 +159,7 @@ def test_a_place_linked_part_is_seen_where_it_stands(document):
     ends = [tuple(matrix.multVec(end)) for end in (V(40, 20, 15), V(40, 20.6, 15))]
     view = look_at(document)
     flight = WallFlight()
-    assert flight.fly(document, Wall(0.6, [ends]), 100.0, MILLIMETRE)
+    assert flight.fly(document, PlacedWall(0.6, [ends]), 100.0, MILLIMETRE)
     arrive(document)
     assert is_near_wall(seen_in_the_middle(document), 0.6, ends, 0.1)
     assert wall.ViewObject.Visibility and all_texts(document) == [MILLIMETRE.text(0.6)]
