@@ -372,6 +372,16 @@ def test_every_command_opens_something_of_a_module():
 
 def test_every_process_of_the_window_is_a_module():
     named = {text for path in files("gui") for text in re.findall(r'"([a-z_]+_worker)"', path.read_text(encoding="utf-8"))}
-    assert len(named) >= 5
+    assert len(named) >= 3
     for name in named:
         assert (PACKAGE / "window_processes" / f"{name}.py").is_file(), name
+
+
+def test_every_function_that_the_window_has_called_is_one_of_api():
+    named = {text for path in files("gui")
+             for text in re.findall(r'"([a-z_]+\.[a-z_]+)"', path.read_text(encoding="utf-8"))}
+    requests = {text for text in named if (PACKAGE / "api" / f"{text.partition('.')[0]}.py").is_file()}
+    assert len(requests) >= 6
+    for module, name in (text.split(".") for text in requests):
+        tree = ast.parse((PACKAGE / "api" / f"{module}.py").read_text(encoding="utf-8"))
+        assert name in {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}, f"{module}.{name}"

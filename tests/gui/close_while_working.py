@@ -83,16 +83,18 @@ def _classify_a_folder():
 
 
 def _read_a_library():
-    """Notes are written and not saved, and more parts are being read."""
+    """Notes are written and not saved, more parts are being read, and labels wait behind something that is read."""
     import FreeCADGui as Gui
     import window_actions as window
     from made_library import make_large_library
 
     from thinpart_workbench.freecad_adapter.preferences import set_preference_list
     from thinpart_workbench.freecad_adapter.python_beside_freecad import python_environment
+    from thinpart_workbench.gui.application import lifelong
     from thinpart_workbench.gui.application.qt import QtWidgets
     from thinpart_workbench.gui.library.libraries_page import LibrariesPage
     from thinpart_workbench.gui.processes.freecad_python import python_program
+    from thinpart_workbench.gui.processes.request_queue import LABEL
 
     Gui.activateWorkbench("ThinPartWorkbench")
     parts, many = HOME / "parts", HOME / "many"
@@ -110,6 +112,10 @@ def _read_a_library():
     window.widget("ThinPart_KeptNotes").setPlainText("written last")
     window.widget("ThinPart_FindParts", QtWidgets.QDockWidget).findChild(LibrariesPage).add(os.fspath(many))
     window.wait_until(lambda: "info files read" in window.widget("ThinPart_LibraryProgress").text())
+    lifelong.region_notes.read(os.fspath(parts / "block.step"))
+    for person in ("Anna", "Bert"):
+        lifelong.requests.keep(LABEL, path=os.fspath(parts / "block.step.thinpart.json"), part=None, category="thin",
+                               is_sure=True, person=person)
     Gui.getMainWindow().close()
 
 

@@ -249,8 +249,9 @@ def _closes_cleanly(home, what):
     left += _working(os.fspath(home))
     if what == "folder" and not _some_are_done(home / "parts"):
         left.append("no info files, or unfinished ones")
-    if what == "library" and "written last" not in _text(home / "parts" / "block.step.thinpart.json"):
-        left.append("notes that nobody has kept")
+    if what == "library":
+        kept = _text(home / "parts" / "block.step.thinpart.json")
+        left += [f"{what} that nobody has kept" for what in ("written last", "Anna", "Bert") if what not in kept]
     print(f"Closed while working on a {what}: " + (
         "left behind " + ", ".join(left) if left else f"status {status}, nothing left behind."))
     return 1 if status or left else 0
@@ -266,7 +267,7 @@ def _working(home):
         if home in _text(process / "environ") and any(
                 each in command for each in (
                     "snapshot_worker", "classify", " report ", "multiprocessing", "library_worker",
-                    "saved_document_worker", "info_file_worker")):
+                    "request_worker")):
             yield command
 
 

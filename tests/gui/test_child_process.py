@@ -186,8 +186,7 @@ def conversation(module, **job):
 
 
 @pytest.mark.parametrize("module, job", [
-    ("info_file_worker", {"nothing": "foreseen"}),
-    ("saved_document_worker", {"nothing": "foreseen"}),
+    ("request_worker", {"nothing": "foreseen"}),
     ("reclassify_worker", {"nothing": "foreseen"}),
     ("library_worker", {"ask": "nothing"}),
 ])
@@ -195,13 +194,6 @@ def test_what_no_worker_has_foreseen_is_told_as_data(module, job):
     sentence, told, failure = conversation(module, **job)
     assert told == [] and failure["kind"] == "failed"
     assert sentence == failure["message"] and sentence.startswith("The worker process failed (")
-
-
-def test_what_a_worker_has_foreseen_is_its_own_sentence(tmp_path):
-    sentence, told, failure = conversation(
-        "saved_document_worker", document=str(tmp_path / "x.FCStd"), folder="", settings={}, profile="no profile",
-        seconds=10, megabytes=1000)
-    assert told == [] and failure["kind"] == "profile" and sentence == failure["message"]
 
 
 @pytest.mark.complains("Fatal Python error", "Extension modules", "bad_alloc", "<no Python frame>", "File ")

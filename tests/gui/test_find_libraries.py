@@ -40,7 +40,7 @@ from thinpart_workbench.gui.application.qt import QtWidgets
 from thinpart_workbench.gui.library import command as find_parts
 from thinpart_workbench.gui.library.results_model import FILE, PART, WAITING
 from thinpart_workbench.gui.library.search_client import SearchClient
-from thinpart_workbench.gui.processes.json_client import JsonClient
+from thinpart_workbench.gui.processes.conversation import Conversation
 from thinpart_workbench.gui.widgets.controls import plain
 from thinpart_workbench.storage.info.info_file import read_info
 
@@ -257,7 +257,7 @@ def test_the_answer_to_an_outdated_question_is_thrown_away(many_opened):
     filters(dock).changed.emit()
     answered(dock)
     assert shown[-1] == 1 and cells(FILE) == [os.path.join("0000", "part 000012.step")]
-    search.findChild(JsonClient).received.emit({"found": {"serial": 1}})  # an old answer that comes late
+    search.findChild(Conversation).received.emit({"found": {"serial": 1}})  # an old answer that comes late
     assert cells(FILE) == [os.path.join("0000", "part 000012.step")]
 
 

@@ -46,7 +46,7 @@ def choose(action, button="ThinPart_Label"):
     window.QtCore.QTimer.singleShot(100, lambda: _take(action))
     window.mouse_click(target)
     window.wait_until(lambda: QtWidgets.QApplication.activePopupWidget() is None)
-    window.wait_until(lambda: not lifelong.label_keeper.is_busy)
+    window.wait_until(lambda: not lifelong.requests.is_busy)
     window.settle(30)
 
 

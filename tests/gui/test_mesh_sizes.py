@@ -271,7 +271,7 @@ def test_settings_that_worked_are_kept_with_the_part_and_offered_again(document,
     assert not window.is_shown("ThinPart_UseMeshSettings")
     table.item(0, 1).setText("1.6")
     press_ok()
-    window.wait_until(lambda: open_session() is None and not lifelong.mesh_settings.is_busy)
+    window.wait_until(lambda: open_session() is None and not lifelong.requests.is_busy)
     meshed = read_info(info)["parts"][0]["meshed"]
     assert meshed["layers"] == 1.0 and meshed["elements"] == meshes(document)[0].FemMesh.VolumeCount
     assert [(wall["size_mm"], wall["is_changed"]) for wall in meshed["walls"]] == [(1.6, True)]

@@ -45,7 +45,7 @@ def saved(sink, tmp_path):
 
 
 def settled():
-    window.wait_until(lambda: not lifelong.region_notes.is_busy)
+    window.wait_until(lambda: not lifelong.requests.is_busy)
     window.settle(100)
 
 

@@ -277,7 +277,7 @@ def answer(dialog_name, act, seconds=60.0):
 
 
 WORKERS = ("thinpart_workbench.window_processes.snapshot_worker", "thinpart_workbench\0classify",
-           "thinpart_workbench\0report", "thinpart_workbench.window_processes.saved_document_worker")
+           "thinpart_workbench\0report", "thinpart_workbench.window_processes.request_worker\0on-save")
 
 
 def workers(*names):

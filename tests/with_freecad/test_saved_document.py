@@ -22,21 +22,23 @@ from thinpart_workbench.storage.info.info_location import call_in_folder, info_l
 
 
 class Worker:
-    """One of the processes beside the window, with one job."""
+    """The process that calls functions of api, with one request."""
 
-    def __init__(self, module, **job):
+    def __init__(self, function, folder="", **arguments):
         self.process = subprocess.Popen(
-            [sys.executable, "-m", f"thinpart_workbench.window_processes.{module}"], stdin=subprocess.PIPE,
+            [sys.executable, "-m", "thinpart_workbench.window_processes.request_worker"], stdin=subprocess.PIPE,
             stdout=subprocess.PIPE, env=dict(os.environ, PYTHONPATH=str(ROOT)), start_new_session=True)
-        self.process.stdin.write(json.dumps(job).encode() + b"\n")
+        request = {"ask": function, "arguments": arguments, "preferred": {"folder": folder}}
+        self.process.stdin.write(json.dumps(request).encode() + b"\n")
         self.process.stdin.flush()
 
     def answer(self):
         line = self.process.stdout.readline()
-        self.process.wait()
         self.process.stdin.close()
+        self.process.wait()
         self.process.stdout.close()
-        return json.loads(line)
+        answer = json.loads(line)
+        return answer.get("answer") or answer
 
 
 def job(document, **changes):
@@ -45,7 +47,7 @@ def job(document, **changes):
 
 
 def classified(document, **changes):
-    return Worker("saved_document_worker", **job(document, **changes)).answer()
+    return Worker("saved_documents.classify_saved", **job(document, **changes)).answer()
 
 
 @pytest.fixture
@@ -116,13 +118,13 @@ def test_a_document_without_a_part_is_no_failure(freecad, tmp_path):
 
 
 def test_failures_are_sentences(plate, tmp_path):
-    assert "There is no profile" in classified(plate, profile=str(tmp_path / "none.json"))["failure"]["message"]
+    assert "There is no profile" in classified(plate, profile=str(tmp_path / "none.json"))["refused"]
     assert "took longer than 0.05 s" in classified(plate, seconds=0.05)["failures"][0]
 
 
 def test_it_ends_when_nobody_listens_while_it_measures(tmp_path):
     document = shutil.copy(SAMPLES / "worm_run_out.FCStd", tmp_path / "worm.FCStd")
-    worker = Worker("saved_document_worker", **job(document))
+    worker = Worker("saved_documents.classify_saved", **job(document))
     time_limit.wait_until(lambda: [*time_limit.children(worker.process.pid)], "the measuring process")
     _assert_it_ends(worker)
 
@@ -130,7 +132,7 @@ def test_it_ends_when_nobody_listens_while_it_measures(tmp_path):
 def test_it_ends_when_nobody_listens_while_it_waits_for_the_folder(tmp_path):
     document = shutil.copy(SAMPLES / "worm_run_out.FCStd", tmp_path / "worm.FCStd")
     with held(info_location(document)):
-        worker = Worker("saved_document_worker", **job(document))
+        worker = Worker("saved_documents.classify_saved", **job(document))
         time.sleep(2.0)
         _assert_it_ends(worker)
 
@@ -151,7 +153,7 @@ def written(tmp_path):
     records = read_info(info_location(measured))["parts"]
 
     def write(document, **changes):
-        return Worker("info_file_worker", **{
+        return Worker("document_info.write_document_info", **{
             "document": str(document), "folder": "", "stamp": file_stamp(document),
             "settings": AnalysisSettings().content(), "profile": load_profile("paper").content,
             "records": records, "failures": [], **changes}).answer()
@@ -161,11 +163,11 @@ def written(tmp_path):
 
 def test_the_info_file_of_an_open_document_is_written_and_compared(plate, written):
     answer = written(plate)
-    assert answer["written"] == str(info_location(plate)) and answer["before"] is None
+    assert answer["path"] == str(info_location(plate)) and answer["before"] is None
     assert [each["category"] for each in answer["now"].values()] == ["thin"]
     assert written(plate)["before"] == answer["now"]
     size, time_ns = file_stamp(plate)
-    assert "was saved again" in written(plate, stamp=[size, time_ns + 1])["failure"]["message"]
+    assert "was saved again" in written(plate, stamp=[size, time_ns + 1])["refused"]
 
 
 def test_writing_waits_only_so_long_for_a_folder(plate, written, tmp_path):
@@ -176,11 +178,11 @@ def test_writing_waits_only_so_long_for_a_folder(plate, written, tmp_path):
     handle = os.open(place, os.O_RDONLY)
     fcntl.flock(handle, fcntl.LOCK_EX)  # as if another computer were writing there, without end
     answer = written(plate, folder=str(folder), patience=0.5)
-    assert "has not answered" in answer["failure"]["message"] and not list(place.iterdir())
+    assert "has not answered" in answer["refused"] and not list(place.iterdir())
     os.close(handle)
-    assert "written" in written(plate, folder=str(folder))
+    assert "path" in written(plate, folder=str(folder))
     shutil.rmtree(folder)
-    assert "cannot be reached" in written(plate, folder=str(folder))["failure"]["message"]
+    assert "cannot be reached" in written(plate, folder=str(folder))["refused"]
 
 
 def test_reach_hands_on_what_was_raised(tmp_path):

@@ -58,6 +58,9 @@ class Worker:
         self.process.stdin.write(json.dumps(with_messages(request)).encode() + b"\n")
         self.process.stdin.flush()
 
+    def call(self, function, **arguments):
+        self.ask(ask=function, arguments=arguments, preferred={})
+
     def told(self, key):
         """What the next line that has this key says."""
         for line in self.process.stdout:
@@ -103,12 +106,11 @@ def test_the_process_that_classifies_what_was_saved(freecad, tmp_path, german):
     freecad.closeDocument(document.Name)
     job = {"folder": "", "settings": AnalysisSettings().content(), "profile": "paper", "seconds": 300,
            "megabytes": 6144}
-    with Worker("saved_document_worker") as worker:
-        worker.ask(document=str(tmp_path / "empty.FCStd"), **job)
-        assert german(worker.told("no_part")) == "empty.FCStd ist ein leeres Dokument."
-    with Worker("saved_document_worker") as worker:
-        worker.ask(document=str(tmp_path / "empty.FCStd"), **{**job, "profile": "none"})
-        assert german(worker.told("failure")["message"]).startswith("Das Profil 'none' gibt es nicht:")
+    with Worker("request_worker") as worker:
+        worker.call("saved_documents.classify_saved", document=str(tmp_path / "empty.FCStd"), **job)
+        assert german(worker.told("answer")["no_part"]) == "empty.FCStd ist ein leeres Dokument."
+        worker.call("saved_documents.classify_saved", document=str(tmp_path / "empty.FCStd"), **{**job, "profile": "none"})
+        assert german(worker.told("refused")).startswith("Das Profil 'none' gibt es nicht:")
 
 
 def test_the_process_that_writes_info_files(tmp_path, german):
@@ -118,12 +120,11 @@ def test_the_process_that_writes_info_files(tmp_path, german):
     status = os.stat(document)
     job = {"document": str(document), "folder": "", "settings": AnalysisSettings().content(), "profile": PAPER.content,
            "records": [record_of("plate")], "failures": [failure]}
-    with Worker("info_file_worker") as worker:
-        worker.ask(**job, stamp=[status.st_size, 1])
-        assert german(worker.told("failure")["message"]).startswith("plate.FCStd wurde inzwischen")
-    with Worker("info_file_worker") as worker:
-        worker.ask(**job, stamp=[status.st_size, status.st_mtime_ns])
-        assert worker.told("written")
+    with Worker("request_worker") as worker:
+        worker.call("document_info.write_document_info", **job, stamp=[status.st_size, 1])
+        assert german(worker.told("refused")).startswith("plate.FCStd wurde inzwischen")
+        worker.call("document_info.write_document_info", **job, stamp=[status.st_size, status.st_mtime_ns])
+        assert worker.told("answer")["path"] == str(info_path(document))
     told = read_info(info_path(document))["failures"][0]["message"]
     assert told == sentence and german(told) == "Die Oberfläche umschließt kein Volumen."
 

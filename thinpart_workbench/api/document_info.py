@@ -1,9 +1,10 @@
-"""Write the info file of a document whose parts were measured while it was open."""
+"""The info file of an open document: its parts, as they were measured, and what panels keep with them and ask for."""
 
 import os
 from dataclasses import dataclass
 from typing import Optional
 
+from ..core.analysis_settings import given_settings
 from ..core.errors import ThinPartError
 from ..core.judging.criteria import given_profile
 from ..core.message import message
@@ -11,6 +12,7 @@ from ..core.record.record_types import PersonLabel
 from ..freecad_adapter.reading.linked_files import linked_files
 from ..storage.info.info_file import info_content, new_source, stored_info, write_info
 from ..storage.info.info_location import PATIENCE, call_in_folder, info_location
+from .annotations import keep_mesh_settings, label_part, note_regions, region_notes, settings_that_worked
 from .document_verdicts import PartVerdict, document_verdicts
 
 
@@ -47,7 +49,7 @@ def write_document_info(document, stamp, records, failures, profile, settings, f
     failures : list of FailureRecord
     profile : str, Path, dict or Profile
         That by which the parts were judged.
-    settings : AnalysisSettings
+    settings : AnalysisSettings or dict
         Those with which they were measured.
     folder : str, optional
         See `info_location`.
@@ -71,7 +73,7 @@ def write_document_info(document, stamp, records, failures, profile, settings, f
         raise ThinPartError(
             message("{file} was saved again meanwhile: classify it again.",
                     file=os.path.basename(document)), "unreadable")
-    content = info_content(source, settings.content(), profile, records, failures)
+    content = info_content(source, given_settings(settings).content(), profile, records, failures)
     call_in_folder(folder, lambda: write_info(path, content), patience)
     return WrittenInfo(
         os.fspath(path), stored and document_verdicts(stored["parts"], stored["profile"]),
@@ -83,3 +85,100 @@ def file_stamp(path):
     """Size and time of a file, to detect whether it has been written again: list of int."""
     status = os.stat(path)
     return [status.st_size, status.st_mtime_ns]
+
+
+def keep_label(path, part, category, is_sure, person=""):
+    """Keep what a person says a part is.
+
+    Parameters
+    ----------
+    path : str or Path
+        The info file.
+    part, category, is_sure, person
+        See `label_part`.
+
+    Returns
+    -------
+    list of PersonLabel
+        All labels of the part.
+
+    Raises
+    ------
+    ThinPartError
+        See `label_part`.
+    """
+    return label_part(path, category, person, is_sure, part).get("labels", [])
+
+
+def notes(document, folder=""):
+    """What people said of the wall regions of a document; see `region_notes`.
+
+    Parameters
+    ----------
+    document : str
+        Its path.
+    folder : str, optional
+        See `info_location`.
+    """
+    return region_notes(info_location(document, folder))
+
+
+def keep_notes(document, part, regions, folder="", person="", **said):
+    """Keep what a person says of wall regions.
+
+    Parameters
+    ----------
+    document, folder
+        See `notes`.
+    part, regions, person, said
+        See `note_regions`.
+
+    Returns
+    -------
+    dict
+        As `notes`.
+
+    Raises
+    ------
+    ThinPartError
+        See `note_regions`.
+    """
+    path = info_location(document, folder)
+    note_regions(path, regions, person, part, **said)
+    return region_notes(path)
+
+
+def keep_settings(document, folder="", **worked):
+    """Keep the settings with which a part was meshed, where its document has an info file.
+
+    Parameters
+    ----------
+    document, folder
+        See `notes`.
+    worked
+        See `keep_mesh_settings`.
+
+    Raises
+    ------
+    ThinPartError
+        See `keep_mesh_settings`.
+    """
+    path = info_location(document, folder)
+    if os.path.isfile(path):
+        keep_mesh_settings(path, **worked)
+
+
+def settings_for(record, document, folder="", roots=(), report=None):
+    """Mesh settings that worked for a part or for one like it; see `settings_that_worked`.
+
+    Parameters
+    ----------
+    record : PartRecord
+    document, folder
+        See `notes`; the document is empty where it was never saved.
+    roots : list of str, optional
+        Folders of info files; those that are not there are left out.
+    report : callable, optional
+    """
+    return settings_that_worked(record, [root for root in roots if os.path.isdir(root)],
+                                info_location(document, folder) if document else None, report)

@@ -5,9 +5,10 @@ from dataclasses import dataclass, field
 from typing import Optional
 
 from ..core.analysis_limits import Limits
-from ..core.analysis_settings import DEFAULT_PROFILE, AnalysisSettings
+from ..core.analysis_settings import DEFAULT_PROFILE, given_settings
 from ..core.errors import ThinPartError
 from ..core.judging.criteria import given_profile
+from ..core.message import message
 from ..storage.info.info_file import is_current, stored_info
 from ..storage.info.info_location import PATIENCE, call_in_folder, info_location
 from ..workflow.analysis.analyse_file import FileTask
@@ -52,7 +53,7 @@ def classify_saved(document, profile=DEFAULT_PROFILE, settings=None, *, folder="
     document : str
         Absolute path.
     profile, settings, seconds, megabytes
-        See `classify`.
+        See `classify`; the settings may also be a dict.
     folder : str, optional
         See `info_location`.
     measure : bool, optional
@@ -68,11 +69,11 @@ def classify_saved(document, profile=DEFAULT_PROFILE, settings=None, *, folder="
     Raises
     ------
     ThinPartError
-        For an unusable profile.
+        For an unusable profile, kind ``unsupported`` where a Python module is missing.
     KeyboardInterrupt
         When `control` was asked to stop.
     """
-    profile, settings = given_profile(profile).content, settings or AnalysisSettings()
+    profile, settings = given_profile(profile).content, given_settings(settings)
     found = SavedVerdicts()
     info_file = os.fspath(info_location(document, folder))
     try:
@@ -89,7 +90,12 @@ def classify_saved(document, profile=DEFAULT_PROFILE, settings=None, *, folder="
         found.failures += [failure["message"] for failure in stored.get("failures", ())]
     elif measure:
         task = FileTask(document, info_file, settings, profile, thumbnails=True)
-        outcome, = analyse_files([task], Limits(seconds, megabytes), control)
+        try:
+            outcome, = analyse_files([task], Limits(seconds, megabytes), control)
+        except ModuleNotFoundError as error:
+            raise ThinPartError(
+                message("The Python module {module} is missing: install it to have documents classified "
+                        "automatically (Debian: python3-{module}).", module=error.name), "unsupported") from None
         _add_outcome(found, outcome, profile)
     return found
 

@@ -128,6 +128,12 @@ class AnalysisSettings:
         return asdict(self)
 
 
+def given_settings(settings=None):
+    """AnalysisSettings from any of the forms in which a caller may give them: themselves, a dict as of their `content`, or
+    None for the default."""
+    return settings if isinstance(settings, AnalysisSettings) else AnalysisSettings(**settings or {})
+
+
 def _check(what, value, bounds, unit):
     least, most = bounds
     if not least <= value <= most:

@@ -23,9 +23,8 @@ from .document.notifications import Notifications
 from .guide.command import WhatsThis
 from .on_save.auto_classifier import AutoClassifier
 from .preferences.pages import add_pages
-from .processes.label_keeper import LabelKeeper
-from .processes.mesh_settings_keeper import MeshSettingsKeeper
-from .processes.region_note_keeper import RegionNoteKeeper
+from .processes.region_notes import RegionNotes
+from .processes.request_queue import HANGING, RequestQueue
 from .processes.running_jobs import RunningJobs
 from .processes.standby_worker import StandbyWorker
 from .profile.command import show_profile_editor
@@ -47,9 +46,8 @@ def start():
     lifelong.face_colours = FaceColours()
     lifelong.map_events = MapEvents()
     lifelong.measurement_signals = MeasurementSignals()
-    lifelong.label_keeper = LabelKeeper()
-    lifelong.region_notes = RegionNoteKeeper()
-    lifelong.mesh_settings = MeshSettingsKeeper()
+    lifelong.requests = RequestQueue("info-files", HANGING)
+    lifelong.region_notes = RegionNotes(lifelong.requests)
     lifelong.whats_this = WhatsThis()
     lifelong.whats_this.watch(Gui.getMainWindow())
     lifelong.units = UnitWatch(observer)

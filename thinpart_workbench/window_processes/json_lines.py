@@ -18,10 +18,13 @@ class JsonLines:
     ----------
     incoming : queue.Queue
         Received messages (dict), and None when the parent has closed the pipe or has ended.
+    ended : threading.Event
+        Set at that time, while there may still be messages to be handled.
     """
 
     def __init__(self):
         self.incoming: queue.Queue = queue.Queue()
+        self.ended = threading.Event()
         # Output that other code prints to stdout must not mix with the lines.
         pipe = os.dup(1)
         os.dup2(2, 1)
@@ -61,6 +64,7 @@ class JsonLines:
             for line in lines:
                 self.incoming.put(restored(json.loads(line)))
         self.incoming.put(None)
+        self.ended.set()
 
 
 def failure_line(error):

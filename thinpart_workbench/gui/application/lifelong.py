@@ -24,14 +24,11 @@ profile_signals = None
 measurement_signals = None
 """MeasurementSignals: announces what the panels measure and write."""
 
-label_keeper = None
-"""LabelKeeper: keeps the user's labels of parts in info files."""
+requests = None
+"""RequestQueue: reads and writes info files: labels, notes, mesh settings, results of documents."""
 
 region_notes = None
-"""RegionNoteKeeper: reads and keeps what the user says of wall regions."""
-
-mesh_settings = None
-"""MeshSettingsKeeper: keeps mesh settings that worked in info files, and finds them for similar parts."""
+"""RegionNotes: reads and keeps what the user says of wall regions."""
 
 map_events = None
 """MapEvents: requests from thickness maps and for them."""

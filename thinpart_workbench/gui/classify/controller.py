@@ -17,6 +17,7 @@ from ..document.part_chooser import ask_for_part
 from ..document.selection import active_path, select_faces, select_part, selected_paths
 from ..document.task_controller import TaskController
 from ..document.task_dialog import TaskDialog
+from ..processes.request_queue import LABEL
 from ..record.label_button import with_own_label
 from ..record.parts_table import part_rows
 from ..view3d.wall_flight import PlacedWall, WallFlight, hidden_sentence
@@ -54,7 +55,7 @@ class ClassificationController(TaskController):
         self._form.result.faces_chosen.connect(self._select_faces)
         self._form.result.labelled.connect(self._label)
         self._unkept_labels = {}  # by part: category, and whether the user is sure
-        lifelong.label_keeper.kept.connect(self._show_kept_label)
+        lifelong.requests.answered.connect(self._show_kept_label)
         self._form.result.visited.connect(self._fly)
         self.panel.closed.connect(self._leave)
         lifelong.units.changed.connect(self._show_unit)
@@ -108,7 +109,7 @@ class ClassificationController(TaskController):
             self._has_left = True
             self._flight.clear()
             lifelong.units.changed.disconnect(self._show_unit)
-            lifelong.label_keeper.kept.disconnect(self._show_kept_label)
+            lifelong.requests.answered.disconnect(self._show_kept_label)
         self.measured.leave()
 
     @property
@@ -203,8 +204,8 @@ class ClassificationController(TaskController):
     def _show_info_file(self, state):
         self._form.show_info(state.sentence, state.can_save, state.can_repeat, state.tool_tip)
         if self.measured.info_file is not None:
-            for name, label in self._unkept_labels.items():
-                lifelong.label_keeper.keep(self.measured.info_file, name, *label)
+            for name, (category, is_sure) in self._unkept_labels.items():
+                self._keep_label(name, category, is_sure)
             self._show_labels()
 
     def _label(self, category, is_sure):
@@ -212,16 +213,20 @@ class ClassificationController(TaskController):
             self._unkept_labels[self._shown_name] = category, is_sure
             self._show_labels()
         else:
-            lifelong.label_keeper.keep(self.measured.info_file, self._shown_name, category, is_sure)
+            self._keep_label(self._shown_name, category, is_sure)
 
-    def _show_kept_label(self, kept):
-        if kept["path"] != self.measured.info_file:
+    def _keep_label(self, part, category, is_sure):
+        lifelong.requests.keep(LABEL, path=self.measured.info_file, part=part, category=category, is_sure=is_sure)
+
+    def _show_kept_label(self, request):
+        if request.function != LABEL or request.arguments["path"] != self.measured.info_file:
             return
-        if not kept["sentence"]:
-            self._unkept_labels.pop(kept["part"], None)
-            self._analysis.set_labels(kept["part"], kept["labels"])
-        if kept["part"] == self._shown_name:
-            self._show_labels("\u26a0 " + kept["sentence"] if kept["sentence"] else "")
+        part = request.arguments["part"]
+        if not request.sentence:
+            self._unkept_labels.pop(part, None)
+            self._analysis.set_labels(part, request.answer)
+        if part == self._shown_name:
+            self._show_labels("\u26a0 " + request.sentence if request.sentence else "")
 
     def _show_labels(self, sentence=""):
         """Show what people say of the shown part, and what the user says that cannot be kept yet."""

@@ -16,7 +16,6 @@ from ..application import lifelong
 from ..application.qt import QtCore, Signal, translate
 from ..application.sentences import translated
 from ..processes.document_analysis import DocumentAnalysis
-from ..processes.one_shot_job import OneShotJob
 from ..processes.snapshot_job import SnapshotJob
 
 
@@ -78,9 +77,8 @@ class DocumentMeasurement(QtCore.QObject):
         self.name = document.Name if document is not None else None
         self.analysis = self.info_file = None
         self._is_whole_document = True
-        self._job = self._revision = self._stamp = None
-        self._info_job = OneShotJob("info_file_worker", self)
-        self._info_job.answered.connect(self._on_info_written)
+        self._job = self._revision = self._info_request = None
+        lifelong.requests.answered.connect(self._on_answered)
 
     @property
     def document(self):
@@ -139,7 +137,7 @@ class DocumentMeasurement(QtCore.QObject):
             See `SnapshotJob.start`.
         """
         self._stop_job()
-        self._info_job.end()
+        self._info_request = None
         self.analysis, self._is_whole_document, self.info_file = analysis, is_whole, None
         self._revision = lifelong.observer.revision(self.name)
         self._job = SnapshotJob(analysis, preference("MemoryMegabytes"), self)
@@ -160,7 +158,7 @@ class DocumentMeasurement(QtCore.QObject):
     def leave(self):
         """Stop measuring because the panel is closed, but finish writing an info file."""
         self._stop_job()
-        self._info_job.end()
+        self._info_request = None
         self.abandon_info_file()
 
     def abandon_info_file(self):
@@ -169,7 +167,7 @@ class DocumentMeasurement(QtCore.QObject):
 
     def write_info_file_if_measured(self):
         """Write the info file of a document that was just saved, unless the measurement is still running."""
-        if not self.is_running and not (self._info_job.is_waiting and self._file_has_stamp()):
+        if not self.is_running and not (self._info_request is not None and self._file_has_stamp()):
             self.write_info_file()
 
     def current_parts(self):
@@ -200,15 +198,13 @@ class DocumentMeasurement(QtCore.QObject):
             self.abandon_info_file()
             return
         try:
-            job = self.analysis.info_job(self.document.FileName, preference("InfoFolder"))
+            content = self.analysis.info_file_content(self.document.FileName)
         except ThinPartError as error:
-            self._on_info_written({"failure": translated(error)})
+            self._show_not_written(translated(error))
             return
         self.info_file_changed.emit(InfoFileState(translate("ThinPart", "Writing the info file\u2026")))
-        self._info_job.end()
-        self._stamp = job["stamp"]
         # In another process: the folder may be on another computer, and the document may be large.
-        self._info_job.ask(**job)
+        self._info_request = lifelong.requests.keep("document_info.write_document_info", **content)
 
     def save(self):
         """Save the document with FreeCAD's own command, and write the info file."""
@@ -233,13 +229,18 @@ class DocumentMeasurement(QtCore.QObject):
                 "ThinPart", "No info file was written, because the document is not saved."), can_save=True)
         return None
 
-    def _on_info_written(self, answer):
-        if "failure" in answer:
-            self.info_file_changed.emit(InfoFileState(
-                translate("ThinPart", "No info file: {}").format(translated(answer["failure"]))))
-            lifelong.measurement_signals.not_written.emit(self.name, answer["failure"])
+    def _show_not_written(self, sentence):
+        self.info_file_changed.emit(InfoFileState(translate("ThinPart", "No info file: {}").format(sentence)))
+        lifelong.measurement_signals.not_written.emit(self.name, sentence)
+
+    def _on_answered(self, request):
+        if request is not self._info_request:
             return
-        path = self.info_file = answer["written"]
+        self._info_request, answer = None, request.answer
+        if request.sentence:
+            self._show_not_written(request.sentence)
+            return
+        path = self.info_file = answer["path"]
         for name, labels in answer["labels"].items():
             self.analysis.set_labels(name, labels)
         text = translate("ThinPart", "Info file, beside the document: {}")
@@ -255,7 +256,7 @@ class DocumentMeasurement(QtCore.QObject):
 
     def _file_has_stamp(self):
         try:
-            return self._stamp == file_stamp(self.document.FileName)
+            return self._info_request.arguments["stamp"] == file_stamp(self.document.FileName)
         except OSError:
             return False
 

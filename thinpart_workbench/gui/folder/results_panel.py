@@ -10,6 +10,7 @@ from ..application.qt import QtCore, QtGui, QtWidgets, Signal, execute, translat
 from ..application.sentences import translated
 from ..document.open_part import DANGEROUS, confirm_dangerous_open, open_part
 from ..processes.path_check import check_path_in_thread
+from ..processes.request_queue import LABEL
 from ..record.label_button import LabelButton
 from ..widgets.confirmation import may_overwrite
 from ..widgets.row_table import PathDelegate, show_whole_rows
@@ -63,7 +64,7 @@ class ResultsPanel(QtWidgets.QWidget):
         for signal in (self.table.modelReset, self.table.rowsInserted, self.table.layoutChanged):
             signal.connect(lambda *_: self._show_buttons())
         lifelong.units.changed.connect(self._show_unit)
-        lifelong.label_keeper.kept.connect(self._show_kept_label)
+        lifelong.requests.answered.connect(self._show_kept_label)
         self._show_buttons()
 
     def begin(self, settings, profile):
@@ -138,15 +139,15 @@ class ResultsPanel(QtWidgets.QWidget):
         if row is not None:
             path = os.fspath(self._settings.info_file(self._path(row)))
             self._labelled_files[path] = row.file
-            lifelong.label_keeper.keep(path, row.part, category, is_sure)
+            lifelong.requests.keep(LABEL, path=path, part=row.part, category=category, is_sure=is_sure)
 
-    def _show_kept_label(self, kept):
-        file = self._labelled_files.get(kept["path"])
+    def _show_kept_label(self, request):
+        file = self._labelled_files.get(request.arguments["path"]) if request.function == LABEL else None
         if file is None:
-            return  # labelled in another panel
-        self.failed.emit(kept["sentence"])
-        if not kept["sentence"]:
-            self.table.relabel(file, kept["part"], kept["labels"])
+            return  # not a label, or one of another panel
+        self.failed.emit(request.sentence)
+        if not request.sentence:
+            self.table.relabel(file, request.arguments["part"], request.answer)
             self._show_buttons()
 
     def show_info_folder(self):

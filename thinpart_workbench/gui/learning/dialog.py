@@ -11,8 +11,8 @@ from ..application import lifelong
 from ..application.qt import QtCore, QtGui, QtWidgets, execute, grouped, translate
 from ..application.sentences import translated
 from ..guide.command import help_button
-from ..processes.conversation import Conversation
 from ..processes.package_installation import PackageInstallation
+from ..processes.request_queue import RequestQueue
 from ..record.record_view import show_text, text_line
 from ..widgets.confirmation import may_overwrite
 from ..widgets.push_button import add_button
@@ -38,10 +38,10 @@ class LearnDialog(QtWidgets.QDialog):
         self.setWindowIcon(QtGui.QIcon(str(ICON)))
         self.setWindowFlags(QtCore.Qt.Window)
         self._learned = self._saved = None
-        self._is_working = self._use_when_saved = False
-        self._process = Conversation("learn_worker", self)
-        self._process.received.connect(self._on_message)
-        self._process.finished.connect(self._on_process_ended)
+        self._use_when_saved = False
+        self._queue, self._request = RequestQueue("learning", parent=self), None
+        self._queue.answered.connect(self._on_answered)
+        self._queue.progressed.connect(lambda _, progress: self._show_progress(*progress))
         self._installation = PackageInstallation(self)
         self._installation.ended.connect(self._on_installed)
         column = QtWidgets.QVBoxLayout(self)
@@ -67,7 +67,7 @@ class LearnDialog(QtWidgets.QDialog):
     @property
     def is_running(self):
         """Whether something is being learned, saved or installed."""
-        return self._is_working or self._installation.is_running
+        return self._queue.is_busy or self._installation.is_running
 
     def start(self):
         """Learn from the chosen labels."""
@@ -80,14 +80,13 @@ class LearnDialog(QtWidgets.QDialog):
             return
         self._learned = self._saved = None
         self._result.hide()
-        self._ask(translate("ThinPart", "Reading the labels\u2026"), learn=arguments)
+        self._wait_for(self._queue.ask("learning.learn", **arguments), translate("ThinPart", "Reading the labels\u2026"))
 
     def cancel(self):
         """Stop: nothing was written."""
         if self._installation.is_running:
             self._installation.stop()
-        self._process.detach(kill=True)
-        self._is_working = False
+        self._queue.cancel(self._request)
         self._show_message(translate("ThinPart", "Cancelled. Nothing was written."))
         self._show_state()
 
@@ -115,8 +114,8 @@ class LearnDialog(QtWidgets.QDialog):
 
     def save_as(self, file, overwrite=False):
         """Write the learned profile to a file; `overwrite` says whether that may be no profile."""
-        self._ask(translate("ThinPart", "Writing {}\u2026").format(file),
-                  save={"content": self._learned["content"], "output": file, "overwrite": overwrite})
+        self._wait_for(self._queue.keep("learning.save_profile", content=self._learned["content"], output=file,
+                                        overwrite=overwrite), translate("ThinPart", "Writing {}\u2026").format(file))
 
     def _may_overwrite(self, file):
         try:
@@ -142,7 +141,7 @@ class LearnDialog(QtWidgets.QDialog):
     def end(self):
         """Stop at once and delete the dialog, without asking the user."""
         self._installation.stop()
-        self._process.detach(kill=True)
+        self._queue.cancel(self._request)
         lifelong.running_jobs.end("learning")
         self.hide()
         self.deleteLater()
@@ -153,34 +152,26 @@ class LearnDialog(QtWidgets.QDialog):
         if not self.is_running:
             self._form.show_preferences()
 
-    def _ask(self, sentence, **request):
-        problem = self._process.ensure_started()
-        if problem:
-            self._show_message(problem)
-            return
-        self._is_working = True
-        self._process.send(**request)
+    def _wait_for(self, request, sentence):
+        self._request = request
         self._bar.setRange(0, 0)
         self._show_message(sentence)
         self._show_state()
 
-    def _on_message(self, content):
-        if "progress" in content:
-            self._show_progress(**content["progress"])
-            return
-        self._is_working = False
-        if "learned" in content:
-            self._learned = content["learned"]
+    def _on_answered(self, request):
+        was_saved = not request.sentence and request.function == "learning.save_profile"
+        if request.sentence:
+            self._show_message("\u26a0 " + request.sentence)
+        elif was_saved:
+            self._saved = request.arguments["output"]
+            self._show_message(translate("ThinPart", "The learned profile was written to {}.").format(self._saved))
+        else:
+            self._learned = request.answer
             self._result.show_learned(self._learned)
             self._result.show()
             self._make_room()
             self._show_message("")
-        elif "saved" in content:
-            self._saved = content["saved"]
-            self._show_message(translate("ThinPart", "The learned profile was written to {}.").format(self._saved))
-        else:
-            self._show_message("\u26a0 " + translated(content["refused"]))
-        if "saved" in content and self._use_when_saved:
+        if was_saved and self._use_when_saved:
             self.use()
         self._use_when_saved = False
         self._show_state()
@@ -201,12 +192,6 @@ class LearnDialog(QtWidgets.QDialog):
             self._show_message(translate("ThinPart", "Reading info files: {} of {}").format(grouped(done), grouped(total)))
         else:
             self._show_message(translate("ThinPart", "Learning profile {} of {}").format(done + 1, total))
-
-    def _on_process_ended(self, sentence):
-        if self._is_working:
-            self._is_working = self._use_when_saved = False
-            self._show_message("\u26a0 " + (sentence or translate("ThinPart", "The worker process ended unexpectedly.")))
-        self._show_state()
 
     def _on_installed(self, problem):
         if problem:

@@ -36,7 +36,7 @@ class LearnedView(QtWidgets.QWidget):
         Parameters
         ----------
         learned : dict
-            The attributes of a `LearnedProfile`, and ``is_better``.
+            The attributes of a `LearnedProfile`.
         """
         self._profile = profile_from(learned["content"])
         self._summary.setText(_summary(learned))
@@ -140,7 +140,7 @@ def share_text(share):
 
 
 def _summary(learned):
-    if learned["is_better"]:
+    if learned["after"]["either"]["count"] > learned["before"]["either"]["count"]:
         return translate("ThinPart", "The learned profile agrees with {} labels; {} does with {}.").format(
             share_text(learned["after"]["either"]), learned["start"], share_text(learned["before"]["either"]))
     return translate(

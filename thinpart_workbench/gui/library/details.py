@@ -84,14 +84,15 @@ class PartDetails(QtWidgets.QTabWidget):
         self.notes.show_record(response["record"])
         self._compare()
 
-    def show_kept_label(self, kept):
-        """Show a label that was kept, or why not, where it is of the shown part; see `LabelKeeper`."""
-        if self._response is None or (kept["path"], kept["part"]) != (self._part.info_file, self._part.name):
+    def show_kept_label(self, request):
+        """Show a label that was kept, or why not, where it is of the shown part: an answered `Request`."""
+        arguments = request.arguments
+        if self._response is None or (arguments["path"], arguments["part"]) != (self._part.info_file, self._part.name):
             return
         record = self._response["record"]
-        if not kept["sentence"]:
-            record["labels"] = kept["labels"]
-        self._result.show_labels(record.get("labels", ()), "\u26a0 " + kept["sentence"] if kept["sentence"] else "")
+        if not request.sentence:
+            record["labels"] = request.answer
+        self._result.show_labels(record.get("labels", ()), "\u26a0 " + request.sentence if request.sentence else "")
 
     def show_unit(self):
         """Show lengths in the current unit."""

@@ -12,6 +12,7 @@ from ..application.length_unit import length_unit
 from ..application.qt import QtCore, QtGui, QtWidgets, grouped, translate
 from ..application.sentences import translated
 from ..guide.command import help_button
+from ..processes.request_queue import LABEL
 from ..record.record_view import show_text, text_line
 from ..widgets.flow_layout import FlowLayout
 from ..widgets.folder_field import contains
@@ -235,7 +236,7 @@ class FindDock(QtWidgets.QDockWidget):
         self._details.notes.save_requested.connect(search.save_annotation)
         self._details.notes.message.connect(self._show_message)
         self._details.labelled.connect(self._label)
-        lifelong.label_keeper.kept.connect(self._on_label_kept)
+        lifelong.requests.answered.connect(self._on_label_kept)
         lifelong.units.changed.connect(self._show_unit)
         self._show_like()
 
@@ -358,12 +359,13 @@ class FindDock(QtWidgets.QDockWidget):
         self._details.notes.show_save_result(result)
 
     def _label(self, part, category, is_sure):
-        lifelong.label_keeper.keep(part.info_file, part.name, category, is_sure)
+        lifelong.requests.keep(LABEL, path=part.info_file, part=part.name, category=category, is_sure=is_sure)
 
-    def _on_label_kept(self, kept):
-        self._details.show_kept_label(kept)
-        if self._search.is_open and not kept["sentence"]:
-            self._search.refresh([root for root in self._libraries.roots if is_below(kept["path"], root)])
+    def _on_label_kept(self, request):
+        if request.function == LABEL:
+            self._details.show_kept_label(request)
+            if self._search.is_open and not request.sentence:
+                self._search.refresh([root for root in self._libraries.roots if is_below(request.arguments["path"], root)])
 
     def _show_libraries(self, libraries):
         self._libraries.show_libraries(libraries)

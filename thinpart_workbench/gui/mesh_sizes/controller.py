@@ -106,9 +106,9 @@ class MeshSizesController(TaskController):
         self.measured.refused.connect(self._on_refused)
         self.measured.ended.connect(self._on_failed)
         self.panel.closed.connect(self._leave)
-        self._offer = None
+        self._offer = self._offer_request = None
         self._form.offer_taken.connect(self._use_offer)
-        lifelong.mesh_settings.found.connect(self._on_offer)
+        lifelong.requests.answered.connect(self._on_offer)
         lifelong.region_notes.answered.connect(self._on_notes)
         lifelong.units.changed.connect(self._show_unit)
         self._views.subWindowActivated.connect(self._on_view)
@@ -147,7 +147,7 @@ class MeshSizesController(TaskController):
         if not self._has_left:
             self._has_left = True
             lifelong.region_notes.answered.disconnect(self._on_notes)
-            lifelong.mesh_settings.found.disconnect(self._on_offer)
+            lifelong.requests.answered.disconnect(self._on_offer)
             lifelong.units.changed.disconnect(self._show_unit)
             self._views.subWindowActivated.disconnect(self._on_view)
             self._clear_view()
@@ -158,7 +158,8 @@ class MeshSizesController(TaskController):
         if self._proposal is None:
             self._form.shell.show_walls(found["shell_walls"])
             self._take_over_notes()
-            lifelong.mesh_settings.look_for(self, self._document.FileName, self._record)
+            self._offer_request = lifelong.requests.ask(
+                "document_info.settings_for", record=self._record, document=self._document.FileName)
         self._show_missing()
         if self._proposal is None:
             self._form.show_running(translate("ThinPart", "Finding element sizes for {}").format(self._part.label), 1.0)
@@ -166,9 +167,10 @@ class MeshSizesController(TaskController):
             self._form.show_idle(not self._gmsh_missing)
         self._ask()
 
-    def _on_offer(self, asker, offer):
+    def _on_offer(self, request):
         """Settings that worked for this part or for one like it."""
-        if asker is not self or offer is None:
+        offer = request.answer
+        if request is not self._offer_request or offer is None:
             return
         self._offer, meshed = offer, offer["meshed"]
         if offer["is_own"]:
@@ -192,8 +194,8 @@ class MeshSizesController(TaskController):
     def _show_missing(self):
         self._form.show_message("\n".join(filter(None, [self._gmsh_missing, translated(self._fem_missing)])))
 
-    def _on_notes(self, answer):
-        if answer["document"] == self._document.FileName and self._record is not None and not self._is_edited:
+    def _on_notes(self, document, _sentence):
+        if document == self._document.FileName and self._record is not None and not self._is_edited:
             self._take_over_notes()
             self._ask()
 
@@ -366,10 +368,10 @@ class MeshSizesController(TaskController):
         chosen = dict(sizes)
         rows = [{"kind": row["kind"], "thickness": row["thickness"], "size": row["size"],
                  "is_changed": row["region"] in chosen} for row in self._check["regions"]]
-        lifelong.mesh_settings.keep(
-            self._document.FileName, part=self._record["name"], settings=settings, rows=rows,
-            global_size=self._check["global_size"], diagonal=self._record["descriptors"]["diagonal_mm"],
-            figures={key: self._check["proposed"][key] for key in (
+        lifelong.requests.keep(
+            "document_info.keep_settings", document=self._document.FileName, part=self._record["name"],
+            settings=settings, rows=rows, global_size=self._check["global_size"],
+            diagonal=self._record["descriptors"]["diagonal_mm"], figures={key: self._check["proposed"][key] for key in (
                 "elements", "poor_share", "gamma_least", "layers_share", "tries")})
 
     def _set_mesh(self):

@@ -12,7 +12,7 @@ from ..application.length_unit import length_unit
 from ..application.qt import QtCore, call_later, translate
 from ..application.sentences import translated
 from ..document.active_task import open_session
-from ..processes.one_shot_job import OneShotJob
+from ..processes.request_queue import RequestQueue
 from .status_button import StatusButton
 from .verdict_changes_text import headline, reasons, warnings
 
@@ -51,12 +51,12 @@ class AutoClassifier(QtCore.QObject):
         super().__init__()
         self._observer, self._measurement_signals = observer, measurement_signals
         self._states = {}
-        self._queue = {}  # whether to measure, by document name
+        self._requests = {}  # what is asked for, by document name
         self._delegated = set()  # names of documents that the panel measures
-        self._running, self._measures = None, False
         self._group = App.ParamGet(GROUP)  # it drops its observers once Python no longer references it
-        self._process = OneShotJob("saved_document_worker", self)
-        self._process.answered.connect(self._on_answer)
+        # One at a time: many documents may be saved at once, and each may use up to the memory limit.
+        self._queue = RequestQueue("on-save", parent=self)
+        self._queue.answered.connect(self._on_answer)
         self._button = StatusButton()
         self._lookup_timer = QtCore.QTimer(self, singleShot=True, interval=_LOOKUP_DELAY)
         self._lookup_timer.timeout.connect(self._look_up)
@@ -71,7 +71,7 @@ class AutoClassifier(QtCore.QObject):
     @property
     def is_busy(self):
         """Whether a document is being classified or queued."""
-        return self._process.is_waiting or bool(self._queue)
+        return self._queue.is_busy
 
     def begin(self):
         """Start observing documents, panels and the preference; called once, when FreeCAD starts."""
@@ -97,8 +97,8 @@ class AutoClassifier(QtCore.QObject):
 
     def end(self):
         """Cancel all jobs and forget all verdicts."""
-        self._queue.clear()
-        self._cancel(self._running)
+        for name in list(self._requests):
+            self._cancel(name)
         self._delegated.clear()
         self._states.clear()
         self._refresh_timer.start()
@@ -156,48 +156,31 @@ class AutoClassifier(QtCore.QObject):
         """Read the active document's verdict from its info file, where none is known yet."""
         document = App.ActiveDocument
         if self.is_on and document is not None and document.FileName and (
-                document.Name not in self._states and document.Name not in self._delegated):
+                document.Name not in (*self._states, *self._delegated, *self._requests)):
             self._enqueue(document.Name, measure=False)
 
     def _enqueue(self, name, measure):
-        self._queue[name] = measure
-        self._run_next()
-
-    def _run_next(self):
-        # One at a time: many documents may be saved at once, and each may use up to the memory limit.
-        while self._queue and not self._process.is_waiting:
-            name = next(iter(self._queue))
-            measure = self._queue.pop(name)
-            document = App.listDocuments().get(name)
-            if document is not None and document.FileName:
-                self._running, self._measures = name, measure
-                self._process.ask(
-                    document=document.FileName, folder=preference("InfoFolder"),
-                    settings=preferred_analysis().content(), profile=preference("Profile"),
-                    seconds=preference("Seconds"), megabytes=preference("MemoryMegabytes"),
-                    measure=measure)
+        document = App.getDocument(name)
+        if document.FileName:
+            self._requests[name] = self._queue.ask(
+                "saved_documents.classify_saved", document=document.FileName,
+                settings=preferred_analysis().content(), profile=preference("Profile"),
+                seconds=preference("Seconds"), megabytes=preference("MemoryMegabytes"), measure=measure)
 
     def _cancel(self, name):
         """Cancel the job of a document and return whether it was going to be measured."""
-        measure = self._queue.pop(name, False)
-        if name is not None and name == self._running:
-            measure = measure or self._measures
-            self._running = None
-            self._process.end()
-            self._run_next()
-        return measure
+        request = self._requests.pop(name, None)
+        if request is None:
+            return False
+        self._queue.cancel(request)
+        return request.arguments["measure"]
 
-    def _on_answer(self, answer):
-        name, self._running = self._running, None
-        try:
-            self._show_answer(name, answer)
-        finally:
-            self._run_next()
-
-    def _show_answer(self, name, answer):
-        failures = [translated(failure) for failure in (
-            [answer["failure"]] if "failure" in answer else answer["failures"])]
-        if not self._measures:
+    def _on_answer(self, request):
+        name = next(name for name, asked in self._requests.items() if asked is request)
+        del self._requests[name]
+        answer = request.answer or {"failures": [request.sentence]}
+        failures = [translated(failure) for failure in answer["failures"]]
+        if not request.arguments["measure"]:
             if answer.get("current"):
                 self._set_state(name, headline(answer["verdicts"]),
                                 reasons(answer["verdicts"], length_unit(App.getDocument(name))))

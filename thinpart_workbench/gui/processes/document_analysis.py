@@ -100,15 +100,13 @@ class DocumentAnalysis:
         begin, end = {"measure": (0.0, measured), "map": (measured, 1.0)}.get(progress["stage"], (0.0, 0.0))
         return (position + begin + (end - begin) * progress["fraction"]) / len(self.parts)
 
-    def info_job(self, document, folder):
-        """The job for `info_file_worker`, for the current file of the document.
+    def info_file_content(self, document):
+        """The arguments of `write_document_info`, for the current file of the document.
 
         Parameters
         ----------
         document : str
             Path of the document.
-        folder : str
-            Folder for info files; see `info_location`.
 
         Returns
         -------
@@ -128,7 +126,7 @@ class DocumentAnalysis:
                 translate("ThinPart", "The file {} no longer exists.").format(document), "missing") from None
         names = [part.name for part in self.parts]
         return {
-            "document": document, "folder": folder, "stamp": stamp,
+            "document": document, "stamp": stamp,
             "settings": self.settings.content(), "profile": self.profile_content,
             "records": [self.records[name] for name in names if name in self.records],
             "failures": [self.failures[name] for name in names if name in self.failures]

@@ -5,8 +5,8 @@ import tempfile
 from ...core.errors import ThinPartError
 from ...freecad_adapter.python_beside_freecad import python_environment
 from ..application.qt import QtCore, QtWidgets
+from .conversation import Conversation
 from .freecad_python import python_program
-from .json_client import JsonClient
 
 WORKER = "snapshot_worker"
 
@@ -33,7 +33,7 @@ class StandbyWorker:
 
         Returns
         -------
-        JsonClient
+        Conversation
             Started, with no signals connected. The caller becomes its owner.
 
         Raises
@@ -77,7 +77,7 @@ class StandbyWorker:
 
     def _start_process(self):
         self._environment = _current_environment()
-        self._process = JsonClient(WORKER, QtWidgets.QApplication.instance(), patience=0.0)
+        self._process = Conversation(WORKER, QtWidgets.QApplication.instance(), patience=0.0)
         self._process.start(folder=tempfile.gettempdir())
 
 

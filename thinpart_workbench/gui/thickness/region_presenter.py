@@ -88,11 +88,11 @@ class RegionPresenter(QtCore.QObject):
         self._box.show_message("")
         lifelong.region_notes.keep(self._thickness.Document.FileName, self._part.record["name"], regions, **said)
 
-    def _on_answered(self, answer):
-        if answer["document"] != self._thickness.Document.FileName:
+    def _on_answered(self, document, sentence):
+        if document != self._thickness.Document.FileName:
             return
-        self._box.show_message(answer["sentence"])
-        if not answer["sentence"]:
-            self._notes = answer["notes"]
+        self._box.show_message(sentence)
+        if not sentence:
+            self._notes = lifelong.region_notes.known(document)
             self._hover(None)
             self.show(self._number, self._part)

@@ -66,15 +66,19 @@ def call_in_folder(folder, call, patience=PATIENCE):
     try:
         result, error = results.get(timeout=patience)
     except queue.Empty:
-        sentence = (
-            message("The folder for info files {folder} has not answered for {seconds:g} s: connect it, or choose "
-                    "another one in the preferences.", folder=folder, seconds=patience) if folder else
-            message("The document's folder has not answered for {seconds:g} s: connect it, or choose a folder for "
-                    "info files in the preferences.", seconds=patience))
-        raise ThinPartError(sentence, "info_write") from None
+        raise ThinPartError(not_answered(folder, patience), "info_write") from None
     if error is not None:
         raise error
     return result
+
+
+def not_answered(folder, seconds):
+    """Message: a folder for info files, or the document's own where that is empty, does not respond."""
+    if folder:
+        return message("The folder for info files {folder} has not answered for {seconds:g} s: connect it, or choose "
+                       "another one in the preferences.", folder=folder, seconds=seconds)
+    return message("The document's folder has not answered for {seconds:g} s: connect it, or choose a folder for "
+                   "info files in the preferences.", seconds=seconds)
 
 
 def _check_folder(folder):
