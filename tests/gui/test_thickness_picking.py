@@ -27,7 +27,7 @@ from thinpart_workbench.gui.view3d.picking import (
     probe_ends,
     remove_probe,
 )
-from thinpart_workbench.gui.view3d.wall_flight import Wall, WallFlight
+from thinpart_workbench.gui.view3d.wall_flight import PlacedWall, WallFlight
 
 
 @pytest.fixture
@@ -191,7 +191,7 @@ def test_the_camera_flies_to_a_wall(picker, document, camera):
     window.settle(60)
     assert _hovered(picker, view, V(60, 12, 40))["thickness"] == pytest.approx(40.0, abs=1e-3)
     ends = V(50, 27, 52), V(50, 33, 52)
-    WallFlight().fly(document, Wall(6.0, [ends]), document.Thickness.Diagonal, MILLIMETRE)
+    WallFlight().fly(document, PlacedWall(6.0, [ends]), document.Thickness.Diagonal, MILLIMETRE)
     window.settle(600)
     height = widget_of(view).height()
     seen = [place_of(view, each) for each in ends]

@@ -71,63 +71,63 @@ class Tolerances:
 
 TOLERANCES = Tolerances()
 
-ELSEWHERE = {
-    "core.descriptors.precision": "errors of shares, of the volume and of the area",
-    "core.descriptors.quantity": "where an edge of a bin is blurred",
-    "core.descriptors.similarity": "how near two parts are that are alike",
-    "core.judging.classification": "the thin limit of a profile that states none",
-    "core.judging.criteria": "the greatest margin of a profile",
-    "core.judging.limit_bands": "walls just above a limit",
-    "core.judging.threshold_search": "steps of learned thresholds",
-    "core.judging.wall_check": "a mesh that is too coarse for a limit, thick and thin walls, walls near a limit",
-    "core.maps.jump_lines": "jumps of thickness along the sides of facets",
-    "core.maps.level_cuts": "facets of one thickness",
-    "core.maps.map_outline": "creases that are drawn",
-    "core.maps.map_summary": "the range of colours, and walls that lie outside of it",
-    "core.maps.seen_walls": "walls that a point sees aside",
-    "core.maps.thickness_map": "the longest facet, jumps within it",
-    "core.mesh.bounds": "boxes that are equal, flat sides",
-    "core.mesh.box_refinement": "the least gain for which a box is turned",
-    "core.mesh.resolution": "facets whose normals are turned",
-    "core.mesh.smooth_normals": "creases",
-    "core.mesh.surface_mesh": "slits in a mesh that counts as closed",
-    "core.mesh.tetrahedra": "poor tetrahedra",
-    "core.rays.ray_casting": "boxes that a ray grazes",
-    "core.rays.ray_packets": "rays that are cast together",
-    "core.record.mesh_settings": "parts alike and walls that are the same, for settings that worked",
-    "core.record.region_groups": "walls that are shown as one group",
-    "core.record.region_notes": "regions that are the same after a change",
-    "core.record.thin_faces": "faces that are shown as thin",
-    "core.shells.facing_faces": "sides of a wall",
-    "core.shells.open_ends": "free edges of a shell inside the material",
-    "core.shells.shell_mesh": "thicknesses of elements that are one property",
-    "core.shells.shell_or_solid": "parts to be meshed as shells",
-    "core.shells.shell_settings": "element sizes of shells",
-    "core.sizing.element_estimate": "elements in a volume and under a surface",
-    "core.sizing.size_boxes": "cubes outside of the part",
-    "core.sizing.size_field": "sizes that are searched together",
-    "core.sizing.size_proposal": "how near to the budget a proposal has to be",
-    "core.sizing.size_sources": "chord errors, narrow faces, walls of a region",
-    "core.sizing.sizing_settings": "least and greatest size of elements",
-    "core.thickness.face_thickness": "walls of a face that are as thin as the thinnest",
-    "core.thickness.inscribed_balls": "when a ball is empty",
-    "core.thickness.measurement": "progress",
-    "core.thickness.nonparallel": "the greatest distance of slanted walls that is searched",
-    "core.thickness.plate_likeness": "places of a wall that are plates",
-    "core.thickness.region_shape": "plates, bars, blocks, tubes, tapers and teeth",
-    "core.thickness.thickness_field": "errors of wedge angles",
-    "core.thickness.wall_graph": "neighbours on one wall",
-    "core.thickness.wall_regions": "regions that are listed and counted",
-    "core.thickness.walls": "parallel and tapered walls: angles",
-    "freecad_adapter.mid_surface.bridges": "joints of mid-surfaces",
-    "freecad_adapter.mid_surface.cut_faces": "time for cutting mid-surfaces",
-    "freecad_adapter.mid_surface.mid_faces": "walls that have a mid-surface, walls that have one together",
-    "freecad_adapter.mid_surface.mid_shapes": "round walls",
-    "freecad_adapter.mid_surface.smooth_cuts": "faces that meet smoothly",
-    "freecad_adapter.objects.thickness_probes": "probes on a surface that was measured again",
-    "freecad_adapter.shapes.mended_solid": "solids that are the same after mending",
-    "freecad_adapter.shapes.solids": "gaps that sewing closes",
-    "freecad_adapter.shapes.tolerances": "solids, points and placements that are the same",
-    "freecad_adapter.tessellating.tessellation": "angles between facets",
-}
-"""Modules with limits that belong to one step, and what they decide; each limit has its reason there."""
+ELSEWHERE = (
+    "core.descriptors.precision",  # errors of shares, of the volume and of the area
+    "core.descriptors.quantity",  # where an edge of a bin is blurred
+    "core.descriptors.similarity",  # how near two parts are that are alike
+    "core.judging.classification",  # the thin limit of a profile that states none
+    "core.judging.criteria",  # the greatest margin of a profile
+    "core.judging.limit_bands",  # walls just above a limit
+    "core.judging.threshold_search",  # steps of learned thresholds
+    "core.judging.wall_check",  # a mesh that is too coarse for a limit, thick and thin walls, walls near a limit
+    "core.maps.jump_lines",  # jumps of thickness along the sides of facets
+    "core.maps.level_cuts",  # facets of one thickness
+    "core.maps.map_outline",  # creases that are drawn
+    "core.maps.map_summary",  # the range of colours, and walls that lie outside of it
+    "core.maps.seen_walls",  # walls that a point sees aside
+    "core.maps.thickness_map",  # the longest facet, jumps within it
+    "core.mesh.bounds",  # boxes that are equal, flat sides
+    "core.mesh.box_refinement",  # the least gain for which a box is turned
+    "core.mesh.resolution",  # facets whose normals are turned
+    "core.mesh.smooth_normals",  # creases
+    "core.mesh.surface_mesh",  # slits in a mesh that counts as closed
+    "core.mesh.tetrahedra",  # poor tetrahedra
+    "core.rays.ray_casting",  # boxes that a ray grazes
+    "core.rays.ray_packets",  # rays that are cast together
+    "core.record.mesh_settings",  # parts alike and walls that are the same, for settings that worked
+    "core.record.region_groups",  # walls that are shown as one group
+    "core.record.region_notes",  # regions that are the same after a change
+    "core.record.thin_faces",  # faces that are shown as thin
+    "core.shells.facing_faces",  # sides of a wall
+    "core.shells.open_ends",  # free edges of a shell inside the material
+    "core.shells.shell_mesh",  # thicknesses of elements that are one property
+    "core.shells.shell_or_solid",  # parts to be meshed as shells
+    "core.shells.shell_settings",  # element sizes of shells
+    "core.sizing.element_estimate",  # elements in a volume and under a surface
+    "core.sizing.size_boxes",  # cubes outside of the part
+    "core.sizing.size_field",  # sizes that are searched together
+    "core.sizing.size_proposal",  # how near to the budget a proposal has to be
+    "core.sizing.size_sources",  # chord errors, narrow faces, walls of a region
+    "core.sizing.sizing_settings",  # least and greatest size of elements
+    "core.thickness.face_thickness",  # walls of a face that are as thin as the thinnest
+    "core.thickness.inscribed_balls",  # when a ball is empty
+    "core.thickness.measurement",  # progress
+    "core.thickness.nonparallel",  # the greatest distance of slanted walls that is searched
+    "core.thickness.plate_likeness",  # places of a wall that are plates
+    "core.thickness.region_shape",  # plates, bars, blocks, tubes, tapers and teeth
+    "core.thickness.thickness_field",  # errors of wedge angles
+    "core.thickness.wall_graph",  # neighbours on one wall
+    "core.thickness.wall_regions",  # regions that are listed and counted
+    "core.thickness.walls",  # parallel and tapered walls: angles
+    "freecad_adapter.mid_surface.bridges",  # joints of mid-surfaces
+    "freecad_adapter.mid_surface.cut_faces",  # time for cutting mid-surfaces
+    "freecad_adapter.mid_surface.mid_faces",  # walls that have a mid-surface, walls that have one together
+    "freecad_adapter.mid_surface.mid_shapes",  # round walls
+    "freecad_adapter.mid_surface.smooth_cuts",  # faces that meet smoothly
+    "freecad_adapter.objects.thickness_probes",  # probes on a surface that was measured again
+    "freecad_adapter.shapes.mended_solid",  # solids that are the same after mending
+    "freecad_adapter.shapes.solids",  # gaps that sewing closes
+    "freecad_adapter.shapes.tolerances",  # solids, points and placements that are the same
+    "freecad_adapter.tessellating.tessellation",  # angles between facets
+)
+"""Modules with limits that belong to one step; each limit has its reason there."""
