@@ -18,7 +18,8 @@ NOT_SHOWN = {
     "freecad_adapter/preferences.py", "workflow/cluster/cluster_run.py", "workflow/cluster/cluster_worker.py",
     "workflow/cluster/cluster_answer.py", "workflow/cluster/analysis_server.py", "workflow/cluster/plain_pickles.py",
     "core/kinds/value_kinds.py", "core/kinds/compound_kinds.py", "core/kinds/value_checker.py",
-    "core/record/part_definition.py", "core/descriptors/recorded_descriptors.py", "storage/info/info_definition.py",
+    "core/kinds/typed_kinds.py",
+    "core/record/record_types.py", "core/descriptors/descriptor_types.py", "storage/info/info_definition.py",
     # for programs and the command line
     "freecad_adapter/reading/held_parts.py", "workflow/library/library_search.py", "storage/index/written_query.py",
     "api/classification.py", "api/found_parts.py", "api/libraries.py", "api/mesh_arrays.py",

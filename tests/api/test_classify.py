@@ -10,7 +10,7 @@ from program import SAMPLES, records
 from program import thinpart as command
 
 import thinpart_workbench as thinpart
-from thinpart_workbench.core.record.part_definition import PART
+from thinpart_workbench.core.record.record_types import PART
 
 
 def without_seconds(record):

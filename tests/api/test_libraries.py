@@ -10,7 +10,7 @@ from program import records
 from program import thinpart as command
 
 import thinpart_workbench as thinpart
-from thinpart_workbench.core.record.part_definition import PART
+from thinpart_workbench.core.record.record_types import PART
 
 FLAT = {"format": "thinpart-profile", "version": 1, "name": "flat", "categories": [
     {"name": "flat", "criteria": [{"id": "F1", "conditions": [{"quantity": "D2/D3", "comparison": ">", "value": 10}]}]}]}

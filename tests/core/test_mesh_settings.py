@@ -2,9 +2,8 @@
 
 import pytest
 
-from thinpart_workbench.core.kinds.value_checker import checker
 from thinpart_workbench.core.record.mesh_settings import settings_for, wall_sizes_for, worked_settings
-from thinpart_workbench.core.record.part_definition import ANNOTATIONS
+from thinpart_workbench.core.record.record_types import PART
 
 FIGURES = {"elements": 5000, "poor_share": 0.001, "gamma_least": 0.2, "layers_share": 0.97, "tries": [
     {"what": "as proposed", "reason": "PLC Error", "seconds": 1.0}, {"what": "finer", "reason": "", "seconds": 2.0}]}
@@ -20,7 +19,7 @@ def meshed():
 
 
 def test_what_is_kept_is_as_the_definition_and_says_which_try_worked(meshed):
-    assert checker(ANNOTATIONS["meshed"])(meshed) and meshed["how"] == "finer" and meshed["elements"] == 5000
+    assert PART.kinds["meshed"].holds(meshed) and meshed["how"] == "finer" and meshed["elements"] == 5000
 
 
 def test_the_greatest_size_grows_with_the_part_and_a_budget_does_not_move(meshed):

@@ -10,9 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from thinpart_workbench.core.kinds.compound_kinds import ANYTHING, DEEPEST, Anything, Known, ListOf, MapOf, Record, Row
-from thinpart_workbench.core.kinds.value_checker import checker, is_plain
-from thinpart_workbench.core.kinds.value_kinds import Either, Flag, Number, OneOf, OrNull, Text, Whole
-from thinpart_workbench.core.record.part_definition import PART
+from thinpart_workbench.core.kinds.value_kinds import Either, Flag, Number, OneOf, OrNull, Text, Whole, is_plain
+from thinpart_workbench.core.record.record_types import PART
 
 KINDS = {
     "number": Number(), "share": Number(0, 1), "whole": Whole(), "text": Text(), "short": Text(3),
@@ -27,7 +26,6 @@ KINDS = {
     "choice": Record({}, {"a": Text(), "b": Number()}, choice=("a", "b")),
     "distinct": ListOf(Record({"a": Text()}), distinct="a"),
 }
-CHECKERS = {name: (checker(kind), checker(kind, is_plain=True)) for name, kind in KINDS.items()}
 
 simple = st.one_of(
     st.none(), st.booleans(), st.integers(-20, 60), st.sampled_from([10 ** 40, 10 ** 400, 2 ** 53, 2 ** 53 + 1]),
@@ -38,7 +36,7 @@ values = st.recursive(simple, lambda inner: st.one_of(
 
 
 def test_what_repeats_is_the_same_and_not_only_equal():
-    check = checker(Known(Record({"a": Number(), "b": Flag()})))
+    check = Known(Record({"a": Number(), "b": Flag()})).holds
     assert check({"a": 0, "b": False}) and check({"a": 0, "b": False})
     assert not check({"a": False, "b": False}) and not check({"a": 0, "b": 0})
 
@@ -47,16 +45,16 @@ def test_what_repeats_is_the_same_and_not_only_equal():
 @settings(max_examples=100, deadline=None)
 @given(value=values)
 def test_the_quick_check_holds_where_there_is_no_fault(name, value):
-    kind, (check, check_plain) = KINDS[name], CHECKERS[name]
-    fault = kind.fault(value, "here")
-    assert check(value) == (fault is None), fault
+    kind = KINDS[name]
+    fault = kind.first_fault(value, "here")
+    assert kind.holds(value) == (fault is None) == (kind.fault(value, "here") is None), fault
     assert fault is None or fault.startswith("here") and len(fault) < 200
     try:
         text = json.dumps(value, ensure_ascii=False, allow_nan=False).encode()
     except ValueError:
         return
     if is_plain(text):
-        assert check_plain(value) == (fault is None)
+        assert kind.holds_plain(value) == (fault is None)
     if fault is None and name not in ("alike", "distinct", "known"):
         # What is read may have more keys than what is written.
         if not isinstance(value, dict) or set(value) >= {"a", "b", "d"} and set(value) <= set("abcd"):
@@ -78,10 +76,7 @@ def test_a_part_record_with_anything_anywhere(steps, value):
             break
         target, key = target[key], 0 if isinstance(target[key], list) else next(iter(target[key]))
     target[key] = value
-    assert _CHECK_PART(record) == (PART.fault(record, "here") is None)
-
-
-_CHECK_PART = checker(PART)
+    assert PART.holds(record) == (PART.first_fault(record, "here") is None)
 
 
 def test_what_is_wrong_is_said_with_its_place():
@@ -99,4 +94,4 @@ def test_levels_of_what_is_not_defined():
     for _ in range(DEEPEST):
         deep = [deep]
     assert ANYTHING.holds(deep) and not ANYTHING.holds([deep])
-    assert checker(Record({}))({"x": deep[0]}) and not checker(Record({}))({"x": deep})
+    assert Record({}).holds({"x": deep[0]}) and not Record({}).holds({"x": deep})

@@ -301,7 +301,8 @@ CHANGES = {
     "another quantity": ("core/descriptors/descriptor_table.py", "lambda d: d.area,", "lambda d: d.area / 2.0,"),
     "another signature": ("core/descriptors/similarity.py", "THICKNESS_UNIT = 0.05", "THICKNESS_UNIT = 0.06"),
     "other bins": ("core/descriptors/bins.py", "BINS = 1000", "BINS = 500"),
-    "another definition": ("core/record/part_definition.py", '"instances": Whole(1)', '"instances": Whole(2)'),
+    "another definition": (
+        "core/record/record_types.py", "instances: Annotated[int, Whole(1)", "instances: Annotated[int, Whole(2)"),
     "another SQL index": ("storage/index/library_index.py", "parts_by_file", "files_of_parts"),
     "another table": ("storage/index/library_index.py", '"inode": "INTEGER"', '"inode": "TEXT"'),
 }

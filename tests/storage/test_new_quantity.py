@@ -6,7 +6,7 @@ import pytest
 from copied_program import answer, copied_program
 from worked_examples import follow_example
 
-from thinpart_workbench.core.descriptors.recorded_descriptors import ENTRIES, LATER_ENTRIES
+from thinpart_workbench.core.descriptors.recorded_descriptors import DESCRIPTORS
 from thinpart_workbench.core.kinds.value_kinds import Number, OrNull
 
 SCRIPT = """
@@ -17,7 +17,7 @@ from thinpart_workbench.cli import main
 from thinpart_workbench.core.judging.conditions import search_conditions
 from thinpart_workbench.core.judging.criteria import profile_from
 from thinpart_workbench.core.descriptors.descriptor_table import listing
-from thinpart_workbench.core.record.part_definition import PART
+from thinpart_workbench.core.record.record_types import PART
 from thinpart_workbench.core.record.part_record import descriptors_of
 from thinpart_workbench.storage.info.info_definition import json_schema
 from thinpart_workbench.storage.index.library_index import LibraryIndex
@@ -97,5 +97,4 @@ def test_tables_and_documents_have_it(told):
 
 
 def test_what_is_there_since_the_first_version_is_no_later_entry():
-    assert {each.key for each in LATER_ENTRIES} == {"precision", "middle", "plate_share", "regions"}
-    assert len({each.key for each in (*ENTRIES, *LATER_ENTRIES)}) == len(ENTRIES) + len(LATER_ENTRIES)
+    assert set(DESCRIPTORS.later) == {"precision", "middle", "plate_share", "regions"} and not DESCRIPTORS.optional

@@ -9,7 +9,7 @@ from test_regions_in_records import RIBS
 
 from thinpart_workbench.api.annotations import note_regions, region_notes
 from thinpart_workbench.core.errors import ThinPartError
-from thinpart_workbench.core.record.part_definition import PART
+from thinpart_workbench.core.record.record_types import PART
 from thinpart_workbench.core.record.region_groups import features_of, region_groups
 from thinpart_workbench.core.record.region_notes import notes_of_regions
 from thinpart_workbench.storage.info.annotations import carry_annotations, has_annotation, set_region_note

@@ -8,8 +8,8 @@ import made_meshes
 import pytest
 
 from thinpart_workbench.core.judging.conditions import search_conditions
-from thinpart_workbench.core.record.part_definition import PART
 from thinpart_workbench.core.record.part_record import descriptors_of
+from thinpart_workbench.core.record.record_types import PART
 from thinpart_workbench.core.record.region_groups import region_groups
 from thinpart_workbench.storage.index.library_index import LibraryIndex
 from thinpart_workbench.storage.index.part_query import PartQuery

@@ -15,7 +15,7 @@ from ..core.kinds.json_file import UnreadableJson, parsed_json
 from ..core.message import message
 from ..core.problem import problem_of
 from ..core.record.mesh_settings import LEAST_ALIKE, settings_for, wall_sizes_for, worked_settings
-from ..core.record.part_definition import ANNOTATIONS, PERSON
+from ..core.record.record_types import PART, PERSON
 from ..core.regular_file import open_regular
 from ..storage.info.annotations import set_annotation, set_label, set_region_note
 from ..storage.info.info_file import change_info, stored_info
@@ -283,7 +283,7 @@ def _settings(data, what):
                                     what=what, problem=str(problem)), "usage") from None
     if not isinstance(content, dict):
         raise ThinPartError(message("{what} is not a JSON object.", what=what), "usage")
-    fault = ANNOTATIONS["mesh"].fault({"settings": content}, "")
+    fault = PART.kinds["mesh"].fault({"settings": content}, "")
     if fault:
         raise ThinPartError(message("{what} cannot be stored ({problem}).", what=what, problem=fault), "usage")
     return content

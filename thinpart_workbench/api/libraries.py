@@ -4,8 +4,7 @@ import os
 from contextlib import ExitStack
 
 from ..core.errors import ThinPartError
-from ..core.record.part_definition import PART
-from ..core.record.record_types import PartRecord
+from ..core.record.record_types import PART, PartRecord
 from ..storage.common_folder import common_folder
 from ..storage.index.written_query import part_query
 from ..storage.info.stored_records import info_file_of, select_record, single_record

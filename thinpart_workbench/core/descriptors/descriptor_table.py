@@ -15,9 +15,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Optional
 
 from ..errors import ThinPartError
-from ..kinds.value_kinds import LARGEST, Number, OrNull, Whole
 from ..message import message
 from ..tolerances import TOLERANCES
+from .descriptor_types import SampledShares
 from .quantity import AreaShare, BoxFill, BoxRatio, MiddleShare, Quantity, WallDistance, middle_by_diagonal
 from .region_kinds import BAR, BLOCK, PLATE, TAPER, TOOTH, TUBE
 
@@ -31,8 +31,8 @@ STATED_FLOOR = TOLERANCES.floor
 STATED_ANGLES = (10, 55)
 """Wedge angles, degrees, between which `min_nonparallel` is recorded (Giannini et al. 2012, 5.2)."""
 
-REPORTED_SHARES = ((0.0, 0.05), (0.0, 0.25), (0.05, 0.29), (0.3, 0.7))
-"""The ranges of x whose area shares the paper stores in its info file (section 6)."""
+REPORTED_SHARES = tuple(tuple(map(float, key.split(":"))) for key in SampledShares.__annotations__)
+"""The ranges of x of `SampledShares`."""
 
 
 def body_thickness(volume, area):
@@ -158,9 +158,6 @@ def _nonparallel_minimum(descriptors, floor, low, high):
     return descriptors.distribution.nonparallel_minimum(floor, low, high)
 
 
-_LENGTH, _POSITIVE, _SHARE = Number(0, LARGEST), Number(1 / LARGEST, LARGEST), Number(0, 1)
-
-
 def _of_side(descriptors, precision, value):
     return precision.side_mm
 
@@ -176,19 +173,19 @@ def _of_regions(key):
 QUANTITIES = (
     Quantity("volume_mm3", "V", "mm3", "Volume of the part", lambda d: d.volume,
              error_of=lambda d, precision, value: precision.volume_mm3(d.area)),
-    Quantity("area_mm2", "A", "mm2", "Area of its surface", lambda d: d.area, kind=Number(),
+    Quantity("area_mm2", "A", "mm2", "Area of its surface", lambda d: d.area,
              error_of=lambda d, precision, value: value * precision.area_share),
     Quantity("d1_mm", "D1", "mm", "Longest side of the bounding box", lambda d: float(d.box.dimensions[0]),
-             kind=_POSITIVE, keys=("box_mm", 0), error_of=_of_side),
+             keys=("box_mm", 0), error_of=_of_side),
     Quantity("d2_mm", "D2", "mm", "Middle side of the bounding box", lambda d: float(d.box.dimensions[1]),
-             kind=_LENGTH, keys=("box_mm", 1), error_of=_of_side),
+             keys=("box_mm", 1), error_of=_of_side),
     # The third side of a flat open surface is 0.
     Quantity("d3_mm", "D3", "mm", "Shortest side of the bounding box", lambda d: float(d.box.dimensions[2]),
-             kind=_LENGTH, keys=("box_mm", 2), error_of=_of_side),
+             keys=("box_mm", 2), error_of=_of_side),
     Quantity("diagonal_mm", "diag", "mm", "Diagonal of the bounding box", lambda d: d.box.diagonal,
-             kind=_POSITIVE, in_table=False, error_of=_of_side),
+             in_table=False, error_of=_of_side),
     BoxFill("volume_ratio", "V/VBB", "", "Share of the bounding box that the part fills",
-            lambda d: _ratio(d.volume, d.box.volume), kind=OrNull(Number(-LARGEST, LARGEST))),
+            lambda d: _ratio(d.volume, d.box.volume)),
     BoxRatio("d1_d2", "D1/D2", "", "Longest to middle side of the bounding box",
              lambda d: _ratio(*d.box.dimensions[:2]), sides=(0, 1), in_table=False),
     BoxRatio("d2_d3", "D2/D3", "", "Middle to shortest side of the bounding box",
@@ -202,42 +199,42 @@ QUANTITIES = (
                 lambda d, floor, low, high: d.middle_share(low, high, slanted=False), bounds=(0.0, 1.0), keys=(),
                 in_table=False, slanted=False),
     Quantity("plate_share", "plate_share", "", "Share of the area over plates and tubes: walls that are wider than thick",
-             lambda d: d.plate_share, kind=OrNull(_SHARE),
+             lambda d: d.plate_share,
              error_of=lambda d, precision, value: min(1.0, precision.of_share(value) + precision.plate_share)),
     Quantity("region_mm", "region_mm", "mm", "Median thickness of the thinnest wall region",
-             _of_regions("thinnest_mm"), kind=OrNull(_LENGTH), keys=("regions", "thinnest_mm")),
+             _of_regions("thinnest_mm"), keys=("regions", "thinnest_mm")),
     Quantity("regions", "regions", "", "Number of wall regions, connected walls of like thickness",
-             _of_regions("count"), kind=OrNull(Whole()), keys=("regions", "count")),
+             _of_regions("count"), keys=("regions", "count")),
     Quantity("plate_regions", "plate_regions", "", "Number of wall regions that are plates, flat, bent or shells",
-             _of_regions(PLATE), kind=OrNull(Whole()), keys=("regions", PLATE), in_table=False),
+             _of_regions(PLATE), keys=("regions", PLATE), in_table=False),
     Quantity("tube_regions", "tube_regions", "", "Number of wall regions that are tubes",
-             _of_regions(TUBE), kind=OrNull(Whole()), keys=("regions", TUBE), in_table=False),
+             _of_regions(TUBE), keys=("regions", TUBE), in_table=False),
     Quantity("bar_regions", "bar_regions", "", "Number of wall regions that are bars, shafts, wires or rings",
-             _of_regions(BAR), kind=OrNull(Whole()), keys=("regions", BAR), in_table=False),
+             _of_regions(BAR), keys=("regions", BAR), in_table=False),
     Quantity("block_regions", "block_regions", "", "Number of wall regions that are blocks",
-             _of_regions(BLOCK), kind=OrNull(Whole()), keys=("regions", BLOCK), in_table=False),
+             _of_regions(BLOCK), keys=("regions", BLOCK), in_table=False),
     Quantity("taper_regions", "taper_regions", "", "Number of wall regions that are tapers",
-             _of_regions(TAPER), kind=OrNull(Whole()), keys=("regions", TAPER), in_table=False),
+             _of_regions(TAPER), keys=("regions", TAPER), in_table=False),
     Quantity("tooth_regions", "tooth_regions", "", "Number of wall regions that are teeth, of gears or threads",
-             _of_regions(TOOTH), kind=OrNull(Whole()), keys=("regions", TOOTH), in_table=False),
+             _of_regions(TOOTH), keys=("regions", TOOTH), in_table=False),
     WallDistance("min_nonparallel", "min_nonparallel", "",
                  "Least distance, in diagonals, between walls at a to b degrees",
                  _nonparallel_minimum, bounds=STATED_ANGLES, absent_means=math.inf, in_table=False),
     Quantity("parallel", "parallel", "", "Share of the area with parallel walls", lambda d: d.distribution.parallel,
-             kind=_SHARE, keys=("shares", "parallel"), in_table=False, error_of=_of_share),
+             keys=("shares", "parallel"), in_table=False, error_of=_of_share),
     Quantity("nonparallel", "nonparallel", "", "Share of the area with non-parallel walls",
              lambda d: d.distribution.nonparallel,
-             kind=_SHARE, keys=("shares", "nonparallel"), in_table=False,
+             keys=("shares", "nonparallel"), in_table=False,
              error_of=lambda d, precision, value: 1.5 * precision.of_share(value)),
     Quantity("unmeasured", "unmeasured", "", "Share of the area with no wall opposite",
              lambda d: d.distribution.unmeasured,
-             kind=_SHARE, keys=("shares", "unmeasured"), in_table=False,
+             keys=("shares", "unmeasured"), in_table=False,
              error_of=lambda d, precision, value: 2.3 * precision.of_share(value)),
     Quantity("unmet", "unmet", "", "Share of the area whose rays met nothing at all", lambda d: d.distribution.unmet,
-             kind=_SHARE, keys=("shares", "unmet"), in_table=False, error_of=_of_share),
+             keys=("shares", "unmet"), in_table=False, error_of=_of_share),
 )
 """Records, the definition of info files, the search index, tables, conditions and docs/info-file.md are derived from
-this table. A new quantity gets its own key in records; existing files lack it."""
+this table. A new quantity gets its own key in records; existing files lack it. `descriptor_types` has its limits."""
 
 _BY_NAME = {key: quantity for quantity in QUANTITIES for key in (quantity.name, quantity.symbol)}
 _BOUNDED = re.compile(r"^\s*([A-Za-z_]+)\s*\[\s*([0-9.]+)\s*[;:,]\s*([0-9.]+)\s*\]\s*$")

@@ -2,11 +2,14 @@
 
 import math
 from dataclasses import dataclass, field, replace
-from typing import Callable, Optional, Union
+from functools import cached_property
+from typing import Callable, Optional
 
+from ..kinds.typed_kinds import kind_of
 from ..kinds.value_kinds import LARGEST, LARGEST_WHOLE, Number, OrNull
 from ..tolerances import TOLERANCES
 from .bins import BINS
+from .descriptor_types import DescriptorsRecord
 
 _BY_NAME = (None,)
 """Placeholder for the keys of a quantity whose only key is its name."""
@@ -40,8 +43,6 @@ class Quantity:
     absent_means : float or None
         Value to compare with when there is nothing to measure (no wedge: infinitely far); None where absence means
         unknown.
-    kind : Number or OrNull
-        The kind of its value in a record.
     keys : tuple of str and int
         Path of its value in a record's ``descriptors``, outermost key first; by default the name. Empty for a
         quantity that is computed from the distribution.
@@ -58,7 +59,6 @@ class Quantity:
     compute: Callable
     bounds: tuple = ()
     absent_means: Optional[float] = None
-    kind: Union[Number, OrNull] = field(default=OrNull(Number()), compare=False)
     keys: tuple = _BY_NAME
     in_table: bool = True
     error_of: Optional[Callable] = field(default=None, compare=False)
@@ -66,6 +66,16 @@ class Quantity:
     def __post_init__(self):
         if self.keys == _BY_NAME:
             object.__setattr__(self, "keys", (self.name,))
+
+    @cached_property
+    def kind(self):
+        """Kind: of its value in a record."""
+        kind = kind_of(DescriptorsRecord)
+        if not self.keys or len(self.keys) == 1 and self.keys[0] not in kind.kinds:
+            return OrNull(Number())
+        for key in self.keys:
+            kind = kind.kinds[key]
+        return kind
 
     is_area_share = False
     """Whether it is a share of the surface: "more than 0" then means more than the area floor, and unmeasured surface

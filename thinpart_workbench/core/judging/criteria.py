@@ -14,7 +14,7 @@ from ..kinds.compound_kinds import ListOf, Record
 from ..kinds.json_file import UnreadableJson, read_json
 from ..kinds.value_kinds import LARGEST_WHOLE, Either, Number, OneOf, Text, Whole
 from ..message import message
-from ..record.part_definition import PROFILE
+from ..record.record_types import PROFILE
 from .impossible_conditions import impossible_conditions
 from .probability import PROBABILITY, ProbabilityModel, named_quantity, probability_model
 

@@ -2,9 +2,9 @@
 
 import marshal
 from dataclasses import dataclass, field
+from functools import cached_property
 
-from .value_checker import checker
-from .value_kinds import LONGEST, Kind, Number, SimpleKind, Text, shown
+from .value_kinds import LONGEST, Kind, Number, Text, shown
 
 DEEPEST = 32
 """Greatest depth of values that are not defined in detail, such as mesh settings."""
@@ -32,22 +32,23 @@ class ListOf(Kind):
     distinct: str = ""
     about: str = field(default="", compare=False)
 
-    def check(self, value, source, depth):
-        source.line(depth, f"if not ({value}.__class__ is list and {self.least} <= len({value}) <= {self.most}): "
-                    "return False")
+    def condition(self, value, source):
+        return f"{value}.__class__ is list and {self.least} <= len({value}) <= {self.most}"
+
+    def check_entries(self, value, source, depth):
         if self.least == self.most <= 3:
             entries = [source.variable() for _ in range(self.most)]
             source.line(depth, f"{', '.join(entries)}, = {value}")
             for entry in entries:
                 self.kind.check(entry, source, depth)
-        elif hasattr(self.kind, "all_hold"):
-            source.line(depth, f"if {value} and not {source.name(self.kind.all_hold)}({value}): return False")
+        elif isinstance(self.kind, Number):
+            source.require(depth, self.kind.condition_of_all(value, source))
         else:
             entry = source.variable()
             source.line(depth, f"for {entry} in {value}:")
             self.kind.check(entry, source, depth + 1)
         if self.distinct:
-            source.line(depth, f"if {source.name(self._twice)}({value}) is not None: return False")
+            source.require(depth, f"{source.name(self._twice)}({value}) is None")
 
     def _twice(self, entries):
         """The name that two entries have in common, or None."""
@@ -66,13 +67,11 @@ class ListOf(Kind):
             return f"a list of {self.most}"
         return f"a list of {self.least} to {self.most}"
 
-    def fault(self, value, path):
-        if type(value) is not list or not self.least <= len(value) <= self.most:
-            return f"{path} is {shown(value)}, not {self.meaning}"
-        faults = (self.kind.fault(entry, f"{path}[{number}]") for number, entry in enumerate(value))
-        found = next(filter(None, faults), None)
-        twice = self._twice(value) if self.distinct and not found else None
-        return found if twice is None else f"{path} has {shown(twice)} twice"
+    def entry_faults(self, value, path):
+        for number, entry in enumerate(value):
+            yield self.kind.first_fault(entry, f"{path}[{number}]")
+        twice = self._twice(value) if self.distinct else None
+        yield None if twice is None else f"{path} has {shown(twice)} twice"
 
     def schema(self):
         return self._described({"type": "array", "items": self.kind.schema(),
@@ -86,9 +85,11 @@ class Row(Kind):
     kinds: tuple
     about: str = field(default="", compare=False)
 
-    def check(self, value, source, depth):
+    def condition(self, value, source):
+        return f"{value}.__class__ is list and len({value}) == {len(self.kinds)}"
+
+    def check_entries(self, value, source, depth):
         entries = [source.variable() for _ in self.kinds]
-        source.line(depth, f"if {value}.__class__ is not list: return False")
         source.line(depth, f"{', '.join(entries)}, = {value}")
         for kind, entry in zip(self.kinds, entries):
             kind.check(entry, source, depth)
@@ -98,12 +99,8 @@ class Row(Kind):
         """str"""
         return f"a list of {len(self.kinds)}"
 
-    def fault(self, value, path):
-        if type(value) is not list or len(value) != len(self.kinds):
-            return f"{path} is {shown(value)}, not {self.meaning}"
-        faults = (kind.fault(entry, f"{path}[{number}]")
-                  for number, (kind, entry) in enumerate(zip(self.kinds, value)))
-        return next(filter(None, faults), None)
+    def entry_faults(self, value, path):
+        return (kind.first_fault(entry, f"{path}[{number}]") for number, (kind, entry) in enumerate(zip(self.kinds, value)))
 
     def schema(self):
         # Versions of JSON schema differ in how they give each entry its own kind.
@@ -112,31 +109,29 @@ class Row(Kind):
                                 "minItems": len(self.kinds), "maxItems": len(self.kinds)})
 
 
-class Anything(SimpleKind):
+@dataclass(frozen=True)
+class Anything(Kind):
     """Any JSON value, no deeper than `DEEPEST`, without numbers and texts that cannot be written.
 
-    Parameters
+    Attributes
     ----------
-    longest : int, optional
+    longest : int
         Greatest number of characters of a text in it.
     """
 
-    meaning = "what can be written"
-    about = ""
-
-    def __init__(self, longest=LONGEST):
-        self._text = Text(longest=longest)
+    longest: int = LONGEST
+    meaning: str = "what can be written"
 
     def condition(self, value, source):
-        return f"{source.name(self.holds)}({value})"
+        return f"{source.name(self._can_be_written)}({value}, {source.name(Text(self.longest).holds)})"
 
-    def holds(self, value, levels=DEEPEST):
+    def _can_be_written(self, value, is_text, levels=DEEPEST):
         if isinstance(value, dict):
-            return levels > 0 and all(map(self._text.holds, value)) and all(
-                self.holds(item, levels - 1) for item in value.values())
+            return levels > 0 and all(map(is_text, value)) and all(
+                self._can_be_written(item, is_text, levels - 1) for item in value.values())
         if isinstance(value, list):
-            return levels > 0 and all(self.holds(item, levels - 1) for item in value)
-        return value is None or isinstance(value, bool) or self._text.holds(value) or _NUMBER.holds(value)
+            return levels > 0 and all(self._can_be_written(item, is_text, levels - 1) for item in value)
+        return value is None or isinstance(value, bool) or is_text(value) or _NUMBER.holds(value)
 
     def schema(self):
         return {}
@@ -145,166 +140,149 @@ class Anything(SimpleKind):
 _TEXT, _NUMBER, ANYTHING = Text(), Number(), Anything()
 
 
+@dataclass(frozen=True, eq=False)
 class Record(Kind):
     """An object with a kind for each key.
 
     Other keys are allowed and preserved, since a later version may have written them.
 
-    Parameters
+    Attributes
     ----------
     required : dict of str to Kind
-    optional : dict of str to Kind, optional
+    optional : dict of str to Kind
         Keys that may be missing.
-    later : dict of str to Kind, optional
+    later : dict of str to Kind
         Optional keys that are always written; earlier versions did not have them.
-    alike : tuple of str, optional
+    alike : tuple of str
         Keys of lists that must have the same length.
-    choice : tuple of str, optional
+    choice : tuple of str
         Optional keys of which exactly one must be there.
-    is_open : bool, optional
+    is_open : bool
         Whether other keys than these may be written.
-    about : str, optional
     """
 
-    meaning = "an object"
+    required: dict
+    optional: dict = field(default_factory=dict)
+    later: dict = field(default_factory=dict)
+    alike: tuple = ()
+    choice: tuple = ()
+    is_open: bool = False
+    about: str = ""
+    meaning: str = "an object"
 
-    def __init__(self, required, optional=None, later=None, alike=(), choice=(), is_open=False, about=""):
-        self._required, self._later = dict(required), dict(later or {})
-        self._optional = {**(optional or {}), **self._later}
-        self._kinds = {**self._required, **self._optional}
-        self._alike, self._choice, self._is_open, self.about = alike, choice, is_open, about
+    @cached_property
+    def kinds(self):
+        """dict of str to Kind: of all keys."""
+        return {**self.required, **self.optional, **self.later}
 
-    @property
-    def required(self):
-        """dict of str to Kind: keys that are always there."""
-        return dict(self._required)
+    def condition(self, value, source):
+        return f"{value}.__class__ is dict"
 
-    @property
-    def optional(self):
-        """dict of str to Kind: keys that may be missing, including those that earlier versions did not write."""
-        return dict(self._optional)
-
-    def check(self, value, source, depth):
-        source.line(depth, f"if {value}.__class__ is not dict: return False")
-        variables = {key: source.variable() for key in self._kinds}
-        for key, kind in self._required.items():
-            source.line(depth, f"{variables[key]} = {value}[{key!r}]")
-            kind.check(variables[key], source, depth)
-        count = str(len(self._required))
-        for key, kind in self._optional.items():
-            source.line(depth, f"if {key!r} in {value}:")
-            source.line(depth + 1, f"{variables[key]} = {value}[{key!r}]")
-            kind.check(variables[key], source, depth + 1)
-            count += f" + ({key!r} in {value})"
-        source.line(depth, f"if len({value}) != {count} and not {source.name(self._others_hold)}({value}): "
-                    "return False")
-        if self._alike:
-            lengths = " == ".join(f"len({variables[key]})" for key in self._alike)
-            source.line(depth, f"if not ({lengths}): return False")
-        if self._choice:
-            source.line(depth, f"if not {source.name(self._has_one)}({value}): return False")
+    def check_entries(self, value, source, depth):
+        count = str(len(self.required))
+        for key, kind in self.kinds.items():
+            entry, inner = source.variable(), depth
+            if key not in self.required:
+                count += f" + ({key!r} in {value})"
+                source.line(depth, f"if {key!r} in {value}:")
+                inner += 1
+            source.line(inner, f"{entry} = {value}[{key!r}]")
+            kind.check(entry, source, inner)
+        source.require(depth, f"len({value}) == {count} or {source.name(self._others_hold)}({value})")
+        for holds, _ in self._rules():
+            source.require(depth, f"{source.name(holds)}({value})")
 
     def _others_hold(self, value):
         return ANYTHING.holds(self._others(value))
 
     def _others(self, value):
-        return {key: value[key] for key in value if key not in self._kinds}
+        return {key: value[key] for key in value if key not in self.kinds}
 
-    def _has_one(self, value):
-        return sum(key in value for key in self._choice) == 1
+    def _rules(self):
+        """Functions that an object with valid entries must satisfy, and what is wrong where it does not."""
+        if self.alike:
+            yield (lambda value: len({len(value[key]) for key in self.alike}) == 1), "lists of different lengths"
+        if self.choice:
+            named = " and ".join(self.choice)
+            yield (lambda value: sum(key in value for key in self.choice) == 1), f"not just one of {named}"
 
-    def fault(self, value, path):
-        if type(value) is not dict:
-            return f"{path} is {shown(value)}, not {self.meaning}"
-        found = next(filter(None, self._faults(value, path and f"{path}.")), None)
-        if found:
-            return found
-        if self._alike and len({len(value[key]) for key in self._alike}) > 1:
-            return f"{path} has lists of different lengths"
-        if self._choice and not self._has_one(value):
-            return f"{path} has not just one of {' and '.join(self._choice)}"
-        return None
-
-    def _faults(self, value, prefix):
-        for key, kind in self._kinds.items():
+    def entry_faults(self, value, path):
+        prefix = path and f"{path}."
+        for key, kind in self.kinds.items():
             if key in value:
-                yield kind.fault(value[key], prefix + key)
-            elif key in self._required:
+                yield kind.first_fault(value[key], prefix + key)
+            elif key in self.required:
                 yield f"{prefix}{key} is missing"
         for key, other in self._others(value).items():
             # Together with its key, which adds the level of depth that the object has.
             if not ANYTHING.holds({key: other}):
                 yield f"{prefix}{ascii(key)[1:-1]} is {shown(other)}, not {ANYTHING.meaning}"
+        for holds, fault in self._rules():
+            yield None if holds(value) else f"{path} has {fault}"
 
     def schema(self):
         """JSON schema of what is written. Files that are read may have more keys and lack later ones."""
-        choice = {"oneOf": [{"required": [key]} for key in self._choice]} if self._choice else {}
+        choice = {"oneOf": [{"required": [key]} for key in self.choice]} if self.choice else {}
         return self._described({
             "type": "object", **choice,
-            "properties": {key: kind.schema() for key, kind in self._kinds.items()},
-            "required": [key for key in self._kinds if key in self._required or key in self._later],
-            "additionalProperties": self._is_open,
+            "properties": {key: kind.schema() for key, kind in self.kinds.items()},
+            "required": [*self.required, *self.later],
+            "additionalProperties": self.is_open,
         })
 
 
-class MapOf(SimpleKind):
+@dataclass(frozen=True)
+class MapOf(Kind):
     """An object with any keys, whose values are all of one kind."""
 
-    meaning = "an object"
-
-    def __init__(self, kind, about=""):
-        self._kind, self._check, self.about = kind, checker(kind), about
+    kind: Kind
+    about: str = ""
+    meaning: str = "an object"
 
     def condition(self, value, source):
-        return f"{source.name(self.holds)}({value})"
+        return f"{value}.__class__ is dict"
 
-    def holds(self, value):
-        return type(value) is dict and all(map(_TEXT.holds, value)) and all(map(self._check, value.values()))
+    def check_entries(self, value, source, depth):
+        key, entry = source.variable(), source.variable()
+        source.line(depth, f"for {key}, {entry} in {value}.items():")
+        _TEXT.check(key, source, depth + 1)
+        self.kind.check(entry, source, depth + 1)
 
-    def fault(self, value, path):
-        if type(value) is not dict:
-            return f"{path} is {shown(value)}, not {self.meaning}"
+    def entry_faults(self, value, path):
         for key, entry in value.items():
-            if not _TEXT.holds(key):
-                return f"{path} has the key {shown(key)}, not {_TEXT.meaning}"
-            fault = self._kind.fault(entry, f"{path}.{ascii(key)[1:-1]}")
-            if fault:
-                return fault
-        return None
+            yield self.kind.first_fault(entry, f"{path}.{ascii(key)[1:-1]}") if _TEXT.holds(key) else (
+                f"{path} has the key {shown(key)}, not {_TEXT.meaning}")
 
     def schema(self):
-        return self._described({"type": "object", "additionalProperties": self._kind.schema()})
+        return self._described({"type": "object", "additionalProperties": self.kind.schema()})
 
 
-class Known(SimpleKind):
+class Known(Kind):
     """A kind that remembers the last valid value, for values that repeat, such as the profile in a library's files."""
 
     def __init__(self, kind):
-        self._kind, self._check, self._last, self._last_data = kind, None, None, None
-        self.about = ""
+        self._kind, self._last, self._last_data = kind, None, None
 
     @property
     def meaning(self):
         return self._kind.meaning
 
     def condition(self, value, source):
-        return f"{source.name(self.holds)}({value})"
+        return f"{source.name(self._is_valid)}({value})"
 
-    def holds(self, value):
+    def _is_valid(self, value):
         # Equal is not enough: false equals 0.
         if type(value) is dict and value == self._last and marshal.dumps(value, _WITHOUT_REFERENCES) == self._last_data:
             return True
-        if self._check is None:
-            self._check = checker(self._kind)
-        if not self._check(value):
+        if not self._kind.holds(value):
             return False
         self._last = self._last_data = None
         if type(value) is dict:
             self._last, self._last_data = value, marshal.dumps(value, _WITHOUT_REFERENCES)
         return True
 
-    def fault(self, value, path):
-        return self._kind.fault(value, path)
+    def first_fault(self, value, path):
+        return self._kind.first_fault(value, path)
 
     def schema(self):
         return self._kind.schema()

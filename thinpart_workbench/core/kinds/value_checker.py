@@ -5,8 +5,6 @@ two thousand values of an info file would take longer than reading the file. It 
 `Kind.fault` then explains what is wrong with an invalid one.
 """
 
-from .value_kinds import LONGEST
-
 
 class Source:
     """The source text of a generated function, and the objects that it refers to.
@@ -14,27 +12,29 @@ class Source:
     Parameters
     ----------
     is_plain : bool
-        See `checker`.
+        Whether every text of the values can be written and is no longer than `value_kinds.LONGEST`.
     """
 
-    def __init__(self, is_plain):
+    def __init__(self, is_plain=False):
         self.is_plain = is_plain
-        self.lines, self.names = [], {}
+        self._lines, self._names = [], {}
 
     def line(self, depth, text):
         """Add a line at an indentation depth."""
-        self.lines.append(f"{'    ' * depth}{text}")
+        self._lines.append(f"{'    ' * depth}{text}")
+
+    def require(self, depth, condition):
+        """Add a line that returns False unless an expression is true."""
+        self.line(depth, f"if not ({condition}): return False")
 
     def variable(self):
         """str: the name of a new variable."""
-        name = f"v{len(self.names)}"
-        self.names[name] = None
-        return name
+        return self.name(None)
 
     def name(self, used_object):
         """str: a name under which the function can use an object."""
-        name = f"x{len(self.names)}"
-        self.names[name] = used_object
+        name = f"x{len(self._names)}"
+        self._names[name] = used_object
         return name
 
 
@@ -42,36 +42,25 @@ _WRONG = (AttributeError, KeyError, OverflowError, TypeError, ValueError)
 """Exceptions that a condition raises for a value of another type."""
 
 
-def is_plain(data):
-    """Whether JSON data is at most `LONGEST` bytes of ASCII without escapes. Then every text in it can be written and is
-    no longer than `LONGEST`, so that the texts need no check one by one.
+def compiled(write, source):
+    """Compile a function that returns whether a value is valid.
 
     Parameters
     ----------
-    data : bytes
-    """
-    return len(data) <= LONGEST and data.isascii() and b"\\" not in data
-
-
-def checker(kind, is_plain=False):
-    """Compile a fast function that returns whether a value is of a kind.
-
-    Parameters
-    ----------
-    kind : Kind
-    is_plain : bool
-        Whether the values come from JSON data for which `is_plain` is true.
+    write : callable
+        Writes the lines that return False if it is not. Called with the name of the variable, `source` and the depth of the
+        lines.
+    source : Source
 
     Returns
     -------
     callable
     """
-    source = Source(is_plain)
     wrong = source.name(_WRONG)
     source.line(0, "def holds(value):")
     source.line(1, "try:")
-    kind.check("value", source, 2)
+    write("value", source, 2)
     source.line(1, f"except {wrong}: return False")
     source.line(1, "return True")
-    exec("\n".join(source.lines), source.names)  # generated from definitions in this package only, never from data
-    return source.names["holds"]
+    exec("\n".join(source._lines), source._names)  # generated from definitions in this package only, never from data
+    return source._names["holds"]

@@ -1,7 +1,7 @@
 """Kinds of simple values in a JSON document: numbers, texts and so on.
 
-Each kind defines its values in three ways: as Python code for a fast check (`value_checker`), as a sentence about the
-first invalid value, and as JSON schema. Tests verify that the three agree.
+Each kind states its rule once, as Python code: a fast check is compiled from it (`value_checker`), and the first invalid
+value is found with it. The JSON schema has the same limits. Tests verify that the three agree.
 """
 
 import math
@@ -9,6 +9,9 @@ import re
 import sys
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, field
+from functools import cached_property
+
+from .value_checker import Source, compiled
 
 LARGEST = 1e36
 """Largest number that may also be stored as float32, whose range ends at about a hundred times that."""
@@ -23,7 +26,17 @@ _SHOWN = 40
 """Number of characters of an invalid value that are shown."""
 
 _LARGEST_FLOAT = sys.float_info.max
-_NUMBERS, _WHOLE = frozenset((int, float)), frozenset((int,))
+
+
+def is_plain(data):
+    """Whether JSON data is at most `LONGEST` bytes of ASCII without escapes. Then every text in it can be written and is
+    no longer than `LONGEST`, so that the texts need no check one by one.
+
+    Parameters
+    ----------
+    data : bytes
+    """
+    return len(data) <= LONGEST and data.isascii() and b"\\" not in data
 
 
 class Kind(ABC):
@@ -33,13 +46,31 @@ class Kind(ABC):
     ----------
     about : str
         Description in the schema.
+    meaning : str
+        A few words that describe the kind.
     """
 
-    about: str
+    about: str = ""
+
+    @property
+    @abstractmethod
+    def meaning(self) -> str:
+        """A few words that describe the kind."""
 
     @abstractmethod
-    def check(self, value, source, depth):
-        """Write the lines that return False if a variable is not of this kind.
+    def condition(self, value, source):
+        """Python expression for whether a variable is of this kind, whatever its entries are; an exception means that it is
+        not.
+
+        Parameters
+        ----------
+        value : str
+            Name of the variable.
+        source : value_checker.Source
+        """
+
+    def check_entries(self, value, source, depth):
+        """Write the lines that return False if an entry of a variable is not as it should be.
 
         Parameters
         ----------
@@ -49,8 +80,40 @@ class Kind(ABC):
         depth : int
             Indentation depth of the lines.
         """
+        return None
+
+    def entry_faults(self, value, path):
+        """Explain what is wrong with the entries of a value; see `first_fault`.
+
+        Returns
+        -------
+        iterable of str or None
+        """
+        return ()
 
     @abstractmethod
+    def schema(self):
+        """dict: JSON schema of the kind."""
+
+    def check(self, value, source, depth):
+        """Write the lines that return False if a variable is not of this kind; see `check_entries`."""
+        source.require(depth, self.condition(value, source))
+        self.check_entries(value, source, depth)
+
+    @cached_property
+    def holds(self):
+        """callable: whether a value is of this kind. Compiled when it is first asked for."""
+        return compiled(self.check, Source())
+
+    @cached_property
+    def holds_plain(self):
+        """callable: as `holds`, for values from JSON data for which `is_plain` is true."""
+        return compiled(self.check, Source(is_plain=True))
+
+    @cached_property
+    def _holds_without_entries(self):
+        return compiled(lambda value, source, depth: source.require(depth, self.condition(value, source)), Source())
+
     def fault(self, value, path):
         """Explain what is wrong with a value.
 
@@ -65,69 +128,45 @@ class Kind(ABC):
         str or None
             What is at the path and what should be; None if the value is of this kind.
         """
+        return None if self.holds(value) else self.first_fault(value, path)
 
-    @abstractmethod
-    def schema(self):
-        """dict: JSON schema of the kind."""
+    def first_fault(self, value, path):
+        """As `fault`, without the fast check."""
+        if not self._holds_without_entries(value):
+            return f"{path} is {shown(value)}, not {self.meaning}"
+        return next(filter(None, self.entry_faults(value, path)), None)
 
     def _described(self, schema):
         return {**schema, "description": self.about} if self.about else schema
 
 
-class SimpleKind(Kind):
-    """A kind that one Python expression can check."""
-
-    @property
-    @abstractmethod
-    def meaning(self) -> str:
-        """A few words that describe the kind."""
-
-    @abstractmethod
-    def condition(self, value, source):
-        """Python expression for whether a variable is of this kind; an exception means that it is not.
-
-        Parameters
-        ----------
-        value : str
-            Name of the variable.
-        source : value_checker.Source
-        """
-
-    @abstractmethod
-    def holds(self, value):
-        """Whether a value is of this kind."""
-
-    def check(self, value, source, depth):
-        source.line(depth, f"if not ({self.condition(value, source)}): return False")
-
-    def fault(self, value, path):
-        return None if self.holds(value) else f"{path} is {shown(value)}, not {self.meaning}"
-
-
 @dataclass(frozen=True)
-class Number(SimpleKind):
+class Number(Kind):
     """A finite number, between optional bounds, both inclusive."""
 
     least: float = -math.inf
     most: float = math.inf
     about: str = field(default="", compare=False)
 
+    _types = frozenset((int, float))
+
+    @property
+    def _bounds(self):
+        return max(float(self.least), -_LARGEST_FLOAT), min(float(self.most), _LARGEST_FLOAT)
+
     def condition(self, value, source):
-        least, most = self._bounds()
+        least, most = self._bounds
         # In Python a bool is an int.
         return f"{least!r} <= {value} <= {most!r} and {value} is not True and {value} is not False"
 
-    def all_hold(self, values):
-        """Whether all values of a non-empty list are of this kind."""
-        least, most = self._bounds()
-        return set(map(type, values)) <= _NUMBERS and least <= min(values) and max(values) <= most
-
-    def holds(self, value):
-        least, most = self._bounds()
-        return type(value) in _NUMBERS and least <= value <= most
-
-    def _bounds(self):
-        return max(self.least, -_LARGEST_FLOAT), min(self.most, _LARGEST_FLOAT)
+    def condition_of_all(self, values, source):
+        """As `condition`, for all entries of a list."""
+        least, most = self._bounds
+        typed = f"set(map(type, {values})) <= {source.name(self._types)}"
+        ordered = f"{least!r} <= min({values}) and max({values}) <= {most!r}"
+        # Neither least nor greatest need be NaN where another is, but the sum is.
+        number = "" if self._types == {int} else f" and not {source.name(math.isnan)}(sum({values}))"
+        return f"not {values} or {typed} and {ordered}{number}"
 
     @property
     def meaning(self):
@@ -143,25 +182,21 @@ class Number(SimpleKind):
 
 
 @dataclass(frozen=True)
-class Whole(SimpleKind):
+class Whole(Number):
     """A whole number between two bounds, both inclusive."""
 
     least: int = 0
     most: int = LARGEST_WHOLE
     about: str = field(default="", compare=False)
 
+    _types = frozenset((int,))
+
+    @property
+    def _bounds(self):
+        return self.least, self.most
+
     def condition(self, value, source):
         return f"{value}.__class__ is int and {self.least} <= {value} <= {self.most}"
-
-    def all_hold(self, values):
-        """Whether all values of a non-empty list are of this kind."""
-        if 1 < self.least and self.most < 256:
-            # Seven times as fast. Excludes bools, too: they would become 0 or 1.
-            return not bytes(values).translate(None, bytes(range(self.least, self.most + 1)))
-        return set(map(type, values)) == _WHOLE and self.least <= min(values) and max(values) <= self.most
-
-    def holds(self, value):
-        return type(value) is int and self.least <= value <= self.most
 
     @property
     def meaning(self):
@@ -173,7 +208,7 @@ class Whole(SimpleKind):
 
 
 @dataclass(frozen=True)
-class Text(SimpleKind):
+class Text(Kind):
     """A text that can be written. It may hold undecodable bytes of file names, as surrogate escapes.
 
     Attributes
@@ -201,17 +236,13 @@ class Text(SimpleKind):
             conditions.append(f"{source.name(re.compile(self.pattern).fullmatch)}({value})")
         return " and ".join(conditions)
 
-    def holds(self, value):
-        return (isinstance(value, str) and _can_be_written(value) and len(value) <= self.longest
-                and (not self.pattern or re.fullmatch(self.pattern, value) is not None))
-
     def schema(self):
         pattern = {"pattern": f"^{self.pattern}$"} if self.pattern else {}
         return self._described({"type": "string", "maxLength": self.longest, **pattern})
 
 
 @dataclass(frozen=True)
-class Flag(SimpleKind):
+class Flag(Kind):
     """True or false."""
 
     meaning: str = "true or false"
@@ -220,15 +251,12 @@ class Flag(SimpleKind):
     def condition(self, value, source):
         return f"{value} is True or {value} is False"
 
-    def holds(self, value):
-        return value is True or value is False
-
     def schema(self):
         return self._described({"type": "boolean"})
 
 
 @dataclass(frozen=True)
-class OneOf(SimpleKind):
+class OneOf(Kind):
     """One of a few texts, or of a few whole numbers."""
 
     values: tuple
@@ -236,9 +264,6 @@ class OneOf(SimpleKind):
 
     def condition(self, value, source):
         return f"{value}.__class__ is {type(self.values[0]).__name__} and {value} in {self.values!r}"
-
-    def holds(self, value):
-        return type(value) is type(self.values[0]) and value in self.values
 
     @property
     def meaning(self):
@@ -251,18 +276,15 @@ class OneOf(SimpleKind):
 
 
 @dataclass(frozen=True)
-class Either(SimpleKind):
-    """One of two kinds that have simple values."""
+class Either(Kind):
+    """One of two kinds that have no entries."""
 
-    first: SimpleKind
-    second: SimpleKind
+    first: Kind
+    second: Kind
     about: str = field(default="", compare=False)
 
     def condition(self, value, source):
         return f"{self.first.condition(value, source)} or {self.second.condition(value, source)}"
-
-    def holds(self, value):
-        return self.first.holds(value) or self.second.holds(value)
 
     @property
     def meaning(self):
@@ -280,12 +302,20 @@ class OrNull(Kind):
     kind: Kind
     about: str = field(default="", compare=False)
 
+    def condition(self, value, source):
+        return f"{value} is None or {self.kind.condition(value, source)}"
+
     def check(self, value, source, depth):
         source.line(depth, f"if {value} is not None:")
         self.kind.check(value, source, depth + 1)
 
-    def fault(self, value, path):
-        return None if value is None else self.kind.fault(value, path)
+    @property
+    def meaning(self):
+        """str"""
+        return self.kind.meaning
+
+    def first_fault(self, value, path):
+        return None if value is None else self.kind.first_fault(value, path)
 
     def schema(self):
         return self._described({"oneOf": [{"type": "null"}, self.kind.schema()]})

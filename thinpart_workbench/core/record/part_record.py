@@ -1,7 +1,7 @@
 """The part record: the result that info files, colours, panels and tables use.
 
 It is a plain dict with the keys of the info file, because it is passed between processes and stored on disk unchanged.
-`part_definition` defines it, `record_types` has the same as types, docs/info-file.md explains the keys.
+`record_types` defines it, docs/info-file.md explains the keys.
 """
 
 import math
@@ -12,7 +12,7 @@ import numpy as np
 from ..descriptors.descriptor_table import Descriptors
 from ..descriptors.distribution import Distribution, MiddleDistribution
 from ..descriptors.precision import Precision
-from ..descriptors.recorded_descriptors import MeasuredPart, recorded_descriptors
+from ..descriptors.recorded_descriptors import recorded_descriptors
 from ..mesh.bounds import OrientedBox
 from ..mesh.resolution import error_to_judge_with, smallest_side
 from .record_types import EvidenceRow, PartRecord, VerdictRecord
@@ -56,8 +56,8 @@ def part_record(part, mesh, measurement, classification, paper, faces, error_bou
         "reason": classification.reason,
         "evidence": evidence(classification),
         "paper": {"category": paper.category, "criteria": list(paper.criteria)},
-        "descriptors": recorded_descriptors(MeasuredPart(
-            measurement.descriptors, measurement.wall_range, error_bound, _has_teeth(paper), mesh.watertight)),
+        "descriptors": recorded_descriptors(
+            measurement.descriptors, measurement.wall_range, error_bound, _has_teeth(paper), mesh.watertight),
         "thin_limit_mm": classification.thin_limit_x * measurement.descriptors.box.diagonal,
         "faces": [_face(face) for face in faces],
         "regions": _regions(measurement.regions),

@@ -1,57 +1,73 @@
-"""Part records as types, for people who write programs with them and for their editors.
+"""The one definition of part records, profiles and failures: types with the limits of their values.
 
-`part_definition` defines records; tests compare these types with it. At run time a record is a plain dict. Classes
-whose names begin with an underscore have the required keys; the classes derived from them add the optional ones.
+Programs and editors know records by them; checks of info files and the JSON schema are derived (`typed_kinds`). At run time
+a record is a plain dict. Lengths are in mm; docs/info-file.md says what each key means.
 """
 
-from typing import Any, Optional, TypedDict, Union
+from typing import Annotated, Any, NotRequired, Optional, TypedDict, Union
 
-Criterion = Union[int, str]
+from ..analysis_settings import ACCURACIES, BOXES, MEASURES
+from ..descriptors.descriptor_types import Share
+from ..descriptors.recorded_descriptors import DESCRIPTORS, DescriptorsRecord
+from ..descriptors.region_kinds import REGION_KINDS
+from ..kinds.compound_kinds import Known
+from ..kinds.typed_kinds import LATER, Restricted, kind_of
+from ..kinds.value_kinds import LARGEST_WHOLE, Number, OneOf, Text, Whole
+
+Criterion = Union[Annotated[int, Whole(-LARGEST_WHOLE)], str]
 """Id of a criterion."""
 
-ProfileContent = dict[str, Any]
-"""A profile as its JSON file has it; see resources/profiles/paper.json."""
+Point = Annotated[list[float], Restricted(least=3, most=3)]
+"""mm"""
+
+RegionKind = Annotated[str, OneOf(REGION_KINDS)]
+
+Time = Annotated[str, Text(
+    40, r"[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9]{2}:[0-9]{2}:[0-9]{2}(\.[0-9]+)?(Z|[+-][0-9]{2}:[0-9]{2})", "a date and time")]
+
+Person = Annotated[str, Text(200, r"[^\x00\n]*[^\x00\s][^\x00\n]*", "a name in one line")]
+"""Name of a person who labels parts."""
+
+_ElementSize = Annotated[float, Number(1e-9, 1e9)]
+_ElementShare = Annotated[float, Number(0.0, 1.0 + 1e-9)]
 
 
 class WitnessRecord(TypedDict):
-    """Where a wall was measured: from a point of one face to one of another, mm."""
+    """Where a wall was measured: from a point of one face to one of another."""
 
     distance: float
-    points: list[list[float]]
+    points: Annotated[list[Point], Restricted(least=2, most=2)]
     opposite_face: str
 
 
 class FaceRecord(TypedDict):
-    """The walls under one face. Lengths in mm over parallel walls, None where there are none."""
+    """The walls under one face. Thicknesses of parallel walls, None where there are none."""
 
     face: str
     area_mm2: float
     min: Optional[float]
     median: Optional[float]
     max: Optional[float]
-    thin_share: float
-    unmeasured_share: float
+    thin_share: Share
+    unmeasured_share: Share
     witness: Optional[WitnessRecord]
     wedge: Optional[WitnessRecord]
 
 
-class _RegionRecord(TypedDict):
-    kind: str
+class RegionRecord(TypedDict):
+    """A connected wall: kind, area of both sides, thickness, length, developed width, a point of it, its faces, and where it
+    is thinnest."""
+
+    kind: RegionKind
     area_mm2: float
     min: float
     median: float
     length_mm: float
     width_mm: float
-    volume_share: Optional[float]
-    place: list[float]
+    volume_share: Optional[Share]
+    place: Point
     faces: list[str]
-
-
-class RegionRecord(_RegionRecord, total=False):
-    """A connected wall: kind, area of both sides, thickness, length, developed width, a point of it, its faces, and where it
-    is thinnest."""
-
-    witness: Optional[WitnessRecord]
+    witness: NotRequired[Annotated[Optional[WitnessRecord], LATER]]
 
 
 class RegionsRecord(TypedDict):
@@ -59,23 +75,19 @@ class RegionsRecord(TypedDict):
 
     listed: list[RegionRecord]
     others: int
-    others_share: float
+    others_share: Share
 
 
-class _ConditionRow(TypedDict):
+class ConditionRow(TypedDict):
+    """A condition of a criterion and its result; ``holds`` is None where it is undecided."""
 
     quantity: str
     value: Optional[float]
-    comparison: str
+    comparison: Annotated[str, OneOf(("<", ">"))]
     threshold: float
     holds: Optional[bool]
     margin: Optional[float]
-
-
-class ConditionRow(_ConditionRow, total=False):
-    """A condition of a criterion and its result; ``holds`` is None where it is undecided."""
-
-    error: Optional[float]
+    error: NotRequired[Annotated[Optional[float], LATER]]
 
 
 class EvidenceRow(TypedDict):
@@ -86,11 +98,18 @@ class EvidenceRow(TypedDict):
     title: str
     holds: Optional[bool]
     margin: Optional[float]
-    conditions: list[ConditionRow]
+    conditions: Annotated[list[ConditionRow], Restricted(least=1)]
+
+
+class PaperVerdict(TypedDict):
+    """The verdict of the paper's own thresholds, whatever the profile."""
+
+    category: str
+    criteria: list[Criterion]
 
 
 class VerdictRecord(TypedDict):
-    """The verdict of a profile on a part: the first keys of its record."""
+    """The verdict of a profile on a part, and whether it is unsure."""
 
     category: str
     criteria: list[Criterion]
@@ -102,121 +121,7 @@ class CategoryProbability(TypedDict):
     """How probable a category is."""
 
     category: str
-    probability: float
-
-
-class PaperVerdict(TypedDict):
-    """The verdict of the paper's own thresholds, whatever the profile."""
-
-    category: str
-    criteria: list[Criterion]
-
-
-class ThicknessRecord(TypedDict):
-    """Thickness of parallel walls, mm, the median by area; and its error bound."""
-
-    min: Optional[float]
-    median: Optional[float]
-    max: Optional[float]
-    error_bound: float
-
-
-class SharesRecord(TypedDict):
-    """Shares of the area: over parallel walls, over non-parallel walls, unmeasured, and where rays hit nothing."""
-
-    parallel: float
-    nonparallel: float
-    unmeasured: float
-    unmet: float
-
-
-class DistributionRecord(TypedDict):
-    """Area by thickness: bin k covers x in [k/1000, (k+1)/1000)."""
-
-    bins: list[int]
-    area: list[float]
-
-
-class MiddleRecord(TypedDict):
-    """Shares of the surface by thickness in units of the middle side of the box."""
-
-    bins: list[int]
-    parallel: list[float]
-    nonparallel: list[float]
-
-
-class NonparallelRecord(TypedDict):
-    """Area by distance and angle of walls that are not parallel."""
-
-    bins: list[int]
-    angles: list[int]
-    area: list[float]
-
-
-SampledShares = TypedDict("SampledShares", {"0:0.05": float, "0:0.25": float, "0.05:0.29": float, "0.3:0.7": float})
-SampledShares.__doc__ = """F[a;b] for the ranges that the paper's criteria use."""
-
-
-class RegionCounts(TypedDict):
-    """Median thickness of the thinnest wall region, number of all, and of each kind among those that are listed."""
-
-    thinnest_mm: Optional[float]
-    count: Optional[int]
-    plate: Optional[int]
-    tube: Optional[int]
-    bar: Optional[int]
-    block: Optional[int]
-    taper: Optional[int]
-    tooth: Optional[int]
-
-
-class _DescriptorsRecord(TypedDict):
-
-    volume_mm3: Optional[float]
-    area_mm2: float
-    box_mm: list[float]
-    box_axes: list[list[float]]
-    diagonal_mm: float
-    volume_ratio: Optional[float]
-    d1_d2: Optional[float]
-    d2_d3: Optional[float]
-    F: SampledShares
-    teeth: int
-    min_nonparallel: Optional[float]
-    thickness_mm: ThicknessRecord
-    shares: SharesRecord
-    distribution: DistributionRecord
-    nonparallel: NonparallelRecord
-    watertight: bool
-
-
-class QuantityError(TypedDict):
-    """How far a quantity may be off; None where that is not known."""
-
-    quantity: str
-    error: Optional[float]
-
-
-class PrecisionRecord(TypedDict):
-    """How precisely a part was measured."""
-
-    accuracy: str
-    samples: int
-    wall_mm: float
-    chord_mm: float
-    mean_chord_mm: float
-    area_share: float
-    plate_share: float
-    errors: list[QuantityError]
-
-
-class DescriptorsRecord(_DescriptorsRecord, total=False):
-    """What was measured on a part; docs/info-file.md explains the keys."""
-
-    precision: Optional[PrecisionRecord]
-    middle: Optional[MiddleRecord]
-    plate_share: Optional[float]
-    regions: RegionCounts
+    probability: Share
 
 
 class SecondsRecord(TypedDict):
@@ -237,92 +142,141 @@ class MeshAnnotation(TypedDict, total=False):
 class PersonLabel(TypedDict):
     """The category that a part has in the eyes of a person, and when that was said."""
 
-    person: str
-    category: str
+    person: Person
+    category: Annotated[str, Text(200, r"[^\x00]*\S[^\x00]*", "a category")]
     sure: bool
-    when: str
+    when: Time
 
 
-class _RegionNote(TypedDict):
-    place: list[float]
+class RegionNote(TypedDict):
+    """What a person said of a wall region: why it is left out, and the element size that is wanted there."""
+
+    place: Point
     faces: list[str]
-    person: str
-    when: str
+    person: Person
+    when: Time
+    excluded: NotRequired[Annotated[str, Text(
+        2000, r"[^\x00]*[^\x00\s][^\x00]*", "a reason",
+        about="why people leave the region out; verdict and criteria do not")]]
+    mesh_size_mm: NotRequired[Annotated[_ElementSize, Restricted(about="element size that is wanted there")]]
 
 
 class MeshedWall(TypedDict):
     """A wall as it was meshed; without a size where it was left out."""
 
-    kind: str
-    thickness_mm: float
-    size_mm: Optional[float]
+    kind: RegionKind
+    thickness_mm: Annotated[float, Number(0.0)]
+    size_mm: Optional[_ElementSize]
     is_changed: bool
 
 
 class MeshedRecord(TypedDict):
     """Mesh settings that worked for a part, and what Gmsh made with them."""
 
-    when: str
-    version: str
-    order: int
-    layers: Optional[float]
-    growth: float
-    size_mm: Optional[float]
-    budget: Optional[int]
-    global_size_mm: float
-    diagonal_mm: float
-    walls: list[MeshedWall]
-    elements: int
-    poor_share: Optional[float]
+    when: Time
+    version: Annotated[str, Text(200, about="of ThinPart")]
+    order: Annotated[int, OneOf((1, 2))]
+    layers: Optional[Annotated[float, Number(0.1, 20.0)]]
+    growth: Annotated[float, Number(1.05, 3.0)]
+    size_mm: Optional[Annotated[_ElementSize, Restricted(about="greatest element size; null for a tenth of the diagonal")]]
+    budget: Optional[Annotated[int, Whole(1)]]
+    global_size_mm: Annotated[float, Number(0.0)]
+    diagonal_mm: Annotated[float, Number(1e-9, 1e12)]
+    walls: Annotated[list[MeshedWall], Restricted(
+        most=10_000, about="size null for a wall that was left out; whether people chose it")]
+    elements: Annotated[int, Whole(1)]
+    poor_share: Optional[_ElementShare]
     gamma_least: Optional[float]
-    layers_share: Optional[float]
-    how: str
+    layers_share: Optional[_ElementShare]
+    how: Annotated[str, Text(2000, about="which try gave the mesh")]
 
 
-class RegionNote(_RegionNote, total=False):
-    """What a person said of a wall region: why it is left out, and the element size that is wanted there."""
-
-    excluded: str
-    mesh_size_mm: float
+Notes = Annotated[str, Restricted(about="what people wrote about the part")]
 
 
-class _PartRecord(VerdictRecord):
+class Annotations(TypedDict, total=False):
+    """What users store with a part, beside its notes."""
+
+    mesh: Annotated[MeshAnnotation, Restricted(
+        choice=("settings", "file"),
+        about="mesh settings that proved right for the part, or the name of a file that holds them")]
+    link: Annotated[str, Restricted(about="an address or file name that belongs to the part")]
+    labels: Annotated[list[PersonLabel], Restricted(
+        most=1000, distinct="person", about="the category that the part has in the eyes of people, one answer each")]
+    region_notes: Annotated[list[RegionNote], Restricted(
+        most=10_000, about="what people said of wall regions, which are found again by place and faces")]
+    meshed: Annotated[MeshedRecord, Restricted(about="mesh settings that worked, and what Gmsh made with them")]
+
+
+class _NamedPart(TypedDict):
     name: str
     label: str
-    instances: int
+    instances: Annotated[int, Whole(1)]
+
+
+class _Judged(_NamedPart, VerdictRecord):
     reason: str
     evidence: list[EvidenceRow]
     paper: PaperVerdict
-    descriptors: DescriptorsRecord
+    descriptors: Annotated[DescriptorsRecord, DESCRIPTORS]
     thin_limit_mm: float
     faces: list[FaceRecord]
-    notes: str
+    notes: Notes
     warnings: list[str]
     triangles: int
     samples: int
     deflection_mm: float
     seconds: SecondsRecord
+    probabilities: NotRequired[Annotated[list[CategoryProbability], Restricted(
+        about="of every category, the most probable first, where the profile has a model of them")]]
 
 
-class PartRecord(_PartRecord, total=False):
+class PartRecord(_Judged, Annotations):
     """All that is known about a part."""
 
-    probabilities: list[CategoryProbability]
-    mesh: MeshAnnotation
-    link: str
-    labels: list[PersonLabel]
-    region_notes: list[RegionNote]
-    meshed: MeshedRecord
-    regions: RegionsRecord
+    regions: NotRequired[Annotated[RegionsRecord, Restricted(
+        about="connected walls of like thickness, the thinnest first"), LATER]]
 
 
-class _FailureRecord(TypedDict):
+class FailureRecord(TypedDict):
+    """A part, or with ``part`` None a document, that could not be analysed."""
+
     part: Optional[str]
     kind: str
     message: str
+    label: NotRequired[Annotated[Optional[str], LATER]]
 
 
-class FailureRecord(_FailureRecord, total=False):
-    """A part, or with ``part`` None a document, that could not be analysed."""
+class SettingsRecord(TypedDict):
+    """The settings that affect a result; see `AnalysisSettings`."""
 
-    label: Optional[str]
+    linear_deflection: float
+    angular_deflection: float
+    wall_deflection: float
+    measure: Annotated[str, OneOf(MEASURES)]
+    box: Annotated[str, OneOf(BOXES)]
+    minimum_samples: int
+    accuracy: NotRequired[Annotated[str, OneOf(tuple(ACCURACIES)), LATER]]
+
+
+class _NamedEntry(TypedDict):
+    name: str
+    title: NotRequired[str]
+
+
+class _ProfileHead(TypedDict):
+    format: str
+    version: int
+    name: str
+    title: NotRequired[str]
+    categories: Annotated[list[Annotated[_NamedEntry, Restricted(is_open=True)]], Restricted(most=1000)]
+
+
+PROFILE = Known(kind_of(Annotated[_ProfileHead, Restricted(is_open=True)]))
+"""Kind of a profile, as far as code that does not classify needs it; `criteria` validates the rest."""
+
+ProfileContent = Annotated[dict[str, Any], PROFILE]
+"""A profile as its JSON file has it; see resources/profiles/paper.json."""
+
+PART, FAILURE, PERSON = kind_of(PartRecord), kind_of(FailureRecord), kind_of(Person)
+"""Kinds of a part record, of a failure and of the name of a person."""

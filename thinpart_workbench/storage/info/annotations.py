@@ -2,11 +2,11 @@
 
 from datetime import datetime, timezone
 
+from ...core.record.record_types import Annotations
 from ...core.record.region_notes import notes_of_regions
 
-ANNOTATION_KEYS = ("notes", "mesh", "link", "labels", "region_notes", "meshed")
-"""Keys of a part record that people set: notes (text); mesh settings or the name of a file with them; a link; the
-categories that people say the part has; what they say of its wall regions; the settings of a mesh that worked."""
+ANNOTATION_KEYS = ("notes", *Annotations.__annotations__)
+"""Keys of a part record that people set."""
 
 ORPHANS = "kept_of_missing_parts"
 """Key of an info file: annotations of parts that the document no longer has."""

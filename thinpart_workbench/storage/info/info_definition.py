@@ -4,49 +4,89 @@
 """
 
 import json
+from typing import Annotated, Any, NotRequired, Optional, Required, TypedDict
 
-from ...core.kinds.compound_kinds import ListOf, Record
-from ...core.kinds.value_kinds import OneOf, OrNull, Text, Whole
-from ...core.message import MESSAGES_KEY
-from ...core.record.part_definition import ANNOTATIONS, FAILURE, PART, PROFILE, SETTINGS, TIME
-from .annotations import ORPHANS
+from ...core.kinds.typed_kinds import LATER, Restricted, kind_of
+from ...core.kinds.value_kinds import OneOf, Text
+from ...core.record.record_types import (
+    Annotations,
+    FailureRecord,
+    Notes,
+    PartRecord,
+    ProfileContent,
+    SettingsRecord,
+    Time,
+)
 
 FORMAT, VERSION = "thinpart-info", 1
 
-_PATH = Text(10_000, r"[^\x00]*", "a file name")
-_SHA256 = Text(64, "[0-9a-f]{64}", "64 digits of a hash")
-_BYTES = Whole()
+Path = Annotated[str, Text(10_000, r"[^\x00]*", "a file name")]
+Sha256 = Annotated[str, Text(64, "[0-9a-f]{64}", "64 digits of a hash")]
 
-_LINK = Record({
-    "file": Text(10_000, r"[^\x00]*", "a file name", about="path as seen from the document's folder"),
-    "sha256": OrNull(_SHA256),
-    "bytes": OrNull(_BYTES),
-    "modified": OrNull(TIME),
-})
 
-SOURCE = Record({"file": _PATH, "sha256": _SHA256, "bytes": _BYTES, "modified": TIME}, {
-    "folder": Text(10_000, r"[^\x00]*", "a folder",
-                   about="the document's folder as seen from the info file's, where they differ"),
-    "links": ListOf(_LINK, 1, 100_000, about="other documents from which the document takes shapes; null for "
-                    "what was not there"),
-})
+class LinkRecord(TypedDict):
+    """Another document from which a document takes shapes; None for what was not there."""
 
-INFO_FILE = Record(
-    {
-        "format": OneOf((FORMAT,)),
-        "version": OneOf((VERSION,)),
-        "source": SOURCE,
-        "software": Record({"name": OneOf(("ThinPart",)), "version": Text()}),
-        "settings": SETTINGS,
-        "profile": PROFILE,
-        "parts": ListOf(PART, 1, 1_000_000, distinct="name"),
-    },
-    {MESSAGES_KEY: ListOf(Record({"template": Text(), "fields": Record({}, is_open=True)}), 1, 1_000_000,
-                  about="what sentences above are made of, to say them in other languages"),
-     ORPHANS: ListOf(Record({"name": Text()}, {"label": Text(), **ANNOTATIONS}),
-                     about="what was kept with parts that the document no longer has")},
-    later={"failures": ListOf(FAILURE, most=1_000_000)})
-"""The definition of an info file of this version."""
+    file: Annotated[Path, Restricted(about="path as seen from the document's folder")]
+    sha256: Optional[Sha256]
+    bytes: Optional[int]
+    modified: Optional[Time]
+
+
+class SourceRecord(TypedDict):
+    """A document: name, hash, size and time."""
+
+    file: Path
+    sha256: Sha256
+    bytes: int
+    modified: Time
+    folder: NotRequired[Annotated[Path, Restricted(
+        meaning="a folder", about="the document's folder as seen from the info file's, where they differ")]]
+    links: NotRequired[Annotated[list[LinkRecord], Restricted(
+        least=1, most=100_000, about="other documents from which the document takes shapes; null for what was not there")]]
+
+
+class SoftwareRecord(TypedDict):
+    """The program that wrote a file."""
+
+    name: Annotated[str, OneOf(("ThinPart",))]
+    version: str
+
+
+class MessageRecord(TypedDict):
+    """What a sentence is made of; see `core/message`."""
+
+    template: str
+    fields: dict[str, Any]
+
+
+class OrphanRecord(Annotations, total=False):
+    """What was kept with a part that the document no longer has."""
+
+    name: Required[str]
+    label: str
+    notes: Notes
+
+
+class InfoFile(TypedDict):
+    """The content of an info file of this version."""
+
+    format: Annotated[str, OneOf((FORMAT,))]
+    version: Annotated[int, OneOf((VERSION,))]
+    source: SourceRecord
+    software: SoftwareRecord
+    settings: SettingsRecord
+    profile: ProfileContent
+    parts: Annotated[list[PartRecord], Restricted(least=1, most=1_000_000, distinct="name")]
+    messages: NotRequired[Annotated[list[MessageRecord], Restricted(
+        least=1, most=1_000_000, about="what sentences above are made of, to say them in other languages")]]
+    kept_of_missing_parts: NotRequired[Annotated[list[OrphanRecord], Restricted(
+        about="what was kept with parts that the document no longer has")]]
+    failures: NotRequired[Annotated[list[FailureRecord], Restricted(most=1_000_000), LATER]]
+
+
+SOURCE = kind_of(SourceRecord)
+INFO_FILE = kind_of(InfoFile)
 
 _ABOUT = ("Lengths in mm, areas in mm2, volumes in mm3, angles in degrees; x is a distance divided by the diagonal "
           "of the part's box.")

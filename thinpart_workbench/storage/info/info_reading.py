@@ -1,13 +1,11 @@
 """Reading and checking info files. All readers use this module and need not check the content again."""
 
 import os
-from functools import cache
 from pathlib import Path
 
 from ...core.errors import ThinPartError
 from ...core.kinds.json_file import UnreadableJson, parsed_json
-from ...core.kinds.value_checker import checker, is_plain
-from ...core.kinds.value_kinds import shown
+from ...core.kinds.value_kinds import is_plain, shown
 from ...core.message import message, restored
 from ...core.regular_file import open_regular
 from .info_definition import FORMAT, INFO_FILE, VERSION
@@ -95,7 +93,7 @@ def fault_of(content, plain=False):
     str or None
         Such as "parts[0].label is 7, not a text that can be written".
     """
-    return None if _checker(plain)(content) else INFO_FILE.fault(content, "")
+    return None if plain and INFO_FILE.holds_plain(content) else INFO_FILE.fault(content, "")
 
 
 def _parsed(data, name):
@@ -104,9 +102,3 @@ def _parsed(data, name):
     except UnreadableJson as problem:
         raise ThinPartError(message("The info file {info_file} cannot be read ({problem}).",
                                     info_file=name, problem=str(problem)), "info_file") from None
-
-
-@cache
-def _checker(plain):
-    """The checker, built when the first info file is read: that takes some milliseconds."""
-    return checker(INFO_FILE, plain)

@@ -1,15 +1,13 @@
 """The definition of the outcome of a file. Responses of workers are checked against it: a malicious file may
 control its worker."""
 
-from functools import cache
 from pathlib import Path
 
 from ...core.errors import KINDS
 from ...core.kinds.compound_kinds import Anything, ListOf, MapOf, Record
-from ...core.kinds.value_checker import checker
 from ...core.kinds.value_kinds import Flag, Number, OneOf, OrNull, Text
 from ...core.message import message
-from ...core.record.part_definition import FAILURE, PART
+from ...core.record.record_types import FAILURE, PART
 from ...storage.info.info_definition import SOURCE
 
 _SECONDS = Number(0.0)
@@ -67,13 +65,12 @@ def told_failure(file, outcome):
     outcome : object
         Any JSON value.
     """
-    return None if not _checker(_FAILED)(outcome) else {**known_outcome(outcome), "file": file}
+    return None if not _FAILED.holds(outcome) else {**known_outcome(outcome), "file": file}
 
 
 def outcome_fault(outcome):
     """The reason why an object is no valid outcome, in a few words; None if it is valid."""
-    kind = _kind_of(outcome)
-    return None if _checker(kind)(outcome) else kind.fault(outcome, "")
+    return _kind_of(outcome).fault(outcome, "")
 
 
 def known_outcome(outcome):
@@ -88,14 +85,9 @@ def known_outcome(outcome):
     -------
     dict
     """
-    kind = _kind_of(outcome)
-    return {key: value for key, value in outcome.items() if key in kind.required or key in kind.optional}
+    known = _kind_of(outcome).kinds
+    return {key: value for key, value in outcome.items() if key in known}
 
 
 def _kind_of(outcome):
     return _FAILED if isinstance(outcome, dict) and "error" in outcome else _ANALYSED
-
-
-@cache
-def _checker(kind):
-    return checker(kind)

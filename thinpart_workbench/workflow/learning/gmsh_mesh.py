@@ -3,12 +3,10 @@
 import os
 import tempfile
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
 
 from ...core.errors import ThinPartError
 from ...core.kinds.compound_kinds import ListOf, Record
-from ...core.kinds.value_checker import checker
 from ...core.kinds.value_kinds import Number, OneOf, OrNull, Text, Whole
 from ...core.mesh.tetrahedra import POOR, radius_ratios, surface_share
 from ...core.message import message
@@ -107,13 +105,7 @@ def _unmeshed(name, outcome, reason):
 
 def results_fault(results, task):
     """Why an answer of a worker is none to a task, in a few words; None if it is one."""
-    if not _check()(results):
-        return RESULTS.fault(results, "")
-    if [each["part"] for each in results] == list(task.diagonals):
-        return None
+    fault = RESULTS.fault(results, "")
+    if fault or [each["part"] for each in results] == list(task.diagonals):
+        return fault
     return message("its parts are not those of {file}", file=Path(task.document).name)
-
-
-@cache
-def _check():
-    return checker(RESULTS)

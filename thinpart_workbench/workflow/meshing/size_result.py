@@ -1,12 +1,10 @@
 """The definition of what a worker proposes for a document. It is checked, since a malicious file may control its worker."""
 
-from functools import cache
 
 from ...core.descriptors.region_kinds import REGION_KINDS
 from ...core.kinds.compound_kinds import ListOf, Record
-from ...core.kinds.value_checker import checker
 from ...core.kinds.value_kinds import Flag, Number, OneOf, OrNull, Text, Whole
-from ...core.record.part_definition import FAILURE
+from ...core.record.record_types import FAILURE
 from ...storage.info.info_definition import SOURCE
 from .mesh_tries import OPTIONS
 
@@ -82,8 +80,9 @@ def sizes_fault(content, task):
     task : SizeTask
         What was asked for has to be in it.
     """
-    if not _check()(content):
-        return _DOCUMENT.fault(content, "")
+    fault = _DOCUMENT.fault(content, "")
+    if fault is not None:
+        return fault
     for number, part in enumerate(content["parts"]):
         fault = _lack(part, task) or _fault_of_places(part) or _fault_of_shell(part.get("shell"))
         if fault is not None:
@@ -128,8 +127,3 @@ def _fault_of_shell(shell):
     if max(map(max, shell["triangles"])) >= shell["nodes"]:
         return "shell has triangles with nodes that are not there"
     return None
-
-
-@cache
-def _check():
-    return checker(_DOCUMENT)

@@ -5,10 +5,8 @@ import os
 import tempfile
 import time
 from contextlib import suppress
-from functools import cache
 
 from ...core.kinds.compound_kinds import Record
-from ...core.kinds.value_checker import checker
 from ...core.kinds.value_kinds import OneOf, Text, Whole
 from ...core.regular_file import open_regular
 
@@ -91,9 +89,4 @@ def _read_note(path):
             note = json.loads(file.read(_LARGEST))
     except (OSError, ValueError, RecursionError):
         return None
-    return note if _check()(note) else None
-
-
-@cache
-def _check():
-    return checker(_NOTE)
+    return note if _NOTE.holds(note) else None
