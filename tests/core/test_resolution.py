@@ -98,6 +98,19 @@ def test_a_condition_is_told_while_the_error_cannot_turn_it(error, told):
     assert condition.too_coarse is not told
 
 
+def test_errors_of_lengths_reach_all_that_depends_on_lengths():
+    block = measured_block(0.25)
+    names = "d1_mm", "volume_mm3", "area_mm2", "d2_d3", "F[0;0.25]"
+    off = {name: quantity_named(name).error(block, 1e-4) for name in names}
+    assert off["d1_mm"] == pytest.approx(0.25)
+    assert off["volume_mm3"] == pytest.approx(0.125 * block.area)  # half of it under the whole surface
+    assert off["area_mm2"] == pytest.approx(0.25 / block.body_thickness * block.area)
+    assert off["d2_d3"] == pytest.approx(40 / 3 * (0.25 / 40 + 0.25 / 3), rel=1e-3)
+    assert off["F[0;0.25]"] == pytest.approx(0.0, abs=1e-9)
+    assert quantity_named("regions").error(measured_block(2.0), 1e-4) == math.inf
+    assert quantity_named("d1_mm").error(measured_block(0.0), 1e-4) is None
+
+
 def test_nothing_is_told_of_what_is_smaller_than_the_error_and_the_reason_says_so():
     verdict = classify(measured_block(2.0), PAPER)
     assert verdict.category == "unknown" and verdict.criteria == ()

@@ -18,13 +18,13 @@ from ..errors import ThinPartError
 from ..message import message
 from ..tolerances import TOLERANCES
 from .descriptor_types import SampledShares
+from .precision import EXACT, Precision
 from .quantity import AreaShare, BoxFill, BoxRatio, MiddleShare, Quantity, WallDistance, middle_by_diagonal
 from .region_kinds import BAR, BLOCK, PLATE, TAPER, TOOTH, TUBE
 
 if TYPE_CHECKING:
     from ..mesh.bounds import OrientedBox
     from .distribution import Distribution
-    from .precision import Precision
 
 STATED_FLOOR = TOLERANCES.floor
 
@@ -87,7 +87,7 @@ class Descriptors:
     plate_share: Optional[float] = None
     regions: Optional[Mapping] = None
     length_error: float = 0.0
-    precision: Optional["Precision"] = None
+    precision: Optional[Precision] = None
 
     @property
     def unmet(self):
@@ -98,6 +98,19 @@ class Descriptors:
     def body_thickness(self):
         """float or None, mm: see `body_thickness`."""
         return body_thickness(self.volume, self.area)
+
+    @property
+    def is_unresolved(self):
+        """bool: whether lengths may be off by more than half of the body, so that nothing is known."""
+        body = self.body_thickness
+        return body is not None and self.length_error > 0.5 * min(body, float(self.box.dimensions[2]))
+
+    @property
+    def resolved_precision(self):
+        """Precision or None: `precision`, and where lengths may be off by `length_error`, that of such lengths."""
+        if not self.length_error:
+            return self.precision
+        return (self.precision or EXACT).with_blurred_lengths(self.length_error, self.body_thickness)
 
     def middle_share(self, low, high, slanted=True):
         """Share of the area over walls between two bounds in units of D2; see `Distribution.middle_share`."""

@@ -59,19 +59,12 @@ class Distribution:
     unmet: float
     middle: Optional[MiddleDistribution] = None
 
-    def share(self, low, high, inside=None):
+    def share(self, low, high):
         """F[low; high]: share of the surface over parallel walls with low <= x < high.
 
-        The bounds are rounded to bin edges: to the nearest ones (`inside` None), so that nothing outside counts
-        (true), or so that nothing inside is missed (false). A bound of 1 includes the last bin.
+        The bounds are rounded to the nearest bin edges. A bound of 1 includes the last bin.
         """
-        if inside is None:
-            first, end = round(low * BINS), round(high * BINS)
-        elif inside:
-            first, end = np.ceil(low * BINS), np.floor(high * BINS)
-        else:
-            first, end = np.floor(low * BINS), np.ceil(high * BINS)
-        chosen = (self.bins >= first) & (self.bins < end)
+        chosen = (self.bins >= round(low * BINS)) & (self.bins < round(high * BINS))
         return float(self.area[chosen].sum())
 
     def spread_share(self, low, high):

@@ -56,6 +56,21 @@ class Precision:
             self, samples=max(samples, self.samples), wall_mm=chord * self.wall_mm, chord_mm=chord * self.chord_mm,
             mean_chord_mm=chord * self.mean_chord_mm, area_share=chord * self.area_share)
 
+    def with_blurred_lengths(self, error, body):
+        """What is known where the mesh does not resolve lengths: `Precision`.
+
+        Parameters
+        ----------
+        error : float, mm
+            Of any length.
+        body : float or None, mm
+            Thickness of the body, by whose error the area is off.
+        """
+        return replace(
+            self, wall_mm=max(self.wall_mm, error), chord_mm=max(self.chord_mm, error / (2.0 * CORRECTED)),
+            mean_chord_mm=max(self.mean_chord_mm, error / (2.0 * OF_VOLUME)),
+            area_share=self.area_share if body is None else max(self.area_share, error / body))
+
     @property
     def side_mm(self):
         """float: error of a side of the box, both ends of which may be on facets."""
@@ -69,3 +84,7 @@ class Precision:
         """float: error of a share of the surface, because only samples of it were looked at."""
         spread = max(value * (1.0 - value), 1.0 / self.samples)
         return SAMPLING * math.sqrt(spread) * self.samples ** STRATIFIED
+
+
+EXACT = Precision("", 10 ** 18, 0.0, 0.0, 0.0, 0.0)
+"""Where nothing but the error of lengths is known."""

@@ -109,8 +109,11 @@ class Quantity:
         return None
 
     def error(self, descriptors, area_floor):
-        """float or None: how far the value may be off, with a probability of 95 %; None where that is not known."""
-        value, precision = self.evaluate(descriptors, area_floor), descriptors.precision
+        """float or None: how far the value may be off, with a probability of 95 %; None where that is not known, infinite
+        where lengths may be off by more than half of the body."""
+        if descriptors.is_unresolved:
+            return math.inf
+        value, precision = self.evaluate(descriptors, area_floor), descriptors.resolved_precision
         return None if value is None or precision is None else self._error(descriptors, precision, value)
 
     @property
@@ -161,24 +164,6 @@ class Quantity:
         """float: share of the value within which two values count as equal, because of rounding."""
         return 0.0
 
-    def value_range(self, descriptors, area_floor):
-        """Least and greatest value that the error of lengths allows: two floats, or two None.
-
-        If `Descriptors.length_error` is 0, both are the value. If it is more than half the thickness of the body,
-        nothing is known.
-        """
-        error = descriptors.length_error
-        if error == 0.0:
-            return (self.evaluate(descriptors, area_floor),) * 2
-        body = descriptors.body_thickness
-        if body is not None and error > 0.5 * min(body, float(descriptors.box.dimensions[2])):
-            return 0.0, 1.0 if self.is_area_share else math.inf
-        return self._value_range(descriptors, area_floor, error)
-
-    def _value_range(self, descriptors, area_floor, error):
-        """Least and greatest value if lengths have an error of at most `error` mm."""
-        return (self.evaluate(descriptors, area_floor),) * 2
-
 
 @dataclass(frozen=True)
 class BoxRatio(Quantity):
@@ -204,18 +189,11 @@ class BoxRatio(Quantity):
             return 0.0
         return TOLERANCES.threshold + 2.0 * TOLERANCES.rounding * descriptors.box.diagonal / shortest
 
-    def _value_range(self, descriptors, area_floor, error):
-        value = self.evaluate(descriptors, area_floor)
-        if value is None:
-            return None, None
-        share = self._error_share(descriptors, error)
-        return value * max(0.0, 1.0 - share), value * (1.0 + share)
-
     def _error(self, descriptors, precision, value):
-        return value * self._error_share(descriptors, precision.side_mm)
+        return value * self._share_of_sides(descriptors, precision)
 
-    def _error_share(self, descriptors, error):
-        return sum(error / float(descriptors.box.dimensions[side]) for side in self.sides)
+    def _share_of_sides(self, descriptors, precision):
+        return sum(precision.side_mm / float(descriptors.box.dimensions[side]) for side in self.sides)
 
 
 @dataclass(frozen=True)
@@ -229,10 +207,7 @@ class BoxFill(BoxRatio):
 
     def _error(self, descriptors, precision, value):
         of_volume = precision.volume_mm3(descriptors.area) / abs(descriptors.volume)
-        return value * (super()._error_share(descriptors, precision.side_mm) + of_volume)
-
-    def _error_share(self, descriptors, error):
-        return super()._error_share(descriptors, error) + error / descriptors.body_thickness
+        return value * (self._share_of_sides(descriptors, precision) + of_volume)
 
 
 @dataclass(frozen=True)
@@ -271,12 +246,6 @@ class AreaShare(Quantity):
     def _spread(self, descriptors, low, high):
         """Share between two bounds, of which bins that they cut count in part."""
         return descriptors.distribution.spread_share(low, high)
-
-    def _value_range(self, descriptors, area_floor, error):
-        low, high = self.bounds
-        step = error / descriptors.box.diagonal
-        return (descriptors.distribution.share(low + step if low > 0.0 else low, high - step, inside=True),
-                descriptors.distribution.share(low - step, high + step, inside=False))
 
 
 @dataclass(frozen=True)
@@ -320,13 +289,6 @@ class MiddleShare(AreaShare):
         """The upper bound, in diagonals."""
         return self.bounds[1] * middle_by_diagonal(descriptors.box)
 
-    def _value_range(self, descriptors, area_floor, error):
-        low, high = self.bounds
-        step = error / float(descriptors.box.dimensions[1])
-        share = descriptors.middle_share
-        return (share(low + step if low > 0.0 else low, max(high - step, 0.0), self.slanted),
-                share(max(low - step, 0.0), high + step, self.slanted))
-
 
 def middle_by_diagonal(box):
     """The middle side of a box as a share of its diagonal: what thicknesses in units of D2 are multiplied by."""
@@ -348,18 +310,11 @@ class WallDistance(Quantity):
         """The threshold: thinner walls count."""
         return threshold
 
-    def _value_range(self, descriptors, area_floor, error):
-        value = self.evaluate(descriptors, area_floor)
-        if value is None:
-            return None, None
-        step = error / descriptors.box.diagonal
-        return max(0.0, value - step), value + step
-
     def error(self, descriptors, area_floor):
         """float or None: also by what other samples may find, the wall which twice the floor reaches, or one in between."""
         known = super().error(descriptors, area_floor)
         farther = self.compute(descriptors, 2.0 * area_floor, *self.bounds)
-        if known is None or farther is None:
+        if known is None or farther is None or descriptors.precision is None:
             return known
         return known + max(farther + 1.0 / BINS - self.evaluate(descriptors, area_floor), 0.0)
 

@@ -3,6 +3,7 @@
 Quantities come from `descriptor_table`; only keys that are not quantities are computed here.
 """
 
+import math
 from dataclasses import asdict, replace
 
 from ..kinds.typed_kinds import kind_of
@@ -46,8 +47,8 @@ def recorded_descriptors(descriptors, wall_range, error_bound, has_teeth, is_wat
         "watertight": is_watertight,
         "precision": None if descriptors.precision is None else {
             **asdict(descriptors.precision),
-            "errors": [{"quantity": quantity.symbol, "error": quantity.error(descriptors, STATED_FLOOR)}
-                       for quantity in _WITH_ERRORS]},
+            "errors": [{"quantity": quantity.symbol, "error": None if error is None or math.isinf(error) else error}
+                       for quantity in _WITH_ERRORS for error in [quantity.error(descriptors, STATED_FLOOR)]]},
         "middle": None if middle is None else {
             "bins": middle.bins.tolist(), "parallel": middle.parallel.tolist(), "nonparallel": middle.nonparallel.tolist()},
     }

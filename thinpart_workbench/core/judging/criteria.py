@@ -2,7 +2,7 @@
 
 import math
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Optional
 
@@ -75,11 +75,15 @@ class Condition:
         holds = difference > 0.0
         if not holds and self._may_hold_where_unmet(difference, descriptors.unmet, area_floor):
             holds = None
-        if descriptors.length_error and self._may_be_reversed(holds, descriptors, threshold, area_floor):
-            if self.quantity.is_only_blurred(descriptors):
-                return CheckedCondition(self, value, threshold, holds, 0.0, error=error)
-            return CheckedCondition(self, value, threshold, None, slack, too_coarse=True, error=error)
-        return CheckedCondition(self, value, threshold, holds, slack, error=error)
+        checked = CheckedCondition(self, value, threshold, holds, slack, error=error)
+        if not descriptors.length_error or holds is None:
+            return checked
+        by_lengths = self.quantity.error(replace(descriptors, precision=None), area_floor)
+        if replace(checked, error=by_lengths).is_certain:
+            return checked
+        if self.quantity.is_only_blurred(descriptors):
+            return replace(checked, margin=0.0)
+        return replace(checked, holds=None, too_coarse=True)
 
     def threshold(self, area_floor):
         """What the quantity is compared with: float, the value, or the area floor where that is larger."""
@@ -92,12 +96,6 @@ class Condition:
 
     def _difference(self, value, threshold):
         return value - threshold if self.comparison == ">" else threshold - value
-
-    def _may_be_reversed(self, holds, descriptors, threshold, area_floor):
-        """Whether the error of lengths could reverse the result."""
-        bounds = self.quantity.value_range(descriptors, area_floor)
-        return holds is not None and any(
-            end is not None and (self._difference(end, threshold) > 0.0) != holds for end in bounds)
 
     def _may_hold_where_unmet(self, difference, unmet, area_floor):
         """Whether surface about which nothing is known could make the condition hold."""
