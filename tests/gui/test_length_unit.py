@@ -338,9 +338,9 @@ def test_preferences_are_shown_and_taken_in_inches_and_kept_in_mm():
     try:
         def look(dialog):
             limit, warn = (field(dialog, name) for name in ("ThinLimitMillimetres", "WarnWallUnder"))
-            assert limit.suffix() == warn.suffix() == " in" and limit.text() == "0.07874 in"
+            assert limit.widget.suffix() == warn.widget.suffix() == " in" and limit.widget.text() == "0.07874 in"
             assert warn.value() == 0.0
-            warn.setValue(0.05)
+            warn.widget.setValue(0.05)
             field(dialog, "ThinLimit").show_value("millimetres")
 
         in_preferences(look)
@@ -349,9 +349,9 @@ def test_preferences_are_shown_and_taken_in_inches_and_kept_in_mm():
 
         def follow(dialog):
             warn = field(dialog, "WarnWallUnder")
-            warn.setValue(0.25)
+            warn.widget.setValue(0.25)
             choose(STANDARD)
-            assert warn.text() == "6.35 mm" and warn.value() == pytest.approx(6.35)
+            assert warn.widget.text() == "6.35 mm" and warn.value() == pytest.approx(6.35)
 
         in_preferences(follow)
         assert preference("WarnWallUnder") == pytest.approx(6.35)
@@ -367,7 +367,7 @@ def test_a_field_keeps_to_the_range_in_every_unit(limit):
     choose(INCHES)
     parent = QtWidgets.QWidget()
     made = new_field(DECLARED["ThinLimitMillimetres"], parent)
-    made.setValue(limit / 25.4)
+    made.widget.setValue(limit / 25.4)
     assert made.value() == pytest.approx(limit, rel=0.05) and DECLARED["ThinLimitMillimetres"].allows(made.value())
     parent.deleteLater()
 

@@ -63,11 +63,8 @@ def in_preferences(act, button=QtWidgets.QDialogButtonBox.Ok):
 
 
 def field(dialog, name):
-    """The widget of a preference: that which has a value."""
-    found = dialog.findChild(QtWidgets.QWidget, f"ThinPart_Preference{name}")
-    while found is not None and not hasattr(found, "show_value"):
-        found = found.parentWidget()
-    return found
+    """The field of a preference."""
+    return dialog.findChild(QtWidgets.QWidget, f"ThinPart_Preferences{PREFERENCES[name].page}").fields[name]
 
 
 def change(**values):
@@ -145,12 +142,12 @@ def test_what_depends_on_another_preference_is_enabled_with_it():
         enabled = []
         for value in ("verdict", "millimetres", "share"):
             field(dialog, "ThinLimit").show_value(value)
-            enabled.append([field(dialog, f"ThinLimit{each}").isEnabled()
+            enabled.append([field(dialog, f"ThinLimit{each}").widget.isEnabled()
                             for each in ("Millimetres", "Share")])
         assert enabled == [[False, False], [True, False], [False, True]]
-        assert not field(dialog, "WarnWallUnder").isEnabled()
+        assert not field(dialog, "WarnWallUnder").widget.isEnabled()
         field(dialog, "AutomaticClassification").show_value(True)
-        assert field(dialog, "WarnWallUnder").isEnabled() and field(dialog, "WarnOfCategory").isEnabled()
+        assert field(dialog, "WarnWallUnder").widget.isEnabled() and field(dialog, "WarnOfCategory").widget.isEnabled()
 
     in_preferences(act, QtWidgets.QDialogButtonBox.Cancel)
 
@@ -158,11 +155,11 @@ def test_what_depends_on_another_preference_is_enabled_with_it():
 def test_numbers_say_their_unit_and_what_zero_means():
     def act(dialog):
         bands, jobs = field(dialog, "HeatMapBands"), field(dialog, "Jobs")
-        assert (bands.text(), jobs.text()) == ("smooth", "one per processor")
-        bands.stepUp()
+        assert (bands.widget.text(), jobs.widget.text()) == ("smooth", "one per processor")
+        bands.widget.stepUp()
         assert bands.value() == 2, "one band would be no heat map"
-        assert field(dialog, "LinearDeflection").text() == "0.001 of the diagonal"
-        assert field(dialog, "AngularDeflection").text() == "12\u00b0"
+        assert field(dialog, "LinearDeflection").widget.text() == "0.001 of the diagonal"
+        assert field(dialog, "AngularDeflection").widget.text() == "12\u00b0"
         field(dialog, "MemoryMegabytes").show_value(10)
         assert field(dialog, "MemoryMegabytes").value() == 700
 
@@ -176,7 +173,7 @@ def test_a_colour_is_chosen_in_a_dialog():
             chooser.accept()
 
         _answer_colour(choose)
-        field(dialog, "ThinColour").click()
+        field(dialog, "ThinColour").widget.click()
 
     in_preferences(act)
     assert preference("ThinColour") == pytest.approx((0.0, 0.2, 1.0))
@@ -429,7 +426,7 @@ def test_the_wheel_scrolls_and_does_not_change_what_is_under_it():
         event = QtGui.QWheelEvent(
             place, place, window.QtCore.QPoint(), window.QtCore.QPoint(0, 120), window.QtCore.Qt.NoButton,
             window.QtCore.Qt.NoModifier, window.QtCore.Qt.NoScrollPhase, False)
-        QtWidgets.QApplication.sendEvent(bands, event)
+        QtWidgets.QApplication.sendEvent(bands.widget, event)
         assert bands.value() == 0
 
     in_preferences(act, QtWidgets.QDialogButtonBox.Cancel)

@@ -1,21 +1,58 @@
-"""Widgets for single preferences, created from their declarations."""
+"""Fields for single preferences, created from their declarations: FreeCAD's own widgets where they serve.
+
+Notes
+-----
+What FreeCAD 0.20 and 1.1 were seen to do from Python decides which:
+
+- ``Gui::PrefCheckBox``, ``PrefSpinBox``, ``PrefComboBox``, ``PrefLineEdit`` and ``PrefColorButton`` hold values as
+  they are set, follow a parameter that changes elsewhere, and are reset with their page by FreeCAD 0.21 and later. On
+  a page made in Python, FreeCAD neither fills nor stores them, so the form does, with the checks of the declaration.
+- ``Gui::PrefDoubleSpinBox`` rounds 2/3 to 0.67, and lengths need a unit: see `ExactField`.
+- ``Gui::PrefFileChooser`` asks the file system for the folder in the window's thread, which a server that does not
+  answer holds up: see `FolderField`.
+"""
 
 import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import FreeCADGui as Gui
 
 from ...freecad_adapter.preferences import MILLIMETRES
 from ..application import lifelong
 from ..application.length_unit import length_unit
-from ..application.qt import QtGui, QtWidgets, Signal, colour, translate, translated_mark
+from ..application.qt import QtWidgets, colour, translate, translated_mark
 from ..widgets.edit_profile_button import edit_profile_button
+from ..widgets.exact_field import ExactField
 from ..widgets.folder_field import FolderField
 from ..widgets.process_field import ProcessField
 from ..widgets.profile_combo import ProfileCombo
+from ..widgets.push_button import add_button
 
 _PREFIX = "ThinPart_Preference"
 
 
+class Field(NamedTuple):
+    """The field of one preference.
+
+    Attributes
+    ----------
+    widget : QWidget
+    value : callable
+        Returns the value, of the type of the preference.
+    show_value : callable
+        Shows a value.
+    changed : Signal
+    """
+
+    widget: QtWidgets.QWidget
+    value: Callable[[], Any]
+    show_value: Callable[[Any], None]
+    changed: Any
+
+
 def new_field(declared, parent):
-    """Create the widget of a preference.
+    """Create the field of a preference.
 
     Parameters
     ----------
@@ -24,260 +61,139 @@ def new_field(declared, parent):
 
     Returns
     -------
-    QWidget
-        With ``value()``, ``show_value(value)`` and the signal ``changed``.
+    Field
     """
-    field = _new_field(declared, parent)
-    field.setToolTip(translated_mark(declared.meaning))
-    # FreeCAD 0.21 and later uses these properties to reset a page to its defaults.
-    field.setProperty("prefPath", "Mod/ThinPart")
-    field.setProperty("prefEntry", declared.name)
+    of_type = {tuple: _colour, bool: _switch, int: _whole_number, float: _number, str: _choice}[type(declared.default)]
+    of_text = {"folder": _folder, "person": _text, "processes": _processes, "profile": _profile}
+    field = of_text.get(declared.names, of_type)(declared, parent)
+    field.widget.setToolTip(translated_mark(declared.meaning))
+    field.widget.setProperty("prefPath", "Mod/ThinPart")
+    field.widget.setProperty("prefEntry", declared.name)
     return field
 
 
-def _new_field(declared, parent):
-    name = _PREFIX + declared.name
-    if declared.names == "folder":
-        return FolderField(name, translated_mark(declared.zero), parent)
-    if declared.names == "person":
-        return TextField(declared, parent)
-    if declared.names == "processes":
-        return ProcessField(name, parent)
-    kinds = {tuple: ColourField, bool: CheckField, int: IntegerField, float: NumberField, str: ChoiceField}
-    kind = ProfileField if declared.names == "profile" else kinds[type(declared.default)]
-    if declared.unit == MILLIMETRES:
-        kind = LengthField
-    field = kind(declared, parent)
-    if not field.objectName():
-        field.setObjectName(name)
-    return field
+class NumberField(ExactField):
+    """For a float, with as many decimals as the least value needs; a length is in the unit of the active document.
 
-
-class CheckField(QtWidgets.QCheckBox):
-    """Check box for a preference of type bool."""
-
-    changed = Signal()
-
-    def __init__(self, declared, parent):
-        super().__init__(translated_mark(declared.title), parent)
-        self.toggled.connect(lambda _: self.changed.emit())
-
-    def value(self):
-        """bool."""
-        return self.isChecked()
-
-    def show_value(self, value):
-        """Show a value."""
-        self.setChecked(value)
-
-
-class IntegerField(QtWidgets.QSpinBox):
-    """Spin box for integers; if 0 has a special meaning, the value below the range stands for it."""
-
-    changed = Signal()
-
-    def __init__(self, declared, parent):
-        super().__init__(parent)
-        minimum, maximum = declared.range
-        self._zero = minimum - 1 if declared.zero else None
-        self.setRange(minimum - 1 if declared.zero else minimum, maximum)
-        _set_texts(self, declared)
-        self.valueChanged.connect(lambda *_: self.changed.emit())
-
-    def value(self):
-        """int."""
-        value = super().value()
-        return 0 if value == self._zero else value
-
-    def show_value(self, value):
-        """Show a value."""
-        self.setValue(self._zero if value == 0 and self._zero is not None else value)
-
-
-class NumberField(QtWidgets.QDoubleSpinBox):
-    """Spin box for floats, with as many decimals as the smallest value needs."""
-
-    changed = Signal()
-
-    def __init__(self, declared, parent):
-        super().__init__(parent)
-        minimum, maximum = declared.range
-        self.setDecimals(_decimals(minimum))
-        self.setRange(0.0 if declared.zero else minimum, maximum)
-        self.setSingleStep(_step(declared.default))
-        _set_texts(self, declared)
-        self.valueChanged.connect(lambda *_: self.changed.emit())
-
-    def show_value(self, value):
-        """Show a value."""
-        self.setValue(value)
-
-    def textFromValue(self, value):
-        """Format a value without trailing zeros."""
-        text = super().textFromValue(value)
-        point = str(self.locale().decimalPoint())
-        return text.rstrip("0").rstrip(point) if point in text else text
-
-
-class LengthField(NumberField):
-    """Spin box for lengths, in the unit of the active document.
-
-    A value that the user has not changed keeps its exact value, even if the display rounds it.
+    Parameters
+    ----------
+    declared : Preference
+    parent : QWidget
     """
 
     def __init__(self, declared, parent):
-        super().__init__(declared, parent)
-        self._declared, self._shown_value = declared, None
+        super().__init__(_PREFIX + declared.name, parent)
+        self._declared = declared
+        self.setSpecialValueText(translated_mark(declared.zero))
         self._show_unit()
-        lifelong.units.changed.connect(self._show_unit)
+        if declared.unit == MILLIMETRES:
+            lifelong.units.changed.connect(self._show_unit)
 
-    def value(self):
-        """float, mm."""
-        shown = super().value()
-        if self._shown_value is not None and shown == self._shown_value[1]:
-            return self._shown_value[0]
-        if shown == 0.0 and self._declared.zero:
-            return 0.0
-        minimum, maximum = self._declared.range
-        return min(max(shown * self._unit.millimetres, minimum), maximum)
+    def within_range(self):
+        """float: the exact value; what is rounded as it is shown may lie just outside of the range."""
+        least, most = self._declared.range
+        return 0.0 if self._declared.zero and not self.value() else min(max(self.exact(), least), most)
 
-    def show_value(self, value):
-        """Show a value, mm."""
-        super().show_value(self._unit.value(value))
-        self._shown_value = value, super().value()
+    def stepBy(self, steps):
+        """Change the value by half of the first digit that is typical of it."""
+        QtWidgets.QDoubleSpinBox.stepBy(self, steps)
 
     def _show_unit(self):
-        value = None if self._shown_value is None else self.value()
-        self._unit = length_unit()
-        minimum, maximum = map(self._unit.value, self._declared.range)
-        self.setDecimals(_decimals(minimum))
-        self.setRange(0.0 if self._declared.zero else minimum, maximum)
-        self.setSingleStep(_step(self._unit.value(self._declared.default)))
-        self.setSuffix(f" {self._unit.symbol}")
-        if value is not None:
-            self.show_value(value)
+        declared, (least, most), factor, suffix = self._declared, self._declared.range, 1.0, _suffix(self._declared)
+        if declared.unit == MILLIMETRES:
+            factor, suffix = 1.0 / length_unit().millimetres, f" {length_unit().symbol}"
+        self.set_form(factor, suffix, max(1, math.ceil(-math.log10(least * factor))), 0.0 if declared.zero else least, most)
+        self.setSingleStep(0.5 * 10.0 ** math.floor(math.log10(declared.default * factor or 1.0)))
 
 
-class TextField(QtWidgets.QLineEdit):
-    """Line edit for a text, which may stay empty."""
-
-    changed = Signal()
-
-    def __init__(self, declared, parent):
-        super().__init__(parent)
-        self.setObjectName(_PREFIX + declared.name)
-        self.setPlaceholderText(translated_mark(declared.zero))
-        self.setMaxLength(100)
-        self.textChanged.connect(lambda _: self.changed.emit())
-
-    def value(self):
-        """str."""
-        return self.text()
-
-    def show_value(self, value):
-        """Show a value."""
-        self.setText(value)
+def _made(kind, declared, parent):
+    """A widget of FreeCAD for a preference."""
+    widget = Gui.UiLoader().createWidget(f"Gui::Pref{kind}", parent)
+    widget.setObjectName(_PREFIX + declared.name)
+    return widget
 
 
-class ChoiceField(QtWidgets.QComboBox):
-    """Combo box for one of several texts."""
-
-    changed = Signal()
-
-    def __init__(self, declared, parent):
-        super().__init__(parent)
-        for value, title in declared.choices:
-            self.addItem(translated_mark(title), value)
-        self.currentIndexChanged.connect(lambda *_: self.changed.emit())
-
-    def value(self):
-        """str."""
-        return self.currentData()
-
-    def show_value(self, value):
-        """Show a value."""
-        self.setCurrentIndex(self.findData(value))
+def _switch(declared, parent):
+    box = _made("CheckBox", declared, parent)
+    box.setText(translated_mark(declared.title))
+    return Field(box, box.isChecked, box.setChecked, box.toggled)
 
 
-class ColourField(QtWidgets.QPushButton):
-    """Button that shows a colour and opens a colour dialog."""
-
-    changed = Signal()
-
-    def __init__(self, declared, parent):
-        super().__init__(parent)
-        self._title, self._rgb = translated_mark(declared.title), declared.default
-        self.setAutoDefault(False)
-        letter = self.fontMetrics().averageCharWidth()
-        self.setFixedWidth(12 * letter)
-        self.clicked.connect(lambda *_: self._ask())
-
-    def value(self):
-        """tuple of float: red, green and blue from 0 to 1."""
-        return self._rgb
-
-    def show_value(self, value):
-        """Show a value."""
-        self._rgb = value
-        height = self.fontMetrics().height()
-        swatch = QtGui.QPixmap(5 * height, height)
-        swatch.fill(colour(value))
-        self.setIconSize(swatch.size())
-        self.setIcon(QtGui.QIcon(swatch))
-        self.setAccessibleName(f"{self._title}: {colour(value).name()}")
-        self.changed.emit()
-
-    def _ask(self):
-        chosen = QtWidgets.QColorDialog.getColor(colour(self._rgb), self, self._title)
-        if chosen.isValid():
-            self.show_value((chosen.redF(), chosen.greenF(), chosen.blueF()))
+def _text(declared, parent):
+    line = _made("LineEdit", declared, parent)
+    line.setPlaceholderText(translated_mark(declared.zero))
+    line.setMaxLength(100)
+    return Field(line, line.text, line.setText, line.textChanged)
 
 
-class ProfileField(QtWidgets.QWidget):
-    """Combo box for a shipped profile or a profile file."""
-
-    changed = Signal()
-
-    def __init__(self, declared, parent):
-        super().__init__(parent)
-        row = QtWidgets.QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        self._box = ProfileCombo(self)
-        self._box.setObjectName(_PREFIX + declared.name)
-        self._box.currentIndexChanged.connect(lambda *_: self.changed.emit())
-        self.setObjectName(f"{_PREFIX}{declared.name}Row")
-        self.setFocusProxy(self._box)
-        button = QtWidgets.QPushButton(translate("ThinPart", "From file\u2026"), self)
-        button.setObjectName(f"{_PREFIX}{declared.name}Choose")
-        button.setAutoDefault(False)
-        button.clicked.connect(lambda *_: self._box.ask_for_file())
-        lifelong.profile_signals.used.connect(self._box.choose)
-        row.addWidget(self._box, 1)
-        row.addWidget(button)
-        row.addWidget(edit_profile_button(self, f"{_PREFIX}{declared.name}Edit", self.value))
-
-    def value(self):
-        """str: name of a shipped profile, or a path."""
-        return self._box.currentData()
-
-    def show_value(self, value):
-        """Show a value."""
-        self._box.choose(value)
+def _choice(declared, parent):
+    box = _made("ComboBox", declared, parent)
+    for value, title in declared.choices:
+        box.addItem(translated_mark(title), value)
+    return Field(box, box.currentData, lambda value: box.setCurrentIndex(box.findData(value)), box.currentIndexChanged)
 
 
-def _decimals(minimum):
-    """Number of decimals that the smallest value needs."""
-    return max(1, math.ceil(-math.log10(minimum)))
+def _colour(declared, parent):
+    button = _made("ColorButton", declared, parent)
+    title = translated_mark(declared.title)
+    button.setAutoDefault(False)
+    button.setFixedWidth(12 * button.fontMetrics().averageCharWidth())
+
+    def show(rgb):
+        button.setProperty("color", colour(rgb))
+        say()
+
+    def say():
+        button.setAccessibleName(f"{title}: {button.property('color').name()}")
+
+    button.changed.connect(say)
+    return Field(button, lambda: tuple(button.property("color").getRgbF()[:3]), show, button.changed)
 
 
-def _step(typical):
-    """Single step for a field with a typical value."""
-    return 0.5 * 10.0 ** math.floor(math.log10(typical or 1.0))
+def _whole_number(declared, parent):
+    """If 0 has a special meaning, the value below the range stands for it."""
+    spin = _made("SpinBox", declared, parent)
+    least, most = declared.range
+    zero = least - 1 if declared.zero else None
+    spin.setRange(least if zero is None else zero, most)
+    spin.setSuffix(_suffix(declared))
+    spin.setSpecialValueText(translated_mark(declared.zero))
+    return Field(spin, lambda: 0 if spin.value() == zero else spin.value(),
+                 lambda value: spin.setValue(zero if value == 0 and declared.zero else value), spin.valueChanged)
 
 
-def _set_texts(spin, declared):
-    if declared.unit:
-        space = "" if declared.unit == "\u00b0" else " "
-        spin.setSuffix(space + translated_mark(declared.unit))
-    if declared.zero:
-        spin.setSpecialValueText(translated_mark(declared.zero))
+def _number(declared, parent):
+    field = NumberField(declared, parent)
+    return Field(field, field.within_range, field.show_exact, field.changed)
+
+
+def _folder(declared, parent):
+    field = FolderField(_PREFIX + declared.name, translated_mark(declared.zero), parent)
+    return Field(field, field.value, field.show_value, field.changed)
+
+
+def _processes(declared, parent):
+    field = ProcessField(_PREFIX + declared.name, parent)
+    return Field(field, field.value, field.show_value, field.changed)
+
+
+def _profile(declared, parent):
+    """A shipped profile or a profile file."""
+    name = _PREFIX + declared.name
+    whole = QtWidgets.QWidget(parent)
+    row = QtWidgets.QHBoxLayout(whole)
+    row.setContentsMargins(0, 0, 0, 0)
+    box = ProfileCombo(whole)
+    box.setObjectName(name)
+    whole.setObjectName(f"{name}Row")
+    whole.setFocusProxy(box)
+    lifelong.profile_signals.used.connect(box.choose)
+    row.addWidget(box, 1)
+    add_button(row, whole, f"{name}Choose", translate("ThinPart", "From file\u2026"), box.ask_for_file).setAutoDefault(False)
+    row.addWidget(edit_profile_button(whole, f"{name}Edit", box.currentData))
+    return Field(whole, box.currentData, box.choose, box.currentIndexChanged)
+
+
+def _suffix(declared):
+    """The unit, apart from the number but for degrees."""
+    return translated_mark(declared.unit) if declared.unit in ("", "\u00b0") else f" {translated_mark(declared.unit)}"

@@ -27,13 +27,18 @@ class PreferencesForm(QtWidgets.QWidget):
     ----------
     page : str
         One of `PAGES`.
+
+    Attributes
+    ----------
+    fields : dict
+        Each `Field` by the name of its preference.
     """
 
     def __init__(self, page):
         super().__init__()
         self.setObjectName(f"ThinPart_Preferences{page}")
         self.setWindowTitle(translated_mark(page))
-        self._fields, self._stored, self._problems = {}, {}, {}
+        self.fields, self._stored, self._problems = {}, {}, {}
         self._declared = [declared for declared in PREFERENCES.values() if declared.page == page]
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -53,29 +58,29 @@ class PreferencesForm(QtWidgets.QWidget):
         column.addWidget(area, 1)
         self._check_timer = QtCore.QTimer(self, singleShot=True, interval=_CHECK_DELAY)
         self._check_timer.timeout.connect(self._check)
-        for name, field in self._fields.items():
-            field.changed.connect(lambda name=name: self._on_changed(name))
+        for name, field in self.fields.items():
+            field.changed.connect(lambda *_, name=name: self._on_changed(name))
         prepare_controls(self)
         lead_to_guide(self, "ThinPart_Preferences")
         self.load()
 
     def load(self):
         """Show the stored preferences."""
-        for name, field in self._fields.items():
+        for name, field in self.fields.items():
             field.show_value(preference(name))
             self._stored[name] = field.value()
-        for name in self._fields:
+        for name in self.fields:
             self._on_changed(name)
             self._show_problem(name, "")
 
     def show_defaults(self):
         """Show the defaults."""
-        for name, field in self._fields.items():
+        for name, field in self.fields.items():
             field.show_value(PREFERENCES[name].default)
 
     def save(self):
         """Store changed preferences, and warn about invalid ones."""
-        for name, field in self._fields.items():
+        for name, field in self.fields.items():
             value = field.value()
             if value == self._stored[name]:
                 continue
@@ -120,27 +125,27 @@ class PreferencesForm(QtWidgets.QWidget):
 
     def _add_row(self, grid, declared):
         row, parent = grid.rowCount(), grid.parentWidget()
-        field = self._fields[declared.name] = new_field(declared, parent)
+        field = self.fields[declared.name] = new_field(declared, parent)
         if isinstance(declared.default, bool):
-            grid.addWidget(field, row, 0, 1, 3)
+            grid.addWidget(field.widget, row, 0, 1, 3)
         else:
             label = QtWidgets.QLabel(translated_mark(declared.title), parent)
-            label.setToolTip(field.toolTip())
-            label.setBuddy(field)
+            label.setToolTip(field.widget.toolTip())
+            label.setBuddy(field.widget)
             grid.addWidget(label, row, 0)
-            grid.addWidget(field, row, 1, 1, 2 if declared.names else 1)
+            grid.addWidget(field.widget, row, 1, 1, 2 if declared.names else 1)
 
     def _on_changed(self, name):
         for declared in self._declared:
             if declared.needs and declared.needs[0] == name:
-                self._fields[declared.name].setEnabled(
-                    self._fields[name].value() == declared.needs[1])
+                self.fields[declared.name].widget.setEnabled(
+                    self.fields[name].value() == declared.needs[1])
         if PREFERENCES[name].names:
             self._check_timer.start()
 
     def _check(self):
         """Check what a changed text refers to before it is saved."""
-        for name, field in self._fields.items():
+        for name, field in self.fields.items():
             value = field.value()
             if PREFERENCES[name].names in ("profile", "processes"):
                 self._show_problem(name, "" if value == self._stored[name] else _problem(name, value))
@@ -152,7 +157,7 @@ class PreferencesForm(QtWidgets.QWidget):
                     lambda answer, name=name, folder=value: self._on_folder_checked(name, folder, answer), self)
 
     def _on_folder_checked(self, name, folder, answer):
-        if self._fields[name].value() == folder:
+        if self.fields[name].value() == folder:
             self._show_problem(name, _timeout_message(folder) if answer is None else answer)
 
     def _show_problem(self, name, problem):

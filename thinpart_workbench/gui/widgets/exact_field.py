@@ -1,4 +1,13 @@
-"""A spin box that gives a value back exactly as it was shown, unless the user has changed it."""
+"""A spin box that gives a value back exactly as it was shown, unless the user has changed it.
+
+Notes
+-----
+FreeCAD's ``Gui::QuantitySpinBox`` is no alternative, in 0.20 and 1.1 alike: its ``rawValue`` becomes what is shown
+with the decimals of FreeCAD's preferences (2 mm in inches: 0.08 in, read back as 2.032 mm; 1/3 mm: 0.33), also by
+gaining and losing the focus. Decimals and unit cannot be chosen for one field, what is shown stays in the old unit
+when the unit changes, and "0,5" is read as 5. It has no text for a special value, and shows centimetres, or fractions
+of inches, where `length_unit` does not.
+"""
 
 import math
 

@@ -1,4 +1,10 @@
-"""An input field for a folder, with a button to choose one."""
+"""An input field for a folder, with a button to choose one.
+
+Notes
+-----
+FreeCAD's ``Gui::FileChooser`` is no alternative: once a folder is entered, it asks the file system for it in the
+window's thread, which a server that does not answer would hold up.
+"""
 
 import os
 
