@@ -6,6 +6,7 @@ from ..application.qt import QtGui, QtWidgets, Signal, translate
 from ..record.measuring_progress import MeasuringProgress
 from ..record.parts_table import PartsTable
 from ..record.record_view import RecordView, show_text, text_line
+from ..widgets.push_button import add_button
 
 ICON = Path(__file__).resolve().parents[3] / "resources" / "icons" / "ThinPart_Classify.svg"
 
@@ -40,12 +41,10 @@ class ClassifyPanel(QtWidgets.QWidget):
         self.result = RecordView(self)
         column.addWidget(self.result)
         self.info_text = text_line(self, column, "ThinPart_InfoText")
-        self.save_button = self._button(
-            column, "ThinPart_SaveButton", translate("ThinPart", "Save and write info file"),
-            self.save_requested)
-        self.again_button = self._button(
-            column, "ThinPart_AgainButton", translate("ThinPart", "Classify again"),
-            self.repeat_requested)
+        self.save_button = add_button(column, self, "ThinPart_SaveButton", translate(
+            "ThinPart", "Save and write info file"), self.save_requested.emit)
+        self.again_button = add_button(
+            column, self, "ThinPart_AgainButton", translate("ThinPart", "Classify again"), self.repeat_requested.emit)
         column.addStretch(1)
         self.show_message("")
 
@@ -90,10 +89,3 @@ class ClassifyPanel(QtWidgets.QWidget):
         self.info_text.setToolTip(tool_tip)
         self.save_button.setVisible(can_save)
         self.again_button.setVisible(can_repeat)
-
-    def _button(self, layout, name, text, signal):
-        button = QtWidgets.QPushButton(text, self)
-        button.setObjectName(name)
-        button.clicked.connect(signal)
-        layout.addWidget(button)
-        return button

@@ -16,6 +16,7 @@ from ..guide.command import help_button
 from ..processes.command_line_run import DONE, STOPPED, CommandLineRun
 from ..record.record_view import show_text, text_line
 from ..widgets.folder_field import contains
+from ..widgets.push_button import add_button
 from .form import FolderForm
 from .progress_bar import RunProgressBar
 from .results_panel import ResultsPanel
@@ -162,18 +163,16 @@ class FolderDialog(QtWidgets.QDialog):
     def _add_run_row(self, column):
         row = QtWidgets.QHBoxLayout()
         self._progress = RunProgressBar(self)
-        self._start = self._button("ThinPart_FolderStart", translate("ThinPart", "&Start"), self.start)
+        self._start = add_button(row, self, "ThinPart_FolderStart", translate("ThinPart", "&Start"), self.start)
         self._start.setDefault(True)
-        self._pause = self._button("ThinPart_FolderPause", "", self.pause_or_resume)
-        self._cancel = self._button(
-            "ThinPart_FolderCancel", translate("ThinPart", "&Cancel"), self.cancel)
-        self._retry = self._button(
-            "ThinPart_FolderRetry", translate("ThinPart", "&Retry failed"), self.retry)
-        self._offer = self._button(
-            "ThinPart_FolderAddLibrary", translate("ThinPart", "Search in it\u2026"), self.add_to_libraries)
+        self._pause = add_button(row, self, "ThinPart_FolderPause", "", self.pause_or_resume)
+        self._cancel = add_button(
+            row, self, "ThinPart_FolderCancel", translate("ThinPart", "&Cancel"), self.cancel)
+        self._retry = add_button(
+            row, self, "ThinPart_FolderRetry", translate("ThinPart", "&Retry failed"), self.retry)
+        self._offer = add_button(
+            row, self, "ThinPart_FolderAddLibrary", translate("ThinPart", "Search in it\u2026"), self.add_to_libraries)
         self._offer.setToolTip(translate("ThinPart", "Adds the folder to the libraries of 'Find parts'"))
-        for button in (self._start, self._pause, self._cancel, self._retry, self._offer):
-            row.addWidget(button)
         row.addWidget(self._progress, 1)
         column.addLayout(row)
 
@@ -184,15 +183,8 @@ class FolderDialog(QtWidgets.QDialog):
             row.addWidget(button)
         row.addStretch(1)
         row.addWidget(help_button(self, "ThinPart_ClassifyFolder"))
-        row.addWidget(self._button(
-            "ThinPart_FolderClose", translate("ThinPart", "Close"), self.reject))
+        add_button(row, self, "ThinPart_FolderClose", translate("ThinPart", "Close"), self.reject)
         column.addLayout(row)
-
-    def _button(self, name, text, callback):
-        button = QtWidgets.QPushButton(text, self)
-        button.setObjectName(name)
-        button.clicked.connect(lambda *_: callback())
-        return button
 
     def _fit_screen(self):
         letter = self.fontMetrics().averageCharWidth()

@@ -5,7 +5,6 @@ from ..application.qt import QtCore, QtWidgets, translate
 from ..widgets.folder_field import absolute
 from ..widgets.profile_combo import ProfileCombo
 from ..widgets.push_button import add_button
-from ..widgets.wheel import ignore_wheel_unless_focused
 
 
 class LearnForm(QtWidgets.QWidget):
@@ -54,9 +53,9 @@ class LearnForm(QtWidgets.QWidget):
         self._folder.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         self._folder.setMinimumContentsLength(30)
         self._folder.lineEdit().setPlaceholderText(translate("ThinPart", "a folder with classified parts"))
-        ignore_wheel_unless_focused(self._folder)
         self._row(grid, 0, translate("ThinPart", "&Library"), self._folder)
-        self._button(grid, 0, "ThinPart_LearnChooseFolder", translate("ThinPart", "Choose\u2026"), self._choose_folder)
+        add_button(grid, self, "ThinPart_LearnChooseFolder", translate("ThinPart", "Choose\u2026"), self._choose_folder,
+                   0, 2, is_for_enter=False)
 
     def _add_labels(self, grid):
         self._kept = QtWidgets.QCheckBox(translate("ThinPart", "those that people keep in its info files"), self)
@@ -83,20 +82,14 @@ class LearnForm(QtWidgets.QWidget):
         self._profile.setObjectName("ThinPart_LearnProfile")
         self._profile.activated.connect(lambda *_: setattr(self, "_is_profile_chosen", True))
         self._row(grid, 3, translate("ThinPart", "Start &with"), self._profile)
-        self._button(grid, 3, "ThinPart_LearnChooseProfile", translate("ThinPart", "From file\u2026"), self._choose_profile)
+        add_button(grid, self, "ThinPart_LearnChooseProfile", translate("ThinPart", "From file\u2026"), self._choose_profile,
+                   3, 2, is_for_enter=False)
 
     def _row(self, grid, row, title, field):
         label = QtWidgets.QLabel(title, self)
         label.setBuddy(field)
         grid.addWidget(label, row, 0, QtCore.Qt.AlignTop if row == 2 else QtCore.Qt.AlignVCenter)
         grid.addWidget(field, row, 1)
-
-    def _button(self, grid, row, name, text, callback):
-        button = QtWidgets.QPushButton(text, self)
-        button.setObjectName(name)
-        button.setAutoDefault(False)
-        button.clicked.connect(lambda *_: callback())
-        grid.addWidget(button, row, 2)
 
     def _choose_folder(self):
         folder = QtWidgets.QFileDialog.getExistingDirectory(

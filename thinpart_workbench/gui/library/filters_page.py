@@ -11,7 +11,6 @@ from ..record.record_view import show_text, text_line
 from ..record.verdict_text import category_colour, criterion_titles
 from ..widgets.flow_layout import FlowLayout
 from ..widgets.range_filter import RangeFilter
-from ..widgets.wheel import ignore_wheel_unless_focused
 
 _LONGEST_TITLE = 36
 """Characters of a criterion's title beside its box; the whole title is in the tool tip."""
@@ -180,7 +179,6 @@ class FiltersPage(QtWidgets.QWidget):
             flow.addWidget(box)
         self._since = QtWidgets.QComboBox(self)
         self._since.setObjectName("ThinPart_FindSince")
-        ignore_wheel_unless_focused(self._since)
         for title, days in ((translate("ThinPart", "Changed at any time"), 0),
                             (translate("ThinPart", "Changed in the last day"), 1),
                             (translate("ThinPart", "Changed in the last week"), 7),

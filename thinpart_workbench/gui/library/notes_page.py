@@ -9,6 +9,7 @@ from ..application.sentences import translated
 from ..processes.path_check import check_path_in_thread
 from ..record.record_view import show_text, text_line
 from ..widgets.confirmation import is_confirmed
+from ..widgets.push_button import add_button
 from .mesh_settings import MeshSettings, settings_text
 
 
@@ -50,18 +51,14 @@ class NotesPage(QtWidgets.QWidget):
         grid = QtWidgets.QGridLayout()
         self._mesh = self._line(grid, 0, "ThinPart_KeptMesh", translate("ThinPart", "Mesh file"),
                                 translate("ThinPart", "a file with mesh settings"))
-        self._button(grid, 0, "ThinPart_ChooseMesh", translate("ThinPart", "Choose\u2026"), self._choose)
+        add_button(grid, self, "ThinPart_ChooseMesh", translate("ThinPart", "Choose\u2026"), self._choose, 0, 2)
         self._link = self._line(grid, 1, "ThinPart_KeptLink", translate("ThinPart", "Link"),
                                 translate("ThinPart", "an address or a folder"))
-        self._open = self._button(
-            grid, 1, "ThinPart_OpenLink", translate("ThinPart", "Open"), self._open_link)
+        self._open = add_button(grid, self, "ThinPart_OpenLink", translate("ThinPart", "Open"), self._open_link, 1, 2)
         grid.setColumnStretch(1, 1)
         column.addLayout(grid)
         self._message = text_line(self, column, "ThinPart_KeptMessage")
-        self._save = QtWidgets.QPushButton(translate("ThinPart", "Save"), self)
-        self._save.setObjectName("ThinPart_KeepNotes")
-        self._save.clicked.connect(lambda *_: self.save())
-        column.addWidget(self._save)
+        self._save = add_button(column, self, "ThinPart_KeepNotes", translate("ThinPart", "Save"), self.save)
         self.show_part(None)
 
     @property
@@ -158,13 +155,6 @@ class NotesPage(QtWidgets.QWidget):
         grid.addWidget(label, row, 0)
         grid.addWidget(field, row, 1)
         return field
-
-    def _button(self, grid, row, name, text, callback):
-        button = QtWidgets.QPushButton(text, self)
-        button.setObjectName(name)
-        button.clicked.connect(lambda *_: callback())
-        grid.addWidget(button, row, 2)
-        return button
 
     def _choose(self):
         file, _ = QtWidgets.QFileDialog.getOpenFileName(

@@ -189,7 +189,7 @@ def _profile(declared, parent):
     whole.setFocusProxy(box)
     lifelong.profile_signals.used.connect(box.choose)
     row.addWidget(box, 1)
-    add_button(row, whole, f"{name}Choose", translate("ThinPart", "From file\u2026"), box.ask_for_file).setAutoDefault(False)
+    add_button(row, whole, f"{name}Choose", translate("ThinPart", "From file\u2026"), box.ask_for_file, is_for_enter=False)
     row.addWidget(edit_profile_button(whole, f"{name}Edit", box.currentData))
     return Field(whole, box.currentData, box.choose, box.currentIndexChanged)
 

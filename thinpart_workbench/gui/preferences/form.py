@@ -116,10 +116,9 @@ class PreferencesForm(QtWidgets.QWidget):
         row = QtWidgets.QHBoxLayout()
         row.addStretch(1)
         button = add_button(row, content, f"ThinPart_PreferencesDefaults{page}", translate(
-            "ThinPart", "Restore defaults"), self.show_defaults)
+            "ThinPart", "Restore defaults"), self.show_defaults, is_for_enter=False)
         button.setToolTip(translate(
             "ThinPart", "Shows the defaults of this page; OK or Apply saves them"))
-        button.setAutoDefault(False)
         column.addLayout(row)
         column.addStretch(1)
 

@@ -3,6 +3,7 @@
 from ..application.qt import QtWidgets, Signal, translate
 from ..record.record_view import paint_swatch, show_text, swatch, text_line
 from ..record.verdict_text import category_colour, category_words
+from ..widgets.push_button import add_button
 from .criterion_box import CriterionBox
 from .kept_text import KeptText
 from .removable_list import RemovableList
@@ -45,12 +46,9 @@ class CategoryBox(QtWidgets.QGroupBox):
         self._problem = text_line(self, column, "ThinPart_CategoryProblem")
         self._boxes = RemovableList(self.changed.emit)
         column.addLayout(self._boxes)
-        button = QtWidgets.QPushButton(translate("ThinPart", "Add a criterion (or)"), self)
-        button.setObjectName("ThinPart_CriterionAdd")
-        button.setAutoDefault(False)
-        button.clicked.connect(lambda *_: self.add_criterion())
         row = QtWidgets.QHBoxLayout()
-        row.addWidget(button)
+        add_button(row, self, "ThinPart_CriterionAdd", translate("ThinPart", "Add a criterion (or)"), self.add_criterion,
+                   is_for_enter=False)
         row.addStretch(1)
         column.addLayout(row)
         for criterion in content["criteria"]:

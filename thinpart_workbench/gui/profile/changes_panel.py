@@ -15,7 +15,6 @@ from ..widgets.flow_layout import FlowLayout
 from ..widgets.folder_field import contains
 from ..widgets.push_button import add_button
 from ..widgets.row_table import show_whole_rows
-from ..widgets.wheel import ignore_wheel_unless_focused
 from .changes_client import ChangesClient
 from .small_button import small_button
 
@@ -48,7 +47,6 @@ class ChangesPanel(QtWidgets.QWidget):
         self._library.setObjectName("ThinPart_ProfileLibrary")
         self._library.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         self._library.setMinimumContentsLength(16)
-        ignore_wheel_unless_focused(self._library)
         label.setBuddy(self._library)
         row = QtWidgets.QHBoxLayout()
         row.addWidget(self._library, 1)

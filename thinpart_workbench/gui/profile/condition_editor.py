@@ -10,7 +10,6 @@ from ..application.qt import QtCore, QtWidgets, Signal, translate
 from ..application.sentences import translated
 from ..record.record_view import show_text, text_line
 from ..widgets.exact_field import ExactField
-from ..widgets.wheel import ignore_wheel_unless_focused
 from .small_button import small_button
 
 _UNITS = {"mm2": "mm\u00b2", "mm3": "mm\u00b3"}
@@ -53,7 +52,6 @@ class ConditionEditor(QtWidgets.QWidget):
         self._bounds = [self._new_bound(row, end) for end in ("Least", "Most")]
         self._comparison = QtWidgets.QComboBox(self)
         self._comparison.setObjectName("ThinPart_ConditionComparison")
-        ignore_wheel_unless_focused(self._comparison)
         for comparison in reversed(COMPARISONS):
             self._comparison.addItem(comparison, comparison)
         row.addWidget(self._comparison)
@@ -100,7 +98,6 @@ class ConditionEditor(QtWidgets.QWidget):
         combo.setObjectName("ThinPart_ConditionQuantity")
         combo.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         combo.setMinimumContentsLength(10)
-        ignore_wheel_unless_focused(combo)
         for quantity in QUANTITIES:
             meaning = translated(quantity.meaning)
             combo.addItem(f"{quantity.symbol}: {meaning}", quantity.name)

@@ -2,6 +2,7 @@
 
 from ..application.qt import QtWidgets, Signal, translate
 from ..record.record_view import show_text, text_line
+from ..widgets.push_button import add_button
 from .condition_editor import ConditionEditor
 from .edited_profile import new_condition
 from .kept_text import KeptText
@@ -56,13 +57,10 @@ class CriterionBox(QtWidgets.QFrame):
         column.addLayout(row)
         self._rows = RemovableList(self._show_change)
         column.addLayout(self._rows)
-        self._add = QtWidgets.QPushButton(translate("ThinPart", "Add a condition (and)"), self)
-        self._add.setObjectName("ThinPart_ConditionAdd")
-        self._add.setAutoDefault(False)
-        self._add.setFlat(True)
-        self._add.clicked.connect(lambda *_: self.add_condition())
         row = QtWidgets.QHBoxLayout()
-        row.addWidget(self._add)
+        self._add = add_button(row, self, "ThinPart_ConditionAdd", translate("ThinPart", "Add a condition (and)"),
+                               self.add_condition, is_for_enter=False)
+        self._add.setFlat(True)
         row.addStretch(1)
         column.addLayout(row)
         self._problem = text_line(self, column, "ThinPart_CriterionProblem")

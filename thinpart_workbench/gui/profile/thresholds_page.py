@@ -7,6 +7,7 @@ from ..application.qt import QtWidgets, Signal, call_later, translate
 from ..application.sentences import translated
 from ..record.record_view import show_text
 from ..widgets.exact_field import ExactField
+from ..widgets.push_button import add_button
 from .category_box import CategoryBox
 from .edited_profile import empty_profile, loses_probabilities, new_category, new_criterion
 from .kept_text import KeptText
@@ -51,11 +52,8 @@ class ThresholdsPage(QtWidgets.QScrollArea):
         for category in content["categories"]:
             self._append(category)
         row = QtWidgets.QHBoxLayout()
-        button = QtWidgets.QPushButton(translate("ThinPart", "Add a category"), form)
-        button.setObjectName("ThinPart_CategoryAdd")
-        button.setAutoDefault(False)
-        button.clicked.connect(lambda *_: self.add_category())
-        row.addWidget(button)
+        add_button(row, form, "ThinPart_CategoryAdd", translate("ThinPart", "Add a category"), self.add_category,
+                   is_for_enter=False)
         row.addStretch(1)
         column.addLayout(row)
         self._add_sureness(form, column)

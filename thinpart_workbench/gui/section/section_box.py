@@ -2,7 +2,6 @@
 
 from ..application.length_unit import MILLIMETRE
 from ..application.qt import QtCore, QtWidgets, Signal, translate
-from ..widgets.wheel import ignore_wheel_unless_focused
 
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 FROM_VIEW = "view"
@@ -68,8 +67,6 @@ class SectionBox(QtWidgets.QWidget):
         self._flip.setToolTip(translate("ThinPart", "Shows the half that is cut off now"))
         self._flip.clicked.connect(lambda: self.flipped.emit())
         form.addRow("", self._flip)
-        for field in (self._slider, self._direction, self._place):
-            ignore_wheel_unless_focused(field)
         self.show_section(None, (0.0, 1.0), 0.0, MILLIMETRE)
 
     def show_section(self, direction, ends, place, unit):

@@ -7,7 +7,6 @@ from ..application.qt import QtCore, QtWidgets, Signal, translate
 from ..record.measure_text import share_sentence
 from ..record.record_view import show_text, text_line
 from ..widgets.flow_layout import FlowLayout
-from ..widgets.wheel import ignore_wheel_unless_focused
 from .check_box import CheckBox
 from .histogram import ThicknessHistogram
 from .scale_box import LengthSpinBox
@@ -110,7 +109,6 @@ class DistributionBox(QtWidgets.QWidget):
         self._unit = QtWidgets.QComboBox(row)
         self._unit.setObjectName("ThinPart_ThresholdUnit")
         self._unit.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToContents)  # the row wraps if it is too wide
-        ignore_wheel_unless_focused(self._unit)
         self._unit.addItem(self._length.symbol, MILLIMETRES)
         self._unit.addItem(translate("ThinPart", "of the diagonal"), SHARE)
         self._unit.currentIndexChanged.connect(lambda _: self._show_field())

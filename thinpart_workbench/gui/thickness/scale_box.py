@@ -6,7 +6,6 @@ from ...freecad_adapter.preferences import PREFERENCES
 from ..application.length_unit import MILLIMETRE
 from ..application.qt import QtCore, QtGui, QtWidgets, Signal, colour, translate, translated_mark
 from ..widgets.flow_layout import FlowLayout
-from ..widgets.wheel import ignore_wheel_unless_focused
 
 
 class ScaleBox(QtWidgets.QWidget):
@@ -125,7 +124,6 @@ class ScaleBox(QtWidgets.QWidget):
             "colours, exactly those of the colour bar"))
         self._bands = QtWidgets.QSpinBox(self)
         self._bands.setObjectName("ThinPart_Bands")
-        ignore_wheel_unless_focused(self._bands)
         self._bands.setRange(0, PREFERENCES["HeatMapBands"].range[1])
         self._bands.setSpecialValueText(translate("ThinPart", "smooth"))
         self._bands.valueChanged.connect(lambda value: self._emit_changed(Bands=value))
@@ -191,7 +189,6 @@ class LengthSpinBox(QtWidgets.QDoubleSpinBox):
         self.setDecimals(3)
         self.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
         self.setKeyboardTracking(False)
-        ignore_wheel_unless_focused(self)
 
     def minimumSizeHint(self):
         """Width for a few digits instead of the maximum with all decimals."""
@@ -224,7 +221,6 @@ def narrow_combo(parent, name):
     combo.setObjectName(name)
     combo.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
     combo.setMinimumContentsLength(6)
-    ignore_wheel_unless_focused(combo)
     return combo
 
 

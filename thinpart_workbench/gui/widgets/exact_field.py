@@ -12,7 +12,6 @@ of inches, where `length_unit` does not.
 import math
 
 from ..application.qt import QtCore, QtGui, QtWidgets, Signal
-from .wheel import ignore_wheel_unless_focused
 
 _MOST = 1e12
 
@@ -42,7 +41,6 @@ class ExactField(QtWidgets.QDoubleSpinBox):
         # Otherwise Germans who paste 0.7 would get 7.
         locale.setNumberOptions(QtCore.QLocale.OmitGroupSeparator | QtCore.QLocale.RejectGroupSeparator)
         self.setLocale(locale)
-        ignore_wheel_unless_focused(self)
         self.valueChanged.connect(lambda *_: self.changed.emit())
 
     def set_form(self, factor=1.0, suffix="", decimals=4, least=-_MOST, most=_MOST, first_step=1.0):

@@ -9,6 +9,7 @@ window's thread, which a server that does not answer would hold up.
 import os
 
 from ..application.qt import QtWidgets, Signal, translate
+from .push_button import add_button
 
 
 class FolderField(QtWidgets.QWidget):
@@ -39,12 +40,8 @@ class FolderField(QtWidgets.QWidget):
         self._line.setClearButtonEnabled(True)
         self._line.textChanged.connect(lambda _: self.changed.emit())
         self.setFocusProxy(self._line)
-        button = QtWidgets.QPushButton(translate("ThinPart", "Choose\u2026"), self)
-        button.setObjectName(f"{name}Choose")
-        button.setAutoDefault(False)
-        button.clicked.connect(lambda *_: self._choose())
         row.addWidget(self._line, 1)
-        row.addWidget(button)
+        add_button(row, self, f"{name}Choose", translate("ThinPart", "Choose\u2026"), self._choose, is_for_enter=False)
 
     def value(self):
         """The absolute path, or an empty string."""

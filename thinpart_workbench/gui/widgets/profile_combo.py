@@ -8,7 +8,6 @@ from ...storage.user_profiles import user_profiles
 from ..application import lifelong
 from ..application.qt import QtCore, QtWidgets, translate
 from ..application.sentences import translated
-from .wheel import ignore_wheel_unless_focused
 
 
 class ProfileCombo(QtWidgets.QComboBox):
@@ -18,7 +17,6 @@ class ProfileCombo(QtWidgets.QComboBox):
         super().__init__(parent)
         self.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         self.setMinimumContentsLength(16)
-        ignore_wheel_unless_focused(self)
         for path in sorted(PROFILES.glob("*.json")):
             self.addItem(_title(path.stem), path.stem)
         for path in user_profiles():
