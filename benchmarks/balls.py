@@ -114,7 +114,7 @@ def _row(name, mesh, known, count, trimesh):
     samples = SurfaceSamples(surface.points[chosen], surface.triangle[chosen], surface.area[chosen])
     normals = mesh.normals[samples.triangle]
     started = time.perf_counter()
-    ours = inscribed_balls(mesh, samples).diameter
+    ours = inscribed_balls(mesh, samples)
     own_seconds = time.perf_counter() - started
     with tempfile.TemporaryDirectory() as folder:
         file, answer_file = os.path.join(folder, "balls.npz"), os.path.join(folder, "answer.npy")

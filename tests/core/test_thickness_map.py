@@ -19,7 +19,7 @@ from thinpart_workbench.core.maps.map_summary import (
     typical_range,
 )
 from thinpart_workbench.core.maps.mapped_part import MappedPart
-from thinpart_workbench.core.maps.thickness_map import FACETS, MOST_FACETS, thickness_map, transformed_map
+from thinpart_workbench.core.maps.thickness_map import FACETS, MOST_FACETS, thickness_map
 from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 from thinpart_workbench.core.rendering.colour_scale import COLOUR_MAPS, ColourScale, colour_table
 from thinpart_workbench.core.thickness.measurement import measure
@@ -205,15 +205,6 @@ def test_a_damaged_file_is_told(tmp_path, damage):
     path.write_bytes(damage)
     with pytest.raises(ThinPartError, match="map.npz cannot be read"):
         read_maps(str(path))
-
-
-def test_a_map_at_another_place():
-    shown = _map(made_meshes.box(10, 20, 30))
-    matrix = np.eye(4)
-    matrix[:3, :3], matrix[:3, 3] = TURNED, (5.0, -6.0, 7.0)
-    moved = transformed_map(shown, matrix)
-    assert moved.points + moved.origin == pytest.approx(
-        (shown.points + shown.origin) @ TURNED.T + matrix[:3, 3], abs=1e-3)
 
 
 @pytest.mark.parametrize("name", COLOUR_MAPS)

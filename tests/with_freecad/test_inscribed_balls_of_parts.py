@@ -26,7 +26,7 @@ def test_balls_are_empty_and_touch_the_part(sample):
     surface = surface_samples(mesh)
     chosen = even_samples(surface.area, 60)
     samples = SurfaceSamples(surface.points[chosen], surface.triangle[chosen], surface.area[chosen])
-    radius = 0.5 * inscribed_balls(mesh, samples).diameter
+    radius = 0.5 * inscribed_balls(mesh, samples)
     centres = samples.points - radius[:, None] * normals_at(mesh, samples.triangle, samples.points) + mesh.origin
     shell = Part.makeCompound(part.shape.Shells)
     clear = np.array([shell.distToShape(Part.Vertex(App.Vector(*centre)))[0] for centre in centres])

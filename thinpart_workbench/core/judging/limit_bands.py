@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-FAILS, JUST_ABOVE, PASSES, TOO_THICK = BANDS = ("fails", "just_above", "passes", "too_thick")
+FAILS, JUST_ABOVE, PASSES, TOO_THICK = ("fails", "just_above", "passes", "too_thick")
 
 ABOVE = 0.1
 """Share of the least wall up to which a wall is just above it: it passes, but a tolerance or wear may use that up."""
@@ -18,7 +18,7 @@ class LimitBand:
     Attributes
     ----------
     name : str
-        One of `BANDS`.
+        One of these four.
     low, high : float, mm
         From `low` to less than `high`; infinite where nothing limits it.
     limit : float, mm

@@ -14,14 +14,12 @@ class UnreadableJson(Exception):
     """JSON cannot be read; its text is the reason, without a full stop."""
 
 
-def read_json(path, most=LARGEST_WRITTEN):
+def read_json(path):
     """The content of a JSON file.
 
     Parameters
     ----------
     path : str or Path
-    most : int
-        Greatest number of bytes.
 
     Returns
     -------
@@ -33,7 +31,7 @@ def read_json(path, most=LARGEST_WRITTEN):
     UnreadableJson
     """
     try:
-        return parsed_json(read_regular(path, most))
+        return parsed_json(read_regular(path, LARGEST_WRITTEN))
     except FileNotFoundError:
         raise
     except OSError as error:

@@ -45,7 +45,7 @@ def first_map(mesh, by=RAY):
         return None
     points, facets, parent = _facets(mesh)
     middles, face = points[facets].mean(axis=1), mesh.face_of_triangle[parent]
-    chosen = _chosen(mesh, points, facets, face, BALLS if by == SPHERE else RAYS)
+    chosen = _chosen(points, facets, face, BALLS if by == SPHERE else RAYS)
     thickness = np.full(len(facets), np.nan)
     thickness[chosen] = _measured(mesh, middles[chosen], parent[chosen], by)
     _fill_gaps(thickness, chosen, middles, face, mesh.extent)
@@ -69,7 +69,7 @@ def _facets(mesh):
         parent = parent[pieces]
 
 
-def _chosen(mesh, points, facets, face, count):
+def _chosen(points, facets, face, count):
     """Facets whose walls are measured: all, or a share by area and one of every face."""
     if len(facets) <= count:
         return np.arange(len(facets))
@@ -84,7 +84,7 @@ def _measured(mesh, points, triangle, by):
     rays = InwardRays(mesh)
     if by == SPHERE:
         samples = smooth_samples(mesh, points, triangle, np.zeros(len(points)))
-        thickness = inscribed_balls(mesh, samples, rays).diameter
+        thickness = inscribed_balls(mesh, samples, rays)
     else:
         thickness, _ = seen_walls(mesh, rays, points, triangle)
     return np.where(np.isfinite(thickness), thickness, np.nan)

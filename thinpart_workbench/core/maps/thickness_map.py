@@ -1,6 +1,6 @@
 """The thickness map of a part, as it is drawn: small facets, each with its own value."""
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Optional
 
@@ -11,7 +11,6 @@ from ..columns import corners_of, cross, dot
 from ..mesh.sampling import smooth_samples
 from ..progress import portion, report_progress
 from ..rays.inward_rays import InwardRays
-from ..rigid_transform import transform_directions, transform_points
 from ..thickness.inscribed_balls import inscribed_balls
 from ..thickness.walls import NONPARALLEL_BELOW
 from .facet_refinement import cut_sides, side_keys, side_lengths
@@ -244,7 +243,7 @@ def _ball_diameters(mesh, rays, points, facets, parent, report):
     if not len(facets):
         return np.empty(0)
     samples = smooth_samples(mesh, points[facets].mean(axis=1), parent, np.zeros(len(facets)))
-    return inscribed_balls(mesh, samples, rays, report).diameter
+    return inscribed_balls(mesh, samples, rays, report)
 
 
 def _beside_jump(facets, count, thickness):
@@ -271,16 +270,3 @@ def _assembled(mesh, points, facets, parent, thickness, opposite, by, corner_thi
         opposite_facet.astype(np.int32), mesh.face_of_triangle[parent].astype(np.int32), mesh.origin, by,
         None if corner_thickness is None else corner_thickness.astype(np.float32),
     )
-
-
-def transformed_map(source, matrix):
-    """A copy of a map in another position.
-
-    Parameters
-    ----------
-    source : ThicknessMap
-    matrix : ndarray of shape (4, 4)
-        A rotation and a translation in mm.
-    """
-    return replace(source, points=transform_directions(matrix, source.points).astype(np.float32),
-                   origin=transform_points(matrix, source.origin))

@@ -42,9 +42,6 @@ class SurfaceMesh:
         one.
     cracked : bool
         Whether a ray can pass between triangles that do not share their edges.
-    turned_round : bool
-        Whether the given triangles were inside-out and have been inverted.
-    dropped_duplicates, dropped_degenerate : int
     warnings : tuple of str
     rounding : float
         Error of the points, as a share of the diagonal.
@@ -60,9 +57,6 @@ class SurfaceMesh:
     origin: np.ndarray
     watertight: bool
     cracked: bool = False
-    turned_round: bool = False
-    dropped_duplicates: int = 0
-    dropped_degenerate: int = 0
     warnings: tuple = ()
     rounding: float = TOLERANCES.rounding
     has_faces: bool = False
@@ -216,7 +210,7 @@ def surface_mesh(points, triangles, face_of_triangle=None, rounding=TOLERANCES.r
         warnings.append(message("{count} triangles of zero area were left out.", count=degenerate))
     mesh = SurfaceMesh(
         vertices, np.ascontiguousarray(triangles), face_of_triangle, origin, watertight, cracked,
-        inside_out, duplicates, degenerate, tuple(warnings), rounding, has_faces, face_normals,
+        tuple(warnings), rounding, has_faces, face_normals,
     )
     mesh.__dict__["shared_sides"] = sides  # the cached property, known already
     return mesh

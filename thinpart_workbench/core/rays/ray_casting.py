@@ -28,7 +28,7 @@ INNER, OUTER = 1.0, -1.0
 """Sides from which a triangle can be hit: by a ray that leaves the material, or one that enters it."""
 
 
-def first_hits(tree, origins, directions, side=INNER, report=None, work=None):
+def first_hits(tree, origins, directions, side=INNER, work=None):
     """Find the first triangle that each ray hits from one side, and its distance.
 
     Parameters
@@ -39,8 +39,6 @@ def first_hits(tree, origins, directions, side=INNER, report=None, work=None):
         Unit vectors.
     side : float
         `INNER` or `OUTER`.
-    report : callable, optional
-        Called with the fraction done; may raise to stop.
     work : Work, optional
         Counters to increase.
 
@@ -60,7 +58,7 @@ def first_hits(tree, origins, directions, side=INNER, report=None, work=None):
     order = coherent_order(origins, directions) if origins.size else np.empty(0, dtype=np.int64)
     distance, triangle = np.empty(len(order)), np.empty(len(order), dtype=np.int64)
     distance[order], triangle[order] = first_hits_in_order(
-        tree, np.take(origins, order, axis=1), np.take(directions, order, axis=1), side, report, work
+        tree, np.take(origins, order, axis=1), np.take(directions, order, axis=1), side, work=work
     )
     return distance, triangle
 

@@ -1,6 +1,5 @@
 """The largest ball inside the material that touches the surface at each sample."""
 
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -38,22 +37,6 @@ _CLOUD_AT_ONCE = 128
 _BALLS_AT_ONCE = 2048
 
 
-@dataclass(frozen=True)
-class InscribedBalls:
-    """The largest ball at each sample.
-
-    Attributes
-    ----------
-    diameter : ndarray of shape (m,), mm
-        inf where nothing bounds the ball.
-    bounded_by : ndarray of shape (m,), int64
-        A triangle that the ball touches besides that of the sample; -1 for none.
-    """
-
-    diameter: np.ndarray
-    bounded_by: np.ndarray
-
-
 def inscribed_balls(mesh, samples, rays=None, report=None):
     """Find the largest balls inside the material that touch the surface at samples.
 
@@ -68,7 +51,8 @@ def inscribed_balls(mesh, samples, rays=None, report=None):
 
     Returns
     -------
-    InscribedBalls
+    ndarray of shape (m,), mm
+        Their diameters; inf where nothing bounds the ball.
 
     Notes
     -----
@@ -82,7 +66,7 @@ def inscribed_balls(mesh, samples, rays=None, report=None):
     shrink.
     """
     rays = rays or InwardRays(mesh)
-    return _Balls(mesh, samples, rays).found(report)
+    return _Balls(mesh, samples, rays).diameters(report)
 
 
 class _Balls:
@@ -96,10 +80,9 @@ class _Balls:
         self._points = self._lifted(samples.triangle, samples.points)
         self._inward = -rays.turned_directions(normals)
         self._radius = np.full(samples.count, np.inf)
-        self._bounded_by = np.full(samples.count, -1, dtype=np.int64)
 
-    def found(self, report):
-        """The `InscribedBalls`."""
+    def diameters(self, report):
+        """Diameter of each ball: ndarray of shape (m,), mm."""
         report_progress(report, 0.0)
         self._bound_by_rays()
         report_progress(report, 0.2)
@@ -111,7 +94,7 @@ class _Balls:
             self._bound_by_tree(balls, curvature, spacing)
             report_progress(report, 0.4 + 0.6 * start / self._samples.count)
         report_progress(report, 1.0)
-        return InscribedBalls(2.0 * self._radius, self._bounded_by)
+        return 2.0 * self._radius
 
     def _lifted(self, triangle, points):
         """Points of the curved surface over points of facets, ndarray of shape (m, 3), as columns."""
@@ -129,7 +112,7 @@ class _Balls:
     def _bound_by_points(self, ball, triangle, points):
         """Bound balls by a point each, and then by the triangle that it lies on."""
         away = points - np.take(self._points, ball, axis=1)
-        self._keep_least(ball, triangle, _radius(away, np.take(self._inward, ball, axis=1)))
+        np.minimum.at(self._radius, ball, _radius(away, np.take(self._inward, ball, axis=1)))
         self._bound(ball, triangle)
 
     def _bound_by_cloud(self):
@@ -195,15 +178,7 @@ class _Balls:
             active = active[smaller | moved]
             if not len(active):
                 break
-        self._keep_least(ball[found], triangle[found], radius[found])
-
-    def _keep_least(self, ball, triangle, radius):
-        # Largest first, so that the least is written last and remains.
-        order = np.argsort(-radius, kind="stable")
-        ball, triangle, radius = ball[order], triangle[order], radius[order]
-        smaller = radius < self._radius[ball]
-        self._radius[ball[smaller]] = radius[smaller]
-        self._bounded_by[ball[smaller]] = triangle[smaller]
+        np.minimum.at(self._radius, ball[found], radius[found])
 
 
 def _radius(away, inward):

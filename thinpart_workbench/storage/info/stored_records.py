@@ -55,7 +55,7 @@ def stored_records(path, part=None, info_folder=None):
     return _matching(read_info(info_file_of(path, info_folder))["parts"], part, path)
 
 
-def single_record(path, part=None, info_folder=None):
+def single_record(path, part=None):
     """As `stored_records`, but exactly one record.
 
     Raises
@@ -63,7 +63,7 @@ def single_record(path, part=None, info_folder=None):
     ThinPartError
         kind ``usage`` if the document has several parts and `part` is None.
     """
-    return select_record(read_info(info_file_of(path, info_folder))["parts"], part, path)
+    return select_record(read_info(info_file_of(path))["parts"], part, path)
 
 
 def select_record(records, part, path):
