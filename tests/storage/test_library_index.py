@@ -295,9 +295,9 @@ def test_others_read_while_one_writes(index, library, tmp_path):
 
 
 CHANGES = {
-    "another column": ("storage/record_columns.py", 'Column("triangles"', 'Column("facets"'),
-    "another type": ("storage/record_columns.py", '"triangles", "INTEGER"', '"triangles", "REAL"'),
-    "another value": ("storage/record_columns.py", 'part["label"]', 'part["name"]'),
+    "another column": ("storage/record_columns.py", 'Column("median_mm"', 'Column("middle_mm"'),
+    "another type": ("core/record/record_types.py", "    triangles: int", "    triangles: float"),
+    "another value": ("storage/record_columns.py", 'measured["thickness_mm"]["median"]', 'measured["thickness_mm"]["max"]'),
     "another quantity": ("core/descriptors/descriptor_table.py", "lambda d: d.area,", "lambda d: d.area / 2.0,"),
     "another signature": ("core/descriptors/similarity.py", "THICKNESS_UNIT = 0.05", "THICKNESS_UNIT = 0.06"),
     "other bins": ("core/descriptors/bins.py", "BINS = 1000", "BINS = 500"),

@@ -9,7 +9,9 @@ from collections import namedtuple
 from typing import Any, Callable, NamedTuple, Optional
 
 from ..core.descriptors.descriptor_table import QUANTITIES, STATED_FLOOR
+from ..core.kinds.value_kinds import Number, OrNull, Text, Whole
 from ..core.message import joined
+from ..core.record.record_types import PART
 
 
 class Column(NamedTuple):
@@ -83,28 +85,36 @@ def _quantity_column(quantity):
                   absent=quantity.absent_means)
 
 
+def _of_record(key, title=None):
+    """The column of a key of a part record, with the SQL type of its kind."""
+    kind = PART.kinds[key]
+    type_ = _SQL_TYPES[type(kind.kind if isinstance(kind, OrNull) else kind)]
+    return Column(key, type_, lambda part, measured: part.get(key), title)
+
+
+_SQL_TYPES: dict[type, str] = {Text: "TEXT", Whole: "INTEGER", Number: "REAL"}
+
+
 def _is_no_length(quantity):
     return quantity.unit != "mm"
 
 
 COLUMNS = (
-    Column("name", "TEXT", lambda part, measured: part["name"], "part"),
-    Column("label", "TEXT", lambda part, measured: part["label"], "label"),
-    Column("instances", "INTEGER", lambda part, measured: part["instances"], "instances"),
-    Column("category", "TEXT", lambda part, measured: part["category"], "category"),
+    _of_record("name", "part"),
+    *(_of_record(key, key) for key in ("label", "instances", "category")),
     Column("criteria", "TEXT", lambda part, measured: f",{','.join(map(str, part['criteria']))},", "criteria",
            lambda part, measured: " ".join(map(str, part["criteria"]))),
-    Column("margin", "REAL", lambda part, measured: part["margin"], "margin"),
+    _of_record("margin", "margin"),
     Column("borderline", "INTEGER", lambda part, measured: int(part["borderline"]), "borderline"),
     *(_quantity_column(quantity) for quantity in sorted(QUANTITIES, key=_is_no_length) if quantity.keys),
     Column("thinnest_mm", "REAL", lambda part, measured: measured["thickness_mm"]["min"], "thinnest_mm"),
     Column("median_mm", "REAL", lambda part, measured: measured["thickness_mm"]["median"], "median_mm"),
     Column("error_bound_mm", "REAL", lambda part, measured: measured["thickness_mm"]["error_bound"], "error_bound_mm"),
-    Column("triangles", "INTEGER", lambda part, measured: part["triangles"], "triangles"),
+    _of_record("triangles", "triangles"),
     Column("warnings", None, lambda part, measured: joined(part["warnings"]), "warnings"),
     Column("notes", "TEXT", lambda part, measured: part.get("notes") or ""),
     Column("mesh", "TEXT", _mesh),
-    Column("link", "TEXT", lambda part, measured: part.get("link")),
+    _of_record("link"),
     Column("labels", "TEXT", _labels, "labels", lambda part, measured: labels_text(part.get("labels", ()))),
     Column("said", "TEXT", _said),
     Column("text", "TEXT", _text),
