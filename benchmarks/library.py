@@ -27,6 +27,7 @@ from thinpart_workbench.core.judging.criteria import load_profile  # noqa: E402
 from thinpart_workbench.storage.index.library_index import LibraryIndex  # noqa: E402
 from thinpart_workbench.storage.info.info_file import SUFFIX, dumps  # noqa: E402
 from thinpart_workbench.workflow.library.find_parts import PartQuery, find_parts  # noqa: E402
+from thinpart_workbench.workflow.library.library_search import LibrarySearch  # noqa: E402
 from thinpart_workbench.workflow.library.reclassify import reclassify_files  # noqa: E402
 from thinpart_workbench.workflow.library.similar_parts import similar_parts  # noqa: E402
 
@@ -100,6 +101,10 @@ def _measured(library, folder):
             yield f"{what}: {len(found):,} parts, first 50 rows, ms", f"{milliseconds:.1f}"
         ordered = 1000.0 * _best(lambda: find_parts(index, _QUERIES[0][1])[:50])
         yield f"{_QUERIES[0][0]}, in the order of the paths, ms", f"{ordered:.1f}"
+        search = LibrarySearch([index])
+        for what, query in _QUERIES:
+            milliseconds = 1000.0 * _best(lambda query=query: _shown(search, query))
+            yield f"{what}: counts of all choices and first 100 rows, ms", f"{milliseconds:.1f}"
         record = json.loads(Path(find_parts(index)[0].info_file).read_bytes())["parts"][0]
         yield "ten most similar parts, s", f"{_best(lambda: similar_parts([index], record, 10)):.2f}"
     info_files = sorted(map(str, library.rglob(f"*{SUFFIX}")))
@@ -112,9 +117,13 @@ def _measured(library, folder):
 
 _QUERIES = (
     ("category thin", PartQuery(categories=("thin",))),
-    ("thinnest wall up to 2 mm and 'part 12' in a text", PartQuery(most_thickness=2.0, words="part 12")),
+    ("thinnest wall up to 2 mm and 'part 12' in a text", PartQuery(ranges=(("thinnest_mm", None, 2.0),), words="part 12")),
     ("D2/D3 > 6 and F[0;0.05] > 0.5", PartQuery(conditions=search_conditions("D2/D3 > 6 and F[0;0.05] > 0.5"))),
 )
+
+
+def _shown(search, query):
+    return search.counts(query), search.find(query, "d1_mm").parts(0, 100)
 
 
 def _timed(function):

@@ -47,8 +47,8 @@ def test_they_find_what_a_search_finds(library, opened):
         expected = thinpart.find(library, where=conditions, failed=None)
         found = libraries.find(conditions)
         assert names(libraries.rows(0, 1000)) == names(expected)
-        assert found.count == found.matching == len(expected) and found.total >= found.count
-        assert sum(found.categories.values()) == found.count
+        assert found.count == found.choices.count == len(expected) and found.total >= found.count
+        assert sum(found.choices.categories.values()) == found.count
     with pytest.raises(thinpart.ThinPartError, match="D9"):
         libraries.find("D9 > 1")
 
@@ -61,9 +61,15 @@ def test_they_find_similar_parts_and_where_a_part_is(library, opened):
     found = libraries.find(like=part.record(), excluding=own, sort="score")
     rows = libraries.rows(0, 100)
     assert names(rows) == names(expected) and [each.score for each in rows] == [each.score for each in expected]
-    assert found.count == len(expected) < found.matching
+    assert found.count == len(expected) < found.choices.count
     assert {libraries.root_of(each) for each in rows} == {str(library)}
     assert libraries.position_of(str(library), *names(rows)[2]) == 2
+    by_size = libraries.find(like=part.record(), excluding=own, sort="d1_mm")
+    sizes = [each.box_mm[0] for each in libraries.rows(0, 100)]
+    assert sizes == sorted(sizes) and by_size.count == len(sizes) == len(expected)
+    assert sorted(each.score for each in libraries.rows(0, 100)) == sorted(each.score for each in expected)
+    assert libraries.position_of(str(library), *names(libraries.rows(0, 100))[1]) == 1
+    libraries.find(like=part.record(), excluding=own, sort="score")
     assert libraries.position_of(str(library), *own) is None and libraries.position_of("gone", *own) is None
 
 

@@ -26,6 +26,7 @@ from find_panel import (  # noqa: F401 - fixtures among them
     write,
 )
 
+from thinpart_workbench.core.descriptors.descriptor_table import QUANTITIES
 from thinpart_workbench.freecad_adapter.preferences import preference_list
 from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
 from thinpart_workbench.gui.library.results_model import CATEGORY, FILE, PART, SIZE, THINNEST
@@ -104,6 +105,25 @@ def test_criteria(library):
     check(dock, "ThinPart_Criterion_1")
     assert status() == f"{count} of 10 parts"
     assert count_of("ThinPart_Category_thin") == count
+
+
+def test_every_quantity_that_records_have_can_get_a_range(library):
+    dock = opened(library)
+    combo = window.widget("ThinPart_FindQuantity")
+    names = [combo.itemData(row) for row in range(1, combo.count())]
+    assert names == [each.name for each in QUANTITIES if each.keys and each.name not in ("d1_mm", "volume_ratio")]
+    combo.setCurrentIndex(combo.findData("d2_d3"))
+    combo.activated.emit(combo.currentIndex())
+    answered(dock)
+    assert combo.findData("d2_d3") == -1 and combo.currentIndex() == 0 and status() == "10 of 10 parts"
+    assert float(window.widget("ThinPart_d2_d3Most").placeholderText()) > 6
+    window.widget("ThinPart_d2_d3Least").setText("6")
+    window.widget("ThinPart_d2_d3Least").textEdited.emit("6")
+    answered(dock)
+    write(dock, "ThinPart_FindConditions", "D2/D3 < 6")
+    assert status() == "0 of 10 parts"
+    write(dock, "ThinPart_FindConditions", "")
+    assert 0 < len(cells(FILE)) < 9
 
 
 def test_ranges_by_hand_and_as_numbers(library):

@@ -21,6 +21,8 @@ from thinpart_workbench.core.record.record_types import PART
 from thinpart_workbench.core.record.part_record import descriptors_of
 from thinpart_workbench.storage.info.info_definition import json_schema
 from thinpart_workbench.storage.index.library_index import LibraryIndex
+from thinpart_workbench.storage.index.part_query import RANGED
+from thinpart_workbench.workflow.library.library_search import LibrarySearch
 from thinpart_workbench.storage.part_table import PartRow, measured_row
 from thinpart_workbench.workflow.library.find_parts import PartQuery, find_parts
 from thinpart_workbench.storage.index.written_query import SORTABLE
@@ -41,6 +43,9 @@ with LibraryIndex("library", "cache") as index:
     found = find_parts(index, PartQuery(conditions=search_conditions("Psi > 0.7 and roundness < 0.9")))
     names = sorted(part.file.rpartition("/")[2] for part in found)
     values = [part.roundness for part in found]
+    search, query = LibrarySearch([index]), PartQuery(ranges=(("roundness", 0.7, None),))
+    counts = search.counts(query)
+    ranged = [part.file.rpartition("/")[2] for part in search.find(query, "roundness", True).parts(0, None)]
 definition = json_schema()["properties"]["parts"]["items"]["properties"]["descriptors"]
 row = measured_row("cube.step", record)
 with contextlib.redirect_stdout(io.TextIOWrapper(io.BytesIO(), encoding="utf-8")) as printed:
@@ -54,6 +59,8 @@ print(json.dumps({
     "from_older": descriptors_of(older).value("Psi"),
     "criterion": profile_from(content).criteria[0].check(descriptors_of(record), 1e-4).holds,
     "found": names, "values": values, "sortable": "roundness" in SORTABLE,
+    "is_ranged": "roundness" in RANGED, "ranged": ranged, "counts": counts.histograms["roundness"],
+    "scale": counts.scales["roundness"], "count": counts.count,
     "printed": [json.loads(line)["descriptors"].get("roundness") for line in lines],
     "cell": row.roundness, "titles": PartRow._fields, "listing": listing(),
 }))
@@ -88,6 +95,12 @@ def test_libraries_are_searched_by_it_and_older_files_found(told):
     assert told["found"] == ["cube.step", "older.step"]
     assert told["values"] == pytest.approx([CUBE, CUBE])
     assert told["sortable"] and told["printed"] == [pytest.approx(CUBE), None]
+
+
+def test_the_panel_that_finds_parts_has_a_range_of_it_and_orders_by_it(told):
+    assert told["is_ranged"] and sorted(told["ranged"]) == ["cube.step", "older.step"]
+    assert told["count"] == 2 and sum(told["counts"]) == 3 and told["counts"][0] == 1 and told["counts"][-1] == 2
+    assert 0.1 < told["scale"][0] < 0.3 and told["scale"][1] == pytest.approx(CUBE)
 
 
 def test_tables_and_documents_have_it(told):

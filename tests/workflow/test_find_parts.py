@@ -79,9 +79,9 @@ def test_categories_criteria_and_ranges(index):
         set(found(index, categories=("thin",))) | set(found(index, categories=("normal",))))
     by_first = found(index, criteria=("1",))
     assert by_first and all("1" in part.criteria for part in find_parts(index) if part.label in by_first)
-    assert found(index, least_thickness=1.9, most_thickness=2.1)[0] == "Deckel Süd"
-    assert found(index, least_size=200) == ["long_plate"]
-    assert "long_plate" not in found(index, most_size=200)
+    assert found(index, ranges=(("thinnest_mm", 1.9, 2.1),))[0] == "Deckel Süd"
+    assert found(index, ranges=(("d1_mm", 200, None),)) == ["long_plate"]
+    assert "long_plate" not in found(index, ranges=(("d1_mm", None, 200),))
 
 
 def test_words_are_found_in_paths_labels_and_notes(index):
@@ -127,7 +127,7 @@ def test_conditions_that_make_no_sense_are_answered_with_a_sentence(text):
 
 
 def test_similar_parts_come_first_and_the_part_itself_is_left_out(index):
-    part, = find_parts(index, PartQuery(words="group plate.step", categories=("thin",), most_size=110))
+    part, = find_parts(index, PartQuery(words="group plate.step", categories=("thin",), ranges=(("d1_mm", None, 110),)))
     found = similar_parts([index], made_library.record_of("plate"), 3, excluding=(part.info_file, part.name))
     assert [each.part.label for each in found][:2] == ["Deckel Süd", "long_plate"]
     assert found[0].score == pytest.approx(100) and "same wall distribution" in found[0].reasons

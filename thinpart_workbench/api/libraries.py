@@ -9,7 +9,7 @@ from ..storage.common_folder import common_folder
 from ..storage.index.written_query import part_query
 from ..storage.info.stored_records import info_file_of, select_record, single_record
 from ..workflow.library.find_parts import open_library
-from ..workflow.library.library_search import search
+from ..workflow.library.library_search import LibrarySearch
 from ..workflow.library.similar_parts import similar_parts
 from .classified_parts import ClassifiedPart
 from .found_parts import FoundPart, LibraryProblem, SearchResult
@@ -56,14 +56,15 @@ class Libraries:
         self._stack.close()
 
     def find(self, query, sort="file", descending=False, limit=None):
-        """Find the parts that match a `PartQuery`; see `library_search.search`.
+        """Find the parts that match a `PartQuery`; see `LibrarySearch.find`.
 
         Returns
         -------
         SearchResult
         """
-        answer = search(self.indexes, query, sort, descending, limit)
-        return SearchResult([FoundPart(part) for part in answer.parts], answer.total, self.problems)
+        found = LibrarySearch(self.indexes).find(query, sort, descending)
+        parts = [FoundPart(part) for part in found.parts(0, limit) if part is not None]
+        return SearchResult(parts, len(found), self.problems)
 
     def similar(self, record: PartRecord, count=10, same_size=None, excluding=None):
         """Find the parts most similar to a record, best first; see `similar_parts`.
@@ -140,9 +141,8 @@ def find(roots, category=(), criterion=(), where=(), text="", thickness=(None, N
     # Build the query first, so that invalid arguments are rejected before folders are read.
     query = part_query(
         categories=_texts(category), criteria=tuple(map(str, _texts(criterion))), conditions=where, words=text,
-        least_thickness=thickness[0], most_thickness=thickness[1], least_size=size[0], most_size=size[1],
-        least_ratio=ratio[0], most_ratio=ratio[1], has_notes=has_notes, said=_texts(said), labelled=labelled,
-        disputed=disputed, borderline=borderline, failed=failed, changed_since=changed_since)
+        ranges={"thinnest_mm": thickness, "d1_mm": size, "volume_ratio": ratio}, has_notes=has_notes, said=_texts(said),
+        labelled=labelled, disputed=disputed, borderline=borderline, failed=failed, changed_since=changed_since)
     with _opened(roots, report) as libraries:
         return libraries.find(query, sort, descending, limit)
 

@@ -1,17 +1,14 @@
 """Libraries that stay open: searched again and again without reading them, and refreshed in the background."""
 
 import os
-import time
 from dataclasses import dataclass, field
 from typing import Optional
-
-import numpy as np
 
 from ..storage.index.library_index import LibraryIndex
 from ..storage.index.written_query import part_query
 from ..workflow.library.library_refresh import LibraryRefresh
-from ..workflow.library.part_columns import PartColumns
-from ..workflow.library.similar_parts import similar_parts
+from ..workflow.library.library_search import ChoiceCounts, LibrarySearch
+from ..workflow.library.similar_parts import SimilarPart, similar_parts
 from .found_parts import FoundPart
 
 MOST_SIMILAR = 200
@@ -49,33 +46,22 @@ class LibraryMatches:
     Attributes
     ----------
     count : int
-        Parts found; `OpenLibraries.rows` has them.
-    matching : int
-        Parts that match the query; more than `count` in a search for similar parts.
+        Parts found; `OpenLibraries.rows` has them. Fewer than match the query in a search for similar parts.
     total : int
         Parts and failures in all libraries.
-    categories, criteria, flags : dict of str to int
-        Parts by category, criterion and flag. Each count ignores the query's own filter on it, as do histograms.
-    histograms : dict of str to list of int
-        Parts by thickness, size and ratio, in logarithmic bins over `scales`.
-    scales : dict of str to (float, float)
+    choices : ChoiceCounts
     """
 
     count: int
-    matching: int
     total: int
-    categories: dict[str, int]
-    criteria: dict[str, int]
-    flags: dict[str, int]
-    histograms: dict[str, list[int]]
-    scales: dict[str, tuple[float, float]]
+    choices: ChoiceCounts
 
 
 class OpenLibraries:
-    """Folders of info files whose indexes stay open, with the columns of all parts in memory.
+    """Folders of info files whose indexes stay open.
 
-    A library of 100,000 parts answers within milliseconds. Opening reads what its index had last time; a thread refreshes
-    it meanwhile.
+    A library of 100,000 parts answers in a fifth of a second. At first it has what its index had last time; a thread
+    refreshes it meanwhile.
 
     Parameters
     ----------
@@ -89,9 +75,8 @@ class OpenLibraries:
         self._refresh = LibraryRefresh(post)
         self._indexes: dict[str, LibraryIndex] = {}
         self._states: dict[str, LibraryState] = {}
-        self._columns = PartColumns([])
-        self._rows, self._similar = np.empty(0, np.int64), {}
-        self._loaded, self._load_seconds = 0.0, 0.0
+        self._similar: dict[tuple[str, int], SimilarPart] = {}
+        self._load()
 
     def __contains__(self, root):
         return root in self._indexes
@@ -135,13 +120,11 @@ class OpenLibraries:
         Returns
         -------
         bool
-            Whether it was taken over: not if that would leave the refresh too little time.
+            Whether it was taken over: not if the library was closed meanwhile.
         """
-        # Loading takes longer the larger the library is; this leaves most of the time to the refresh.
-        if root not in self._indexes or time.monotonic() - self._loaded <= 10.0 * self._load_seconds:
-            return False
-        self._load()
-        return True
+        if root in self._indexes:
+            self._load()
+        return root in self._indexes
 
     def refreshed(self, root, index, problems, stopped):
         """Take over the result of a refresh.
@@ -173,7 +156,7 @@ class OpenLibraries:
         conditions : str, or iterable of str or SearchCondition, optional
             As ``where`` of `find`.
         sort : str, optional
-            One of `part_columns.SORTABLE`, or ``score`` for the most similar first.
+            One of `written_query.SORTABLE`, or ``score`` for the most similar first.
         descending : bool, optional
         like : PartRecord, optional
             Only the parts most similar to this one, `MOST_SIMILAR` of those that match.
@@ -195,22 +178,21 @@ class OpenLibraries:
         ThinPartError
             kind ``usage`` if a condition or a date cannot be parsed.
         """
-        selection = self._columns.select(part_query(conditions, failed=failed, **fields))
-        rows, self._similar = selection.rows, {}
+        query = part_query(conditions, failed=failed, **fields)
+        choices = self._search.counts(query)
+        by_score, self._similar, among = sort == "score", {}, None
         if like is not None:
-            rows = self._most_similar(rows, like, excluding, same_size)
-        if sort != "score":
-            rows = self._columns.sorted(rows, sort, descending)
-        self._rows = rows
-        return LibraryMatches(
-            len(rows), len(selection.rows), len(self._columns), selection.categories, selection.criteria, selection.flags,
-            selection.histograms, self._columns.scales)
+            among = self._most_similar(query, like, excluding, same_size)
+        self._found = self._search.find(query, "file" if by_score else sort, descending, among)
+        self._by_score = by_score and like is not None
+        count = choices.count if like is None else len(self._similar)
+        return LibraryMatches(count, sum(state.parts for state in self._states.values()), choices)
 
     def rows(self, start, end):
         """Parts of the last search in their order, list of FoundPart; None for those that are gone since."""
-        rows = self._rows[start:end]
-        return [self._found_part(part, self._similar.get(row))
-                for part, row in zip(self._columns.parts(rows), rows.tolist())]
+        if self._by_score:
+            return [FoundPart(*match) for match in list(self._similar.values())[start:end]]
+        return [self._found_part(part) for part in self._found.parts(start, end)]
 
     def position_of(self, root, info_file, name):
         """Where a part is in the last search.
@@ -227,37 +209,31 @@ class OpenLibraries:
         index = self._indexes.get(root)
         if index is None:
             return None
-        ids = index.query(
+        ids = [number for number, in index.query(
             "SELECT parts.id FROM parts JOIN files ON files.id = parts.file WHERE path = ? AND name IS ?",
-            (os.fsencode(os.path.relpath(info_file, index.root)), name))
-        rows = self._columns.rows_of(list(self._indexes).index(root), [number for number, in ids])
-        positions = np.flatnonzero(np.isin(self._rows, rows))
-        return int(positions[0]) if len(positions) else None
+            (os.fsencode(os.path.relpath(info_file, index.root)), name))]
+        if self._by_score:
+            return next((row for row, key in enumerate(self._similar) if key[0] == index.root and key[1] in ids), None)
+        return self._found.row_of(index, ids)
 
     def root_of(self, part: FoundPart):
         """str: the library of a part, as it was opened."""
         return {index.root: root for root, index in self._indexes.items()}[part.stored.root]
 
     def _load(self):
-        started = time.monotonic()
-        self._columns = PartColumns(self._indexes.values())
-        self._rows, self._similar = np.empty(0, np.int64), {}
-        counts = dict(zip(self._indexes, self._columns.counts))
+        self._search = LibrarySearch(self._indexes.values())
+        self._found, self._similar, self._by_score = self._search.find(part_query()), {}, False
         for root, state in self._states.items():
-            state.parts = counts.get(root, 0)
-        self._loaded = time.monotonic()
-        self._load_seconds = self._loaded - started
+            state.parts = self._search.total(self._indexes[root])
 
-    def _most_similar(self, rows, record, excluding, same_size):
-        indexes = list(self._indexes.values())
-        found = similar_parts(indexes, record, MOST_SIMILAR, same_size, excluding, self._columns.ids_by_index(rows))
-        positions = {index.root: position for position, index in enumerate(indexes)}
-        rows = [int(self._columns.rows_of(positions[match.part.root], [match.part.id])[0]) for match in found]
-        self._similar = {row: match for row, match in zip(rows, found) if row >= 0}
-        return np.array(list(self._similar), dtype=np.int64)
+    def _most_similar(self, query, record, excluding, same_size):
+        """Find the parts most similar to a record; returns their ids by index."""
+        indexes = self._search.indexes
+        found = similar_parts(indexes, record, MOST_SIMILAR, same_size, excluding, self._search.find(query).ids_by_index())
+        self._similar = {(match.part.root, match.part.id): match for match in found}
+        return [[number for root, number in self._similar if root == index.root] for index in indexes]
 
-    @staticmethod
-    def _found_part(part, similar) -> Optional[FoundPart]:
+    def _found_part(self, part) -> Optional[FoundPart]:
         if part is None:
             return None
-        return FoundPart(part) if similar is None else FoundPart(*similar)
+        return FoundPart(*self._similar.get((part.root, part.id), (part,)))

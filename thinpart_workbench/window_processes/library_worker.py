@@ -77,7 +77,7 @@ class LibraryWorker:
         ----------
         serial : int
         query : dict
-            Fields of a PartQuery; ``conditions`` as text, ``changed_since`` as ISO date.
+            Fields of a PartQuery; ``conditions`` as text, ``changed_since`` as ISO date, ``ranges`` by column.
         sort : str
             See `OpenLibraries.find`.
         descending : bool
@@ -94,7 +94,8 @@ class LibraryWorker:
         matches = self._libraries.find(self._conditions, sort=sort, descending=descending, **similar, **query)
         self._serial = serial
         self._send(found={
-            "serial": serial, "refusal": refusal, **vars(matches),
+            "serial": serial, "refusal": refusal, "count": matches.count, "matching": matches.choices.count,
+            "total": matches.total, **{name: value for name, value in vars(matches.choices).items() if name != "count"},
             "current": None if current is None else self._libraries.position_of(*current),
             "rows": self._row_contents(0, FIRST_ROWS),
         })

@@ -57,8 +57,8 @@ def run(options):
     query = part_query(
         passes=named_limits(options.passes, options.limits), fails=named_limits(options.fails, options.limits),
         categories=_names(options.category), criteria=_names(options.criterion),
-        least_thickness=options.min_thickness, most_thickness=options.max_thickness,
-        least_size=options.min_size, most_size=options.max_size,
+        ranges={"thinnest_mm": (options.min_thickness, options.max_thickness),
+                "d1_mm": (options.min_size, options.max_size)},
         conditions=options.where, words=options.text, has_notes=options.notes,
         said=_names(options.said), labelled=options.labelled, disputed=options.disputed, borderline=options.borderline,
         failed=options.failed, changed_since=options.changed_since,

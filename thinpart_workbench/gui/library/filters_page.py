@@ -3,7 +3,9 @@
 from datetime import datetime, timedelta, timezone
 
 from ...core.categories import NORMAL, UNKNOWN
-from ...storage.index.part_query import FAILED
+from ...core.descriptors.descriptor_table import QUANTITIES
+from ...core.length_unit import MILLIMETRE
+from ...storage.index.part_query import FAILED, RANGED
 from ..application.qt import QtCore, QtWidgets, Signal, grouped, translate
 from ..application.sentences import translated
 from ..record.category_marks import colour_icon, group_title
@@ -17,9 +19,6 @@ _LONGEST_TITLE = 36
 
 _TYPING_DELAY = 300
 """Milliseconds after the last key press before the filter is applied."""
-
-_BOUNDS = {"thinnest_mm": ("least_thickness", "most_thickness"), "d1_mm": ("least_size", "most_size"),
-           "volume_ratio": ("least_ratio", "most_ratio")}
 
 
 class FiltersPage(QtWidgets.QWidget):
@@ -54,14 +53,13 @@ class FiltersPage(QtWidgets.QWidget):
             self._category_box(name)
         for name in (str(criterion.id) for criterion in profile.criteria):
             self._criterion_box(name)
-        self._ranges = {
-            "thinnest_mm": RangeFilter("Thinnest", translate("ThinPart", "Thinnest wall, {}"), self),
-            "d1_mm": RangeFilter("Size", translate("ThinPart", "Longest side, {}"), self),
-            "volume_ratio": RangeFilter("Ratio", translate("ThinPart", "V/VBB"), self),
-        }
-        for range_filter in self._ranges.values():
-            range_filter.changed.connect(self.changed)
-            column.addWidget(range_filter)
+        self._unit, self._ranges = MILLIMETRE, {}
+        self._range_column = QtWidgets.QVBoxLayout()
+        column.addLayout(self._range_column)
+        self._add_range("thinnest_mm", "Thinnest", translate("ThinPart", "Thinnest wall, {}"))
+        self._add_range("d1_mm", "Size", translate("ThinPart", "Longest side, {}"))
+        self._add_range("volume_ratio", "Ratio", translate("ThinPart", "V/VBB"))
+        column.addWidget(self._new_quantity_combo())
         self._add_conditions(column)
         self._add_flags(column)
         column.addStretch(1)
@@ -73,9 +71,8 @@ class FiltersPage(QtWidgets.QWidget):
             chosen = [name for name, (box, _) in boxes.items() if box.isChecked()]
             if chosen:
                 query[key] = chosen
-        for name, fields in _BOUNDS.items():
-            query.update({field: value for field, value in zip(fields, self._ranges[name].bounds)
-                          if value is not None})
+        # Those without bounds too: they show where the parts are.
+        query["ranges"] = {name: list(range_filter.bounds) for name, range_filter in self._ranges.items()}
         for name, (box, _) in self._flags.items():
             if box.isChecked():
                 query[name] = True
@@ -115,14 +112,15 @@ class FiltersPage(QtWidgets.QWidget):
                               (self._flags, result["flags"])):
             for name, (box, title) in boxes.items():
                 _show_count(box, title, counts.get(name, 0))
-        for name, range_filter in self._ranges.items():
-            range_filter.show_histogram(result["scales"][name], result["histograms"][name])
+        for name, scale in result["scales"].items():
+            self._ranges[name].show_histogram(scale, result["histograms"][name])
         self.show_refusal(translated(result["refusal"]))
 
     def show_unit(self, unit):
         """Show and accept lengths in a LengthUnit; the query stays the same."""
-        for name in ("thinnest_mm", "d1_mm"):
-            self._ranges[name].show_unit(unit)
+        self._unit = unit
+        for range_filter in self._ranges.values():
+            range_filter.show_unit(unit)
 
     def show_refusal(self, sentence):
         """Show why the conditions are invalid."""
@@ -150,6 +148,35 @@ class FiltersPage(QtWidgets.QWidget):
             "ThinPart", "{} (in searches and tables: {})").format(title, name))
         self._criterion_flow.addWidget(box)
         self._criteria[name] = box, title if len(title) <= _LONGEST_TITLE else f"{title[:_LONGEST_TITLE].rstrip()}\u2026"
+
+    def _add_range(self, name, widget_name, title):
+        self._ranges[name] = RangeFilter(widget_name, title, self)
+        self._ranges[name].show_unit(self._unit)
+        self._ranges[name].changed.connect(self.changed)
+        self._range_column.addWidget(self._ranges[name])
+
+    def _new_quantity_combo(self):
+        """The choice of a further quantity; it then has a range as well."""
+        self._quantity = combo = QtWidgets.QComboBox(self)
+        combo.setObjectName("ThinPart_FindQuantity")
+        combo.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+        combo.setMinimumContentsLength(10)
+        combo.addItem("+ {}\u2026".format(translate("ThinPart", "Quantity")))
+        for quantity in QUANTITIES:
+            if quantity.name in RANGED and quantity.name not in self._ranges:
+                combo.addItem(translated(quantity.meaning), quantity.name)
+        combo.activated.connect(lambda _: self._add_quantity())
+        return combo
+
+    def _add_quantity(self):
+        name = self._quantity.currentData()
+        if name is not None:
+            self._quantity.removeItem(self._quantity.currentIndex())
+            self._quantity.setCurrentIndex(0)
+            quantity = next(quantity for quantity in QUANTITIES if quantity.name == name)
+            title = translated(quantity.meaning).replace("{", "{{").replace("}", "}}")
+            self._add_range(name, name, f"{title}, {{}}" if quantity.unit == "mm" else title)
+            self.changed.emit()
 
     def _add_conditions(self, column):
         row = QtWidgets.QHBoxLayout()

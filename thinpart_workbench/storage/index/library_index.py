@@ -37,9 +37,10 @@ _FILES = {
     "folder": "BLOB", "document": "BLOB", "sha256": "TEXT", "modified": "TEXT", "profile": "TEXT", "words": "TEXT",
 }
 _PARTS = {"file": "INTEGER NOT NULL", **{column.name: column.type for column in INDEXED},
-          "error_kind": "TEXT", "error_message": "TEXT", "error_data": "TEXT"}
+          "error_kind": "TEXT", "error_message": "TEXT", "error_data": "TEXT", "verdict": "INTEGER"}
 _DISTRIBUTIONS = {name: "BLOB" for name in LARGE_COLUMNS}
-"""Columns of the three tables and their types, besides ``id``."""
+_VERDICTS = {"category": "TEXT NOT NULL", "criteria": "TEXT NOT NULL, UNIQUE (category, criteria)"}
+"""Columns of the four tables and their types, besides ``id``. Parts are counted by verdicts, which many of them share."""
 
 Refreshed = namedtuple("Refreshed", "files changed removed unreachable warning")
 """Numbers of info files found, reread and removed; messages about folders that could not be listed, whose
@@ -126,6 +127,20 @@ class LibraryIndex:
         """The rows of a SELECT, list of tuple."""
         return self._with_database(lambda: self._open().execute(sql, values).fetchall())
 
+    def keep_ids(self, sql, values=()):
+        """Keep the ids that a SELECT finds, in the table ``kept_ids``, until it is closed or others are kept."""
+        def keep():
+            with self._open() as database:
+                database.execute("CREATE TEMP TABLE IF NOT EXISTS kept_ids (id INTEGER PRIMARY KEY)")
+                database.execute("DELETE FROM kept_ids")
+                database.execute(f"INSERT INTO kept_ids {sql}", values)
+
+        self._with_database(keep)
+
+    def relative_to(self, outer):
+        """Path of its folder below that of another index, bytes."""
+        return os.fsencode(os.path.relpath(self.root, outer.root))
+
     def _open(self):
         if self._connection is None:
             try:
@@ -179,6 +194,9 @@ class LibraryIndex:
                     _insert(database, *row)
             if report is not None:
                 report(start + len(batch), len(changed))
+        with database:
+            database.execute(
+                "DELETE FROM verdicts WHERE NOT EXISTS (SELECT 1 FROM parts WHERE parts.verdict = verdicts.id)")
         return len(changed), len(gone)
 
     @staticmethod
@@ -218,12 +236,13 @@ def _connect(path):
     try:
         database.execute("PRAGMA journal_mode = WAL")
         database.execute("PRAGMA synchronous = NORMAL")
+        database.execute("PRAGMA temp_store = MEMORY")
         database.create_function("wall_share", 4, wall_share, deterministic=True)
         database.create_function("middle_share", 12, middle_share, deterministic=True)
         database.create_function("least_slanted", 6, least_slanted, deterministic=True)
         database.create_function("walls_pass", 13, packed_walls_pass, deterministic=True)
         tables, = database.execute("SELECT count(*) FROM sqlite_master WHERE type = 'table'").fetchone()
-        if tables < 3:
+        if tables < 4:
             with database:
                 database.execute("BEGIN IMMEDIATE")
                 for statement in _schema():
@@ -235,11 +254,12 @@ def _connect(path):
 
 
 def _schema():
-    for table, columns in (("files", _FILES), ("parts", _PARTS), ("distributions", _DISTRIBUTIONS)):
+    for table, columns in (
+            ("files", _FILES), ("parts", _PARTS), ("distributions", _DISTRIBUTIONS), ("verdicts", _VERDICTS)):
         listed = ", ".join(f"{name} {kind}" for name, kind in columns.items())
         yield f"CREATE TABLE IF NOT EXISTS {table} (id INTEGER PRIMARY KEY, {listed})"
     yield "CREATE INDEX IF NOT EXISTS parts_by_file ON parts (file)"
-    yield "CREATE INDEX IF NOT EXISTS parts_by_category ON parts (category)"
+    yield "CREATE INDEX IF NOT EXISTS parts_by_verdict ON parts (verdict)"
 
 
 @cache
@@ -285,6 +305,7 @@ def _insert_statement(table, columns):
 _INSERT_FILE = _insert_statement("files", (
     "path", "bytes", "modified_ns", "inode", "folder", "document", "sha256", "modified", "profile", "words"))
 _INSERT_PART = _insert_statement("parts", ("file", *(column.name for column in INDEXED)))
+_VERDICT_PLACES = [[column.name for column in INDEXED].index(name) for name in _VERDICTS]
 _INSERT_LARGE = _insert_statement("distributions", ("id", *LARGE_COLUMNS))
 _INSERT_FAILURE = _insert_statement("parts", ("file", "name", "label", "error_kind", "error_message", "error_data"))
 
@@ -293,6 +314,10 @@ def _insert(database, path, stamp, source_values, rows, failures):
     file = database.execute(_INSERT_FILE, (path, *(stamp or (None, None, None)), *source_values)).lastrowid
     for small, large in rows:
         number = database.execute(_INSERT_PART, (file, *small)).lastrowid
+        verdict = [small[place] for place in _VERDICT_PLACES]
+        database.execute("INSERT OR IGNORE INTO verdicts (category, criteria) VALUES (?, ?)", verdict)
+        database.execute("UPDATE parts SET verdict = (SELECT id FROM verdicts WHERE category = ? AND criteria = ?) "
+                         "WHERE id = ?", (*verdict, number))
         database.execute(_INSERT_LARGE, (number, *large))
     database.executemany(_INSERT_FAILURE, [
         (file, *(value and sql_text(value) for value in (*failure, _message_json(failure[-1]))))

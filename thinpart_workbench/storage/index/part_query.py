@@ -1,6 +1,6 @@
 """Queries to a library: the conditions that parts must meet."""
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from datetime import datetime
 from typing import Optional
 
@@ -14,14 +14,22 @@ from ..record_columns import INDEXED
 FAILED = "failed"
 """The category that stands for documents and parts that could not be analysed."""
 
-LABELLED = "(labels IS NOT NULL)"
-DISPUTED = "(labels IS NOT NULL AND said != ',' || category || ',')"
-"""In SQL: whether people say what a part is, and whether somebody says otherwise than the verdict."""
+RANGED = tuple(column.name for column in INDEXED if column.type in ("REAL", "INTEGER") and column.name != "borderline")
+"""Columns that a query may bound: every quantity that records have, and other numbers."""
+
+FLAGS = {
+    "borderline": "borderline",
+    "has_notes": "(notes != '' OR mesh IS NOT NULL OR link IS NOT NULL)",
+    "labelled": "(said != ',')",
+    "disputed": "(said NOT IN (',', ',' || category || ','))",
+}
+"""In SQL, by field of a query: whether a part is near another category, has an annotation, whether people say what it is,
+and whether somebody says otherwise than the verdict. Of a failure they are unknown."""
 
 MOST_TERMS = 500
 """Conditions, words and names of a query together: SQLite refuses a deeper expression than 1000."""
 
-_LISTS = ("categories", "criteria", "conditions", "passes", "fails", "said")
+_LISTS = ("categories", "criteria", "conditions", "passes", "fails", "said", "ranges")
 
 _COLUMNS = {column.name for column in INDEXED}
 
@@ -34,12 +42,8 @@ class PartQuery:
     ----------
     categories, criteria : tuple of str
         One match is enough; `FAILED` among the categories selects failures.
-    least_thickness, most_thickness : float or None, mm
-        Of the thinnest wall.
-    least_size, most_size : float or None, mm
-        Of the longest side of the box.
-    least_ratio, most_ratio : float or None
-        Of V/VBB.
+    ranges : tuple of (str, float or None, float or None)
+        A column of `RANGED` with its least and its greatest value, each at most once.
     conditions : tuple of SearchCondition
     words : str
         Each word must occur in the path, name, label, notes, mesh settings or link.
@@ -62,12 +66,7 @@ class PartQuery:
 
     categories: tuple = ()
     criteria: tuple = ()
-    least_thickness: Optional[float] = None
-    most_thickness: Optional[float] = None
-    least_size: Optional[float] = None
-    most_size: Optional[float] = None
-    least_ratio: Optional[float] = None
-    most_ratio: Optional[float] = None
+    ranges: tuple = ()
     conditions: tuple = ()
     passes: tuple = ()
     fails: tuple = ()
@@ -80,35 +79,54 @@ class PartQuery:
     failed: Optional[bool] = False
     changed_since: Optional[datetime] = None
 
+    def terms(self):
+        """The filters that are set, in SQL: all of them must hold.
+
+        Returns
+        -------
+        dict of str to (str, list)
+            By column for ``ranges``, by field for the others: a term, and the values for its placeholders. Those that take
+            long come last.
+
+        Raises
+        ------
+        ThinPartError
+            kind ``usage`` for more than `MOST_TERMS`, or a column that has no range.
+        """
+        count = len(self.words.split()) + sum(len(getattr(self, name)) for name in _LISTS)
+        if count > MOST_TERMS:
+            raise ThinPartError(message("The search has {count} conditions, words and names, more than {most}: leave some "
+                                        "out.", count=count, most=MOST_TERMS), "usage")
+        found = {name: list(_TERMS[name](getattr(self, name))) for name in _TERMS}
+        found = {**{column: list(_range(column, least, most)) for column, least, most in self.ranges}, **found}
+        return {name: (f"({' AND '.join(sql for sql, _ in terms)})",
+                       [sql_text(value) if isinstance(value, str) else value for _, values in terms for value in values])
+                for name, terms in found.items() if terms}
+
     def where(self):
-        """The condition in SQL, and the values for its placeholders.
+        """The condition in SQL, and the values for its placeholders: see `terms`.
 
         Returns
         -------
         sql : str
         values : list
-
-        Raises
-        ------
-        ThinPartError
-            kind ``usage`` for more than `MOST_TERMS`.
         """
-        terms = [term for field in fields(self) for term in _TERMS[field.name](getattr(self, field.name))]
-        count = len(self.words.split()) + sum(len(getattr(self, name)) for name in _LISTS)
-        if count > MOST_TERMS:
-            raise ThinPartError(message("The search has {count} conditions, words and names, more than {most}: leave some "
-                                        "out.", count=count, most=MOST_TERMS), "usage")
-        values = [value for _, values in terms for value in values]
-        return (" AND ".join(sql for sql, _ in terms) or "1",
-                [sql_text(value) if isinstance(value, str) else value for value in values])
+        return joined_terms(self.terms().values())
 
 
-def _at_least(column):
-    return lambda value: [] if value is None else [(f"{column} >= ?", [value])]
+def joined_terms(terms):
+    """One condition of several, which all must hold: SQL, and the values for its placeholders."""
+    terms = list(terms)
+    return " AND ".join(sql for sql, _ in terms) or "1", [value for _, values in terms for value in values]
 
 
-def _at_most(column):
-    return lambda value: [] if value is None else [(f"{column} <= ?", [value])]
+def _range(column, least, most):
+    if column not in RANGED:
+        raise ThinPartError(message("There is no quantity {quantity!r}: there are {known}.",
+                                    quantity=column, known=", ".join(RANGED)), "usage")
+    for comparison, bound in ((">=", least), ("<=", most)):
+        if bound is not None:
+            yield f"{column} {comparison} ?", [bound]
 
 
 def _is(true, false):
@@ -178,25 +196,15 @@ def _expression(quantity):
 
 
 _TERMS = {
+    "failed": _is("error_kind IS NOT NULL", "error_kind IS NULL"),
     "categories": _categories,
     "criteria": _criteria,
-    "least_thickness": _at_least("thinnest_mm"),
-    "most_thickness": _at_most("thinnest_mm"),
-    "least_size": _at_least("d1_mm"),
-    "most_size": _at_most("d1_mm"),
-    "least_ratio": _at_least("volume_ratio"),
-    "most_ratio": _at_most("volume_ratio"),
+    **{name: _is(sql, f"NOT {sql}") for name, sql in FLAGS.items()},
+    "said": _said,
+    "changed_since": _changed_since,
+    "words": _words,
     "conditions": _conditions,
     "passes": _walls_pass(True),
     "fails": _walls_pass(False),
-    "words": _words,
-    "has_notes": _is("(notes != '' OR mesh IS NOT NULL OR link IS NOT NULL)",
-                     "(notes = '' AND mesh IS NULL AND link IS NULL)"),
-    "said": _said,
-    "labelled": _is(LABELLED, f"NOT {LABELLED}"),
-    "disputed": _is(DISPUTED, f"NOT {DISPUTED}"),
-    "borderline": _is("borderline = 1", "borderline = 0"),
-    "failed": _is("error_kind IS NOT NULL", "error_kind IS NULL"),
-    "changed_since": _changed_since,
 }
 """By field of a query: a function from its value to SQL terms, each with the values for its placeholders."""

@@ -5,17 +5,16 @@ from datetime import datetime, timedelta, timezone
 
 from ...core.errors import ThinPartError
 from ...core.judging.conditions import search_conditions
-from ..record_columns import INDEXED
-from .part_query import PartQuery
+from .part_query import RANGED, PartQuery
 
-SORTABLE = sorted(column.name for column in INDEXED if column.type in ("REAL", "INTEGER")) + ["file", "label"]
+SORTABLE = [*sorted(RANGED), "borderline", "category", "file", "label"]
 """Columns by which parts can be sorted."""
 
 _AGE = re.compile(r"^(\d{1,6})\s*([hdwy])$")
 _HOURS = {"h": 1, "d": 24, "w": 24 * 7, "y": 24 * 365}
 
 
-def part_query(conditions=(), changed_since=None, **fields):
+def part_query(conditions=(), changed_since=None, ranges=(), **fields):
     """Create a query.
 
     Parameters
@@ -24,6 +23,8 @@ def part_query(conditions=(), changed_since=None, **fields):
         All must hold, as in ``D2/D3 > 6 and F[0;0.05] >= 0.5``.
     changed_since : str or datetime, optional
         See `moment`.
+    ranges : dict of str to (float or None, float or None), optional
+        Least and greatest value by column.
     fields
         The other fields of a `PartQuery`; lists are accepted for tuples.
 
@@ -47,7 +48,8 @@ def part_query(conditions=(), changed_since=None, **fields):
     elif changed_since is not None:
         changed_since = changed_since.astimezone(timezone.utc)
     fields = {key: tuple(value) if isinstance(value, list) else value for key, value in fields.items()}
-    return PartQuery(conditions=tuple(parsed), changed_since=changed_since, **fields)
+    ranges = tuple((column, least, most) for column, (least, most) in dict(ranges).items())
+    return PartQuery(conditions=tuple(parsed), changed_since=changed_since, ranges=ranges, **fields)
 
 
 def moment(text):
