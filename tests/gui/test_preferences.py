@@ -20,9 +20,9 @@ from thinpart_workbench.freecad_adapter.preferences import (
     preferred_analysis,
     set_preference,
 )
+from thinpart_workbench.gui.application import thread_work
 from thinpart_workbench.gui.application.qt import QtGui, QtWidgets
 from thinpart_workbench.gui.folder.settings import stored_settings
-from thinpart_workbench.gui.processes import path_check
 from thinpart_workbench.storage.info.info_file import read_info
 from thinpart_workbench.storage.info.info_location import info_location
 
@@ -391,7 +391,7 @@ def test_a_folder_that_does_not_answer_holds_nobody_up(monkeypatch):
     # A server that is off cannot be had here.
     released, is_folder = threading.Event(), os.path.isdir
     monkeypatch.setattr(os.path, "isdir", lambda path: released.wait(30) if path == "/far/away" else is_folder(path))
-    monkeypatch.setattr(path_check, "PATIENCE", 0.4)
+    monkeypatch.setattr(thread_work, "PATIENCE", 0.4)
     in_preferences(lambda dialog: field(dialog, "InfoFolder").show_value("/far/away"))
     assert notice() == "" and preference("InfoFolder") == "", "the dialog was left before there was an answer"
     window.wait_until(lambda: "has not answered" in notice())

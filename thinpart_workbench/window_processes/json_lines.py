@@ -9,20 +9,26 @@ from contextlib import contextmanager
 
 from ..api.classified_parts import PartFailure
 from ..core.message import restored, with_messages
+from ..system.pipe_input import is_readable
 
 
 class JsonLines:
     """The messages from and to the parent process.
 
+    Parameters
+    ----------
+    in_thread : bool, optional
+        Whether a thread reads them. A process must not have one that is confined later: threads that there are stay free.
+
     Attributes
     ----------
     incoming : queue.Queue
-        Received messages (dict), and None when the parent has closed the pipe or has ended.
+        Messages (dict) that the thread has received, and None when the parent has closed the pipe or has ended.
     ended : threading.Event
         Set at that time, while there may still be messages to be handled.
     """
 
-    def __init__(self):
+    def __init__(self, in_thread=True):
         self.incoming: queue.Queue = queue.Queue()
         self.ended = threading.Event()
         # Output that other code prints to stdout must not mix with the lines.
@@ -30,7 +36,8 @@ class JsonLines:
         os.dup2(2, 1)
         self._out = os.fdopen(pipe, "w", encoding="utf-8")
         self._lock = threading.Lock()
-        threading.Thread(target=self._read_lines, daemon=True).start()
+        if in_thread:
+            threading.Thread(target=self._read_lines, daemon=True).start()
 
     def send(self, **content):
         """Send a message to the parent, with the templates and fields of its `Message` texts; thread-safe.
@@ -42,13 +49,25 @@ class JsonLines:
             self._out.write(line)
             self._out.flush()
 
+    def receive(self, patience=None):
+        """The next message where no thread reads them; None at the end of the input, or after some seconds without any."""
+        line = b""
+        while not line.endswith(b"\n"):
+            # Not buffered: what a buffer holds is not in the pipe, on which the next call waits.
+            byte = os.read(0, 1) if is_readable(0, patience) else b""
+            if not byte:
+                return None
+            line += byte
+        return restored(json.loads(line))
+
     @contextmanager
     def reporting_failures(self):
         """For a ``with`` block: send an exception as ``failure`` and end the process."""
         try:
             yield
         except Exception as error:  # the parent is waiting for an answer
-            self.send(failure=failure_line(error))
+            failure = PartFailure.of_exception(error)
+            self.send(failure={"kind": failure.kind, "message": failure.message})
             self.end(1)
 
     def end(self, status=0):
@@ -65,9 +84,3 @@ class JsonLines:
                 self.incoming.put(restored(json.loads(line)))
         self.incoming.put(None)
         self.ended.set()
-
-
-def failure_line(error):
-    """The ``failure`` of a process that could not do its job: ``kind`` and ``message`` of an exception."""
-    failure = PartFailure.of_exception(error)
-    return {"kind": failure.kind, "message": failure.message}

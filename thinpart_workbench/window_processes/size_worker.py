@@ -11,39 +11,27 @@ The parent stops it by killing it. The shapes may come from an untrusted file, s
 folder.
 """
 
-import json
 import os
-import sys
 
 from ..core.errors import ThinPartError
-from ..core.message import message, restored, with_messages
+from ..core.message import message
 from ..core.problem import problem_of
 from ..system.confinement import confine_running_process
 from ..system.process_limits import limit_memory
-from .json_lines import failure_line
+from .json_lines import JsonLines
 
 
 def main():
     """Answer requests until the parent closes the pipe."""
-    descriptor = os.dup(1)
-    os.dup2(2, 1)  # what FreeCAD prints must not mix with the lines
-    pipe = os.fdopen(descriptor, "w", encoding="utf-8", errors="surrogateescape")
-
-    def send(**line):
-        pipe.write(json.dumps(with_messages(line)) + "\n")
-        pipe.flush()
-
-    try:
-        _serve(send)
-    except Exception as error:  # reported to the parent, whatever its class
-        send(failure=failure_line(error))
-        sys.exit(1)
+    parent = JsonLines(in_thread=False)
+    with parent.reporting_failures():
+        job = parent.receive()
+        if job is not None:
+            _serve(parent, job)
+    parent.end()
 
 
-def _serve(send):
-    job = _next_request()
-    if job is None:
-        return
+def _serve(parent, job):
     from ..freecad_adapter.bootstrap import load_meshing
 
     load_meshing()
@@ -52,10 +40,10 @@ def _serve(send):
     os.chdir(job["folder"])
     confine_running_process(job["folder"], with_programs=True)
     limit_memory(job["megabytes"] * 1024 * 1024)
-    sizes = PartSizes(job["folder"], lambda fraction: send(progress=round(fraction, 3)))
-    send(measured={"record": sizes.record, "gmsh": missing_gmsh(job["gmsh"]), "shell_walls": sizes.shell_walls})
-    while (request := _next_request()) is not None:
-        _answer(send, sizes, job["gmsh"], **request)
+    sizes = PartSizes(job["folder"], lambda fraction: parent.send(progress=round(fraction, 3)))
+    parent.send(measured={"record": sizes.record, "gmsh": missing_gmsh(job["gmsh"]), "shell_walls": sizes.shell_walls})
+    while (request := parent.receive()) is not None:
+        _answer(parent.send, sizes, job["gmsh"], **request)
 
 
 def _answer(send, sizes, gmsh, number, settings=None, sizes_wanted=(), mesh=False, shell=None):
@@ -71,11 +59,6 @@ def _answer(send, sizes, gmsh, number, settings=None, sizes_wanted=(), mesh=Fals
     except OSError as error:
         send(refused=message("Temporary files cannot be written ({problem}): free some disk space. Nothing was meshed.",
                              problem=problem_of(error)), number=number)
-
-
-def _next_request():
-    line = sys.stdin.readline()
-    return restored(json.loads(line)) if line else None
 
 
 if __name__ == "__main__":

@@ -17,17 +17,13 @@ an untrusted file, so from the job on the process can only write into the snapsh
 restrict that.
 """
 
-import json
 import os
-import sys
 from contextlib import ExitStack, closing
 
 from ..api.classified_parts import PartFailure
-from ..core.message import restored, with_messages
 from ..system.confinement import confine_running_process
-from ..system.pipe_input import is_readable
 from ..system.process_limits import limit_memory
-from .json_lines import failure_line
+from .json_lines import JsonLines
 
 PATIENCE = 600.0
 """Seconds without a job after which the process ends; loading the modules again takes less than one."""
@@ -35,23 +31,16 @@ PATIENCE = 600.0
 
 def main():
     """Measure one snapshot."""
-    pipe = _private_stdout()
-
-    def send(**line):
-        pipe.write(json.dumps(with_messages(line), ensure_ascii=False) + "\n")
-        pipe.flush()
-
-    try:
+    parent = JsonLines(in_thread=False)
+    with parent.reporting_failures():
         snapshots = _load()
-        request = _read_request()
-        if request:
-            _measure(request, snapshots, send)
-    except Exception as error:  # reported to the parent, whatever its class
-        send(failure=failure_line(error))
-        sys.exit(1)
+        request = parent.receive(PATIENCE)
+        if request is not None:
+            _measure(request, snapshots, parent)
+    parent.end()
 
 
-def _measure(request, snapshots, send):
+def _measure(request, snapshots, parent):
     folder, megabytes = request["folder"], request["megabytes"]
     os.chdir(folder)
     with ExitStack() as stack:
@@ -60,10 +49,10 @@ def _measure(request, snapshots, send):
             pages = stack.enter_context(closing(_new_report(folder, request["report"])))
         confine_running_process(folder, *([request["report"]["output"]] if pages else []))
         limit_memory(megabytes * 1024 * 1024)
-        _send_results(folder, megabytes, snapshots, send, pages)
+        _send_results(folder, megabytes, snapshots, parent, pages)
         if pages:
             pages.finish()
-    send(done=True)
+    parent.send(done=True)
 
 
 def _new_report(folder, wanted):
@@ -75,12 +64,14 @@ def _new_report(folder, wanted):
     return OpenDocumentReport(job["settings"], job["profile"], **wanted)
 
 
-def _send_results(folder, megabytes, snapshots, send, pages):
+def _send_results(folder, megabytes, snapshots, parent, pages):
+    send = parent.send
 
     def report(part, stage, fraction):
         send(progress={"part": part, "stage": stage, "fraction": round(fraction, 4)})
 
-    for found in snapshots.measure_snapshot(folder, megabytes, report, _wait_for_end_of_input, pages):
+    # The window closes the pipe once it has written the feature history, which it does while idle.
+    for found in snapshots.measure_snapshot(folder, megabytes, report, parent.receive, pages):
         if isinstance(found, PartFailure):
             send(failure={"part": found.part, "label": found.label, "kind": found.kind, "message": found.message})
         elif isinstance(found, snapshots.SnapshotMap):
@@ -101,32 +92,6 @@ def _load():
     from ..api import snapshots
 
     return snapshots
-
-
-def _read_request():
-    """Read the request; None if none comes. Further input stays in the pipe."""
-    line = b""
-    while not line.endswith(b"\n"):
-        if not is_readable(0, PATIENCE):
-            return None
-        byte = os.read(0, 1)
-        if not byte:
-            return None
-        line += byte
-    return restored(json.loads(line))
-
-
-def _wait_for_end_of_input():
-    """Wait until the window has written the feature history, which it does while idle."""
-    while os.read(0, 4096):
-        pass
-
-
-def _private_stdout():
-    """The pipe to the parent; output that FreeCAD prints to stdout is redirected to stderr."""
-    descriptor = os.dup(1)
-    os.dup2(2, 1)
-    return os.fdopen(descriptor, "w", encoding="utf-8", errors="surrogateescape")
 
 
 if __name__ == "__main__":

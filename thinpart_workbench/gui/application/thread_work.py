@@ -1,19 +1,39 @@
-"""Work in a thread beside that of the window, for arithmetic too long for the window and too short for a process."""
+"""Work in a thread beside that of the window: arithmetic too long for the window and too short for a process, and paths that
+may be on another computer."""
 
 import gc
 import queue
 import threading
+import time
 
 from .qt import QtCore, QtWidgets
 
-_POLL_INTERVAL = 50
+PATIENCE = 10.0
+"""Seconds after which a path counts as unreachable."""
+
+_POLL_INTERVAL = 20
 """Milliseconds between two looks at a thread."""
 
 _running = 0
-"""Threads that work."""
+"""Threads that are waited for."""
 
 
-def work_in_thread(work, done):
+def check_path_in_thread(check, callback, parent=None):
+    """Check a path in a thread, so that FreeCAD can quit even while the thread waits for a lost network share.
+
+    Parameters
+    ----------
+    check : callable
+        Without arguments; returns anything but None.
+    callback : callable
+        Called in the thread of the window with the result, or with None where there was none in time.
+    parent : QObject, optional
+        See `work_in_thread`.
+    """
+    work_in_thread(check, lambda found: callback(None if isinstance(found, Exception) else found), parent, PATIENCE)
+
+
+def work_in_thread(work, done, parent=None, patience=None):
     """Do some work in a thread.
 
     Parameters
@@ -22,6 +42,10 @@ def work_in_thread(work, done):
         Without arguments; uses nothing of Qt or FreeCAD, and ends.
     done : callable
         Called in the thread of the window with what the work has returned, or with the Exception that it has raised.
+    parent : QObject, optional
+        Once it is deleted, `done` is not called any more.
+    patience : float, optional
+        Seconds after which `done` is called with a TimeoutError, while the work goes on in vain.
 
     Notes
     -----
@@ -30,6 +54,9 @@ def work_in_thread(work, done):
     """
     global _running
     results, timer = queue.SimpleQueue(), QtCore.QTimer(QtWidgets.QApplication.instance(), interval=_POLL_INTERVAL)
+    end, gone = None if patience is None else time.monotonic() + patience, []
+    if parent is not None:
+        parent.destroyed.connect(lambda *_: gone.append(True))
 
     def run():
         try:
@@ -39,14 +66,15 @@ def work_in_thread(work, done):
 
     def poll():
         global _running
-        if thread.is_alive():
+        if thread.is_alive() and (end is None or time.monotonic() < end):
             return
         timer.stop()
         timer.deleteLater()
         _running -= 1
         if not _running:
             gc.enable()
-        done(results.get_nowait())
+        if not gone:
+            done(TimeoutError() if results.empty() else results.get_nowait())
 
     thread = threading.Thread(target=run, daemon=True)
     timer.timeout.connect(poll)

@@ -8,8 +8,8 @@ from ..application import lifelong
 from ..application.length_unit import length_unit
 from ..application.qt import QtCore, QtGui, QtWidgets, Signal, execute, translate
 from ..application.sentences import translated
+from ..application.thread_work import check_path_in_thread
 from ..document.open_part import DANGEROUS, confirm_dangerous_open, open_part
-from ..processes.path_check import check_path_in_thread
 from ..processes.request_queue import LABEL
 from ..record.label_button import LabelButton
 from ..widgets.confirmation import may_overwrite

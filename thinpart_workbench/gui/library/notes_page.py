@@ -6,7 +6,7 @@ from ...api.annotations import link_address
 from ...core.errors import ThinPartError
 from ..application.qt import QtCore, QtGui, QtWidgets, Signal, translate
 from ..application.sentences import translated
-from ..processes.path_check import check_path_in_thread
+from ..application.thread_work import check_path_in_thread
 from ..record.record_view import show_text, text_line
 from ..widgets.confirmation import is_confirmed
 from ..widgets.push_button import add_button

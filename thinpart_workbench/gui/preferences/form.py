@@ -9,8 +9,8 @@ from ...storage.user_limits import limits_named
 from ..application import lifelong
 from ..application.qt import QtCore, QtWidgets, translate, translated_mark
 from ..application.sentences import translated
+from ..application.thread_work import PATIENCE, check_path_in_thread
 from ..guide.command import lead_to_guide
-from ..processes.path_check import PATIENCE, check_path_in_thread
 from ..record.record_view import show_text, text_line
 from ..widgets.controls import prepare_controls
 from ..widgets.push_button import add_button
@@ -185,8 +185,8 @@ def _store_folder(name, folder):
         else:
             set_preference(name, folder)
 
-    # The application is the parent, because the page may be deleted by then.
-    check_path_in_thread(lambda: _folder_problem(folder), on_answer, QtWidgets.QApplication.instance())
+    # Without a parent, because the page may be deleted by then.
+    check_path_in_thread(lambda: _folder_problem(folder), on_answer)
 
 
 def _folder_problem(folder):

@@ -2,7 +2,6 @@
 
 import sys
 import time
-from collections import deque
 
 from ...freecad_adapter.python_beside_freecad import python_environment
 from ...system.exit_cause import ProcessEnd
@@ -107,7 +106,7 @@ class ChildProcess(QtCore.QObject):
         if folder is not None:
             process.setWorkingDirectory(folder)
         self._has_ended, self._rest = False, b""
-        self._last_words, self._kept_bytes = deque(), 0
+        self._last_words = b""
         # Set this first: `errorOccurred` may be emitted before `QProcess.start` returns.
         self._process = process
         process.started.connect(lambda: _step_back(process))
@@ -206,7 +205,9 @@ class ChildProcess(QtCore.QObject):
             self._end(process)
 
     def _read_errors(self, process):
-        *lines, self._rest = (self._rest + self._keep(bytes(process.readAllStandardError()))).split(b"\n")
+        output = bytes(process.readAllStandardError())
+        self._last_words = (self._last_words + output)[-LAST_WORDS:]
+        *lines, self._rest = (self._rest + output).split(b"\n")
         for line in lines:
             if self._process is process:
                 self.error_line.emit(_without_line_end(line))
@@ -218,20 +219,13 @@ class ChildProcess(QtCore.QObject):
                 signal.emit(rest)
         self._rest = b""
 
-    def _keep(self, output):
-        self._last_words.append(output)
-        self._kept_bytes += len(output)
-        while self._kept_bytes - len(self._last_words[0]) >= LAST_WORDS:
-            self._kept_bytes -= len(self._last_words.popleft())
-        return output
-
     def _on_finished(self, *_):
         self._has_ended = True
         self._slice_timer.start(0)
 
     def _end(self, process):
         self._release()
-        end = ProcessEnd(_exit_code(process), b"".join(self._last_words)[-LAST_WORDS:])
+        end = ProcessEnd(_exit_code(process), self._last_words)
         process.deleteLater()
         self.released.emit()
         self.ended.emit(end)

@@ -52,7 +52,7 @@ class Conversation(ChildProcess):
         self.failure = None
         self.line.connect(self._on_line)
         self.ended.connect(lambda end: self.finished.emit(self._sentence(end)))
-        self.failed_to_start.connect(lambda: self.finished.emit(self._not_started()))
+        self.failed_to_start.connect(lambda: self.finished.emit(self.not_started()))
 
     def start(self, folder=None):
         """Start the process; see `ChildProcess.start`."""
@@ -84,7 +84,8 @@ class Conversation(ChildProcess):
         else:
             self.received.emit(content)
 
-    def _not_started(self):
+    def not_started(self):
+        """The sentence for a process that cannot be started."""
         return translate("ThinPart", "The worker process could not be started.")
 
     def _sentence(self, end):

@@ -4,12 +4,11 @@ import os
 import shutil
 import tempfile
 
-from ...core.errors import ThinPartError
-from ...core.problem import NOT_WRITTEN_BY_FREECAD, problem_of
 from ...freecad_adapter.objects.snapshot import write_snapshot
 from ..application.qt import QtCore, Signal, translate
 from ..application.sentences import translated
 from .conversation import Conversation
+from .snapshot_job import disk_full_error
 
 
 class SizeClient(QtCore.QObject):
@@ -80,9 +79,7 @@ class SizeClient(QtCore.QObject):
             list(write_snapshot([part], self.folder, settings, profile))
         except Exception as error:  # FreeCAD raises its own exception classes where a disk is full
             self.end()
-            raise ThinPartError(translate(
-                "ThinPart", "Temporary files cannot be written ({}): free some disk space. Nothing was measured."
-            ).format(translated(problem_of(error, NOT_WRITTEN_BY_FREECAD))), "failed") from None
+            raise disk_full_error(error) from None
         self.restart()
 
     def restart(self):

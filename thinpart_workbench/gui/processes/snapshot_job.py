@@ -3,12 +3,9 @@
 import shutil
 import tempfile
 
-import FreeCAD as App
-
 from ...core.errors import ThinPartError
 from ...core.problem import NOT_WRITTEN_BY_FREECAD, problem_of
 from ...freecad_adapter.objects.snapshot import write_snapshot
-from ...system.exit_cause import ExitCause
 from ..application import lifelong
 from ..application.qt import QtCore, Signal, call_later, translate
 from ..application.sentences import translated
@@ -52,7 +49,7 @@ class SnapshotJob(QtCore.QObject):
         self._megabytes = megabytes
         self._request = {"megabytes": megabytes, **({} if report is None else {"report": report})}
         self._folder = None
-        self._process = self._failure = None
+        self._process = None
         self._pending_shapes = iter(())
 
     @property
@@ -79,16 +76,16 @@ class SnapshotJob(QtCore.QObject):
             process.end_now()
             process.deleteLater()
             self._remove_folder()
-            raise ThinPartError(_disk_full_text(error), "failed") from None
+            raise disk_full_error(error) from None
         if not process.is_running:
             self._remove_folder()
-            raise ThinPartError(_not_started_text(), "failed")
+            raise ThinPartError(process.not_started(), "failed")
         process.setParent(self)
         process.received.connect(self._on_message)
-        process.ended.connect(self._on_ended)
-        process.failed_to_start.connect(lambda: self.ended.emit(_not_started_text()))
+        process.finished.connect(self.ended)
         process.released.connect(self._on_released)
         self._process = process
+        process.megabytes = self._megabytes
         process.send(folder=self._folder, **self._request)
         call_later(self, self._write_next_shape)
 
@@ -102,7 +99,7 @@ class SnapshotJob(QtCore.QObject):
             self._process.close_input()
         except Exception as error:  # FreeCAD raises its own exception classes where a disk is full
             self.stop()
-            self.ended.emit(_disk_full_text(error))
+            self.ended.emit(disk_full_error(error).args[0])
         else:
             call_later(self, self._write_next_shape)
 
@@ -128,32 +125,13 @@ class SnapshotJob(QtCore.QObject):
             name = message["record"]["name"] if kind == "record" else message["failure"]["part"]
             self.measured.emit(name)
 
-    def _on_ended(self, end):
-        App.Console.PrintLog(end.text + "\n")
-        self.ended.emit(self._reason(end))
-
     def _on_released(self):
         """Clean up after the process, and prepare the next one."""
         process, self._process = self._process, None
-        self._failure = process.failure
         process.deleteLater()
         self._pending_shapes = iter(())
         self._remove_folder()
         lifelong.standby_worker.prepare_next()
-
-    def _reason(self, end):
-        failure = self._failure or {}
-        if failure.get("kind") == "memory" or end.cause(is_done=False) is ExitCause.OUT_OF_MEMORY:
-            return translate(
-                "ThinPart", "Measuring needs more than {} MB of memory: raise the limit in the "
-                "preferences.",
-            ).format(self._megabytes)
-        if failure:
-            return translated(failure["message"])
-        return translate(
-            "ThinPart", "The measuring process ended unexpectedly; the document is unharmed. Check the part with "
-                        "'Check geometry' of the Part workbench.",
-        )
 
     def _remove_folder(self):
         if self._folder is not None:
@@ -161,11 +139,8 @@ class SnapshotJob(QtCore.QObject):
             self._folder = None
 
 
-def _not_started_text():
-    return translate("ThinPart", "The measuring process could not be started.")
-
-
-def _disk_full_text(error):
-    return translate(
+def disk_full_error(error):
+    """ThinPartError for a snapshot that could not be written: FreeCAD raises its own exception classes."""
+    return ThinPartError(translate(
         "ThinPart", "Temporary files cannot be written ({}): free some disk space. Nothing was measured."
-    ).format(translated(problem_of(error, NOT_WRITTEN_BY_FREECAD)))
+    ).format(translated(problem_of(error, NOT_WRITTEN_BY_FREECAD))), "failed")

@@ -2,16 +2,48 @@
 
 import tempfile
 
+import FreeCAD as App
+
 from ...core.errors import ThinPartError
 from ...freecad_adapter.python_beside_freecad import python_environment
-from ..application.qt import QtCore, QtWidgets
+from ...system.exit_cause import ExitCause
+from ..application.qt import QtCore, QtWidgets, translate
+from ..application.sentences import translated
 from .conversation import Conversation
 from .freecad_python import python_program
 
-WORKER = "snapshot_worker"
-
 _DELAY = 300
 """Milliseconds from the last job to starting the next process, which leaves the GUI time to update."""
+
+
+class MeasuringProcess(Conversation):
+    """A process that measures a snapshot.
+
+    Attributes
+    ----------
+    megabytes : int
+        Limit of its address space, for the sentence about a lack of memory.
+    """
+
+    megabytes = 0
+
+    def __init__(self):
+        super().__init__("snapshot_worker", QtWidgets.QApplication.instance(), patience=0.0)
+
+    def not_started(self):
+        """The sentence for a process that cannot be started."""
+        return translate("ThinPart", "The measuring process could not be started.")
+
+    def _sentence(self, end):
+        App.Console.PrintLog(end.text + "\n")
+        failure = self.failure or {}
+        if failure.get("kind") == "memory" or end.cause(is_done=False) is ExitCause.OUT_OF_MEMORY:
+            return translate("ThinPart", "Measuring needs more than {} MB of memory: raise the limit in the "
+                                         "preferences.").format(self.megabytes)
+        if failure:
+            return translated(failure["message"])
+        return translate("ThinPart", "The measuring process ended unexpectedly; the document is unharmed. Check the part "
+                                     "with 'Check geometry' of the Part workbench.")
 
 
 class StandbyWorker:
@@ -33,7 +65,7 @@ class StandbyWorker:
 
         Returns
         -------
-        Conversation
+        MeasuringProcess
             Started, with no signals connected. The caller becomes its owner.
 
         Raises
@@ -77,7 +109,7 @@ class StandbyWorker:
 
     def _start_process(self):
         self._environment = _current_environment()
-        self._process = Conversation(WORKER, QtWidgets.QApplication.instance(), patience=0.0)
+        self._process = MeasuringProcess()
         self._process.start(folder=tempfile.gettempdir())
 
 
