@@ -76,9 +76,11 @@ def test_a_process_that_is_killed_is_replaced_and_only_its_request_is_lost(new_q
     assert not done.sentence and label(infos[0]) == [("Anna", "thin")]
 
 
-def test_a_folder_that_does_not_answer_holds_up_others_only_for_a_time(new_queue, infos):
+def test_a_process_that_hangs_holds_up_others_only_for_a_time(new_queue, infos):
     queue, handle = new_queue(patience=20.0), held(infos[1].parent)
     lost, done = keep(queue, infos[1], "thin"), keep(queue, infos[0], "thin")
+    window.wait_until(lambda: window.workers(WORKER))
+    os.kill(window.workers(WORKER)[0], signal.SIGSTOP)  # as on a share that is gone
     window.wait_until(lambda: not queue.is_busy)
     os.close(handle)
     assert "has not answered for 20 s" in lost.sentence and label(infos[1]) == []
