@@ -4,7 +4,7 @@ from contextlib import contextmanager
 from unittest import mock
 
 from thinpart_workbench.core.analysis_limits import Limits
-from thinpart_workbench.workflow.workers import worker_pool
+from thinpart_workbench.workflow.workers import task_run
 from thinpart_workbench.workflow.workers.pool_supervisor import PoolSupervisor
 from thinpart_workbench.workflow.workers.worker_pool import file_analyser
 
@@ -33,5 +33,5 @@ def run_workers(do, folder, seconds, confine=True):
         made.append(PoolSupervisor(count, seconds, str(folder), do, *start, confine=confine))
         return made[0]
 
-    with mock.patch.object(worker_pool, "PoolSupervisor", workers), file_analyser(Limits()):
+    with mock.patch.object(task_run, "PoolSupervisor", workers), file_analyser(Limits()):
         yield made[0]

@@ -14,6 +14,7 @@ PACKAGES_VARIABLE = "THINPART_PYTHON_PACKAGES"
 
 _MODULE_OF = {
     "AnalysisSettings": "core.analysis_settings",
+    "Cancelled": "core.errors",
     "ClassifiedPart": "api.classified_parts",
     "ClassifiedParts": "api.classified_parts",
     "LearnedProfile": "workflow.learning.learn_profile",

@@ -5,14 +5,15 @@ import json
 import pytest
 
 from thinpart_workbench.core.errors import ThinPartError
-from thinpart_workbench.core.judging.wall_limits import FORMAT, chosen_limits, read_limits, shipped_limits
+from thinpart_workbench.core.judging.wall_limits import chosen_limits, read_limits, shipped_limits
+from thinpart_workbench.core.kinds.file_marks import LIMITS
 from thinpart_workbench.storage.user_limits import known_limits, limits_named, user_limits_file
 
 FDM = {"id": "FDM", "title": "Our FDM", "min_mm": 1.2, "max_mm": None}
 
 
 def table(*processes, **changes):
-    return {"format": FORMAT, "version": 1, "processes": list(processes), **changes}
+    return {"format": LIMITS.format, "version": 1, "processes": list(processes), **changes}
 
 
 def written(path, content):

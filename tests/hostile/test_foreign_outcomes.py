@@ -4,12 +4,16 @@ import copy
 import json
 
 import pytest
+from forged_workers import ForgedWorkers
 from made_library import record_of
 from program import SAMPLES
 
+from thinpart_workbench.core.analysis_limits import Limits
 from thinpart_workbench.workflow.analysis.analyse_file import FileTask, analyse_file
 from thinpart_workbench.workflow.analysis.analysis_outcome import checked_outcome
 from thinpart_workbench.workflow.analysis.result_files import write_results
+from thinpart_workbench.workflow.workers import task_run
+from thinpart_workbench.workflow.workers.worker_pool import analyse_files
 
 
 @pytest.fixture(scope="module")
@@ -31,6 +35,17 @@ def _with(value, *keys):
     return change
 
 
+@pytest.fixture
+def answered(monkeypatch):
+    """What becomes of a file whose worker answers with something."""
+    def answered(answer):
+        monkeypatch.setattr(task_run, "PoolSupervisor", ForgedWorkers.that_answer(answer))
+        outcome, = analyse_files([FileTask("a.step")], Limits())
+        return outcome
+
+    return answered
+
+
 BAD = [_without("parts"), _without("failures"), _without("seconds"), _with("x", "parts"), _with([1], "parts"),
        _with(None, "unwritten", "source"), _with("../../etc", "unwritten", "source", "sha256"), _with([], "unwritten"),
        _with({"kind": "unknown", "message": "x"}, "error"), _with("x", "error"), _with(-1, "seconds"),
@@ -38,17 +53,17 @@ BAD = [_without("parts"), _without("failures"), _without("seconds"), _with("x", 
 
 
 @pytest.mark.parametrize("change", BAD)
-def test_what_is_no_outcome_is_a_failure_of_the_file(honest, change):
+def test_what_is_no_outcome_is_a_failure_of_the_file(honest, answered, change):
     outcome = copy.deepcopy(honest)
     change(outcome)
-    checked = checked_outcome(FileTask("a.step"), outcome)
+    checked = answered(outcome)
     assert checked["file"] == "a.step" and checked["error"]["kind"] == "failed"
-    assert checked["error"]["message"].startswith("a.step failed: its result cannot be stored (")
+    assert checked["error"]["message"].startswith("a.step failed: its result cannot be used (")
 
 
 @pytest.mark.parametrize("outcome", [None, 1, "x", [], [[]], {}, {"error": None}, {"parts": {}}])
-def test_what_is_anything_at_all_is_a_failure_too(outcome):
-    assert checked_outcome(FileTask("a.step"), outcome)["error"]["kind"] == "failed"
+def test_what_is_anything_at_all_is_a_failure_too(answered, outcome):
+    assert answered(outcome)["error"]["kind"] == "failed"
 
 
 def test_an_honest_outcome_is_taken_for_the_file_that_was_asked_for(honest, tmp_path, monkeypatch):
@@ -66,10 +81,11 @@ def test_a_picture_that_is_none_is_left_out(honest, tmp_path, monkeypatch, drawn
     outcome = copy.deepcopy(honest)
     outcome["unwritten"]["drawn"] = drawn
     task = FileTask(str(SAMPLES / "plate.step"), str(tmp_path / "plate.step.thinpart.json"))
-    written = write_results(task, checked_outcome(task, outcome))
     if drawn is None:
-        assert written["error"]["kind"] == "failed"
+        with pytest.raises(ValueError, match="drawn"):
+            checked_outcome(task, outcome)
     else:
+        written = write_results(task, checked_outcome(task, outcome))
         assert written["failures"] == [] and (tmp_path / "plate.step.thinpart.json").exists()
     assert not list((tmp_path / "cache").rglob("*.png"))
 

@@ -4,10 +4,9 @@ import copy
 import io
 import json
 import shutil
-from collections import deque
-from concurrent.futures import Future
 
 import pytest
+from forged_workers import ForgedWorkers
 from program import SAMPLES
 
 from thinpart_workbench.api.mesh_sizes import write_shell_file, write_size_script
@@ -18,11 +17,11 @@ from thinpart_workbench.core.errors import ThinPartError
 from thinpart_workbench.core.judging.criteria import load_profile
 from thinpart_workbench.core.shells.shell_settings import ShellSettings
 from thinpart_workbench.core.sizing.sizing_settings import SizingSettings
-from thinpart_workbench.workflow.maps import map_run
 from thinpart_workbench.workflow.meshing import size_run
 from thinpart_workbench.workflow.meshing.gmsh_program import gmsh_program
 from thinpart_workbench.workflow.meshing.size_result import known_values, sizes_fault
 from thinpart_workbench.workflow.meshing.size_task import SizeTask
+from thinpart_workbench.workflow.workers import task_run
 
 VALUES = (None, True, -1, 0, 1e300, "", "\ud800", [], {}, "=1+1")
 
@@ -112,33 +111,13 @@ def test_what_has_no_fault_can_be_used(honest, tmp_path, capsys):
     assert tried > 1000 and used > 100
 
 
-class Forged:
-    """Workers that say what they were made to say."""
-
-    answer: object = None
-
-    def __init__(self, *_arguments, **_options):
-        self.confinement = None
-
-    def run(self, pending, control, meanwhile=()):
-        for task in deque(pending):
-            future: Future = Future()
-            future.set_result(copy.deepcopy(self.answer))
-            yield future, task
-
-    def stop(self):
-        """Nothing to stop."""
-
-
 @pytest.fixture
 def said(monkeypatch, tmp_path, capfd):
     """The status and the words of a command whose worker answers with something."""
     monkeypatch.setenv("THINPART_CACHE", str(tmp_path / "cache"))
-    monkeypatch.setattr(size_run, "PoolSupervisor", Forged)
-    monkeypatch.setattr(map_run, "PoolSupervisor", Forged)
 
     def run(answer, *arguments):
-        monkeypatch.setattr(Forged, "answer", answer)
+        monkeypatch.setattr(task_run, "PoolSupervisor", ForgedWorkers.that_answer(answer))
         status = main([str(each) for each in arguments])
         output = capfd.readouterr()
         assert "Traceback" not in output.out + output.err

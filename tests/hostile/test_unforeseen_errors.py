@@ -12,7 +12,7 @@ from thinpart_workbench.core.message import Message, message
 from thinpart_workbench.core.problem import UNEXPECTED, problem_of
 from thinpart_workbench.workflow.analysis import analyse_part
 from thinpart_workbench.workflow.analysis.analyse_file import FileTask
-from thinpart_workbench.workflow.workers.reading import process_task
+from thinpart_workbench.workflow.workers.reading import analysed, answer
 
 SECRET = "x must consist of vectors of length 3 but has shape (0,) at 0x7f00"
 
@@ -74,7 +74,7 @@ def raises(error):
 def test_a_file_that_fails_has_a_sentence_for_people(monkeypatch, tmp_path, two_boxes, place, error):
     info_file = tmp_path / "two_boxes.step.thinpart.json"
     monkeypatch.setattr(place, raises(error))
-    outcome = process_task(FileTask(str(two_boxes), str(info_file)))
+    outcome = answer(analysed, FileTask(str(two_boxes), str(info_file)))
     told = [outcome["error"]] if "error" in outcome else outcome["failures"]
     assert told and all("two_boxes" in each["message"] and not has_inside(each["message"]) for each in told)
     assert not has_inside(json.dumps(told))
@@ -93,7 +93,7 @@ def test_a_part_that_fails_does_not_lose_the_verdicts_of_the_others(monkeypatch,
         return whole(mesh, *arguments, **named)
 
     monkeypatch.setattr(analyse_part, "measure", fails_at_the_small_one)
-    outcome = process_task(FileTask(str(two_boxes)))
+    outcome = answer(analysed, FileTask(str(two_boxes)))
     assert [part["category"] for part in outcome["parts"]] == ["normal"]
     assert [(each["label"], each["kind"]) for each in outcome["failures"]] == [("two_boxes (2)", "failed")]
     assert SECRET in capfd.readouterr().err  # for whoever looks for the cause

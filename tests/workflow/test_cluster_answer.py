@@ -7,8 +7,11 @@ import pickle
 import pytest
 from made_library import record_of
 
+from thinpart_workbench.workflow.analysis.analyse_file import FileTask
 from thinpart_workbench.workflow.cluster.cluster_answer import pythons_from, response_from, software_from, threads_from
 from thinpart_workbench.workflow.cluster.plain_pickles import PickleRefused, plain_pickles_only, texts_of_pickle
+
+TASK = FileTask("/here/a.step")
 
 SOFTWARE = {"host": "anvil", "freecad": "1.1.0", "thinpart": "0.1.0", "python": "3.13.1"}
 FAILURE = {"part": None, "label": "x", "kind": "no_solid", "message": "It is none."}
@@ -22,11 +25,11 @@ def answer(outcome, software=SOFTWARE):
 
 
 def test_a_result_comes_through():
-    software, outcome = response_from(answer(OUTCOME))
-    assert software == SOFTWARE and outcome == OUTCOME
-    assert response_from(answer(None))[1] is None
+    software, outcome = response_from(answer(OUTCOME), TASK)
+    assert software == SOFTWARE and outcome == {**OUTCOME, "file": TASK.file}
+    assert response_from(answer(None), TASK)[1] is None
     failed = {"file": "x", "error": {"kind": "timeout", "message": "It took long."}, "seconds": 3.0}
-    assert response_from(answer(failed))[1] == failed
+    assert response_from(answer(failed), TASK)[1] == {**failed, "file": TASK.file}
 
 
 @pytest.mark.parametrize("change", [
@@ -35,7 +38,7 @@ def test_a_result_comes_through():
     {"seconds": True}, {"confinement": {"files": 3}}])
 def test_an_outcome_that_is_none_is_refused(change):
     with pytest.raises(ValueError):
-        response_from(answer({**OUTCOME, **change}))
+        response_from(answer({**OUTCOME, **change}), TASK)
 
 
 @pytest.mark.parametrize("change", [
@@ -44,20 +47,20 @@ def test_an_outcome_that_is_none_is_refused(change):
     {"margin": "large"}])
 def test_a_part_that_is_none_is_refused(change):
     with pytest.raises(ValueError):
-        response_from(answer({**OUTCOME, "parts": [{**OUTCOME["parts"][0], **change}]}))
+        response_from(answer({**OUTCOME, "parts": [{**OUTCOME["parts"][0], **change}]}), TASK)
 
 
 @pytest.mark.parametrize("text", [None, 7, b"{}", "", "[]", "{", "{}", "[" * 100000, '{"software": {}, "outcome": null}',
                                   {"software": SOFTWARE, "outcome": None}])
 def test_what_is_no_answer_is_refused(text):
-    for read in (response_from, software_from):
+    for read in (lambda text: response_from(text, TASK), software_from):
         with pytest.raises(ValueError):
             read(text)
 
 
 def test_what_no_outcome_has_is_left_out():
     failed = {"file": "x", "error": {"kind": "timeout", "message": "It took long."}}
-    assert response_from(answer({**failed, "parts": 7, "failures": [7]}))[1] == failed
+    assert response_from(answer({**failed, "parts": 7, "failures": [7]}), TASK)[1] == {**failed, "file": TASK.file}
 
 
 def test_versions_and_threads_come_through():

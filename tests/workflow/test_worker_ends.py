@@ -6,8 +6,8 @@ import pytest
 from thinpart_workbench.core.analysis_limits import Limits
 from thinpart_workbench.system.exit_cause import ExitCause
 from thinpart_workbench.workflow.analysis.analyse_file import FileTask
-from thinpart_workbench.workflow.workers import worker_pool
 from thinpart_workbench.workflow.workers.pool_supervisor import PoolSupervisor
+from thinpart_workbench.workflow.workers.task_run import run_tasks
 
 
 def do(task):
@@ -35,6 +35,9 @@ def death(tmp_path):
         each.stop()
 
 
+WANTED = {"nothing special": ExitCause.FAILED, "enough memory in the end": ExitCause.OUT_OF_MEMORY}
+"""In the middle of a task nothing ends well; a worker that wrote of memory before that ran out of it."""
+
 KINDS = {ExitCause.OUT_OF_MEMORY: "memory"}
 
 
@@ -42,10 +45,12 @@ KINDS = {ExitCause.OUT_OF_MEMORY: "memory"}
 @pytest.mark.parametrize("name", exit_cases.CASES)
 def test_a_worker_that_ends_in_every_way(death, name, confine):
     future = death(name, confine)
-    cause = exit_cases.CASES[name][1]
-    # In the middle of a task nothing ends well; a worker that wrote of memory before that ran out of it.
-    wanted = {"nothing special": ExitCause.FAILED, "enough memory in the end": ExitCause.OUT_OF_MEMORY}.get(name, cause)
+    wanted = WANTED.get(name, exit_cases.CASES[name][1])
     end = future.exception().end
     assert end.cause(is_done=False) is wanted, (end.code, end.text)
-    outcome = worker_pool._outcome(future, FileTask("plate.step"), Limits(megabytes=1024))
-    assert outcome["error"]["kind"] == KINDS.get(wanted, "crash")
+
+
+@pytest.mark.parametrize("name", exit_cases.CASES)
+def test_what_becomes_of_its_task(name):
+    done, = run_tasks([FileTask(name)], do, lambda task, answer: answer, Limits(megabytes=1024))
+    assert done.failure["error"]["kind"] == KINDS.get(WANTED.get(name, exit_cases.CASES[name][1]), "crash")

@@ -34,7 +34,7 @@ def classify(source, profile=DEFAULT_PROFILE, settings=None, *, write_info=False
     megabytes : int, optional
         Memory limit for a file.
     report : callable, optional
-        Called with the fraction done while measuring in this process; may raise to stop.
+        Called with the fraction done while measuring in this process; may raise `Cancelled` to stop.
 
     Returns
     -------
@@ -96,7 +96,7 @@ def classify_files(paths, profile=DEFAULT_PROFILE, settings=None, *, jobs=None, 
     ThinPartError
         At once if the profile or a limit is invalid or there are no files; during iteration if no worker can be
         started.
-    KeyboardInterrupt
+    Cancelled
         If `control` was asked to stop.
     """
     paths = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)

@@ -49,7 +49,7 @@ class FileRun:
     ------
     ThinPartError
         kind ``empty`` if nothing was found.
-    KeyboardInterrupt
+    Cancelled
         If `control` was asked to stop.
     """
 
@@ -109,7 +109,7 @@ class FileRun:
         ------
         ThinPartError
             If no worker can be started or the cluster cannot be used.
-        KeyboardInterrupt
+        Cancelled
             If the control was asked to stop.
         """
         def new_task(file, info_file):
@@ -179,7 +179,7 @@ def write_map(path, files, *, part=None, look=None, measure=RAY, profile=DEFAULT
     ------
     ThinPartError
         kind ``usage`` where the part or the format is not clear; what else prevents it. Files that were there stay then.
-    KeyboardInterrupt
+    Cancelled
         If `control` was asked to stop.
     """
     # Imported late: it imports numpy.

@@ -42,7 +42,7 @@ def learn(library, labels=(), profile=DEFAULT_PROFILE, *, kept_labels=True, outp
         Where to write the new profile. A shipped profile, the start, the labels and files that are no profiles are not
         overwritten.
     report : callable, optional
-        ``report(stage, done, total)``, where the stage is ``read`` or ``learn``; may raise to stop.
+        ``report(stage, done, total)``, where the stage is ``read`` or ``learn``; may raise `Cancelled` to stop.
     overwrite, inputs
         See `storage.output_file.check_output`; labels and profile are inputs.
 
@@ -130,7 +130,7 @@ def label_by_meshing(library, profile=DEFAULT_PROFILE, limits=MESHING_LIMITS, *,
     ------
     ThinPartError
         If Gmsh is not installed, or there are no info files.
-    KeyboardInterrupt
+    Cancelled
         When `control` was asked to stop; what was meshed is kept for the next run.
     """
     start = given_profile(profile)

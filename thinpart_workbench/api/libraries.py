@@ -22,7 +22,7 @@ class Libraries:
     ----------
     roots : list of str or Path
     report : callable, optional
-        Called with the number of info files read and the total; may raise to stop.
+        Called with the number of info files read and the total; may raise `Cancelled` to stop.
 
     Attributes
     ----------
@@ -126,7 +126,7 @@ def find(roots, category=(), criterion=(), where=(), text="", thickness=(None, N
     descending : bool, optional
     limit : int, optional
     report : callable, optional
-        Called with the number of info files read and the total; may raise to stop.
+        Called with the number of info files read and the total; may raise `Cancelled` to stop.
 
     Returns
     -------

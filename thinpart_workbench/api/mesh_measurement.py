@@ -18,7 +18,7 @@ def measure(vertices, triangles, settings=None, face_of_triangle=None, report=No
     face_of_triangle : array_like of shape (n,), int, optional
         The face that each triangle belongs to, from 0; by default faces are smooth patches of the surface.
     report : callable, optional
-        Called with the fraction done; may raise to stop.
+        Called with the fraction done; may raise `Cancelled` to stop.
 
     Returns
     -------

@@ -108,7 +108,7 @@ def mesh_sizes(paths, settings=None, profile=DEFAULT_PROFILE, *, analysis=None, 
     ------
     ThinPartError
         If there are no files, several where there should be one part, or Gmsh is missing and needed.
-    KeyboardInterrupt
+    Cancelled
         If `control` was asked to stop; what is done is kept for the next run.
     """
     paths = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)

@@ -70,7 +70,7 @@ def classify_saved(document, profile=DEFAULT_PROFILE, settings=None, *, folder="
     ------
     ThinPartError
         For an unusable profile, kind ``unsupported`` where a Python module is missing.
-    KeyboardInterrupt
+    Cancelled
         When `control` was asked to stop.
     """
     profile, settings = given_profile(profile).content, given_settings(settings)

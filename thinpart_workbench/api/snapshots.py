@@ -88,7 +88,7 @@ def measure_snapshot(folder, megabytes, report=None, wait_for_history=None, page
         Limit of the address space of this process, which the sentence about a lack of memory names.
     report : callable, optional
         Called with the name of a part, the stage (``mesh``, ``measure``, ``map``) and the fraction of it that is done;
-        may raise to stop.
+        may raise `Cancelled` to stop.
     wait_for_history : callable, optional
         Called before the feature history of the faces is read, which the window may still be writing.
     pages : OpenDocumentReport, optional

@@ -4,6 +4,7 @@ import signal
 import threading
 from contextlib import contextmanager
 
+from ..core.errors import Cancelled
 from ..system.interruption import STOP_SIGNALS, interrupt_main_thread
 
 PATIENCE = 1.0
@@ -13,9 +14,9 @@ share."""
 
 @contextmanager
 def interrupting_signals():
-    """Context manager in which Ctrl-C, a request to end (SIGTERM) and a closed terminal raise KeyboardInterrupt."""
+    """Context manager in which Ctrl-C, a request to end (SIGTERM) and a closed terminal raise Cancelled."""
     def on_signal(number, frame):
-        raise KeyboardInterrupt
+        raise Cancelled
 
     with _handled(on_signal):
         yield
@@ -53,7 +54,7 @@ def stop_signals(control):
         if is_deferred or was_overdue and control.is_ending:
             return  # it is about to end
         control.is_ending = True
-        raise KeyboardInterrupt
+        raise Cancelled
 
     def on_deadline(number):
         nonlocal is_overdue

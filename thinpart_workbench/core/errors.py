@@ -39,17 +39,19 @@ class ProfileError(ThinPartError):
     kind = "profile"
 
 
-class Cancelled(ThinPartError):
-    """The user asked to stop."""
+class Cancelled(KeyboardInterrupt):
+    """Whoever asked for some work no longer wants it; what was done before is kept.
 
-    kind = "cancelled"
+    `RunControl.check` raises it once the run is to stop, and the command line for Ctrl-C, SIGTERM and a closed terminal. A
+    function that is told of progress may raise it too. It is a KeyboardInterrupt, which Ctrl-C raises in other programs: no
+    failure of a part, and nothing that an ``except Exception`` takes for one.
+    """
 
     def __init__(self, sentence=message("Stopped on request before the end.")):
         super().__init__(sentence)
 
 
 KINDS = {
-    "cancelled": "stopped on request",
     "cluster": "the cluster cannot be used",
     "crash": "the worker process crashed",
     "empty": "the file or document is empty",

@@ -1,4 +1,4 @@
-"""Progress of a measurement: a callback that takes the fraction done and may raise to stop the work."""
+"""Progress of a measurement: a callback that takes the fraction done and may raise `Cancelled` to stop the work."""
 
 
 def portion(report, start, end):

@@ -2,6 +2,8 @@
 
 import time
 
+from .errors import Cancelled
+
 
 class RunControl:
     """The requests to pause or stop a run, which any thread may set, and the state of the run.
@@ -37,12 +39,12 @@ class RunControl:
 
         Raises
         ------
-        KeyboardInterrupt
-            If the run was asked to stop, as for Ctrl-C.
+        Cancelled
+            If the run was asked to stop.
         """
         if self.stopped:
             self.is_ending = True
-            raise KeyboardInterrupt
+            raise Cancelled
 
     def set_state(self, state):
         """Set the state of the run, and report it if it has changed."""

@@ -10,6 +10,7 @@ from ..analysis_settings import DEFAULT_PROFILE
 from ..categories import NORMAL, UNKNOWN
 from ..descriptors.quantity import Quantity
 from ..errors import ProfileError
+from ..kinds import file_marks
 from ..kinds.compound_kinds import ListOf, Record
 from ..kinds.json_file import UnreadableJson, read_json
 from ..kinds.value_kinds import LARGEST_WHOLE, Either, Number, OneOf, Text, Whole
@@ -18,7 +19,6 @@ from ..record.record_types import PROFILE
 from .impossible_conditions import impossible_conditions
 from .probability import PROBABILITY, ProbabilityModel, named_quantity, probability_model
 
-FORMAT = "thinpart-profile"
 PAPER = "paper"
 """The profile with the paper's own thresholds, whose verdict is always recorded beside."""
 PROFILES = Path(__file__).resolve().parents[3] / "resources" / "profiles"
@@ -301,7 +301,7 @@ def profile_from(content, where=message("the profile")):
     ProfileError
         One sentence that names the profile, the place in it and what is wrong there.
     """
-    if not isinstance(content, dict) or content.get("format") != FORMAT:
+    if not file_marks.PROFILE.is_of(content):
         raise ProfileError(message("{profile} is not a ThinPart profile.", profile=where))
     if content.get("version") != 1:
         raise ProfileError(message("{profile} has version {version}; ThinPart reads version 1.",

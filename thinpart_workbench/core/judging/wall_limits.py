@@ -5,12 +5,12 @@ from pathlib import Path
 from typing import Optional
 
 from ..errors import ThinPartError
+from ..kinds import file_marks
 from ..kinds.compound_kinds import ListOf, Record
 from ..kinds.json_file import UnreadableJson, read_json
 from ..kinds.value_kinds import LARGEST, Number, OrNull, Text, Whole
 from ..message import Message, message
 
-FORMAT = "thinpart-wall-limits"
 SHIPPED = Path(__file__).resolve().parents[3] / "resources" / "wall_limits.json"
 
 _ID = Text(longest=40, pattern=r"^[A-Za-z0-9_\-]+$", meaning="letters, digits, - and _")
@@ -138,8 +138,8 @@ def _listing(known, name):
 
 def limits_fault(content):
     """What is wrong with the content of a table of limits, with its place: str; None where nothing is."""
-    if not isinstance(content, dict) or content.get("format") != FORMAT:
-        return message("format is not {format!r}", format=FORMAT)
+    if not file_marks.LIMITS.is_of(content):
+        return message("format is not {format!r}", format=file_marks.LIMITS.format)
     if content.get("version") != 1:
         return message("version is {version}, and this reads version 1", version=repr(content.get("version")))
     fault = _TABLE.fault(content, "")

@@ -11,6 +11,8 @@ import json
 import re
 from dataclasses import dataclass
 
+from .json_file import UnreadableJson, parsed_json
+
 _HEAD = 1 << 16
 """Bytes of a file in which its mark lies."""
 
@@ -54,10 +56,13 @@ class JsonMark:
         """Whether an open binary file bears the mark: bool."""
         content = file.read(_LARGEST + 1)
         try:
-            found = json.loads(content) if len(content) <= _LARGEST else None
-        except (ValueError, RecursionError):
+            return len(content) <= _LARGEST and self.is_of(parsed_json(content))
+        except UnreadableJson:
             return False
-        return isinstance(found, dict) and found.get("format") == self.format
+
+    def is_of(self, content):
+        """Whether content of JSON says that it is of this format: bool."""
+        return isinstance(content, dict) and content.get("format") == self.format
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,6 @@
 """What editing does to a profile besides what the user has changed: probabilities, name, title and source."""
 
-from ...core.judging.criteria import FORMAT
+from ...core.kinds.file_marks import PROFILE
 from ...core.message import message
 
 
@@ -69,7 +69,7 @@ def new_category(content):
 
 def empty_profile():
     """The content of a profile without categories: dict."""
-    return {"format": FORMAT, "version": 1, "name": "", "categories": []}
+    return {"format": PROFILE.format, "version": 1, "name": "", "categories": []}
 
 
 def _free(pattern, taken):

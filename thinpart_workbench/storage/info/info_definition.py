@@ -6,6 +6,7 @@
 import json
 from typing import Annotated, Any, NotRequired, Optional, Required, TypedDict
 
+from ...core.kinds.file_marks import INFO
 from ...core.kinds.typed_kinds import LATER, Restricted, kind_of
 from ...core.kinds.value_kinds import OneOf, Text
 from ...core.record.record_types import (
@@ -18,7 +19,7 @@ from ...core.record.record_types import (
     Time,
 )
 
-FORMAT, VERSION = "thinpart-info", 1
+VERSION = 1
 
 Path = Annotated[str, Text(10_000, r"[^\x00]*", "a file name")]
 Sha256 = Annotated[str, Text(64, "[0-9a-f]{64}", "64 digits of a hash")]
@@ -71,7 +72,7 @@ class OrphanRecord(Annotations, total=False):
 class InfoFile(TypedDict):
     """The content of an info file of this version."""
 
-    format: Annotated[str, OneOf((FORMAT,))]
+    format: Annotated[str, OneOf((INFO.format,))]
     version: Annotated[int, OneOf((VERSION,))]
     source: SourceRecord
     software: SoftwareRecord

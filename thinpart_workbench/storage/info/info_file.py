@@ -11,6 +11,7 @@ from pathlib import Path
 from ... import __version__
 from ...core.errors import ThinPartError
 from ...core.file_formats import INFO_ENDING
+from ...core.kinds.file_marks import INFO
 from ...core.message import message, with_messages
 from ...core.regular_file import open_regular
 from ...system.file_paths import path_in_tree, relative_path
@@ -18,7 +19,7 @@ from ..atomic_file import FileAccess, write_atomically
 from ..fcstd_file import is_fcstd
 from ..folder_lock import FolderIsLocked, folder_lock
 from .annotations import carry_annotations
-from .info_definition import FORMAT, VERSION
+from .info_definition import VERSION
 from .info_reading import DamagedInfoFile, fault_of, read_info
 
 SUFFIX = INFO_ENDING
@@ -204,7 +205,7 @@ def info_content(source, settings, profile, parts, failures=()):
     dict
     """
     return {
-        "format": FORMAT,
+        "format": INFO.format,
         "version": VERSION,
         "source": source,
         "software": {"name": "ThinPart", "version": __version__},

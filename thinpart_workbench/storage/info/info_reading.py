@@ -4,11 +4,12 @@ import os
 from pathlib import Path
 
 from ...core.errors import ThinPartError
+from ...core.kinds.file_marks import INFO
 from ...core.kinds.json_file import UnreadableJson, parsed_json
 from ...core.kinds.value_kinds import is_plain, shown
 from ...core.message import message, restored
 from ...core.regular_file import open_regular
-from .info_definition import FORMAT, INFO_FILE, VERSION
+from .info_definition import INFO_FILE, VERSION
 
 LARGEST = 256 * 1024 * 1024
 """Size in bytes above which a file is not accepted as an info file."""
@@ -63,7 +64,7 @@ def read_open_info(file, name):
         raise ThinPartError(message("{info_file} is too large for an info file.", info_file=name), "info_file")
     data = file.read(size + 1)  # without a limit, a growing file could fill the memory
     content = _parsed(data, name)
-    if not isinstance(content, dict) or content.get("format") != FORMAT:
+    if not INFO.is_of(content):
         raise ThinPartError(message("{info_file} is not a ThinPart info file.", info_file=name), "info_file")
     if content.get("version") != VERSION:
         raise ThinPartError(

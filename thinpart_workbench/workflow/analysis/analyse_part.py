@@ -39,7 +39,7 @@ def analyse_part(part, settings, profile, report=None, on_result=None):
     settings : AnalysisSettings
     profile : Profile
     report : callable, optional
-        Called with a stage and its completed fraction; may raise to stop.
+        Called with a stage and its completed fraction; may raise `Cancelled` to stop.
     on_result : callable, optional
         Called at the end with the `Measurement` and the record.
 
@@ -87,7 +87,7 @@ def analyse_parts(parts, settings, profile, read_seconds=0.0, report=None, on_re
     read_seconds : float, optional
         Seconds that reading all of them took.
     report : callable, optional
-        Called with a stage and the completed fraction of all parts; may raise to stop.
+        Called with a stage and the completed fraction of all parts; may raise `Cancelled` to stop.
     on_result : callable, optional
         Called with every part, its `Measurement` and its record.
 
@@ -112,8 +112,6 @@ def analyse_parts(parts, settings, profile, read_seconds=0.0, report=None, on_re
         try:
             record = analyse_part(part, settings, profile, report and part_report, on_result and part_on_result)
         except ThinPartError as error:
-            if error.kind == "cancelled":
-                raise
             failures.append({"part": part.name, "label": part.label, "kind": error.kind,
                              "message": message("{about}: {sentence}", about=part.label, sentence=error)})
             continue

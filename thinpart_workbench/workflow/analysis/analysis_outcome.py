@@ -1,12 +1,9 @@
 """The definition of the outcome of a file. Responses of workers are checked against it: a malicious file may
 control its worker."""
 
-from pathlib import Path
-
 from ...core.errors import KINDS
 from ...core.kinds.compound_kinds import Anything, ListOf, MapOf, Record
 from ...core.kinds.value_kinds import Flag, Number, OneOf, OrNull, Text
-from ...core.message import message
 from ...core.record.record_types import FAILURE, PART
 from ...storage.info.info_definition import SOURCE
 
@@ -35,7 +32,7 @@ def failure(file, kind, message):
 
 
 def checked_outcome(task, outcome):
-    """The outcome that a worker returned, or a failure if it is invalid.
+    """The outcome that a worker returned.
 
     Parameters
     ----------
@@ -46,48 +43,21 @@ def checked_outcome(task, outcome):
     Returns
     -------
     dict
-        Its ``file`` is that of the task, whichever file the worker has named.
+        Without what no outcome has: others would take the parts of a file that failed for results. Its ``file`` is that of
+        the task, whichever file the worker has named.
+
+    Raises
+    ------
+    ValueError
+        If it is invalid; the text says why, in a few words.
     """
-    fault = outcome_fault(outcome)
+    kind = _FAILED if isinstance(outcome, dict) and "error" in outcome else _ANALYSED
+    fault = kind.fault(outcome, "")
     if fault is not None:
-        return failure(task.file, "failed", message("{file} failed: its result cannot be stored ({problem}).",
-                                                    file=Path(task.file).name, problem=fault))
-    return {**known_outcome(outcome), "file": task.file}
+        raise ValueError(fault)
+    return {**{key: value for key, value in outcome.items() if key in kind.kinds}, "file": task.file}
 
 
-def told_failure(file, outcome):
-    """The `failure` of a file that a worker returned, or None if what it returned is none.
-
-    Parameters
-    ----------
-    file : str
-        The file of the task, whichever file the worker has named.
-    outcome : object
-        Any JSON value.
-    """
-    return None if not _FAILED.holds(outcome) else {**known_outcome(outcome), "file": file}
-
-
-def outcome_fault(outcome):
-    """The reason why an object is no valid outcome, in a few words; None if it is valid."""
-    return _kind_of(outcome).fault(outcome, "")
-
-
-def known_outcome(outcome):
-    """A valid outcome without what none has: others would take the parts of a file that failed for results.
-
-    Parameters
-    ----------
-    outcome : dict
-        Without `outcome_fault`.
-
-    Returns
-    -------
-    dict
-    """
-    known = _kind_of(outcome).kinds
-    return {key: value for key, value in outcome.items() if key in known}
-
-
-def _kind_of(outcome):
-    return _FAILED if isinstance(outcome, dict) and "error" in outcome else _ANALYSED
+def told_failure(task, outcome):
+    """The `failure` of a task that a worker returned, or None if what it returned is none; as `checked_outcome`."""
+    return checked_outcome(task, outcome) if _FAILED.holds(outcome) else None

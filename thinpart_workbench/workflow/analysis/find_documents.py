@@ -85,7 +85,7 @@ def find_documents(paths, names=NameFilter(), report=None):
     names : NameFilter, optional
         Which files of the folders to include.
     report : callable, optional
-        ``report(count)``, called often with the number of documents so far; may raise to stop.
+        ``report(count)``, called often with the number of documents so far; may raise `Cancelled` to stop.
 
     Returns
     -------

@@ -3,9 +3,9 @@
 import os
 from pathlib import Path
 
+from ...core.errors import ThinPartError
 from ...core.message import message
 from ...storage.info.info_file import new_source, source_is_unchanged
-from .analysis_outcome import failure
 
 
 def source_of(file, info_file=None):
@@ -28,8 +28,8 @@ def source_of(file, info_file=None):
     return new_source(file, linked_files(file), info_file)
 
 
-def source_failure(source, file):
-    """Why a result is not about the file as it is now.
+def check_source(source, file):
+    """Raise an error where a result is not about the file as it is now.
 
     Parameters
     ----------
@@ -37,14 +37,13 @@ def source_failure(source, file):
         From `source_of`.
     file : str
 
-    Returns
-    -------
-    dict or None
-        As `failure`; None where nothing has changed.
+    Raises
+    ------
+    ThinPartError
     """
     if source_is_unchanged(source, file):
-        return None
+        return
     if os.path.lexists(file):
-        return failure(file, "unreadable", message("{file} changed while it was read: measure it again.",
-                                                   file=Path(file).name))
-    return failure(file, "missing", message("The file {file} no longer exists.", file=file))
+        raise ThinPartError(message("{file} changed while it was read: measure it again.", file=Path(file).name),
+                            "unreadable")
+    raise ThinPartError(message("The file {file} no longer exists.", file=file), "missing")

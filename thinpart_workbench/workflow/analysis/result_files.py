@@ -9,8 +9,9 @@ from contextlib import suppress
 from ...core.errors import ThinPartError
 from ...storage.info.info_file import info_content, write_info
 from ...storage.thumbnails import write_thumbnail
+from .analysis_outcome import failure
 from .drawn_part import DrawnPart
-from .measured_source import source_failure
+from .measured_source import check_source
 
 
 def write_results(task, outcome):
@@ -32,9 +33,10 @@ def write_results(task, outcome):
     if unwritten is None:
         return outcome
     # If the share was unmounted, the info file would be written into the empty mount point.
-    changed = source_failure(unwritten["source"], task.file)
-    if changed is not None:
-        return {**changed, "confinement": outcome.get("confinement")}
+    try:
+        check_source(unwritten["source"], task.file)
+    except ThinPartError as error:
+        return {**failure(task.file, error.kind, str(error)), "confinement": outcome.get("confinement")}
     outcome = {key: value for key, value in outcome.items() if key != "unwritten"}
     records, failures = outcome["parts"], list(outcome["failures"])
     for record in records:

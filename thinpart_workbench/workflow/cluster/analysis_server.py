@@ -18,7 +18,7 @@ from dataclasses import asdict
 from ... import __version__, requirements
 from ...core.analysis_limits import Limits
 from ...core.analysis_settings import AnalysisSettings
-from ...core.errors import ThinPartError
+from ...core.errors import Cancelled, ThinPartError
 from ...core.run_control import RunControl
 from ...freecad_adapter.bootstrap import has_home, load_freecad
 from ...storage.temporary_folder import temporary_folder
@@ -77,7 +77,7 @@ def serve(requests, responses, limits):
     limits : Limits
     """
     control = _RequestControl(requests)
-    with file_analyser(limits) as analyse, suppress(KeyboardInterrupt):
+    with file_analyser(limits) as analyse, suppress(Cancelled):
         while is_readable(requests.fileno(), IDLE_SECONDS):
             line = requests.readline()
             if not line:
@@ -96,7 +96,8 @@ class _RequestControl(RunControl):
     def check(self):
         # No second request comes before the response, so readable input means end of file.
         if is_readable(self._requests.fileno(), 0):
-            raise KeyboardInterrupt
+            self.stop()
+        super().check()
 
 
 def main(arguments):

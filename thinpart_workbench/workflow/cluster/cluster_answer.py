@@ -4,7 +4,7 @@ import json
 
 from ...core.kinds.compound_kinds import MapOf, Record
 from ...core.kinds.value_kinds import Text, Whole
-from ..analysis.analysis_outcome import known_outcome, outcome_fault
+from ..analysis.analysis_outcome import checked_outcome
 
 _SOFTWARE = Record({"host": Text()}, {name: Text() for name in ("lacks", "thinpart", "freecad", "python")})
 
@@ -40,13 +40,14 @@ def threads_from(threads):
     return sum(threads.values())
 
 
-def response_from(text):
+def response_from(text, task):
     """The two parts of a response.
 
     Parameters
     ----------
     text : object
         The received result of `cluster_worker.analyse`.
+    task : FileTask
 
     Returns
     -------
@@ -65,9 +66,7 @@ def response_from(text):
     _check_software(response["software"])
     if response["outcome"] is None:
         return response["software"], None
-    outcome = _json(response["outcome"])
-    _raise_fault(outcome_fault(outcome))
-    return response["software"], known_outcome(outcome)
+    return response["software"], checked_outcome(task, _json(response["outcome"]))
 
 
 def software_from(text):

@@ -71,7 +71,7 @@ def analyse_files_on_cluster(address, tasks, limits, control=None, on_threads_ch
 
     Raises
     ------
-    KeyboardInterrupt
+    Cancelled
         When `control` was asked to stop.
     ThinPartError
         kind ``cluster``: the scheduler cannot be reached or was lost, there are no workers, or one
@@ -208,7 +208,7 @@ class _Cluster:
                 yield _failed_outcome(task, errors[future])
                 continue
             try:
-                software, outcome = response_from(responses[future])
+                software, outcome = response_from(responses[future], task)
             except ValueError:
                 yield failure(task.file, "failed", f"{Path(task.file).name} failed on the cluster (a worker answered "
                                                    "with something else than a result).")
@@ -345,7 +345,7 @@ def _outcome(task, outcome, host):
         return failure(task.file, "missing",
                        f"The worker {host} does not see {os.path.abspath(task.file)}: mount the share "
                        "there under the same path.")
-    return {**outcome, "file": task.file}
+    return outcome
 
 
 def _failed_outcome(task, error):

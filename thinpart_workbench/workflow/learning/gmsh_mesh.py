@@ -2,6 +2,7 @@
 
 import os
 import tempfile
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -39,8 +40,10 @@ class MeshingTask:
 
     Attributes
     ----------
-    document : str
+    file : str
         Its path.
+    source : dict
+        Of its info file.
     diagonals : dict of str to float
         Diagonal of the box by part name, mm.
     program : str
@@ -49,7 +52,8 @@ class MeshingTask:
         Limit for each part.
     """
 
-    document: str
+    file: str
+    source: Mapping
     diagonals: dict
     program: str
     seconds: float
@@ -75,7 +79,7 @@ def mesh_document(task):
     # Imported here since the adapter loads FreeCAD.
     from ...freecad_adapter.reading.part_files import read_parts
 
-    parts = {part.name: part for part in read_parts(task.document).parts}
+    parts = {part.name: part for part in read_parts(task.file).parts}
     return [_meshed(parts.get(name), name, diagonal, task) for name, diagonal in task.diagonals.items()]
 
 
@@ -108,4 +112,4 @@ def results_fault(results, task):
     fault = RESULTS.fault(results, "")
     if fault or [each["part"] for each in results] == list(task.diagonals):
         return fault
-    return message("its parts are not those of {file}", file=Path(task.document).name)
+    return message("its parts are not those of {file}", file=Path(task.file).name)

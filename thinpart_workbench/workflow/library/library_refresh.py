@@ -4,8 +4,9 @@ import os
 import threading
 import time
 
-from ...core.errors import ThinPartError
+from ...core.errors import Cancelled, ThinPartError
 from ...core.message import message
+from ...core.run_control import RunControl
 from ...storage.index.library_index import LibraryIndex
 
 PROGRESS_INTERVAL = 0.1
@@ -13,10 +14,6 @@ PROGRESS_INTERVAL = 0.1
 
 GROWN_INTERVAL = 4.0
 """Seconds between two ``grown`` messages."""
-
-
-class _Stopped(Exception):
-    """The refresh was stopped."""
 
 
 class LibraryRefresh:
@@ -33,7 +30,7 @@ class LibraryRefresh:
     def __init__(self, on_message):
         self._on_message = on_message
         self._pending, self._changed = [], threading.Condition()
-        self._stop = threading.Event()
+        self._control = RunControl()
         self._current = None
         threading.Thread(target=self._run, daemon=True).start()
 
@@ -51,14 +48,14 @@ class LibraryRefresh:
                 self._on_message({"ask": "refreshed", "root": root, "index": None, "problems": [], "stopped": True})
             self._pending.clear()
             if self._current is not None:
-                self._stop.set()
+                self._control.stop()
 
     def _run(self):
         while True:
             with self._changed:
                 self._changed.wait_for(lambda: self._pending)
                 self._current = self._pending.pop(0)
-                self._stop.clear()
+                self._control = RunControl()
             result = self._refresh(self._current)
             with self._changed:
                 self._current = None
@@ -75,7 +72,7 @@ class LibraryRefresh:
             else:
                 refreshed = index.refresh(self._reporter(root))
                 problems += refreshed.unreachable
-        except _Stopped:
+        except Cancelled:
             stopped = True
         except ThinPartError as error:
             problems.append(str(error))
@@ -93,8 +90,7 @@ class LibraryRefresh:
 
         def report(done, total):
             nonlocal last_progress, last_grown
-            if self._stop.is_set():
-                raise _Stopped
+            self._control.check()
             now = time.monotonic()
             if now - last_progress >= PROGRESS_INTERVAL:
                 last_progress = now

@@ -22,7 +22,7 @@ from ...storage.info.info_file import change_info, read_info
 from ...system.process_limits import crash_quietly, limit_memory
 from ..workers.pool_supervisor import PoolSupervisor
 from ..workers.process_pool import WorkerDied
-from ..workers.worker_pool import worker_folder
+from ..workers.task_run import worker_folder
 
 FILES_AT_ONCE = 64
 """Info files per batch that a worker process receives."""
@@ -131,7 +131,7 @@ def reclassify_files(info_files, profile_content, write=False, jobs=1, control=N
 
     Raises
     ------
-    KeyboardInterrupt
+    Cancelled
         When `control` was asked to stop. Each info file is either unchanged or updated, never partly
         written.
     ThinPartError

@@ -1,8 +1,6 @@
 """Measure one part and draw its thickness map, in a worker process: the file may be anybody's."""
 
 import base64
-from collections import deque
-from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Optional
@@ -14,18 +12,13 @@ from ...core.kinds.compound_kinds import Record
 from ...core.kinds.value_kinds import Number, OrNull, Text
 from ...core.message import message
 from ...core.rendering.map_picture import MapLook, map_picture
-from ...core.run_control import RunControl
 from ...storage.exchange.map_export import PLY, VTP, ply_bytes, vtp_bytes
 from ...storage.info.info_definition import SOURCE
 from ...storage.png import png_bytes
 from ..analysis.analyse_part import analyse_part
-from ..analysis.analysis_outcome import failure, told_failure
-from ..analysis.measured_source import source_failure, source_of
-from ..workers.pool_supervisor import PoolSupervisor
+from ..analysis.measured_source import check_source, source_of
 from ..workers.preparation import require_preparation
-from ..workers.reading import close_documents, start_reader
-from ..workers.reported_failure import reported_failure
-from ..workers.worker_pool import answer_of, worker_folder
+from ..workers.task_run import run_tasks
 
 PNG = ".png"
 
@@ -82,46 +75,31 @@ def map_of_part(task, limits, control=None):
     ------
     ThinPartError
         If no worker can be started.
-    KeyboardInterrupt
+    Cancelled
         When `control` was asked to stop.
     """
-    with worker_folder() as folder:
-        workers = PoolSupervisor(1, limits.seconds, folder, _drawn, start_reader, (limits.megabytes,), confine=True)
-        try:
-            for future, _ in workers.run(deque([task]), control or RunControl()):
-                found, failed = answer_of(future, task.file, limits.seconds, limits.megabytes)
-        finally:
-            workers.stop()
-    if failed is not None:
-        return failed
-    told = told_failure(task.file, found)
-    if told is not None:
-        return told
+    done, = run_tasks([task], _drawn, _map, limits, control=control)
+    return done.failure or {"file": task.file, **done.result}
+
+
+def _map(task, answer):
+    """The map that an answer holds."""
     contents = Record({ending: Text(_LONGEST, "[A-Za-z0-9+/=]*") for ending in task.formats})
-    fault = Record({**_SAID, "source": SOURCE, "contents": contents}).fault(found, "")
-    try:
-        files = {} if fault else {
-            ending: base64.b64decode(found["contents"][ending], validate=True) for ending in task.formats}
-    except ValueError:  # of base64
-        fault = message("it is damaged or incomplete")
+    fault = Record({**_SAID, "source": SOURCE, "contents": contents}).fault(answer, "")
     if fault:
-        return failure(task.file, "failed", message("{file} failed: its result cannot be used ({problem}).",
-                                                    file=Path(task.file).name, problem=str(fault)))
-    return source_failure(found["source"], task.file) or {
-        "file": task.file, **{key: found[key] for key in _SAID}, "contents": files}
+        raise ValueError(fault)
+    try:
+        files = {ending: base64.b64decode(answer["contents"][ending], validate=True) for ending in task.formats}
+    except ValueError:  # of base64
+        raise ValueError(message("it is damaged or incomplete")) from None
+    check_source(answer["source"], task.file)
+    return {**{key: answer[key] for key in _SAID}, "contents": files}
 
 
 def _drawn(task):
     """Runs in a worker."""
     require_preparation()
-    try:
-        source = source_of(task.file)
-        return {"source": source, **_contents(task)}
-    except Exception as error:  # a failure instead of a traceback
-        return failure(task.file, **reported_failure(error, Path(task.file).name))
-    finally:
-        with suppress(Exception):  # what cannot be closed does not lose the result
-            close_documents()
+    return {"source": source_of(task.file), **_contents(task)}
 
 
 def _contents(task):

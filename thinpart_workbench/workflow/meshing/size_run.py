@@ -1,25 +1,25 @@
 """Propose element sizes for many documents, each in a worker process, several at the same time."""
 
-from collections import deque
-from contextlib import suppress
-from pathlib import Path
+import json
+import os
+from dataclasses import asdict, replace
 
-from ...core.message import message
-from ...core.run_control import RunControl
 from ...system.process_limits import WALL_FACTOR
-from ..analysis.analysis_outcome import failure, told_failure
-from ..analysis.measured_source import source_failure, source_of
-from ..workers.pool_supervisor import PoolSupervisor
+from ..analysis.measured_source import check_source, source_of
 from ..workers.preparation import require_preparation
-from ..workers.reading import close_documents, start_reader
-from ..workers.reported_failure import reported_failure
-from ..workers.worker_pool import answer_of, worker_folder
+from ..workers.result_cache import ResultCache
+from ..workers.task_run import run_tasks
 from .gmsh_program import INCOMPLETE
 from .mesh_check import ATTEMPTS
-from .size_cache import SizeCache
 from .size_result import known_values, sizes_fault
 from .size_steps import StepNote, watched_steps
 from .size_task import propose_for_document
+
+_VERSION = 9
+"""Changes when proposals do."""
+
+_LARGEST = 1 << 30
+"""Bytes of a result that is kept."""
 
 _MESHED_PARTS = 20
 """Parts of a document that may all take the whole time of their meshes."""
@@ -51,67 +51,49 @@ def propose_for_documents(tasks, limits, version="", force=False, control=None, 
     ------
     ThinPartError
         If no worker can be started.
-    KeyboardInterrupt
+    Cancelled
         When `control` was asked to stop; what is done is kept for the next run.
     """
-    control, kept = control or RunControl(), SizeCache(version, limits)
-    waiting: deque = deque()
-    for task in tasks:
-        control.check()
-        result = None if force else kept.result(task)
-        if result is None:
-            waiting.append(task)
-        else:
-            yield {"file": task.file, **result}
-    if not waiting:
-        return
-    seconds, is_meshed = limits.seconds, any(task.program for task in waiting)
+    cache = ResultCache("sizes", _key(version, limits), _LARGEST, _is_complete, renew=force)
+    is_meshed = any(task.program for task in tasks)
     if is_meshed:
-        seconds += _MESHED_PARTS * (ATTEMPTS + 1) * (WALL_FACTOR + 1.0) * max(task.seconds for task in waiting)
-    with worker_folder() as folder:
-        workers = PoolSupervisor(max(1, min(limits.jobs, len(waiting))), seconds, folder, _propose, start_reader,
-                                 (limits.megabytes,), confine=True, with_programs=is_meshed)
-        try:
-            steps = watched_steps(folder, {task.file for task in waiting}, tell) if tell else ()
-            for future, task in workers.run(waiting, control, meanwhile=steps):
-                result = _result(future, task, seconds, limits)
-                if "error" not in result and not _is_incomplete(result):
-                    kept.keep(task, result)
-                yield {"file": task.file, **result}
-        finally:
-            workers.stop()
+        for_meshes = _MESHED_PARTS * (ATTEMPTS + 1) * (WALL_FACTOR + 1.0) * max(task.seconds for task in tasks)
+        limits = replace(limits, seconds=limits.seconds + for_meshes)
+    watched = tell and (lambda folder: watched_steps(folder, {task.file for task in tasks}, tell))
+    for done in run_tasks(tasks, _proposed, _sizes, limits, cache=cache, control=control, with_programs=is_meshed,
+                          meanwhile=watched):
+        yield {"file": done.task.file, **(done.result or {"error": done.failure["error"]})}
 
 
-def _is_incomplete(result):
-    """Whether a mesh was cut short, as on a full disk: there may be room another time."""
+def _key(version, limits):
+    """What results depend on: limits too, since what took too long might not with others."""
+    def key(task):
+        content = asdict(replace(task, file=os.path.abspath(task.file), program=bool(task.program)))
+        return json.dumps([[_VERSION, version, float(limits.seconds), limits.megabytes], content], sort_keys=True)
+
+    return key
+
+
+def _is_complete(result):
+    """Whether no mesh was cut short, as on a full disk: there may be room another time."""
     made = [each for part in result["parts"] for each in (*(part["check"] or {}).values(), part.get("shell"))]
-    return any(each and str(INCOMPLETE) in each["reason"] for each in made)
+    return not any(each and str(INCOMPLETE) in each["reason"] for each in made)
 
 
-def _result(future, task, seconds, limits):
-    result, failed = answer_of(future, task.file, seconds, limits.megabytes)
-    if failed is not None:
-        return failed
-    told = told_failure(task.file, result)
-    if told is not None:
-        return told
-    fault = sizes_fault(result, task)
+def _sizes(task, answer):
+    """The sizes that an answer holds."""
+    fault = sizes_fault(answer, task)
     if fault is not None:
-        return failure(task.file, "failed", message("{file} failed: its result cannot be used ({problem}).",
-                                                    file=Path(task.file).name, problem=fault))
-    return source_failure(result["source"], task.file) or known_values(result)
+        raise ValueError(fault)
+    check_source(answer["source"], task.file)
+    return known_values(answer)
 
 
-def _propose(task):
+def _proposed(task):
     """Runs in a worker."""
     require_preparation()
     note = StepNote(task.file)
     try:
-        source = source_of(task.file)
-        return {"source": source, **propose_for_document(task, note)}
-    except Exception as error:  # a failed row instead of a traceback
-        return failure(task.file, **reported_failure(error, Path(task.file).name))
+        return {"source": source_of(task.file), **propose_for_document(task, note)}
     finally:
         note.end()
-        with suppress(Exception):  # what cannot be closed does not lose the results
-            close_documents()

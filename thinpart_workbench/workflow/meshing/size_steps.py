@@ -7,8 +7,8 @@ import time
 from contextlib import suppress
 
 from ...core.kinds.compound_kinds import Record
+from ...core.kinds.json_file import UnreadableJson, read_json
 from ...core.kinds.value_kinds import OneOf, Text, Whole
-from ...core.regular_file import open_regular
 
 READ, MEASURE, ONE_SIZE, SIZES, SHELL = "read", "measure", "mesh_at_one_size", "mesh", "shell"
 """Steps of a part. `SIZES` is tried up to `mesh_check.ATTEMPTS` times."""
@@ -85,8 +85,7 @@ def _folders(folder):
 def _read_note(path):
     """The note of a worker, which a malicious file may control; None where there is none."""
     try:
-        with open_regular(path) as file:
-            note = json.loads(file.read(_LARGEST))
-    except (OSError, ValueError, RecursionError):
+        note = read_json(path, _LARGEST)
+    except (FileNotFoundError, UnreadableJson):
         return None
     return note if _NOTE.holds(note) else None

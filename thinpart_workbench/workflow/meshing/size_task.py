@@ -108,8 +108,6 @@ def propose_for_document(task, note=None):
         try:
             records.append(_proposed(part, profile, task, len(content.parts) == 1, note))
         except ThinPartError as error:
-            if error.kind == "cancelled":
-                raise
             failures.append({"part": part.name, "label": part.label, "kind": error.kind, "message": str(error)})
     return {"parts": records, "failures": failures, "solids": len(content.parts)}
 
@@ -164,8 +162,6 @@ def _shell(part, measurement, task):
     try:
         return shell_record(shell_of_part(part, measurement, task.program, task.seconds, task.shell))
     except ThinPartError as error:
-        if error.kind == "cancelled":
-            raise
         return no_shell_record(error)
 
 

@@ -94,7 +94,7 @@ class PoolSupervisor:
 
         Raises
         ------
-        KeyboardInterrupt
+        Cancelled
             When `control` was asked to stop.
         ThinPartError
             If no worker can be started.

@@ -6,6 +6,7 @@ import signal
 import sys
 import tempfile
 import time
+from contextlib import suppress
 from pathlib import Path
 
 from ...freecad_adapter.bootstrap import has_home
@@ -21,8 +22,15 @@ MOST_OPEN_FILES = 512
 """Files that a worker may have open: FreeCAD opens some 60, and one per linked document."""
 
 
-def start_reader(megabytes):
-    """Initialize a worker: ignore Ctrl-C, which the parent handles, and limit memory and files."""
+def start_reader(megabytes, work=None):
+    """Initialize a worker: ignore Ctrl-C, which the parent handles, and limit memory and files.
+
+    Parameters
+    ----------
+    megabytes : int
+    work : callable, optional
+        What the worker is for. Nothing is done with it here: it is loaded before a reader is forked.
+    """
     if not has_home():
         os.environ.update(dict.fromkeys(("FREECAD_USER_HOME", "HOME"), tempfile.gettempdir()))
     signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -40,28 +48,41 @@ def _reserve_for_linear_algebra():
     np.linalg.eigh(np.eye(64) @ np.eye(64))
 
 
-def process_task(task):
-    """Analyse one file; if FreeCAD crashes, the parent reads what it has printed."""
+def answer(work, task):
+    """Do a task; what fails is an answer too. If FreeCAD crashes, the parent reads what it has printed.
+
+    Parameters
+    ----------
+    work : callable
+        ``work(task)``
+    task : object
+        With the path of its document as ``file``.
+
+    Returns
+    -------
+    object
+        What `work` returns; or as `failure`, with ``seconds``.
+    """
     started = time.perf_counter()
     faulthandler.enable()
-    outcome = _analyse(task)
-    outcome.setdefault("seconds", round(time.perf_counter() - started, 4))
-    return outcome
+    try:
+        return work(task)
+    except Exception as error:  # a failed row instead of a traceback
+        return {**failure(task.file, **reported_failure(error, Path(task.file).name)),
+                "seconds": round(time.perf_counter() - started, 4)}
+    finally:
+        with suppress(Exception):  # what cannot be closed does not lose the results
+            _close_documents()
 
 
-def _analyse(task):
+def analysed(task):
+    """Analyse one file: the outcome of `analyse_file`."""
     from ..analysis.analyse_file import analyse_file
 
-    try:
-        return analyse_file(task, before_reading=require_preparation)
-    except Exception as error:  # a failed row instead of a traceback
-        return failure(task.file, **reported_failure(error, Path(task.file).name))
-    finally:
-        close_documents()
+    return analyse_file(task, before_reading=require_preparation)
 
 
-def close_documents():
-    """Close what a task has opened; for the end of a task."""
+def _close_documents():
     freecad = sys.modules.get("FreeCAD")
     if freecad is not None:
         for name in list(freecad.listDocuments()):
