@@ -5,7 +5,7 @@ from unittest import mock
 
 from thinpart_workbench.core.analysis_limits import Limits
 from thinpart_workbench.workflow.workers import task_run
-from thinpart_workbench.workflow.workers.pool_supervisor import PoolSupervisor
+from thinpart_workbench.workflow.workers.process_pool import ProcessPool
 from thinpart_workbench.workflow.workers.worker_pool import file_analyser
 
 
@@ -25,13 +25,13 @@ def run_workers(do, folder, seconds, confine=True):
 
     Yields
     ------
-    PoolSupervisor
+    ProcessPool
     """
     made = []
 
     def workers(count, _seconds, _folder, _work, *start, **_options):
-        made.append(PoolSupervisor(count, seconds, str(folder), do, *start, confine=confine))
+        made.append(ProcessPool(count, seconds, str(folder), do, *start, confine=confine))
         return made[0]
 
-    with mock.patch.object(task_run, "PoolSupervisor", workers), file_analyser(Limits()):
+    with mock.patch.object(task_run, "ProcessPool", workers), file_analyser(Limits()):
         yield made[0]

@@ -301,7 +301,7 @@ def test_a_file_on_windows_is_known_by_size_and_time_alone(tmp_path):
 def test_workers_take_tasks_time_limits_and_deaths_on_windows(tmp_path):
     program = """
         import os, subprocess
-        from thinpart_workbench.workflow.workers.pool_supervisor import PoolSupervisor
+        from thinpart_workbench.workflow.workers.process_pool import ProcessPool
         from worker_outcomes import results
         sys.path.insert(0, os.path.join(sys.path[1], "workflow"))
         import windows_tasks
@@ -310,7 +310,7 @@ def test_workers_take_tasks_time_limits_and_deaths_on_windows(tmp_path):
             assert creationflags == 0x200
             return begin(command, **options)
         subprocess.Popen = started
-        workers = PoolSupervisor(1, 1.0, sys.argv[1], windows_tasks.do, windows_tasks.start, (os.getpid(),))
+        workers = ProcessPool(1, 1.0, sys.argv[1], windows_tasks.do, windows_tasks.start, (os.getpid(),))
         ended = results(workers, ["good 1", "die", "sleep", "good 2"])
         workers.stop()
         print(*sorted(ended), sep="\\n")

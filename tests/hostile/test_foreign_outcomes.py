@@ -39,7 +39,7 @@ def _with(value, *keys):
 def answered(monkeypatch):
     """What becomes of a file whose worker answers with something."""
     def answered(answer):
-        monkeypatch.setattr(task_run, "PoolSupervisor", ForgedWorkers.that_answer(answer))
+        monkeypatch.setattr(task_run, "ProcessPool", ForgedWorkers.that_answer(answer))
         outcome, = analyse_files([FileTask("a.step")], Limits())
         return outcome
 

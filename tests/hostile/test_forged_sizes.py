@@ -117,7 +117,7 @@ def said(monkeypatch, tmp_path, capfd):
     monkeypatch.setenv("THINPART_CACHE", str(tmp_path / "cache"))
 
     def run(answer, *arguments):
-        monkeypatch.setattr(task_run, "PoolSupervisor", ForgedWorkers.that_answer(answer))
+        monkeypatch.setattr(task_run, "ProcessPool", ForgedWorkers.that_answer(answer))
         status = main([str(each) for each in arguments])
         output = capfd.readouterr()
         assert "Traceback" not in output.out + output.err

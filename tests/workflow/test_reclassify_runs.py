@@ -19,7 +19,7 @@ from thinpart_workbench.core.run_control import RunControl
 from thinpart_workbench.storage.info.info_file import SUFFIX, read_info
 from thinpart_workbench.workflow.library import reclassify
 from thinpart_workbench.workflow.library.reclassify import reclassify_files
-from thinpart_workbench.workflow.workers import pool_supervisor
+from thinpart_workbench.workflow.workers import process_pool
 
 FILES = 400
 ROUNDS = 10
@@ -176,7 +176,7 @@ def slow_reclassify_file(judge, info_file, *more):
 
 def workers_that(start, seconds, begun):
     """Workers that start in another way and have other limits; the tasks that they are given are noted."""
-    class Noted(pool_supervisor.PoolSupervisor):
+    class Noted(process_pool.ProcessPool):
         def __init__(self, count, _seconds, folder, work, _start, _arguments):
             super().__init__(count, seconds, folder, work, start)
 
@@ -189,7 +189,7 @@ def workers_that(start, seconds, begun):
 
 @linux
 def test_files_that_kill_or_hold_up_their_reader_are_rows_and_the_rest_goes_on(library, monkeypatch):
-    monkeypatch.setattr(reclassify, "PoolSupervisor", workers_that(start_deadly, 2.0, []))
+    monkeypatch.setattr(reclassify, "ProcessPool", workers_that(start_deadly, 2.0, []))
     monkeypatch.setattr(reclassify, "FILES_AT_ONCE", 8)
     files = info_files(library)[:30]
     files[3:3], files[20:20], files[29:29] = ["deadly"], ["endless"], ["gone" + SUFFIX]
@@ -204,7 +204,7 @@ def test_files_that_kill_or_hold_up_their_reader_are_rows_and_the_rest_goes_on(l
 
 def test_what_waits_for_its_turn_does_not_pile_up(library, monkeypatch):
     begun = []
-    monkeypatch.setattr(reclassify, "PoolSupervisor", workers_that(start_slow, 60.0, begun))
+    monkeypatch.setattr(reclassify, "ProcessPool", workers_that(start_slow, 60.0, begun))
     monkeypatch.setattr(reclassify, "FILES_AT_ONCE", 1)
     files = info_files(library)[:200]
     assert SLOW in files[0]

@@ -20,8 +20,7 @@ from ...core.record.record_types import VerdictRecord
 from ...core.run_control import RunControl
 from ...storage.info.info_file import change_info, read_info
 from ...system.process_limits import crash_quietly, limit_memory
-from ..workers.pool_supervisor import PoolSupervisor
-from ..workers.process_pool import WorkerDied
+from ..workers.process_pool import ProcessPool, WorkerDied
 from ..workers.task_run import worker_folder
 
 FILES_AT_ONCE = 64
@@ -155,7 +154,7 @@ def reclassify_files(info_files, profile_content, write=False, jobs=1, control=N
         stop = os.path.join(folder, "stop")
         batches = deque(Batch(start, info_files[start:start + FILES_AT_ONCE], profile_content, write, stop)
                         for start in starts)
-        workers = PoolSupervisor(jobs, _SECONDS, folder, _process_batch, _start_worker, (_MEGABYTES,))
+        workers = ProcessPool(jobs, _SECONDS, folder, _process_batch, _start_worker, (_MEGABYTES,))
         try:
             yield from _in_order(batches, workers, _BATCHES_AHEAD * FILES_AT_ONCE * jobs, control)
         finally:
@@ -200,7 +199,7 @@ def _in_order(pending, workers, ahead, control):
     Parameters
     ----------
     pending : deque of Batch
-    workers : PoolSupervisor
+    workers : ProcessPool
     ahead : int
         Files that may be started ahead of the one that is yielded next.
     control : RunControl

@@ -9,12 +9,15 @@ import shutil
 import subprocess
 import sys
 import threading
+import time
 from concurrent.futures import Future
 from concurrent.futures import TimeoutError as TaskTimeout
 from contextlib import suppress
-from queue import SimpleQueue
-from typing import Any, Optional
+from queue import Empty, SimpleQueue
+from typing import Any, NamedTuple, Optional
 
+from ...core.errors import ThinPartError
+from ...core.message import message
 from ...freecad_adapter.python_beside_freecad import is_within_freecad, python_beside_freecad, python_environment
 from ...system.confinement import NONE, UNCONFINED, chosen_confinement, confined_command
 from ...system.exit_cause import KILLED_END, ProcessEnd
@@ -52,9 +55,20 @@ with these it asks the system for large pieces and keeps them, as a process woul
 _LONGEST_LINE = 1 << 16
 """Maximum bytes of a line that a program prints before `GREETING`."""
 
+_TASKS_PER_WORKER = 4
+"""Running and queued tasks: enough that no worker is idle while the parent prints."""
+
+_TICK = 0.1
+"""Seconds after which `next_finished` returns without a task, so that the caller can do other work."""
+
+_MEANWHILE = 0.05
+"""Longest time without looking for finished tasks, in which other work may start, in seconds."""
+
+_MOST_FAILED_STARTS = 5
+"""Times in a row that none of the workers could start, after which the run fails."""
+
 _MAX_ATTEMPTS = 3
 """Workers to which a task is sent before it fails: idle workers may be killed."""
-
 
 _MAX_LOG_BYTES = 1 << 20
 """Bytes that are read of the log of a dead worker."""
@@ -82,18 +96,20 @@ class WorkerFault(Exception):
 
 
 class ProcessPool:
-    """Worker processes that each process one task after the other.
-
-    If a worker dies, its current task fails and the worker is replaced.
+    """Worker processes that each do one task after the other; a worker that dies fails its task and is replaced.
 
     Parameters
     ----------
     count : int
+    seconds : float
+        Time limit of a task, from when a worker has received it.
     folder : str
         Folder for the logs of workers and for a folder per worker for its files; both are removed with the worker.
+    work : callable
+        ``work(task)`` runs in a worker; its result must be JSON values. It is pickled by its name.
     start : callable
         Runs in each new worker.
-    arguments : tuple
+    start_arguments : tuple
     confine : bool
         Whether to restrict workers to writing into their folder, without network, if the system supports that, and to let
         none process more than one task, if it can fork processes.
@@ -112,61 +128,113 @@ class ProcessPool:
     malicious file may have taken over the worker, and unpickling its response would run code.
     """
 
-    def __init__(self, count, folder, start, arguments, confine=False, with_programs=False):
-        self._count = count
-        self._folder = folder
+    def __init__(self, count, seconds, folder, work, start, start_arguments=(), confine=False, with_programs=False):
+        self._count, self.seconds, self._folder, self._work = count, seconds, folder, work
         self._confinement = chosen_confinement() if confine else NONE
         self._with_programs = with_programs
         self.forks = confine and FORKS
-        self._setup_messages = pickle.dumps(sys.path), pickle.dumps((start, arguments))
+        self._setup_messages = pickle.dumps(sys.path), pickle.dumps((start, start_arguments))
         self._tasks: SimpleQueue[Optional[_Task]] = SimpleQueue()
+        self._submitted: dict[Future, Any] = {}
+        self._finished: SimpleQueue[Future] = SimpleQueue()
         self._threads: list[_WorkerThread] = []
         self._lock = threading.Lock()
         self._may_start = threading.Event()
         self._may_start.set()
-        self._stopped = self._broken = False
-        self._started = 0
+        self._stopped = False
+        self._started = self._failed_starts = 0
         self.confinement = UNCONFINED
 
-    @property
-    def active(self):
-        """Whether the pool starts tasks: not after `stop`, and not if no worker can start."""
-        return not (self._stopped or self._broken)
-
-    def schedule(self, work, arguments, seconds):
-        """Have a worker call a function.
+    def run(self, pending, control, may_start=lambda task: True, meanwhile=()):
+        """Do tasks until none are left.
 
         Parameters
         ----------
-        work : callable
-            Pickled by its name; workers import its module.
-        arguments : tuple
-        seconds : float
-            Time limit, from when a worker has received the task.
+        pending : deque
+            Tasks in the order in which they are started. More may be added during the run.
+        control : RunControl
+            Pauses and stops the run.
+        may_start : callable, optional
+            Whether the first pending task may be started yet.
+        meanwhile : iterable, optional
+            Work for this process while all workers are busy: it is done by taking the items, one after the other.
 
-        Returns
-        -------
-        Future
-            Its result consists of JSON values. Its exception is WorkerFault if the function raised one,
-            `concurrent.futures.TimeoutError` or WorkerDied. It never finishes if the pool is stopped or fails
-            before.
+        Yields
+        ------
+        future : Future
+            See `next_finished`.
+        task : object
+            In the order in which they finish.
 
         Raises
         ------
-        RuntimeError
-            If the pool is not active.
+        Cancelled
+            When `control` was asked to stop.
+        ThinPartError
+            If no worker can be started.
         """
-        if not self.active:
-            raise RuntimeError("the pool takes no tasks any more")
+        meanwhile = iter(meanwhile)
+        while pending or self.busy:
+            control.check()
+            self.set_paused(control.paused)
+            control.set_state("paused" if control.paused else "running")
+            while pending and not control.paused and self.has_room and may_start(pending[0]):
+                self.submit(pending.popleft())
+            finished = self.next_finished()
+            if finished is None:
+                until = time.monotonic() + _MEANWHILE
+                while time.monotonic() < until and next(meanwhile, self) is not self:
+                    pass
+            else:
+                control.check()  # a signal to all processes of a terminal ends workers too: no failure of their tasks
+                yield finished
+
+    @property
+    def busy(self):
+        """Whether any task is running or queued."""
+        return bool(self._submitted)
+
+    @property
+    def has_room(self):
+        """Whether another task can be submitted without waiting long for a worker."""
+        return len(self._submitted) < _TASKS_PER_WORKER * self._count
+
+    def submit(self, task):
+        """Have a worker do a task, as soon as one is free."""
         future: Future = Future()
-        self._tasks.put(_Task(future, pickle.dumps((work, arguments)), seconds))
-        with self._lock:
-            if len(self._threads) < self._count:
-                self._started += 1
-                folder = os.path.join(self._folder, f"worker-{id(self):x}-{self._started}")
-                self._threads.append(_WorkerThread(self, folder))
-                self._threads[-1].start()
-        return future
+        future.add_done_callback(self._finished.put)
+        self._submitted[future] = task
+        self._tasks.put(_Task(future, pickle.dumps((self._work, (task,)))))
+        self._start_thread()
+
+    def next_finished(self):
+        """The next finished task.
+
+        Returns
+        -------
+        tuple of (Future, object), or None
+            The future and its task. Its result consists of JSON values; its exception is WorkerFault if the work raised one,
+            `concurrent.futures.TimeoutError` or WorkerDied. None if no task finishes within `_TICK`.
+
+        Raises
+        ------
+        ThinPartError
+            If no worker could start, too often in a row.
+        """
+        try:
+            future = self._finished.get(timeout=_TICK)
+        except Empty:
+            if self._submitted and not self._threads:
+                self._failed_starts += 1
+                if self._failed_starts > _MOST_FAILED_STARTS:
+                    raise ThinPartError(
+                        message("The worker processes end as soon as they start: try a larger --memory, or fewer --jobs."),
+                        "crash") from None
+                for _ in self._submitted:
+                    self._start_thread()
+            return None
+        self._failed_starts = 0
+        return future, self._submitted.pop(future)
 
     def set_paused(self, paused):
         """Pause: workers start no further task. Or resume."""
@@ -176,7 +244,7 @@ class ProcessPool:
             self._may_start.set()
 
     def stop(self):
-        """Kill all workers, and wait until they have ended."""
+        """Kill all workers, and wait until they have ended. Tasks that are not done never finish."""
         self._stopped = True
         self._may_start.set()
         with self._lock:
@@ -186,6 +254,15 @@ class ProcessPool:
             self._tasks.put(None)
         for thread in threads:
             thread.join()
+
+    def _start_thread(self):
+        """Start a further worker, if there may be one."""
+        with self._lock:
+            if len(self._threads) < self._count and not self._stopped:
+                self._started += 1
+                folder = os.path.join(self._folder, f"worker-{id(self):x}-{self._started}")
+                self._threads.append(_WorkerThread(self, folder))
+                self._threads[-1].start()
 
     def command(self, folder):
         """The command that starts a worker, and its environment.
@@ -235,16 +312,15 @@ class ProcessPool:
         return None if self._stopped else task
 
     def on_start_failed(self, thread, task):
-        """Handle a worker that cannot start: put its task back for the other workers, if there are any."""
+        """Handle a worker that cannot start: put its task back for another worker."""
         with self._lock:
             self._threads.remove(thread)
-            self._broken = not self._threads
         self._tasks.put(task)
 
 
-class _Task:
-    def __init__(self, future, content, seconds):
-        self.future, self.content, self.seconds = future, content, seconds
+class _Task(NamedTuple):
+    future: Future
+    content: bytes
 
 
 class _WorkerThread(threading.Thread):
@@ -335,7 +411,7 @@ class _WorkerThread(threading.Thread):
     def _set_outcome(self, task):
         with self._lock:
             self._timed_task, self._timed_out = task, False
-        timer = threading.Timer(task.seconds, self._on_timeout, (task,))
+        timer = threading.Timer(self._pool.seconds, self._on_timeout, (task,))
         timer.start()
         outcome, code = self._read_outcome()
         timer.cancel()

@@ -16,8 +16,7 @@ from ...storage.temporary_folder import temporary_folder
 from ...system.exit_cause import ExitCause
 from ..analysis.analysis_outcome import failure, told_failure
 from .compiled_modules import compiled_modules
-from .pool_supervisor import PoolSupervisor
-from .process_pool import WorkerDied, WorkerFault
+from .process_pool import ProcessPool, WorkerDied, WorkerFault
 from .reading import answer, start_reader
 
 
@@ -109,7 +108,7 @@ def task_workers(count, work, check, limits, with_programs=False):
         ``run(tasks, control, meanwhile)``, which yields as `run_tasks`.
     """
     with worker_folder() as folder, ExitStack() as stack:
-        workers = PoolSupervisor(max(1, count), limits.seconds, folder, partial(answer, work), start_reader,
+        workers = ProcessPool(max(1, count), limits.seconds, folder, partial(answer, work), start_reader,
                                  (limits.megabytes, work), confine=True, with_programs=with_programs)
         stack.callback(workers.stop)
 
