@@ -64,9 +64,8 @@ def main():
 
 class _PartMeshes:
     def __init__(self, part, file, seconds, folder):
-        profile, found = load_profile(), []
-        analyse_part(part, AnalysisSettings(), profile, on_result=lambda *result: found.append(result))
-        (self._measurement, record), = found
+        profile = load_profile()
+        self._measurement, record = analyse_part(part, AnalysisSettings(), profile)
         self._category, self._seconds, self._folder = record["category"], seconds, folder
         diagonal = self._measurement.descriptors.box.diagonal
         limit = classify(self._measurement.descriptors, profile).thin_limit_x * diagonal

@@ -19,7 +19,8 @@ def judged_by(symbol, threshold):
 
 
 def analysed(shape, symbol="V/VBB", threshold=0.5, **settings):
-    return analyse_part(SolidPart("Part", "Part", shape=shape), AnalysisSettings(**settings), judged_by(symbol, threshold))
+    part, judged = SolidPart("Part", "Part", shape=shape), judged_by(symbol, threshold)
+    return analyse_part(part, AnalysisSettings(**settings), judged)[1]
 
 
 def shapes():

@@ -156,7 +156,7 @@ def test_a_body_that_is_an_open_shell(document):
     # FreeCAD 1.0 makes a solid of an open shell: it is measured, and not taken for a good one.
     assert parts == {"Good", "Body"}
     part = next(part for part in document_content(document).parts if part.name == "Body")
-    record = analyse_part(part, AnalysisSettings(), load_profile("paper"))
+    _, record = analyse_part(part, AnalysisSettings(), load_profile("paper"))
     assert record["category"] == "unknown" and not record["descriptors"]["watertight"]
 
 

@@ -20,7 +20,7 @@ DENSITIES = {
 
 def analysed(shape, density="default", **changes):
     settings = replace(DENSITIES[density], **changes)
-    record = analyse_part(SolidPart("Part", "Part", shape=shape), settings, PAPER)
+    _, record = analyse_part(SolidPart("Part", "Part", shape=shape), settings, PAPER)
     record.update({key: record["descriptors"][key] for key in ("box_mm", "volume_ratio", "F")})
     record["wall"] = record["descriptors"]["thickness_mm"]
     return record

@@ -23,7 +23,7 @@ SLENDERNESS = (10, 100, 300, 1000, 3000, 10_000, 50_000)
 
 
 def analysed(shape):
-    return analyse_part(SolidPart("Part", "Part", shape=shape), AnalysisSettings(), PAPER)
+    return analyse_part(SolidPart("Part", "Part", shape=shape), AnalysisSettings(), PAPER)[1]
 
 
 def turned(shape):
@@ -157,7 +157,7 @@ def test_what_would_need_too_many_triangles_is_unknown_and_says_why():
 
     part = SolidPart("Part", "Part", shape=Part.makeCylinder(0.5, 50_000))
     part.finest_deflection = lambda *_: None
-    record = analyse_part(part, AnalysisSettings(), PAPER)
+    _, record = analyse_part(part, AnalysisSettings(), PAPER)
     assert record["category"] == "unknown"
     assert "too slender" in record["reason"] and "400,000 triangles" in record["reason"]
     assert record["warnings"]

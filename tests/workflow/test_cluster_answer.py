@@ -8,7 +8,13 @@ import pytest
 from made_library import record_of
 
 from thinpart_workbench.workflow.analysis.analyse_file import FileTask
-from thinpart_workbench.workflow.cluster.cluster_answer import pythons_from, response_from, software_from, threads_from
+from thinpart_workbench.workflow.cluster.cluster_answer import (
+    THREADS,
+    VERSIONS,
+    checked,
+    response_from,
+    software_from,
+)
 from thinpart_workbench.workflow.cluster.plain_pickles import PickleRefused, plain_pickles_only, texts_of_pickle
 
 TASK = FileTask("/here/a.step")
@@ -65,9 +71,10 @@ def test_what_no_outcome_has_is_left_out():
 
 def test_versions_and_threads_come_through():
     entry = {"host": {"python": "3.13.1.final.0", "OS": "Linux"}, "packages": {}}
-    assert pythons_from({"scheduler": entry, "workers": {"tcp://a:1": entry}, "client": entry}) == {
-        "": "3.13.1.final.0", "tcp://a:1": "3.13.1.final.0"}
-    assert threads_from({"tcp://a:1": 2, "tcp://b:1": 3}) == 5 and threads_from({}) == 0
+    versions = {"scheduler": entry, "workers": {"tcp://a:1": entry}, "client": entry}
+    assert checked(VERSIONS, versions) == versions
+    for threads in ({"tcp://a:1": 2, "tcp://b:1": 3}, {}):
+        assert checked(THREADS, threads) == threads
 
 
 @pytest.mark.parametrize("versions", [None, 7, [], {}, {"scheduler": None, "workers": {}},
@@ -76,13 +83,13 @@ def test_versions_and_threads_come_through():
                                       {"scheduler": {"host": {"python": "3.13"}}, "workers": {"a": None}}])
 def test_versions_that_are_none_are_refused(versions):
     with pytest.raises(ValueError):
-        pythons_from(versions)
+        checked(VERSIONS, versions)
 
 
 @pytest.mark.parametrize("threads", [None, 7, [], {"a": "x"}, {"a": -1}, {"a": None}, {7: 1}])
 def test_threads_that_are_none_are_refused(threads):
     with pytest.raises(ValueError):
-        threads_from(threads)
+        checked(THREADS, threads)
 
 
 class Program:

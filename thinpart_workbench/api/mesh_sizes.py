@@ -300,12 +300,9 @@ class PartSizes:
         part, profile = read(entry), profile_from(job["profile"])
         self._report = report
         self._folder, self._shape, self._part = folder, os.path.join(folder, entry["file"]), part
-        measured = []
-        self.record = analyse_part(
+        measurement, self.record = analyse_part(
             part, AnalysisSettings(**job["settings"]), profile,
-            None if report is None else lambda stage, fraction: report(fraction if stage == "measure" else 0.0),
-            lambda measurement, _: measured.append(measurement))
-        measurement, = measured
+            None if report is None else lambda stage, fraction: report(fraction if stage == "measure" else 0.0))
         self._measurement = measurement
         limit = classify(measurement.descriptors, profile).thin_limit_x * measurement.descriptors.box.diagonal
         walls, obstacle = shell_walls(part, measurement)

@@ -166,12 +166,10 @@ def _part_report(report, name):
 
 
 def _measured(part, seconds, settings, profile, thin_limit, report):
-    measurements = []
-    record = analyse_part(part, settings, profile, report, lambda measurement, _: measurements.append(measurement))
+    measurement, record = analyse_part(part, settings, profile, report)
     record["seconds"] = {
         key: round(value, 4) for key, value in {"read": seconds, **record["seconds"]}.items()
     }
-    measurement, = measurements
     if thin_limit is None:
         return SnapshotPart(record), measurement
     limit = limit_in_millimetres(thin_limit, record["descriptors"]["diagonal_mm"])

@@ -30,7 +30,7 @@ DOUBTFUL = 4.0
 """Error bounds within which a wall that the geometry does not confirm is taken for an artefact of facets."""
 
 
-def analyse_part(part, settings, profile, report=None, on_result=None):
+def analyse_part(part, settings, profile, report=None):
     """Analyse one part.
 
     Parameters
@@ -40,11 +40,10 @@ def analyse_part(part, settings, profile, report=None, on_result=None):
     profile : Profile
     report : callable, optional
         Called with a stage and its completed fraction; may raise `Cancelled` to stop.
-    on_result : callable, optional
-        Called at the end with the `Measurement` and the record.
 
     Returns
     -------
+    Measurement
     PartRecord
 
     Raises
@@ -71,9 +70,7 @@ def analyse_part(part, settings, profile, report=None, on_result=None):
     )
     record["warnings"] += warnings + _plausibility_warnings(part, mesh, measurement.field, diagonal)
     record["seconds"] = seconds
-    if on_result is not None:
-        on_result(measurement, record)
-    return record
+    return measurement, record
 
 
 def analyse_parts(parts, settings, profile, read_seconds=0.0, report=None, on_result=None):
@@ -106,11 +103,10 @@ def analyse_parts(parts, settings, profile, read_seconds=0.0, report=None, on_re
         def part_report(stage, fraction, number=number):
             report(stage, (number + fraction) / len(parts))
 
-        def part_on_result(measurement, record, part=part):
-            on_result(part, measurement, record)
-
         try:
-            record = analyse_part(part, settings, profile, report and part_report, on_result and part_on_result)
+            measurement, record = analyse_part(part, settings, profile, report and part_report)
+            if on_result is not None:
+                on_result(part, measurement, record)
         except ThinPartError as error:
             failures.append({"part": part.name, "label": part.label, "kind": error.kind,
                              "message": message("{about}: {sentence}", about=part.label, sentence=error)})

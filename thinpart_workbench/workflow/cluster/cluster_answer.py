@@ -1,8 +1,7 @@
-"""Parse and check the responses of Dask workers, which are untrusted."""
-
-import json
+"""Check the answers of Dask's scheduler and workers, which are untrusted."""
 
 from ...core.kinds.compound_kinds import MapOf, Record
+from ...core.kinds.json_file import UnreadableJson, parsed_json
 from ...core.kinds.value_kinds import Text, Whole
 from ..analysis.analysis_outcome import checked_outcome
 
@@ -10,34 +9,30 @@ _SOFTWARE = Record({"host": Text()}, {name: Text() for name in ("lacks", "thinpa
 
 _RUNS_ON = Record({"host": Record({"python": Text()})})
 
-_VERSIONS = Record({"scheduler": _RUNS_ON, "workers": MapOf(_RUNS_ON)})
+VERSIONS = Record({"scheduler": _RUNS_ON, "workers": MapOf(_RUNS_ON)})
+"""Kind of the software of a cluster, of which only Python matters; workers by their addresses."""
 
-_THREADS = MapOf(Whole(0, 1_000_000))
-
-
-def pythons_from(versions):
-    """Versions of Python by address, as Dask's scheduler tells them; that of the scheduler itself is under the empty text.
-
-    Raises
-    ------
-    ValueError
-        If they are invalid.
-    """
-    _raise_fault(_VERSIONS.fault(versions, "versions"))
-    return {address: entry["host"]["python"]
-            for address, entry in [("", versions["scheduler"]), *versions["workers"].items()]}
+THREADS = MapOf(Whole(0, 1_000_000))
+"""Kind of the number of threads of each worker."""
 
 
-def threads_from(threads):
-    """Number of threads of all workers, from those of each, as Dask's scheduler tells them.
+def checked(kind, content):
+    """Content of a kind.
 
     Raises
     ------
     ValueError
-        If they are invalid.
+        If it is of none; the text says why.
     """
-    _raise_fault(_THREADS.fault(threads, "threads"))
-    return sum(threads.values())
+    fault = kind.fault(content, "")
+    if fault is not None:
+        raise ValueError(fault)
+    return content
+
+
+def software_from(text):
+    """The software of a worker: texts ``host`` and either ``lacks`` or ``freecad``; ValueError if it is invalid."""
+    return _software(_parsed(text))
 
 
 def response_from(text, task):
@@ -54,49 +49,31 @@ def response_from(text, task):
     software : dict
         See `software_from`.
     outcome : dict or None
-        The outcome of `analyse_file`, or ``error``; None if the process died.
+        See `checked_outcome`; None if the process died.
 
     Raises
     ------
     ValueError
         If it is invalid; the text says why.
     """
-    response = _json(text)
-    _raise_fault(None if set(response) == {"software", "outcome"} else "no software or no outcome")
-    _check_software(response["software"])
-    if response["outcome"] is None:
-        return response["software"], None
-    return response["software"], checked_outcome(task, _json(response["outcome"]))
+    response = _parsed(text)
+    if not isinstance(response, dict) or set(response) != {"software", "outcome"}:
+        raise ValueError("no software or no outcome")
+    outcome = response["outcome"]
+    return _software(response["software"]), None if outcome is None else checked_outcome(task, _parsed(outcome))
 
 
-def software_from(text):
-    """The software of a worker: texts ``host`` and either ``lacks`` or ``freecad``.
-
-    Raises
-    ------
-    ValueError
-        If it is invalid.
-    """
-    software = _json(text)
-    _check_software(software)
-    return software
-
-
-def _json(text):
-    _raise_fault(None if isinstance(text, str) else f"a {type(text).__name__} instead of a text")
-    try:
-        content = json.loads(text)
-    except RecursionError:
-        raise ValueError("it is nested too deep") from None
-    _raise_fault(None if isinstance(content, dict) else "no object of JSON")
+def _software(content):
+    checked(_SOFTWARE, content)
+    if "lacks" not in content and "freecad" not in content:
+        raise ValueError("no software")
     return content
 
 
-def _check_software(content):
-    _raise_fault(_SOFTWARE.fault(content, "software"))
-    _raise_fault(None if "lacks" in content or "freecad" in content else "no software")
-
-
-def _raise_fault(fault):
-    if fault is not None:
-        raise ValueError(fault)
+def _parsed(text):
+    if not isinstance(text, str):
+        raise ValueError(f"a {type(text).__name__} instead of a text")
+    try:
+        return parsed_json(text.encode())
+    except UnreadableJson as problem:
+        raise ValueError(str(problem)) from None

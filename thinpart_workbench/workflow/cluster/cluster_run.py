@@ -21,7 +21,7 @@ from ...core.errors import ThinPartError
 from ...core.run_control import RunControl
 from ..analysis.analysis_outcome import failure
 from .analysis_server import task_line
-from .cluster_answer import pythons_from, response_from, software_from, threads_from
+from .cluster_answer import THREADS, VERSIONS, checked, response_from, software_from
 from .plain_pickles import PickleRefused, plain_pickles_only, texts_of_pickle
 
 PATIENCE = 30.0
@@ -244,7 +244,7 @@ class _Cluster:
             if self.client.status != "running":
                 raise OSError("the connection was closed")
             answer = self._ask(self.client.nthreads)
-        threads = self._valid(threads_from, answer)
+        threads = sum(self._valid(THREADS, answer).values())
         if threads != self._threads and self.on_threads_changed is not None:
             self.on_threads_changed(max(1, threads))
         self._threads = threads
@@ -277,16 +277,18 @@ class _Cluster:
     def _refuse_other_python(self):
         # Pickled code only works with the same minor version of Python.
         ours = _minor(platform.python_version())
-        for address, version in self._valid(pythons_from, self._ask(self.client.get_versions)).items():
+        versions = self._valid(VERSIONS, self._ask(self.client.get_versions))
+        for address, entry in [(self.address, versions["scheduler"]), *versions["workers"].items()]:
+            version = entry["host"]["python"]
             if _minor(version) != ours:
                 raise ThinPartError(
-                    f"Python is {_minor(version)} at {address or self.address} and {ours} here: scheduler, workers and this "
+                    f"Python is {_minor(version)} at {address} and {ours} here: scheduler, workers and this "
                     "machine need the same one, best the same Debian.", "cluster")
 
-    def _valid(self, reading, answer):
-        """What an answer of the scheduler says; ThinPartError if it is none."""
+    def _valid(self, kind, answer):
+        """An answer of the scheduler; ThinPartError if it is none."""
         try:
-            return reading(answer)
+            return checked(kind, answer)
         except ValueError as error:
             raise ThinPartError(
                 f"The Dask scheduler {self.address} gave an answer that is not Dask's ({error}): restart it.",

@@ -3,6 +3,7 @@
 import json
 import os
 import time
+from collections import defaultdict
 from dataclasses import replace
 
 from ...core.descriptors.descriptor_table import REPORTED_SHARES, quantity_named
@@ -59,16 +60,20 @@ def mesh_library(library, limits, profile, control=None, report=None):
     started = time.monotonic()
     program, version = gmsh_program()
     names = info_files(library)
-    found, documents = _Found(), {}
+    results, failures, documents = defaultdict(list), defaultdict(list), {}
     report = report or (lambda done, total: None)
+
+    def fail(name, sentence, part=None):
+        failures[name].append({"file": name, "part": part, "message": sentence})
+
     for name, info_file in sorted(names.items()):
         try:
             task, descriptors = _document(library, info_file, program, limits.seconds)
         except ThinPartError as error:
-            found.fail(name, str(error))
+            fail(name, str(error))
         else:
             documents[id(task)] = task, name, descriptors
-    report(found.count, len(names))
+    report(len(failures), len(names))
     tasks = [task for task, *_ in documents.values()]
     # Programs have their own limit. This one is for reading, and for programs that their limit does not end.
     parts = max((len(task.diagonals) for task in tasks), default=0)
@@ -76,13 +81,23 @@ def mesh_library(library, limits, profile, control=None, report=None):
     cache = ResultCache("meshing", _key(version, limits), _LARGEST)
     for done in run_tasks(tasks, _meshed, _results, for_all, cache=cache, control=control, with_programs=True):
         _, name, descriptors = documents[id(done.task)]
-        if done.failure is None:
-            found.add(name, descriptors, done.result)
-        else:
-            found.fail(name, done.failure["error"]["message"])
-        report(found.count, len(names))
-    return Meshing(f"gmsh {version}", found.results, found.failures, _quantities(found.results, profile),
+        if done.failure is not None:
+            fail(name, done.failure["error"]["message"])
+        for each in done.result or ():
+            if each["outcome"] == NOT_MESHABLE:
+                fail(name, each["reason"], each["part"])
+            else:
+                results[name].append(MeshedResult(
+                    name, each["part"], each["elements"], each["least_ratio"], each["trouble_share"], each["reason"],
+                    descriptors[each["part"]]))
+        report(len({*results, *failures}), len(names))
+    meshed = _in_order(results)
+    return Meshing(f"gmsh {version}", meshed, _in_order(failures), _quantities(meshed, profile),
                    round(time.monotonic() - started, 1))
+
+
+def _in_order(by_name):
+    return tuple(each for name in sorted(by_name) for each in by_name[name])
 
 
 def _quantities(results, profile):
@@ -129,39 +144,3 @@ def _results(task, answer):
         raise ValueError(fault)
     check_source(task.source, task.file)
     return answer
-
-
-class _Found:
-    """What became of documents so far, by their names."""
-
-    def __init__(self):
-        self._results, self._failures = {}, {}
-
-    @property
-    def count(self):
-        """Number of documents that are done."""
-        return len({*self._results, *self._failures})
-
-    @property
-    def results(self):
-        """tuple of MeshedResult"""
-        return tuple(result for name in sorted(self._results) for result in self._results[name])
-
-    @property
-    def failures(self):
-        """tuple of dict"""
-        return tuple(failure for name in sorted(self._failures) for failure in self._failures[name])
-
-    def fail(self, name, sentence, part=None):
-        """Add why a document or a part could not be given to Gmsh."""
-        self._failures.setdefault(name, []).append({"file": name, "part": part, "message": sentence})
-
-    def add(self, name, descriptors, results):
-        """Add what became of the parts of a document."""
-        self._results[name] = [
-            MeshedResult(name, each["part"], each["elements"], each["least_ratio"], each["trouble_share"], each["reason"],
-                         descriptors[each["part"]])
-            for each in results if each["outcome"] != NOT_MESHABLE]
-        for each in results:
-            if each["outcome"] == NOT_MESHABLE:
-                self.fail(name, each["reason"], each["part"])

@@ -108,18 +108,13 @@ def _contents(task):
     from ...core.maps.thickness_map import thickness_map
     from ...freecad_adapter.reading.part_files import read_parts
 
-    found: dict = {}
-
-    def keep(measurement, record):
-        found.update(measurement=measurement, record=record)
-
     part = _chosen(read_parts(task.file), task)
-    analyse_part(part, task.analysis, profile_from(task.profile), on_result=keep)
-    mapped = MappedPart(found["record"], thickness_map(found["measurement"], by=task.measure))
+    measurement, record = analyse_part(part, task.analysis, profile_from(task.profile))
+    mapped = MappedPart(record, thickness_map(measurement, by=task.measure))
     scale = task.look.scale(mapped)
     make = {PNG: lambda: _png(map_picture(mapped, task.look)), VTP: lambda: vtp_bytes([mapped]),
             PLY: lambda: ply_bytes([mapped], scale.colours)}
-    thinnest = found["record"]["descriptors"]["thickness_mm"]["min"]
+    thinnest = record["descriptors"]["thickness_mm"]["min"]
     return {"label": part.label, "thinnest": thinnest, "low": scale.low, "high": scale.high,
             "contents": {ending: base64.b64encode(make[ending]()).decode() for ending in task.formats}}
 

@@ -113,19 +113,13 @@ def propose_for_document(task, note=None):
 
 
 def _proposed(part, profile, task, is_alone, note):
-    found: dict = {}
     begin = _no_note if note is None else note.begin
-
-    def keep(measurement, record):
-        found.update(measurement=measurement, record=record)
-
     begin(MEASURE)
-    analyse_part(part, task.analysis, profile, on_result=keep)
-    measurement = found["measurement"]
+    measurement, judged = analyse_part(part, task.analysis, profile)
     diagonal = measurement.descriptors.box.diagonal
     limit = classify(measurement.descriptors, profile).thin_limit_x * diagonal
     proposal = propose_sizes(measurement, limit, task.settings, dict(task.region_sizes),
-                             only_chosen=found["record"]["category"] == NORMAL and not task.all_walls)
+                             only_chosen=judged["category"] == NORMAL and not task.all_walls)
     check, tried, mended = None, None, ""
     if task.program is not None and task.check:
         with tempfile.TemporaryDirectory(prefix="thinpart-gmsh-") as folder:
@@ -144,7 +138,7 @@ def _proposed(part, profile, task, is_alone, note):
     if task.shell is not None:
         begin(SHELL)
     shell = None if task.shell is None else _shell(part, measurement, task)
-    record = size_record(part, found["record"], measurement, proposal, check, task.has_sources, tried,
+    record = size_record(part, judged, measurement, proposal, check, task.has_sources, tried,
                          shell_obstacle(part, measurement) if shell is None else shell["reason"])
     if mended:
         record["mended_shape"] = mended
