@@ -121,8 +121,7 @@ def _connected(address, limits, patience, control, on_threads_changed):
                 "'dask scheduler', or check the address.", "cluster") from None
     cluster = _Cluster(client, address, limits, patience, on_threads_changed)
     try:
-        with _scheduler_lost_errors(address):
-            cluster.start(control)
+        cluster.start(control)
         yield cluster
     finally:
         cluster.close()
@@ -190,14 +189,11 @@ class _Cluster:
         finished = self._finished_futures()
         if not finished:
             return
-        with _scheduler_lost_errors(self.address):
-            succeeded = [future for future in finished if future.status == "finished"]
-            # If a worker is lost now, Dask repeats its files before it responds.
-            values = self._ask(lambda: self.client.gather(succeeded, errors="skip"),
-                                  self.limits.seconds + self.patience)
-            responses = dict(zip(succeeded, values))
-            errors = {future: self._ask(future.exception)
-                      for future in finished if future.status == "error"}
+        succeeded = [future for future in finished if future.status == "finished"]
+        # If a worker is lost now, Dask repeats its files before it responds.
+        values = self._ask(lambda: self.client.gather(succeeded, errors="skip"), self.limits.seconds + self.patience)
+        responses = dict(zip(succeeded, values))
+        errors = {future: self._ask(future.exception) for future in finished if future.status == "error"}
         if len(values) + len(errors) < len(finished):
             raise ThinPartError(f"The Dask scheduler {self.address} was lost or gave the run up; "
                                 "finished results are saved: start again.", "cluster")
@@ -222,7 +218,7 @@ class _Cluster:
             for cleanup in (lambda: self.client.cancel(list(self.running)),
                              lambda: self.client.unregister_worker_plugin(self.name)):
                 # Dask would wait for workers that are being lost or added, which need no cleanup.
-                with suppress(*_DASK_ERRORS):
+                with suppress(ThinPartError):
                     self._ask(cleanup, _SECONDS_TO_CLOSE)
         with suppress(*_DASK_ERRORS):
             self.client.close(timeout=2)
@@ -243,8 +239,7 @@ class _Cluster:
         with _scheduler_lost_errors(self.address):
             if self.client.status != "running":
                 raise OSError("the connection was closed")
-            answer = self._ask(self.client.nthreads)
-        threads = sum(self._valid(THREADS, answer).values())
+        threads = sum(self._valid(THREADS, self._ask(self.client.nthreads)).values())
         if threads != self._threads and self.on_threads_changed is not None:
             self.on_threads_changed(max(1, threads))
         self._threads = threads
@@ -258,7 +253,7 @@ class _Cluster:
         return self._threads
 
     def _ask(self, request, seconds=None):
-        """Run a request of the client with a time limit."""
+        """Run a request of the client with a time limit; ThinPartError if the scheduler does not answer."""
         async def send():
             # In its event loop the client returns awaitables.
             try:
@@ -272,7 +267,8 @@ class _Cluster:
                     raise
                 raise RuntimeError(_first_line(error)) from None  # an exception of Dask, which contains a pickle
 
-        return self.client.sync(send, callback_timeout=seconds or self.patience)
+        with _scheduler_lost_errors(self.address):
+            return self.client.sync(send, callback_timeout=seconds or self.patience)
 
     def _refuse_other_python(self):
         # Pickled code only works with the same minor version of Python.
