@@ -17,7 +17,7 @@ from slow_files import held, make_endless
 from time_limit import wait_until
 
 from thinpart_workbench.cli import stop_signals
-from thinpart_workbench.core.errors import ThinPartError
+from thinpart_workbench.core.errors import Cancelled, ThinPartError
 from thinpart_workbench.core.run_control import RunControl
 from thinpart_workbench.storage import folder_lock
 from thinpart_workbench.storage.info.info_file import change_info, read_info
@@ -226,7 +226,7 @@ def short(monkeypatch):
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_a_run_that_comes_to_no_safe_point_is_interrupted(short, number):
     control, waited = RunControl(), threading.Event()
-    with pytest.raises(KeyboardInterrupt), stop_signals.stop_signals(control):
+    with pytest.raises(Cancelled), stop_signals.stop_signals(control):
         os.kill(os.getpid(), number)
         assert control.stopped
         waited.wait(60)
@@ -235,7 +235,7 @@ def test_a_run_that_comes_to_no_safe_point_is_interrupted(short, number):
 
 def test_a_run_that_is_ending_is_left_alone_and_so_is_what_must_not_be_disturbed(short):
     control = RunControl()
-    with pytest.raises(KeyboardInterrupt), stop_signals.stop_signals(control):
+    with pytest.raises(Cancelled), stop_signals.stop_signals(control):
         os.kill(os.getpid(), signal.SIGINT)
         try:
             control.check()
@@ -250,5 +250,5 @@ def test_a_run_that_is_ending_is_left_alone_and_so_is_what_must_not_be_disturbed
             written = threading.Event()
             threading.Timer(0.4, written.set).start()
             assert written.wait(60), "a table to be written"
-        with pytest.raises(KeyboardInterrupt):
+        with pytest.raises(Cancelled):
             control.check()

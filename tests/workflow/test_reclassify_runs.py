@@ -15,6 +15,7 @@ import time_limit
 from made_library import PAPER, make_large_library, make_library
 from program import environment
 
+from thinpart_workbench.core.errors import Cancelled
 from thinpart_workbench.core.run_control import RunControl
 from thinpart_workbench.storage.info.info_file import SUFFIX, read_info
 from thinpart_workbench.workflow.library import reclassify
@@ -217,7 +218,7 @@ def test_what_waits_for_its_turn_does_not_pile_up(library, monkeypatch):
 @pytest.mark.parametrize("jobs", [1, 2])
 def test_it_stops_between_two_files(library, jobs):
     control, told = RunControl(), []
-    with pytest.raises(KeyboardInterrupt):
+    with pytest.raises(Cancelled):
         for each in reclassify_files(info_files(library), PROFILES["one"], True, jobs, control):
             told.append(each)
             control.stop()
