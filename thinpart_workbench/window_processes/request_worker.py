@@ -15,7 +15,7 @@ import time
 from dataclasses import asdict, is_dataclass
 from importlib import import_module
 
-from ..core.errors import ThinPartError
+from ..core.errors import Cancelled, ThinPartError
 from ..core.run_control import RunControl
 from .json_lines import JsonLines
 
@@ -44,7 +44,7 @@ class RequestWorker:
                 self._parent.send(answer=self._answer(**request))
             except ThinPartError as error:
                 self._parent.send(refused=error.args[0])
-            except KeyboardInterrupt:
+            except Cancelled:
                 pass  # the parent no longer waits for a response
 
     def _answer(self, ask, arguments, preferred):
