@@ -58,7 +58,7 @@ def test_what_is_no_outcome_is_a_failure_of_the_file(honest, answered, change):
     change(outcome)
     checked = answered(outcome)
     assert checked["file"] == "a.step" and checked["error"]["kind"] == "failed"
-    assert checked["error"]["message"].startswith("a.step failed: its result cannot be used (")
+    assert checked["error"]["message"].startswith("a.step failed: its result cannot be stored (")
 
 
 @pytest.mark.parametrize("outcome", [None, 1, "x", [], [[]], {}, {"error": None}, {"parts": {}}])

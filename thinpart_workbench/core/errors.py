@@ -52,6 +52,7 @@ class Cancelled(KeyboardInterrupt):
 
 
 KINDS = {
+    "cancelled": "stopped on request",
     "cluster": "the cluster cannot be used",
     "crash": "the worker process crashed",
     "empty": "the file or document is empty",

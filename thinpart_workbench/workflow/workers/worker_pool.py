@@ -1,7 +1,10 @@
 """Analyse files in worker processes, so that a file which kills its reader is one failed row."""
 
 from contextlib import contextmanager
+from pathlib import Path
 
+from ...core.errors import ThinPartError
+from ...core.message import message
 from ...core.run_control import RunControl
 from ..analysis.analysis_outcome import checked_outcome
 from ..analysis.result_files import write_results
@@ -34,7 +37,7 @@ def analyse_files(tasks, limits, control=None, meanwhile=()):
         As `run_tasks`.
     """
     control = control or RunControl()
-    yield from _written(run_tasks(tasks, analysed, checked_outcome, limits, control=control,
+    yield from _written(run_tasks(tasks, analysed, _storable, limits, control=control,
                                   meanwhile=lambda folder: (call() for call in meanwhile)), control)
 
 
@@ -52,12 +55,20 @@ def file_analyser(limits):
     callable
         ``analyse(task, control)``, which returns an outcome as from `analyse_files`.
     """
-    with task_workers(1, analysed, checked_outcome, limits) as run:
+    with task_workers(1, analysed, _storable, limits) as run:
         def analyse(task, control):
             outcome, = _written(run([task], control), control)
             return outcome
 
         yield analyse
+
+
+def _storable(task, answer):
+    try:
+        return checked_outcome(task, answer)
+    except ValueError as fault:
+        raise ThinPartError(message("{file} failed: its result cannot be stored ({problem}).", file=Path(task.file).name,
+                                    problem=str(fault)), "failed") from None
 
 
 def _written(finished, control):
