@@ -14,12 +14,14 @@ class UnreadableJson(Exception):
     """JSON cannot be read; its text is the reason, without a full stop."""
 
 
-def read_json(path):
+def read_json(path, most=LARGEST_WRITTEN):
     """The content of a JSON file.
 
     Parameters
     ----------
     path : str or Path
+    most : int
+        Greatest number of bytes.
 
     Returns
     -------
@@ -31,7 +33,7 @@ def read_json(path):
     UnreadableJson
     """
     try:
-        return parsed_json(read_regular(path, LARGEST_WRITTEN))
+        return parsed_json(read_regular(path, most))
     except FileNotFoundError:
         raise
     except OSError as error:

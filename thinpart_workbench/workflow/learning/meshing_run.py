@@ -82,8 +82,8 @@ def mesh_library(library, limits, profile, control=None, report=None):
     for done in run_tasks(tasks, _meshed, _results, for_all, cache=cache, control=control, with_programs=True):
         _, name, descriptors = documents[id(done.task)]
         if done.failure is not None:
-            error = done.failure["error"]
-            fail(name, error["message"] if error["kind"] != "timeout" else message(
+            failed = done.failure["error"]
+            fail(name, failed["message"] if failed["kind"] != "timeout" else message(
                 "{file} could not be read in time.", file=os.path.basename(done.task.file)))
         for each in done.result or ():
             if each["outcome"] == NOT_MESHABLE:
