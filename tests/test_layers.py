@@ -108,7 +108,7 @@ PACKAGE_ORDER = {
     "freecad_adapter": "tessellating shapes mid_surface reading occurrences features objects",
     "workflow": "report analysis workers cluster library meshing maps learning",
     "cli": "commands",
-    "gui": "application widgets guide processes record document scene colour_bar section view3d map_export classify "
+    "gui": "application widgets tables guide processes record document scene colour_bar section view3d map_export classify "
            "thickness mesh_sizes folder library profile learning report preferences on_save",
 }
 """The packages of each layer: each imports only those before it, and modules that lie in the layer itself, not in a package.

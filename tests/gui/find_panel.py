@@ -14,12 +14,14 @@ from thinpart_workbench.gui.library import command as find_parts
 from thinpart_workbench.gui.library.details import PartDetails
 from thinpart_workbench.gui.library.filters_page import FiltersPage
 from thinpart_workbench.gui.library.libraries_page import LibrariesPage
-from thinpart_workbench.gui.library.results_model import FILE, PART, WAITING
 from thinpart_workbench.gui.processes.freecad_python import python_program
+from thinpart_workbench.gui.tables.fetched_rows import WAITING
 
 SAMPLES = ("plate.step", "block.step", "ribbed_block.FCStd", "ribbed_block.step", "tube.step",
            "heat_sink.FCStd", "assembly_of_three.FCStd")
 MANY = 8000
+SCORE, PART, CATEGORY, REASONS, THINNEST, SIZE, FILE = range(7)
+"""The columns that are not hidden at first, or shown when parts are alike."""
 
 
 @pytest.fixture(scope="session")

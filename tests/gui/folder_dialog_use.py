@@ -8,9 +8,11 @@ import window_actions as window
 
 from thinpart_workbench.freecad_adapter.preferences import GROUP
 from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
-from thinpart_workbench.gui.folder.results_model import FILE, PART
 
 MANY = 5
+FILE, PART, CATEGORY, CRITERIA, BOX, RATIO, THINNEST, INSTANCES, LABELS = range(9)
+"""The columns where nothing is checked."""
+
 CANCELLED = "cancelled: finished results are saved, Start continues with the rest"
 
 

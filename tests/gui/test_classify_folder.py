@@ -7,8 +7,16 @@ from pathlib import Path
 import pytest
 import window_actions as window
 from folder_dialog_use import (  # noqa: F401 - fixtures among them
+    BOX,
     CANCELLED,
+    CATEGORY,
+    CRITERIA,
+    FILE,
+    INSTANCES,
     MANY,
+    PART,
+    RATIO,
+    THINNEST,
     column,
     count_of,
     dialog,
@@ -30,16 +38,6 @@ from slow_files import make_endless
 
 from thinpart_workbench.freecad_adapter.preferences import preference_list, set_preference_list
 from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
-from thinpart_workbench.gui.folder.results_model import (
-    BOX,
-    CATEGORY,
-    CRITERIA,
-    FILE,
-    INSTANCES,
-    PART,
-    RATIO,
-    THINNEST,
-)
 from thinpart_workbench.gui.widgets.single_dialog import end_single_dialog
 from thinpart_workbench.storage.info.info_file import read_info
 
@@ -67,7 +65,7 @@ def test_a_folder_becomes_rows_counts_and_info_files(dialog, folder):
         "Plate", "Thin walls over most of its surface", "Very thin wall on a filled part"]
     assert cells[BOX] == "100 \u00d7 70 \u00d7 5" and cells[THINNEST] == "5"
     assert cells[RATIO] == "0.965" and cells[INSTANCES] == "1"
-    red = index.siblingAtColumn(CATEGORY).data(QtCore.Qt.DecorationRole)
+    red = index.siblingAtColumn(CATEGORY).data(QtCore.Qt.DecorationRole).toImage().pixelColor(5, 5)
     assert (red.redF(), red.greenF()) == pytest.approx((0.84, 0.15), abs=0.01)
     counts = {name: count_of(name) for name in ("thin", "thin_features", "normal", "unknown", "failed")}
     assert counts == {"thin": 2, "thin_features": 1, "normal": 2, "unknown": 0, "failed": 1}

@@ -7,7 +7,9 @@ import shutil
 import pytest
 import window_actions as window
 from find_panel import (  # noqa: F401 - fixtures among them
+    FILE,
     MANY,
+    PART,
     add_library,
     answered,
     cells,
@@ -38,9 +40,9 @@ from thinpart_workbench.freecad_adapter.preferences import preference_list, set_
 from thinpart_workbench.gui.application import lifelong
 from thinpart_workbench.gui.application.qt import QtWidgets
 from thinpart_workbench.gui.library import command as find_parts
-from thinpart_workbench.gui.library.results_model import FILE, PART, WAITING
 from thinpart_workbench.gui.library.search_client import SearchClient
 from thinpart_workbench.gui.processes.conversation import Conversation
+from thinpart_workbench.gui.tables.fetched_rows import WAITING
 from thinpart_workbench.gui.widgets.controls import plain
 from thinpart_workbench.storage.info.info_file import read_info
 
@@ -124,7 +126,7 @@ def test_a_folder_that_is_gone_keeps_what_was_known_and_says_so(library):
     ready(dock)
     assert f"The folder {library} no longer exists" in window.text("ThinPart_LibraryProblems")
     assert status() == "10 of 10 parts"
-    part = table().model().part_at(row_of(None, "plate.step"))
+    part = table().model().row_at(row_of(None, "plate.step"))
     table().selectRow(row_of(None, "plate.step"))
     window.wait_until(lambda: window.is_shown("ThinPart_PartSentence"))
     assert part.file == str(library / "plate.step")

@@ -7,6 +7,11 @@ from pathlib import Path
 import FreeCADGui as Gui
 import window_actions as window
 from find_panel import (  # noqa: F401 - fixtures among them
+    CATEGORY,
+    FILE,
+    PART,
+    SIZE,
+    THINNEST,
     answered,
     cells,
     check,
@@ -29,7 +34,6 @@ from find_panel import (  # noqa: F401 - fixtures among them
 from thinpart_workbench.core.descriptors.descriptor_table import QUANTITIES
 from thinpart_workbench.freecad_adapter.preferences import preference_list
 from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
-from thinpart_workbench.gui.library.results_model import CATEGORY, FILE, PART, SIZE, THINNEST
 
 
 def test_the_command_shows_and_hides_one_panel():
@@ -65,7 +69,7 @@ def test_thumbnails_are_those_of_the_cache(library, classified, tmp_path):
     dock = opened(library)
     row = row_of(None, "block.step")
     index = table().model().index(row, PART)
-    part = table().model().part_at(row)
+    part = table().model().row_at(row)
     missing = index.data(QtCore.Qt.DecorationRole).toImage()
     Path(part.thumbnail).parent.mkdir(parents=True, exist_ok=True)
     picture.save(part.thumbnail)

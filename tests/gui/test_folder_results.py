@@ -10,7 +10,9 @@ import FreeCADGui as Gui
 import pytest
 import window_actions as window
 from folder_dialog_use import (  # noqa: F401 - fixtures among them
+    FILE,
     MANY,
+    PART,
     choose,
     column,
     dialog,
@@ -32,7 +34,6 @@ from folder_dialog_use import (  # noqa: F401 - fixtures among them
 
 from thinpart_workbench.core.file_formats import CHOICES
 from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
-from thinpart_workbench.gui.folder.results_model import FILE, PART
 from thinpart_workbench.gui.processes import child_process
 from thinpart_workbench.storage.info.info_file import read_info
 from thinpart_workbench.storage.part_table import PartRow

@@ -7,6 +7,11 @@ import FreeCADGui as Gui
 import pytest
 import window_actions as window
 from find_panel import (  # noqa: F401 - fixtures among them
+    CATEGORY,
+    FILE,
+    PART,
+    REASONS,
+    SCORE,
     answered,
     cells,
     check,
@@ -29,7 +34,6 @@ from thinpart_workbench.api.annotations import annotate_part
 from thinpart_workbench.gui.application import lifelong
 from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
 from thinpart_workbench.gui.library.details import COMPARISON, NOTES
-from thinpart_workbench.gui.library.results_model import CATEGORY, FILE, PART, REASONS, SCORE
 from thinpart_workbench.storage.info.info_file import read_info
 
 

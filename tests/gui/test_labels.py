@@ -13,7 +13,7 @@ from find_panel import (  # noqa: F401 - fixtures among them
     select,
     status,
 )
-from folder_dialog_use import FILE, column, dialog, folder, no_choices, run  # noqa: F401 - fixtures among them
+from folder_dialog_use import FILE, LABELS, column, dialog, folder, no_choices, run  # noqa: F401 - fixtures among them
 
 from thinpart_workbench.api.annotations import label_part
 from thinpart_workbench.freecad_adapter.preferences import set_preference
@@ -141,9 +141,7 @@ def test_in_the_results_of_a_folder(dialog, folder):
     choose("ThinPart_Label_thin_features", "ThinPart_FolderLabel")
     assert labels(folder / "inner" / "plate.step") == [("Anna", "thin_features", True)]
     assert button_text("ThinPart_FolderLabel") == "My label: thin features"
-    model = view.model()
-    last = model.columnCount() - 1
-    assert model.headerData(last, window.QtCore.Qt.Horizontal) == "Labels"
-    assert column(last)[column(FILE).index("inner/plate.step")] == "Anna: thin features"
+    assert view.model().headerData(LABELS, window.QtCore.Qt.Horizontal) == "Labels"
+    assert column(LABELS)[column(FILE).index("inner/plate.step")] == "Anna: thin features"
     view.selectRow(column(FILE).index("damaged.step"))
     assert not window.widget("ThinPart_FolderLabel").isEnabled()

@@ -9,6 +9,8 @@ import Part
 import pytest
 import window_actions as window
 from find_panel import (  # noqa: F401 - fixtures among them
+    SIZE,
+    THINNEST,
     answered,
     classified,
     filters,
@@ -20,6 +22,8 @@ from find_panel import (  # noqa: F401 - fixtures among them
     table,
 )
 from folder_dialog_use import (  # noqa: F401 - fixtures among them
+    BOX,
+    PART,
     column,
     dialog,
     folder,
@@ -27,6 +31,7 @@ from folder_dialog_use import (  # noqa: F401 - fixtures among them
     no_choices,
     run,
 )
+from folder_dialog_use import THINNEST as THINNEST_OF_FOLDER
 from folder_dialog_use import select as select_row
 from seen_texts import seen
 from test_automatic import notice, save, switched_on  # noqa: F401 - a fixture among them
@@ -43,9 +48,6 @@ from thinpart_workbench.gui.application.length_unit import INCH, MILLIMETRE, PRE
 from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
 from thinpart_workbench.gui.application.sentences import translated
 from thinpart_workbench.gui.colour_bar.colour_bar import bar_image
-from thinpart_workbench.gui.folder.results_model import BOX, PART
-from thinpart_workbench.gui.folder.results_model import THINNEST as THINNEST_OF_FOLDER
-from thinpart_workbench.gui.library.results_model import SIZE, THINNEST
 from thinpart_workbench.gui.preferences.fields import new_field
 from thinpart_workbench.gui.view3d.label_node import shown_labels
 from thinpart_workbench.gui.widgets.process_field import ProcessField
@@ -330,7 +332,7 @@ def test_the_panel_that_finds_parts(library):
 
 
 def _longest(shown):
-    return max(part.d1_mm or 0.0 for part in (shown.part_at(row) for row in range(shown.rowCount())) if part)
+    return max(part.d1_mm or 0.0 for part in (shown.row_at(row) for row in range(shown.rowCount())) if part)
 
 
 def test_preferences_are_shown_and_taken_in_inches_and_kept_in_mm():

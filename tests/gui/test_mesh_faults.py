@@ -193,7 +193,7 @@ def test_another_unit_system_is_followed_while_the_panel_is_open(document, inche
     window.wait_until(lambda: "in" in window.widget("ThinPart_ShellBar").ticks[-1][1], "the bar is in inches")
     assert "mm" not in window.text("ThinPart_ShellFigures")
     table = window.widget("ThinPart_ShellWalls")
-    assert [float(table.item(row, 1).text()) for row in range(2)] == [
+    assert [float(table.model().index(row, 1).data()) for row in range(2)] == [
         pytest.approx(2 / 25.4, rel=0.01), pytest.approx(4 / 25.4, rel=0.01)]
     assert measured is open_session().measured
     window.widget("ThinPart_MeshKind").setCurrentIndex(0)

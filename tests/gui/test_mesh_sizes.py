@@ -16,7 +16,7 @@ from thinpart_workbench.api.annotations import keep_mesh_settings, note_regions
 from thinpart_workbench.core.rendering.colour_scale import ColourScale
 from thinpart_workbench.freecad_adapter.preferences import set_preference_list
 from thinpart_workbench.gui.application import lifelong
-from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
+from thinpart_workbench.gui.application.qt import QtWidgets
 from thinpart_workbench.gui.document.active_task import MESH_SIZES, end_session, open_session
 from thinpart_workbench.storage.info.info_file import read_info
 
@@ -78,7 +78,7 @@ def test_ok_makes_the_fem_mesh_in_one_step_of_undo_and_again_updates_it(document
     assert meshes(document) == [] and regions(document) == [] and feature.Visibility
     document.redo()
     open_panel()
-    window.widget("ThinPart_WallSizes").item(0, 1).setText("2.5")
+    window.edit_cell("ThinPart_WallSizes", 0, 1, "2.5")
     press_ok()
     window.wait_until(lambda: open_session() is None)
     mesh, = meshes(document)
@@ -126,11 +126,11 @@ def test_sizes_are_edited_and_the_estimate_follows(document):
     part(document)
     open_panel()
     table, before = window.widget("ThinPart_WallSizes"), window.text("ThinPart_MeshEstimate")
-    table.item(0, 2).setText("4")
+    window.edit_cell("ThinPart_WallSizes", 0, 2, "4")
     window.wait_until(lambda: window.text("ThinPart_MeshEstimate") != before)
     assert table.rows[0]["size"] == pytest.approx(2.0 / (1.15 * 4), rel=0.02)
     assert table.rows[0]["layers"] == pytest.approx(4.0)
-    table.item(0, 0).setCheckState(QtCore.Qt.Unchecked)
+    window.check_cell("ThinPart_WallSizes", 0, False)
     window.wait_until(lambda: table.rows[0]["size"] is None)
     assert table.rows[0]["elements"] is None
 
@@ -151,7 +151,7 @@ def test_what_a_limit_of_the_elements_costs_is_said(document):
 def test_the_fem_regions_have_the_sizes_of_the_mesh_also_before_a_new_estimate(document):
     part(document)
     open_panel()
-    window.widget("ThinPart_WallSizes").item(0, 1).setText("2.5")
+    window.edit_cell("ThinPart_WallSizes", 0, 1, "2.5")
     press_ok()  # at once: the estimate still says the former size
     window.wait_until(lambda: open_session() is None)
     region, = regions(document)
@@ -170,7 +170,7 @@ def test_a_normal_part_has_one_size_until_a_wall_is_ticked(document):
     assert not window.is_shown("ThinPart_SizeBar")
     # The colour of the largest size, not of the least.
     assert size_colours(document) == {tuple(ColourScale(1.0, 2.0).colours([2.0])[0])}
-    table.item(0, 0).setCheckState(QtCore.Qt.Checked)
+    window.check_cell("ThinPart_WallSizes", 0, True)
     window.wait_until(lambda: table.rows[0]["size"] is not None)
     assert table.rows[0]["size"] == pytest.approx(1.0 / 2.3, rel=0.02)
     assert not window.text("ThinPart_MeshEstimate").startswith("A normal part")
@@ -269,7 +269,7 @@ def test_settings_that_worked_are_kept_with_the_part_and_offered_again(document,
     table = window.widget("ThinPart_WallSizes")
     window.wait_until(lambda: table.rows[0]["layers"] == pytest.approx(1.0, rel=0.02))
     assert not window.is_shown("ThinPart_UseMeshSettings")
-    table.item(0, 1).setText("1.6")
+    window.edit_cell("ThinPart_WallSizes", 0, 1, "1.6")
     press_ok()
     window.wait_until(lambda: open_session() is None and not lifelong.requests.is_busy)
     meshed = read_info(info)["parts"][0]["meshed"]

@@ -10,7 +10,7 @@ import pytest
 import window_actions as window
 from window_actions import V
 
-from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
+from thinpart_workbench.gui.application.qt import QtWidgets
 from thinpart_workbench.gui.document.active_task import open_session
 
 pytestmark = [pytest.mark.skipif(shutil.which("gmsh") is None, reason="gmsh is not installed"),
@@ -122,14 +122,14 @@ def test_a_wall_without_its_check_mark_stays_solid(document):
     open_panel()
     choose_shell()
     table = window.widget("ThinPart_ShellWalls")
-    assert [(table.item(row, 0).text(), table.item(row, 1).text()) for row in range(table.rowCount())] == [
+    assert [(table.model().index(row, 0).data(), table.model().index(row, 1).data()) for row in range(len(table.rows))] == [
         ("shell", "2"), ("shell", "4")]
-    table.item(1, 0).setCheckState(QtCore.Qt.Unchecked)
-    window.wait_until(lambda: table.item(1, 0).text() == "solid")
+    window.check_cell("ThinPart_ShellWalls", 1, False)
+    window.wait_until(lambda: table.model().index(1, 0).data() == "solid")
     window.click("ThinPart_ShellButton")
     window.wait_until(lambda: "triangles of up to" in window.text("ThinPart_ShellFigures"))
-    assert [table.item(row, 0).text() for row in range(table.rowCount())] == ["shell", "left solid: plate"]
-    assert [table.item(row, 0).checkState() for row in range(2)] == [QtCore.Qt.Checked, QtCore.Qt.Unchecked]
+    assert [table.model().index(row, 0).data() for row in range(table.model().rowCount())] == ["shell", "left solid: plate"]
+    assert [wall.is_in for wall in table.rows] == [True, False]
     press_ok()
     assert open_session() is None, window.text("ThinPart_Message")
     middle, = middles(document)
@@ -144,8 +144,8 @@ def test_no_shell_is_made_of_walls_that_are_all_to_stay_solid(document):
     choose_shell()
     table = window.widget("ThinPart_ShellWalls")
     table.selectAll()
-    table.item(0, 0).setCheckState(QtCore.Qt.Unchecked)
-    window.wait_until(lambda: [table.item(row, 0).text() for row in range(2)] == ["solid", "solid"])
+    window.check_cell("ThinPart_ShellWalls", 0, False)
+    window.wait_until(lambda: [table.model().index(row, 0).data() for row in range(2)] == ["solid", "solid"])
     window.click("ThinPart_ShellButton")
     window.wait_until(lambda: "choose at least one" in window.text("ThinPart_Message"))
 
@@ -157,7 +157,7 @@ def test_a_shell_is_seen_before_ok_and_nothing_of_it_stays(document):
     window.click("ThinPart_ShellButton")
     window.wait_until(lambda: "triangles of up to" in window.text("ThinPart_ShellFigures"))
     table = window.widget("ThinPart_ShellWalls")
-    assert [table.item(row, 1).text() for row in range(table.rowCount())] == ["2", "4"]
+    assert [table.model().index(row, 1).data() for row in range(table.model().rowCount())] == ["2", "4"]
     assert window.is_shown("ThinPart_ShellBar") and [text for _, text in window.widget("ThinPart_ShellBar").ticks] == [
         "2", "3", "4\u00a0mm"]
     switch = feature.ViewObject.SwitchNode.whichChild

@@ -205,7 +205,7 @@ def test_the_table_of_faces_sorts_by_every_column_and_selects_both_ways(ribbed):
     for column in range(table.model().columnCount()):
         for order in (QtCore.Qt.DescendingOrder, QtCore.Qt.AscendingOrder):
             table.sortByColumn(column, order)
-            keys = [table.model().columns[column].key(row) for row in table.rows]
+            keys = [table.model().columns[column].sort_key(row) for row in table.rows]
             keys = [key for key in keys if key is not None]
             assert keys == sorted(keys, reverse=order == QtCore.Qt.DescendingOrder)
     table.sortByColumn(1, QtCore.Qt.AscendingOrder)

@@ -20,7 +20,6 @@ from thinpart_workbench.core.judging.criteria import load_profile
 from thinpart_workbench.freecad_adapter.preferences import set_preference, set_preference_list
 from thinpart_workbench.gui import workbench
 from thinpart_workbench.gui.application.qt import QtCore
-from thinpart_workbench.gui.folder.results_model import CATEGORY
 from thinpart_workbench.gui.library import command as find_parts
 from thinpart_workbench.storage.info.info_file import info_path, read_info
 
@@ -168,7 +167,8 @@ def test_the_window_for_folders(language, tmp_path):
     window.click("ThinPart_FolderStart")
     window.wait_until(window.widget("ThinPart_FolderStart").isEnabled)
     table = window.widget("ThinPart_FolderTable").model()
-    told = {table.index(row, CATEGORY).data(): table.index(row, 0).data(TOOL_TIP) for row in range(table.rowCount())}
+    category = table.number_of("category")
+    told = {table.index(row, category).data(): table.index(row, 0).data(TOOL_TIP) for row in range(table.rowCount())}
     failed = "\u2717 " + language.said("Failed: {}").format(language.below("the file or document is empty"))
     assert set(told) == {language.said("Thin part"), failed}
     assert told[failed] == language.below("{file} is empty (0 bytes).").format(file="empty.step")
@@ -185,7 +185,7 @@ def test_the_panel_that_finds_parts(language, tmp_path, monkeypatch):
     dock = find_parts.show_find_parts()
     window.wait_until(lambda: not dock.is_refreshing and not dock.is_waiting)
     view = window.widget("ThinPart_FoundTable")
-    rows = {view.model().part_at(row).label: row for row in range(view.model().rowCount())}
+    rows = {view.model().row_at(row).label: row for row in range(view.model().rowCount())}
     damaged = view.model().index(rows.pop(None), 1).data(TOOL_TIP)
     assert damaged.startswith(language.below("The info file {info_file} cannot be read ({problem}).").partition("{")[0])
     view.selectRow(rows["plate"])

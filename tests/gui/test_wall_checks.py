@@ -9,7 +9,7 @@ import numpy as np
 import Part
 import pytest
 import window_actions as window
-from folder_dialog_use import column, dialog, folder, message, no_choices, run  # noqa: F401 - fixtures among them
+from folder_dialog_use import CATEGORY, column, dialog, folder, message, no_choices, run  # noqa: F401 - fixtures among them
 
 from thinpart_workbench.core.judging.limit_bands import FAILS, JUST_ABOVE, PASSES, TOO_THICK
 from thinpart_workbench.core.judging.wall_limits import shipped_limits
@@ -17,7 +17,6 @@ from thinpart_workbench.freecad_adapter.objects.thickness_object import OWN_CHEC
 from thinpart_workbench.freecad_adapter.preferences import set_preference
 from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
 from thinpart_workbench.gui.colour_bar.colours import BAND_COLOURS, ThicknessColours
-from thinpart_workbench.gui.folder.results_model import FIRST_CHECK
 from thinpart_workbench.gui.preferences.form import PreferencesForm
 from thinpart_workbench.gui.widgets.process_field import ProcessField
 from thinpart_workbench.storage.user_limits import known_limits
@@ -137,9 +136,9 @@ def test_a_process_that_is_no_longer_known_is_still_shown(document, own_limits, 
 def test_the_folder_has_a_column_for_each_process(dialog, folder, tmp_path):
     window.widget("ThinPart_FolderChecks", QtWidgets.QLineEdit).setText("sheet_metal,FDM")
     run(folder)
-    passes = dict(zip(column(1), column(FIRST_CHECK)))
+    passes = dict(zip(column(1), column(CATEGORY + 1)))
     assert passes["Block"] == "\u2717 fails" and passes["Cover plate"] == "\u2713 passes" and passes[""] == ""
-    assert set(column(FIRST_CHECK + 1)) == {"\u2713 passes", ""}
+    assert set(column(CATEGORY + 2)) == {"\u2713 passes", ""}
 
     def choose_name(box):
         box.findChild(QtWidgets.QLineEdit).setText(str(tmp_path / "table.csv"))

@@ -155,9 +155,10 @@ def test_columns_of_the_list_fit_what_becomes_known():
     table = PartsTable()
     table.resize(400, 100)
     table.show()
-    waiting = [PartsTableRow("one", "One", 1, None, ""), PartsTableRow("two", "Two", 1, None, "")]
+    waiting = [PartsTableRow("one", "One", 1), PartsTableRow("two", "Two", 1)]
     table.show_parts(waiting, load_profile("paper"), MILLIMETRE)
-    table.show_parts([waiting[0], replace(waiting[1], failure="no solid")], load_profile("paper"), MILLIMETRE)
+    failed = replace(waiting[1], failure={"kind": "unsupported", "message": "no solid"})
+    table.show_parts([waiting[0], failed], load_profile("paper"), MILLIMETRE)
     assert table.columnWidth(1) >= table.sizeHintForColumn(1)
     table.hide()
     table.deleteLater()

@@ -201,6 +201,18 @@ def key(target, code, modifiers=QtCore.Qt.NoModifier):
         QtWidgets.QApplication.sendEvent(target, QtGui.QKeyEvent(kind, code, modifiers))
 
 
+def edit_cell(table, row, column, text):
+    """Write a text into a cell of a table, given by its name."""
+    model = widget(table).model()
+    model.setData(model.index(row, column), text)
+
+
+def check_cell(table, row, is_on):
+    """Set or remove the check mark of a row."""
+    model = widget(table).model()
+    model.setData(model.index(row, 0), QtCore.Qt.Checked if is_on else QtCore.Qt.Unchecked, QtCore.Qt.CheckStateRole)
+
+
 def tool_button(command):
     """The tool bar's button of a command."""
     settle(5)

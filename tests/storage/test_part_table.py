@@ -1,15 +1,15 @@
 import csv
 
-from thinpart_workbench.core.foreign_text import csv_text
 from thinpart_workbench.core.kinds.file_marks import TABLE
 from thinpart_workbench.storage.output_file import bears_mark
-from thinpart_workbench.storage.part_table import PartRow, failed_row, write_part_table
+from thinpart_workbench.storage.part_table import PartRow, failed_row, part_table, write_table
 
 
 def test_what_cannot_be_text_and_what_must_be_quoted_is_written(tmp_path):
     error = {"kind": "crash", "message": 'it ended, "as said"\nand again'}
     row = failed_row("a,b/\udcff.step", None, None, error)
-    write_part_table(tmp_path / "table.csv", [csv_text([row])])
+    form = part_table()
+    write_table(tmp_path / "table.csv", form, [form.text([row])])
     assert bears_mark(tmp_path / "table.csv", TABLE)
     with open(tmp_path / "table.csv", newline="", encoding="utf-8") as file:
         head, row = csv.reader(file)

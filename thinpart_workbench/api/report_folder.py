@@ -8,18 +8,18 @@ from collections import Counter, namedtuple
 from .. import __version__
 from ..core.analysis_settings import RAY
 from ..core.errors import ThinPartError
-from ..core.foreign_text import csv_form, csv_text
+from ..core.foreign_text import csv_form
 from ..core.judging.criteria import NORMAL, UNKNOWN, profile_from
 from ..core.judging.wall_check import check_walls
 from ..core.kinds.file_marks import PAGE, REPORT, TABLE
 from ..core.length_unit import MILLIMETRE, UNITS
 from ..core.message import message
 from ..freecad_adapter.reading.linked_files import linked_files
-from ..storage.face_table import FACE_COLUMNS
+from ..storage.face_table import FACES
 from ..storage.info.info_file import new_source
 from ..storage.info.info_location import call_in_folder, info_location
 from ..storage.output_file import check_output, write_output
-from ..storage.part_table import check_cells, check_titles, failed_row, measured_row, write_part_table
+from ..storage.part_table import checked_row, failed_row, part_table, write_table
 from ..storage.user_limits import limits_named
 from ..workflow.report import page_language
 from ..workflow.report.page_language import ENGLISH
@@ -82,6 +82,7 @@ class ReportFolder:
         self._tree = tree
         self._subject = os.fspath(tree) if subject is None else subject
         self._profile, self._limits = profile, limits
+        self._form = part_table(each.name for each in limits)
         self._info_for = info_for
         self._shown_measure, self._language, self._unit = shown_measure, language, unit
         self._parts, self._failures, self._part_blocks = [], [], []
@@ -110,11 +111,11 @@ class ReportFolder:
         for record in outcome.get("parts", ()):
             checks = [check_walls(record, limits).content() for limits in self._limits]
             self._parts.append(_summary(record, pages, checks))
-            rows.append((*measured_row(document, record), *check_cells(checks)))
+            rows.append(checked_row(document, {**record, "checks": checks}))
         for error in errors:
             self._failures.append(FailureSummary(document, error.get("label"), error["kind"], error["message"]))
             rows.append(failed_row(document, error.get("part"), error.get("label"), error))
-        self._part_blocks.append((document, csv_text(rows)))
+        self._part_blocks.append((document, self._form.text(rows)))
         start = self._faces.tell()
         # Lines from a worker, which a file may control.
         self._faces.write(csv_form("".join(outcome.get("faces", {}).values())).encode())
@@ -130,9 +131,8 @@ class ReportFolder:
         """
         try:
             blocks = [text for _, text in sorted(self._part_blocks)]
-            write_part_table(os.path.join(self.folder, "parts.csv"), blocks,
-                             check_titles(limits.name for limits in self._limits), **self._replacing)
-            write_output(os.path.join(self.folder, "faces.csv"), self._all_faces(), TABLE, **self._replacing)
+            write_table(os.path.join(self.folder, "parts.csv"), self._form, blocks, **self._replacing)
+            write_table(os.path.join(self.folder, "faces.csv"), FACES, self._all_faces(), **self._replacing)
             write_output(self.overview, self._overview_page(), PAGE, **self._replacing)
         except OSError as error:
             raise ThinPartError(
@@ -144,11 +144,9 @@ class ReportFolder:
         self._faces.close()
 
     def _all_faces(self):
-        pieces = [csv_text([FACE_COLUMNS]).encode()]
         for _, start, length in sorted(self._face_blocks):
             self._faces.seek(start)
-            pieces.append(self._faces.read(length))
-        return b"".join(pieces)
+            yield self._faces.read(length).decode()
 
     def _overview_page(self):
         profile = profile_from(self._profile)

@@ -5,9 +5,8 @@ import os
 from collections import namedtuple
 
 from ..core.errors import ThinPartError
-from ..core.foreign_text import csv_text
 from ..core.number_text import percent
-from ..storage.part_table import check_cells, check_titles, failed_row, measured_row, write_part_table
+from ..storage.part_table import checked_row, failed_row, part_table, write_table
 from .check_options import check_columns, check_remarks
 from .terminal_table import (
     CATEGORY_STYLES,
@@ -77,6 +76,7 @@ class PartRows:
 
     def __init__(self, tree, table=True, csv=True, regions=False, limits=()):
         self._limits = limits
+        self._form = part_table(each.name for each in limits)
         self._tree = tree
         self._table = table
         self._csv = csv
@@ -92,7 +92,7 @@ class PartRows:
         self._rows.append(_Row(
             outcome["file"],
             json.dumps(_table_rows(outcome, path, self._regions)) if self._table else None,
-            _csv_rows(outcome, path) if self._csv else None,
+            self._form.text(_csv_rows(outcome, path)) if self._csv else None,
         ))
 
     def print_table(self, stream):
@@ -121,8 +121,7 @@ class PartRows:
         """
         self._rows.sort(key=lambda row: row.file)
         try:
-            write_part_table(path, (row.csv for row in self._rows), check_titles(limits.name for limits in self._limits),
-                             overwrite, inputs)
+            write_table(path, self._form, (row.csv for row in self._rows), overwrite, inputs)
         except OSError as error:
             raise ThinPartError(
                 f"The table {path} could not be written ({error.strerror}): free some disk space, or give another "
@@ -179,10 +178,8 @@ def _columns(several):
 
 
 def _csv_rows(outcome, path):
-    rows = [(*measured_row(path, part), *check_cells(part.get("checks", ()))) for part in outcome.get("parts", ())]
-    rows += [failed_row(path, error.get("part"), error.get("label"), error)
-             for error in _errors(outcome)]
-    return csv_text(rows)
+    yield from (checked_row(path, part) for part in outcome.get("parts", ()))
+    yield from (failed_row(path, error.get("part"), error.get("label"), error) for error in _errors(outcome))
 
 
 def _errors(outcome):

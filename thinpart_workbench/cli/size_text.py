@@ -3,6 +3,7 @@
 import os
 
 from ..core.foreign_text import printable
+from ..storage.part_table import SUBJECT, TableForm
 from .terminal_table import CATEGORY_STYLES, OTHER_CATEGORY, TableColumn, print_table
 
 _MESH_KEYS = ("elements", "gamma_least", "gamma_1_percent", "gamma_mean", "sicn_least", "sicn_1_percent",
@@ -14,14 +15,9 @@ _IDEALISATION_KEYS = ("advice", "plate_volume_share", "plate_area_share", "width
                       "shell_elements")
 _SHELL_KEYS = ("elements", "nodes", "size", "volume_share", "reason")
 
-SIZE_COLUMNS = ("file", "part", "label", *_PART_KEYS,
-                *(f"{mesh}_{key}" for mesh in ("default", "proposed") for key in _MESH_KEYS), "tries",
-                *_IDEALISATION_KEYS, *(f"shell_mesh_{key}" for key in _SHELL_KEYS), "left_solid")
-"""Columns of the CSV table; lengths in mm."""
-
 
 def flat_row(file, part):
-    """The cells of a part for `SIZE_COLUMNS`, list of str and numbers."""
+    """The cells of a part in the table `SIZES`, list of str and numbers."""
     check = part["check"] or {"default": {}, "proposed": {}}
     shell = part.get("shell", {})
     cells = [file, part["name"], part["label"], *(part[key] for key in _PART_KEYS),
@@ -30,6 +26,13 @@ def flat_row(file, part):
              *(part["idealisation"][key] for key in _IDEALISATION_KEYS), *(shell.get(key) for key in _SHELL_KEYS),
              " ".join(face for each in shell.get("left_solid", ()) for face in each["faces"])]
     return ["" if cell is None else cell for cell in cells]
+
+
+SIZES = TableForm(
+    (*SUBJECT, *_PART_KEYS, *(f"{mesh}_{key}" for mesh in ("default", "proposed") for key in _MESH_KEYS), "tries",
+     *_IDEALISATION_KEYS, *(f"shell_mesh_{key}" for key in _SHELL_KEYS), "left_solid"),
+    lambda file_and_part: flat_row(*file_and_part))
+"""The CSV table of files and their parts; lengths in mm."""
 
 
 def print_part(stream, file, part):

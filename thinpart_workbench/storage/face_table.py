@@ -1,9 +1,10 @@
 """The CSV table of the faces of parts: a row per B-Rep face."""
 
 from ..core.record.part_record import face_number
+from .part_table import SUBJECT, TableForm
 
 FACE_COLUMNS = (
-    "file", "part", "label", "face", "made_by", "area_mm2", "thinnest_mm", "median_mm", "thickest_mm",
+    *SUBJECT, "face", "made_by", "area_mm2", "thinnest_mm", "median_mm", "thickest_mm",
     "thin_share", "unmeasured_share", "wall_mm", "x1", "y1", "z1", "x2", "y2", "z2", "opposite_face")
 """The columns from ``wall_mm`` on describe the thinnest wall under the face: its thickness, both of its end points
 in mm, and the face on which the second one lies."""
@@ -31,3 +32,8 @@ def face_rows(file, record, features):
             file, record["name"], record["label"], face["face"], made_by, face["area_mm2"], face["min"],
             face["median"], face["max"], face["thin_share"], face["unmeasured_share"], *ends))
     return rows
+
+
+FACES = TableForm(FACE_COLUMNS, tuple)
+"""The table of `face_rows`."""
+

@@ -1,6 +1,7 @@
-"""The CSV table of classified parts: a row per part and per failure."""
+"""CSV tables, and that of classified parts: a row per part and per failure."""
 
-from typing import Any
+import json
+from typing import Any, Callable, NamedTuple
 
 from ..core.foreign_text import csv_text
 from ..core.kinds.file_marks import TABLE
@@ -59,36 +60,63 @@ def failed_row(file, name, label, error):
     return PartRow(file, name, label, *empty_cells, error["kind"], error["message"])
 
 
-def check_titles(names):
-    """Titles of the columns of `check_cells`, for names of processes: tuple of str."""
-    return tuple(title for name in names for title in (f"check {name}", f"check {name} sentence"))
+class TableForm(NamedTuple):
+    """What a CSV table contains.
 
-
-def check_cells(checks):
-    """Cells for the ``checks`` of a part: tuple of str.
-
-    Parameters
+    Attributes
     ----------
-    checks : list of dict
-        See `WallCheck.content`.
+    titles : tuple of str
+        Those of the first columns are `SUBJECT`.
+    cells : callable
+        Maps a row to its cells: tuple of str, numbers and None.
     """
-    return tuple(cell for check in checks
-                 for cell in (_PASSES[check["passes"]], check["sentence"].replace("\u00a0", " ")))
+
+    titles: tuple
+    cells: Callable
+
+    def text(self, rows):
+        """Rows as lines of the table: str."""
+        return csv_text(map(self.cells, rows))
+
+
+SUBJECT = ("file", "part", "label")
+"""Titles of the first columns of every table."""
+
+
+def part_table(names=()):
+    """TableForm of PartRows, and of CheckedRows that were checked against processes of these names."""
+    titles = tuple(title for name in names for title in (f"check {name}", f"check {name} sentence"))
+    return TableForm((*PartRow._fields, *titles), _part_cells)
+
+
+def _part_cells(row):
+    checks = (cell for check in getattr(row, "checks", ())
+              for cell in (_PASSES[check["passes"]], check["sentence"].replace("\u00a0", " ")))
+    return (*row, *checks)
 
 
 _PASSES = {True: "passes", False: "fails", None: "unknown"}
 
 
-def write_part_table(path, blocks, more_titles=(), overwrite=False, inputs=()):
+def _stored_cells(part):
+    own = {"part": part.name, "criteria": " ".join(part.criteria or ()), "error": part.error_message,
+           "labels": labels_text(json.loads(part.labels)) if part.labels else None}
+    return tuple(own[title] if title in own else getattr(part, title, None) for title in PartRow._fields)
+
+
+STORED_PARTS = TableForm(PartRow._fields, _stored_cells)
+"""Of StoredParts, or what has their fields; an index has no warnings."""
+
+
+def write_table(path, form, blocks, overwrite=False, inputs=()):
     """Write a CSV file atomically: a line of titles, then the rows.
 
     Parameters
     ----------
     path : str or Path
+    form : TableForm
     blocks : iterable of str
-        From `csv_text`, of PartRows.
-    more_titles : tuple of str, optional
-        Titles of further columns, after those of a PartRow.
+        From `TableForm.text`.
     overwrite, inputs
         See `check_output`.
 
@@ -97,5 +125,5 @@ def write_part_table(path, blocks, more_titles=(), overwrite=False, inputs=()):
     ThinPartError, OSError
         See `write_output`.
     """
-    text = csv_text([(*PartRow._fields, *more_titles)]) + "".join(blocks)
+    text = csv_text([form.titles]) + "".join(blocks)
     write_output(path, text.encode(), TABLE, overwrite, inputs)

@@ -14,7 +14,7 @@ from ..core.message import joined
 from ..core.record.record_types import PART
 
 
-class Column(NamedTuple):
+class RecordColumn(NamedTuple):
     """A column.
 
     Attributes
@@ -81,15 +81,15 @@ def _quantity_column(quantity):
 
             return quantity.evaluate(descriptors_of(part), STATED_FLOOR)
 
-    return Column(quantity.name, "REAL", value, quantity.name if quantity.in_table else None,
-                  absent=quantity.absent_means)
+    return RecordColumn(quantity.name, "REAL", value, quantity.name if quantity.in_table else None,
+                        absent=quantity.absent_means)
 
 
 def _of_record(key, title=None):
     """The column of a key of a part record, with the SQL type of its kind."""
     kind = PART.kinds[key]
     type_ = _SQL_TYPES[type(kind.kind if isinstance(kind, OrNull) else kind)]
-    return Column(key, type_, lambda part, measured: part.get(key), title)
+    return RecordColumn(key, type_, lambda part, measured: part.get(key), title)
 
 
 _SQL_TYPES: dict[type, str] = {Text: "TEXT", Whole: "INTEGER", Number: "REAL"}
@@ -102,22 +102,22 @@ def _is_no_length(quantity):
 COLUMNS = (
     _of_record("name", "part"),
     *(_of_record(key, key) for key in ("label", "instances", "category")),
-    Column("criteria", "TEXT", lambda part, measured: f",{','.join(map(str, part['criteria']))},", "criteria",
-           lambda part, measured: " ".join(map(str, part["criteria"]))),
+    RecordColumn("criteria", "TEXT", lambda part, measured: f",{','.join(map(str, part['criteria']))},", "criteria",
+                 lambda part, measured: " ".join(map(str, part["criteria"]))),
     _of_record("margin", "margin"),
-    Column("borderline", "INTEGER", lambda part, measured: int(part["borderline"]), "borderline"),
+    RecordColumn("borderline", "INTEGER", lambda part, measured: int(part["borderline"]), "borderline"),
     *(_quantity_column(quantity) for quantity in sorted(QUANTITIES, key=_is_no_length) if quantity.keys),
-    Column("thinnest_mm", "REAL", lambda part, measured: measured["thickness_mm"]["min"], "thinnest_mm"),
-    Column("median_mm", "REAL", lambda part, measured: measured["thickness_mm"]["median"], "median_mm"),
-    Column("error_bound_mm", "REAL", lambda part, measured: measured["thickness_mm"]["error_bound"], "error_bound_mm"),
+    RecordColumn("thinnest_mm", "REAL", lambda part, measured: measured["thickness_mm"]["min"], "thinnest_mm"),
+    RecordColumn("median_mm", "REAL", lambda part, measured: measured["thickness_mm"]["median"], "median_mm"),
+    RecordColumn("error_bound_mm", "REAL", lambda part, measured: measured["thickness_mm"]["error_bound"], "error_bound_mm"),
     _of_record("triangles", "triangles"),
-    Column("warnings", None, lambda part, measured: joined(part["warnings"]), "warnings"),
-    Column("notes", "TEXT", lambda part, measured: part.get("notes") or ""),
-    Column("mesh", "TEXT", _mesh),
+    RecordColumn("warnings", None, lambda part, measured: joined(part["warnings"]), "warnings"),
+    RecordColumn("notes", "TEXT", lambda part, measured: part.get("notes") or ""),
+    RecordColumn("mesh", "TEXT", _mesh),
     _of_record("link"),
-    Column("labels", "TEXT", _labels, "labels", lambda part, measured: labels_text(part.get("labels", ()))),
-    Column("said", "TEXT", _said),
-    Column("text", "TEXT", _text),
+    RecordColumn("labels", "TEXT", _labels, "labels", lambda part, measured: labels_text(part.get("labels", ()))),
+    RecordColumn("said", "TEXT", _said),
+    RecordColumn("text", "TEXT", _text),
 )
 
 

@@ -10,14 +10,14 @@ from ...api.libraries import reference_part
 from ...api.mesh_sizes import MESH_SECONDS, check_shell_file, mesh_sizes, write_shell_file, write_size_script
 from ...core.categories import NORMAL
 from ...core.errors import ThinPartError
-from ...core.foreign_text import csv_text, printable
+from ...core.foreign_text import printable
 from ...core.kinds.file_marks import SCRIPT, SHELLS, TABLE
 from ...core.message import message
 from ...core.run_control import RunControl
 from ...core.shells.shell_settings import ShellSettings
 from ...core.sizing.sizing_settings import LAYERS_OF_ORDER, SizingSettings
 from ...storage.info.info_location import info_location
-from ...storage.output_file import write_output
+from ...storage.part_table import write_table
 from ..control_input import listen
 from ..output_options import add_output_option, check_with_documents, replacing
 from ..run_options import (
@@ -29,7 +29,7 @@ from ..run_options import (
     settings_of,
 )
 from ..run_report import new_report, standard_output
-from ..size_text import SIZE_COLUMNS, flat_row, print_part, print_sizes
+from ..size_text import SIZES, print_part, print_sizes
 from ..stop_signals import stop_signals
 
 
@@ -192,9 +192,8 @@ def _without_places(part):
 
 
 def _write_csv(options, parts):
-    text = csv_text([SIZE_COLUMNS, *(flat_row(file, part) for file, part in parts)])
     try:
-        write_output(options.csv, text.encode(), TABLE, **replacing(options))
+        write_table(options.csv, SIZES, [SIZES.text(parts)], **replacing(options))
     except OSError as error:
         raise ThinPartError(message("{file} cannot be written ({problem}): name another place.", file=options.csv,
                                     problem=error.strerror), "failed") from None

@@ -164,6 +164,7 @@ class ClassificationController(TaskController):
         if self.measured.is_unchanged():
             select_part(self.measured.document, self._part(name))
         failure = self._analysis.failures.get(name)
+        self._form.result.file = self.measured.document.FileName
         self._form.show_part(self._shown_record, self._analysis.profile,
                              translated(failure["message"]) if failure else "", self._unit)
         if self._shown_record is not None:
@@ -186,7 +187,8 @@ class ClassificationController(TaskController):
         self._form.result.show_legend(is_coloured, own_limit)
 
     def _show_list(self):
-        self._form.parts.show_parts(part_rows(self._analysis), self._analysis.profile, self._unit)
+        self._form.parts.show_parts(
+            part_rows(self._analysis), self._analysis.profile, self._unit, self.measured.document.FileName)
         self._form.parts.select_part(self._shown_name)
 
     def _show_end(self, sentence):

@@ -84,13 +84,13 @@ class FolderDialog(QtWidgets.QDialog):
         settings = replace(self._settings, jobs=current.jobs, seconds=current.seconds, force=False)
         # A folder that could not be searched is also a failure, but not a file to retry.
         files = {file: os.path.join(settings.folder, file)
-                 for file in sorted(self._results.table.failed_files)}
+                 for file in sorted(self._results.failed_files)}
         files = {file: path for file, path in files.items() if not os.path.isdir(path)}
         if not files:
             self._show_problem(translate(
                 "ThinPart", "The failures are folders that could not be searched: make them readable and start again."))
             return
-        self._results.table.remove_files(set(files))
+        self._results.remove_files(set(files))
         self._start_run(settings, files.values())
 
     def pause_or_resume(self):
@@ -219,7 +219,7 @@ class FolderDialog(QtWidgets.QDialog):
 
     def _show_end(self, end):
         self._set_state(IDLE)
-        self._results.fit_columns()
+        self._results.view.fit_columns()
         sentence = {
             DONE: "", STOPPED: translate(
                 "ThinPart", "cancelled: finished results are saved, Start continues with the rest"),
@@ -240,7 +240,7 @@ class FolderDialog(QtWidgets.QDialog):
         self._pause.setText(translate("ThinPart", "Resu&me") if state in (PAUSING, PAUSED)
                             else translate("ThinPart", "&Pause"))
         self._cancel.setEnabled(is_running and state != STOPPING)
-        self._retry.setEnabled(not is_running and bool(self._results.table.failed_files))
+        self._retry.setEnabled(not is_running and bool(self._results.failed_files))
         self._show_job()
         self._show_offer()
 

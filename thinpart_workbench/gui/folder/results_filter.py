@@ -1,11 +1,13 @@
 """Filters the results by words, categories and failures."""
 
+from collections import Counter
+
 from ...core.categories import NORMAL, UNKNOWN
+from ...storage.index.part_query import FAILED
 from ..application.qt import QtCore, QtWidgets, translate
 from ..record.category_marks import colour_icon, group_title
 from ..record.verdict_text import category_colour
 from ..widgets.flow_layout import FlowLayout
-from .results_order import FAILED
 
 _TYPING_DELAY = 200
 """Milliseconds after the last key press before the filter is applied."""
@@ -16,7 +18,7 @@ class ResultsFilter(QtWidgets.QWidget):
 
     Parameters
     ----------
-    table : ResultsModel
+    table : KeptRows
         The filtered model.
     profile : Profile
     """
@@ -45,11 +47,10 @@ class ResultsFilter(QtWidgets.QWidget):
         self._flow = FlowLayout(self._box_container)
         column.addWidget(self._box_container)
         self._boxes = {}
-        self.show_categories(profile)
-        table.counts_changed.connect(self._show_counts)
+        self.begin(profile)
 
-    def show_categories(self, profile):
-        """Create a checked check box for each category of a profile."""
+    def begin(self, profile):
+        """Create a checked check box for each category of a profile, and count from zero."""
         while self._flow.count():
             self._flow.takeAt(0).widget().deleteLater()
         names = [category.name for category in profile.categories] + [NORMAL, UNKNOWN, FAILED]
@@ -60,15 +61,34 @@ class ResultsFilter(QtWidgets.QWidget):
             QtWidgets.QWidget.setTabOrder(before, box)
             before = box
         self._only.setChecked(False)
-        self._show_counts()
+        self.count_again()
         self.apply()
 
+    def count(self, rows):
+        """Count more rows."""
+        self._counts.update(map(_group, rows))
+        for name, (box, title) in self._boxes.items():
+            text = f"{title} ({self._counts[name]})"
+            if box.text() != text:
+                box.setText(text)
+
+    def count_again(self):
+        """Count all rows of the table, also hidden ones."""
+        self._counts = Counter()
+        self.count(self._table.all_rows)
+
     def apply(self):
-        """Apply the filter to the table."""
+        """Apply the filter to the table: rows that contain all words, and whose category is checked."""
+        words = self.field.text().casefold().split()
         hidden = {name for name, (box, _) in self._boxes.items() if not box.isChecked()}
         if self._only.isChecked():
             hidden = set(self._boxes) - {FAILED}
-        self._table.select(self.field.text().split(), hidden)
+
+        def is_wanted(row):
+            text = "\n".join(filter(None, (row.file, row.label, row.part))).casefold() if words else ""
+            return all(word in text for word in words) and _group(row) not in hidden
+
+        self._table.select(is_wanted)
 
     def _box(self, name, title):
         box = QtWidgets.QCheckBox(self._box_container)
@@ -80,13 +100,12 @@ class ResultsFilter(QtWidgets.QWidget):
         self._flow.addWidget(box)
         return box, title
 
-    def _show_counts(self):
-        for name, (box, title) in self._boxes.items():
-            text = f"{title} ({self._table.counts[name]})"
-            if box.text() != text:
-                box.setText(text)
-
     def _show_only_failures(self, only):
         for box, _ in self._boxes.values():
             box.setEnabled(not only)
         self.apply()
+
+
+def _group(row):
+    """A row's category, or `FAILED`."""
+    return FAILED if row.error_kind else row.category

@@ -5,7 +5,8 @@ from ..application.numbers import marked
 from ..application.qt import QtCore, QtWidgets, grouped, translate
 from ..record.record_view import show_text, text_line
 from ..record.verdict_text import category_colour, category_word
-from ..widgets.record_table_view import RecordColumn, RecordTableView
+from ..tables.column import Column, square
+from ..tables.small_table import SmallTable
 
 _LINES = 12
 """Rows of a table before it scrolls."""
@@ -41,14 +42,14 @@ class LearnedView(QtWidgets.QWidget):
         self._profile = profile_from(learned["content"])
         self._summary.setText(_summary(learned))
         show_text(self._figures, _figures_text(learned))
-        self._scores.set_rows([(learned["start"], learned["before"]), (translate("ThinPart", "learned"), learned["after"])])
+        self._scores.show_rows([(learned["start"], learned["before"]), (translate("ThinPart", "learned"), learned["after"])])
         for caption, table, name, scores in (
                 (self._before_caption, self._before, learned["start"], learned["before"]),
                 (self._after_caption, self._after, translate("ThinPart", "the learned profile"), learned["after"])):
             caption.setText(translate("ThinPart", "Labels (rows) and verdicts of {} (columns)").format(name))
-            table.set_columns(self._confusion_columns(list(next(iter(scores["confusion"].values())))))
-            table.set_rows(list(scores["confusion"].items()))
-        self._changes.set_rows(learned["changes"])
+            table.show_rows(list(scores["confusion"].items()),
+                            self._confusion_columns(list(next(iter(scores["confusion"].values())))))
+        self._changes.show_rows(learned["changes"])
         self._show_people(learned)
 
     def _add_agreement(self):
@@ -70,7 +71,7 @@ class LearnedView(QtWidgets.QWidget):
         page, column = self._page(translate("ThinPart", "Thresholds"))
         self._changes = self._table(page, column, "ThinPart_LearnChanges", (
             _column(translate("ThinPart", "Category"), lambda row: category_word(row["category"], self._profile),
-                    swatch=lambda row: category_colour(row["category"])),
+                    picture=lambda row: square(category_colour(row["category"]))),
             _column(translate("ThinPart", "Criterion"), lambda row: row["criterion"]),
             _column(translate("ThinPart", "Start"), lambda row: row["before"]),
             _column(translate("ThinPart", "Learned"), _learned_text, stretches=True),
@@ -97,7 +98,7 @@ class LearnedView(QtWidgets.QWidget):
             lines.append(translate("ThinPart", "Two answers to the same part differ in {}.").format(share_text(pairs)))
         self._people.setText("\n".join(lines))
         different = learned["disagreement"]["parts"]
-        self._different.set_rows(different)
+        self._different.show_rows(different)
         self._different.setVisible(bool(different))
 
     def _answers_text(self, row):
@@ -107,7 +108,7 @@ class LearnedView(QtWidgets.QWidget):
     def _confusion_columns(self, verdicts):
         return (
             _column(translate("ThinPart", "Label"), lambda row: category_word(row[0], self._profile),
-                    swatch=lambda row: category_colour(row[0])),
+                    picture=lambda row: square(category_colour(row[0]))),
             *(_column(category_word(verdict, self._profile), lambda row, verdict=verdict: _count_text(row, verdict), True)
               for verdict in verdicts),
         )
@@ -125,7 +126,7 @@ class LearnedView(QtWidgets.QWidget):
 
     @staticmethod
     def _table(page, column, name, columns):
-        table = RecordTableView(name, columns, _LINES, page)
+        table = SmallTable(name, columns, _LINES, page)
         column.addWidget(table)
         return table
 
@@ -176,4 +177,4 @@ def _count_text(row, verdict):
 
 
 def _column(title, text, is_number=False, **more):
-    return RecordColumn(title, text, text, is_number, most_characters=40, **more)
+    return Column(title, title, text, is_number=is_number, most=40, **more)

@@ -7,8 +7,8 @@ from ..application.qt import QtCore, QtWidgets, Signal, translate
 from ..application.sentences import translated, translated_list
 from ..record.record_view import RecordView, show_text, text_line
 from .distribution_comparison import DistributionComparison
+from .found_rows import part_name
 from .notes_page import NotesPage
-from .results_model import part_name
 from .thumbnails import neutral_picture
 
 VERDICT, NOTES, COMPARISON = range(3)
@@ -101,6 +101,7 @@ class PartDetails(QtWidgets.QTabWidget):
             self._show_result(self._response)
 
     def _show_result(self, response):
+        self._result.file = self._part.file
         self._result.show_record(response["record"], profile_from(response["profile"]), length_unit())
 
     def compare_with(self, name, record):

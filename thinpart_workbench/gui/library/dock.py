@@ -20,9 +20,9 @@ from ..widgets.push_button import add_button
 from .active_record import active_record, not_classified
 from .details import PartDetails
 from .filters_page import FiltersPage
+from .found_rows import FoundRows
 from .libraries_page import LibrariesPage
 from .reclassify_page import ReclassifyPage
-from .results_model import FILE, SCORE, FoundPartsModel
 from .results_view import FoundPartsView
 from .search_client import SearchClient
 from .thumbnails import Thumbnails
@@ -200,7 +200,7 @@ class FindDock(QtWidgets.QDockWidget):
         column = QtWidgets.QVBoxLayout(container)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2)
-        self._table = FoundPartsModel(self._profile, self._pictures, self)
+        self._table = FoundRows(self._profile, self._pictures, self)
         self._view = FoundPartsView(self._table, self)
         column.addWidget(self._view, 1)
         self._status = text_line(container, column, "ThinPart_FindStatus")
@@ -231,6 +231,7 @@ class FindDock(QtWidgets.QDockWidget):
         self._table.sort_requested.connect(lambda key, descending: search.update_query(sort=key, descending=descending))
         view.current_changed.connect(self._show_part)
         view.message.connect(self._show_message)
+        view.failed.connect(self._show_message)
         view.notes_requested.connect(lambda _: self._details.edit_notes())
         view.similar_requested.connect(self._find_like_part)
         self._details.notes.save_requested.connect(search.save_annotation)
@@ -286,7 +287,7 @@ class FindDock(QtWidgets.QDockWidget):
         self._details.compare_with(name, record)
         self._show_like()
         self._search.update_query(sort="score", descending=False)
-        self._view.show_sorted_by(SCORE, False)
+        self._view.show_sorted_by("score", False)
         self._start_search()
 
     def _end_like(self):
@@ -294,7 +295,7 @@ class FindDock(QtWidgets.QDockWidget):
         self._details.compare_with("", None)
         self._show_like()
         self._search.update_query(sort="file", descending=False)
-        self._view.show_sorted_by(FILE, False)
+        self._view.show_sorted_by("file", False)
         self._start_search()
 
     def _show_unit(self):

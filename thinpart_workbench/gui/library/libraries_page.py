@@ -5,8 +5,9 @@ import os
 from ...freecad_adapter.preferences import preference_list, set_preference_list
 from ..application.qt import QtCore, QtWidgets, Signal, grouped, translate
 from ..application.sentences import translated
-from ..record.category_marks import FAILED_COLOUR, colour_icon
+from ..record.category_marks import colour_icon
 from ..record.record_view import show_text, text_line
+from ..tables.row_model import FAILED_COLOUR
 from ..widgets.flow_layout import FlowLayout
 from ..widgets.folder_field import contains
 from ..widgets.push_button import add_button

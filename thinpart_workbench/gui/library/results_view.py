@@ -3,71 +3,64 @@
 import os
 
 from ...core.errors import ThinPartError
+from ...storage.part_table import STORED_PARTS
 from ..application.qt import QtCore, QtGui, QtWidgets, Signal, translate
 from ..application.sentences import translated
 from ..document.insert_part import insert_part
 from ..document.open_part import DANGEROUS, confirm_dangerous_open, open_part
-from ..widgets.row_table import PathDelegate, show_whole_rows
-from .results_model import FILE, PART, REASONS, SCORE
+from ..tables.table_view import TableView
 
-_MAX_WIDTH = 34
-"""Maximum width of an automatically sized column, in characters."""
+_LIKE = ("score", "reasons")
+"""Columns of a search for parts that are alike."""
 
 
-class FoundPartsView(QtWidgets.QTableView):
-    """Shows a `FoundPartsModel`.
+class FoundPartsView(TableView):
+    """Shows `FoundRows`.
 
     Signals
     -------
     current_changed(object)
         The selected part, or None.
-    message(str)
-        Outcome of an action, or the reason of its failure.
     notes_requested, similar_requested(object)
         The corresponding entry of the context menu was chosen for a part.
     """
 
     current_changed = Signal(object)
-    message = Signal(str)
     notes_requested = Signal(object)
     similar_requested = Signal(object)
 
     def __init__(self, table, parent=None):
-        super().__init__(parent)
         self._table = table
         self._fitted = self._is_updating = False
-        self.setObjectName("ThinPart_FoundTable")
-        self.setModel(table)
-        show_whole_rows(self)
+        super().__init__("ThinPart_FoundTable", table, parent)
+        self.csv_form, self.row_menu = STORED_PARTS, self._part_menu
         self.setSelectionMode(QtWidgets.QAbstractItemView.ExtendedSelection)
         self.setDragEnabled(True)
         self.setDragDropMode(QtWidgets.QAbstractItemView.DragOnly)
-        self.setItemDelegateForColumn(FILE, PathDelegate(self))
-        self._set_row_height()
-        header = self.horizontalHeader()
-        header.setHighlightSections(False)
-        header.setSortIndicator(FILE, QtCore.Qt.AscendingOrder)
-        self.setSortingEnabled(True)
+        self._fit_rows()
+        self.show_sorted_by("file", False)
         self.doubleClicked.connect(lambda _: self.open_current())
         self.selectionModel().currentRowChanged.connect(self._emit_current)
         table.dataChanged.connect(self._emit_when_fetched)
         self._reported = None
-        self._show_similar_columns(False)
+        self.show_columns(dict.fromkeys(_LIKE, False))
 
     @property
     def current_part(self):
         """The part at the current index, or None."""
         index = self.currentIndex()
-        return self._table.part_at(index.row()) if index.isValid() else None
+        return self._table.row_at(index.row()) if index.isValid() else None
 
     def show_result(self, result, is_similarity):
         """Show a search result; the selected part stays selected if it was found."""
         self._is_updating = True
         scroll_position = self.verticalScrollBar().value()
         self._table.show_result(result["count"], result["rows"])
-        self._show_similar_columns(is_similarity)
+        if is_similarity == self.isColumnHidden(self._table.number_of("score")):
+            self.show_columns(dict.fromkeys(_LIKE, is_similarity))
+            self._fitted = False
         if result["current"] is not None:
-            index = self._table.index(result["current"], PART)
+            index = self._table.index(result["current"], self._table.number_of("label"))
             self.selectionModel().setCurrentIndex(
                 index, QtCore.QItemSelectionModel.ClearAndSelect | QtCore.QItemSelectionModel.Rows)
         if result["same"]:
@@ -79,13 +72,13 @@ class FoundPartsView(QtWidgets.QTableView):
         self._is_updating = False
         if not self._fitted and result["rows"]:
             self._fitted = True
-            self._fit_columns()
+            self.fit_columns()
 
-    def show_sorted_by(self, column, descending):
-        """Set the sort indicator of the header without requesting a sort."""
+    def show_sorted_by(self, key, descending):
+        """Set the sort indicator of the header to a column without requesting a sort."""
         header = self.horizontalHeader()
         header.blockSignals(True)
-        header.setSortIndicator(column, QtCore.Qt.DescendingOrder if descending
+        header.setSortIndicator(self._table.number_of(key), QtCore.Qt.DescendingOrder if descending
                                 else QtCore.Qt.AscendingOrder)
         header.blockSignals(False)
 
@@ -117,9 +110,7 @@ class FoundPartsView(QtWidgets.QTableView):
         """Put the path of the part's document on the clipboard."""
         QtWidgets.QApplication.clipboard().setText(self.current_part.file)
 
-    def menu(self):
-        """QMenu with the actions on the current part."""
-        part = self.current_part
+    def _part_menu(self, part):
         menu = QtWidgets.QMenu(self)
         menu.setObjectName("ThinPart_FoundMenu")
         for name, text, callback, works_for_failed in (
@@ -137,12 +128,6 @@ class FoundPartsView(QtWidgets.QTableView):
             action.triggered.connect(lambda *_, callback=callback: callback())
         return menu
 
-    def contextMenuEvent(self, event):
-        """Show the menu of the current part."""
-        menu = self.menu()
-        menu.popup(event.globalPos())
-        menu.aboutToHide.connect(menu.deleteLater)
-
     def keyPressEvent(self, event):
         """Open the part on Enter."""
         if event.key() in (QtCore.Qt.Key_Return, QtCore.Qt.Key_Enter):
@@ -154,38 +139,14 @@ class FoundPartsView(QtWidgets.QTableView):
         """Adapt the row height to the font."""
         super().changeEvent(event)
         if event.type() in (QtCore.QEvent.FontChange, QtCore.QEvent.StyleChange):
-            self._set_row_height()
+            self._fit_rows()
 
-    def _set_row_height(self):
-        # Fixed row height: with individual heights, Qt would have to measure 100,000 rows.
-        height = round(2.6 * self.fontMetrics().height())
-        rows = self.verticalHeader()
-        rows.setSectionResizeMode(QtWidgets.QHeaderView.Fixed)
-        rows.setDefaultSectionSize(height)
-        rows.hide()
+    def _fit_rows(self):
+        self.set_row_height(2.6)
+        height = self.verticalHeader().defaultSectionSize()
         size = QtCore.QSize(round((height - 4) * 4 / 3), height - 4)
         self.setIconSize(size)
         self._table.picture_size, self._table.screen_ratio = size, self.devicePixelRatioF()
-
-    def _show_similar_columns(self, shown):
-        for column in (SCORE, REASONS):
-            self.setColumnHidden(column, not shown)
-        header = self.horizontalHeader()
-        if shown and header.sectionSize(SCORE) < header.sectionSizeHint(SCORE):
-            header.resizeSection(SCORE, header.sectionSizeHint(SCORE))
-
-    def _fit_columns(self):
-        self.resizeColumnsToContents()
-        header = self.horizontalHeader()
-        widest = _MAX_WIDTH * self.fontMetrics().averageCharWidth()
-        for column in range(self._table.columnCount()):
-            if not self.isColumnHidden(column):
-                wide = widest + (self.iconSize().width() if column == PART else 0)
-                header.resizeSection(column, min(header.sectionSize(column), wide))
-        for column in (SCORE, REASONS):
-            if self.isColumnHidden(column):
-                header.resizeSection(column, self.fontMetrics().averageCharWidth() * (
-                    8 if column == SCORE else 45))
 
     def _emit_current(self, *_):
         part = self.current_part

@@ -4,8 +4,8 @@ import time
 from collections import OrderedDict
 
 from ..application.qt import QtCore, QtGui, Signal, colour
-from ..record.category_marks import FAILED_COLOUR
 from ..record.verdict_text import category_colour
+from ..tables.row_model import FAILED_COLOUR
 
 CACHE_SIZE = 600
 SLICE_SECONDS = 0.01

@@ -129,7 +129,7 @@ class MeshSizesController(TaskController):
             if document.FileName:
                 lifelong.region_notes.read(document.FileName)
             self.panel.show()
-            self._form.show_part(self._part.label, length_unit(document))
+            self._form.show_part(document.FileName, self._part.name, self._part.label, length_unit(document))
             self._form.show_running(translate("ThinPart", "Starting to measure {}").format(self._part.label))
             self.measured.start(self._part, preferred_analysis(), profile)
         except ThinPartError as error:
@@ -237,7 +237,7 @@ class MeshSizesController(TaskController):
     def _show_unit(self):
         """Another unit system was chosen while the panel is open."""
         if self._part is not None:
-            self._form.show_part(self._part.label, length_unit(self._document))
+            self._form.show_part(self._document.FileName, self._part.name, self._part.label, length_unit(self._document))
             if self._proposal is not None:
                 self._show_proposal()
             if self._shell is not None:

@@ -14,7 +14,7 @@ from ..widgets.push_button import add_button
 from .quality_chart import QualityChart
 from .scale_bar import ScaleBar
 from .shell_box import ShellBox
-from .wall_table import WallTable
+from .wall_table import WallSizes
 
 ICON = Path(__file__).resolve().parents[3] / "resources" / "icons" / "ThinPart_MeshSizes.svg"
 
@@ -71,7 +71,7 @@ class MeshSizesPanel(QtWidgets.QWidget):
                                       self.offer_taken.emit)
         self.show_offer("")
         self._add_settings(rows)
-        self.walls = WallTable(self)
+        self.walls = WallSizes(self)
         rows.addWidget(self.walls)
         self._estimate = text_line(self, rows, "ThinPart_MeshEstimate")
         self.preview = self._check(rows, "ThinPart_SizePreview", translate("ThinPart", "Show sizes on the part"), True)
@@ -118,9 +118,10 @@ class MeshSizesPanel(QtWidgets.QWidget):
         show_text(self._offer, sentence)
         self._take_offer.setVisible(bool(sentence))
 
-    def show_part(self, label, unit):
-        """Show which part it is about, and in which unit lengths are."""
+    def show_part(self, file, name, label, unit):
+        """Show which part it is about: its document, name and label, and in which unit lengths are."""
         show_text(self._part, label)
+        self.walls.subject = self.shell.walls.subject = file, name, label
         self._unit = unit
         self._size.set_form(1.0 / unit.millimetres, "\u00a0" + unit.symbol, unit.decimals, 0.0)
         self.shell.show_unit(unit)
@@ -146,7 +147,7 @@ class MeshSizesPanel(QtWidgets.QWidget):
         """Show what is proposed: see `PartSizing.proposed`; with a colour for each row, and the ColourScale of sizes."""
         unit = self._unit
         self._content.show()
-        self.walls.show_rows(found["regions"], unit, colours)
+        self.walls.show_walls(found["regions"], unit, colours)
         self.walls.setVisible(bool(found["regions"]))
         if not self._size.exact():
             self._size.setSpecialValueText(translate("ThinPart", "automatic: {}").format(unit.text(found["global_size"])))

@@ -1,17 +1,31 @@
 """The part of the panel that makes a shell: settings, the walls of the mid-surface, and what is left solid."""
 
+from typing import NamedTuple, Optional
+
 from ...core.shells.shell_settings import ShellSettings
 from ..application.length_unit import MILLIMETRE
-from ..application.numbers import number, percent
-from ..application.qt import QtCore, QtGui, QtWidgets, Signal, colour, grouped, translate
+from ..application.numbers import percent
+from ..application.qt import QtWidgets, Signal, grouped, translate
 from ..application.sentences import translated
 from ..record.record_view import show_text, text_line
 from ..record.regions_table import kind_word
+from ..tables.column import Column, area, figures, length, square
 from ..widgets.exact_field import ExactField
 from ..widgets.push_button import add_button
 from .scale_bar import ScaleBar
+from .wall_table import CheckedWalls
 
-_LINES = 7
+
+class _Wall(NamedTuple):
+    """A wall: its word, thickness and area, mm and mm2, its faces, its colour or None, and whether it is in the shell, None
+    where it cannot be."""
+
+    word: str
+    thickness: float
+    area: Optional[float]
+    faces: tuple
+    rgb: Optional[tuple]
+    is_in: Optional[bool]
 
 
 class ShellBox(QtWidgets.QWidget):
@@ -35,7 +49,7 @@ class ShellBox(QtWidgets.QWidget):
     def __init__(self, parent=None):
         super().__init__(parent)
         self.setObjectName("ThinPart_ShellBox")
-        self._unit, self._faces = MILLIMETRE, []
+        self._unit = MILLIMETRE
         self._walls, self._solid = [], set()  # those that a shell could have; the faces of those that stay solid
         rows = QtWidgets.QVBoxLayout(self)
         rows.setContentsMargins(0, 0, 0, 0)
@@ -59,16 +73,11 @@ class ShellBox(QtWidgets.QWidget):
         self.button = add_button(rows, self, "ThinPart_ShellButton", translate("ThinPart", "Make shell"),
                                  self.shell_requested.emit)
         self._figures = text_line(self, rows, "ThinPart_ShellFigures")
-        self.walls = QtWidgets.QTableWidget(0, 3, self)
-        self.walls.setObjectName("ThinPart_ShellWalls")
-        self.walls.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
-        self.walls.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
-        self.walls.verticalHeader().hide()
-        self.walls.setSizePolicy(QtWidgets.QSizePolicy.Expanding, QtWidgets.QSizePolicy.Fixed)
+        self.walls = CheckedWalls("ThinPart_ShellWalls", _columns(), lambda wall: wall.faces, self)
         self.walls.setToolTip(translate(
             "ThinPart", "Without the check mark, a wall stays solid and is not in the shell."))
-        self.walls.itemSelectionChanged.connect(self._on_selected)
-        self.walls.itemChanged.connect(self._on_changed)
+        self.walls.faces_chosen.connect(self.faces_chosen)
+        self.walls.model().edited.connect(self._on_edited)
         rows.addWidget(self.walls)
         self.preview = QtWidgets.QCheckBox(translate("ThinPart", "Show the shell by its thickness"), self)
         self.preview.setObjectName("ThinPart_ShellPreview")
@@ -119,50 +128,33 @@ class ShellBox(QtWidgets.QWidget):
         self._fill(found["walls"], found["left_solid"], scale)
 
     def _fill(self, walls, left_solid, scale):
-        unit, shell, could = self._unit, translate("ThinPart", "shell"), {wall["faces"] for wall in self._walls}
-        blocked = self.walls.blockSignals(True)
-        self.walls.setHorizontalHeaderLabels([
-            translate("ThinPart", "Wall"), translate("ThinPart", "Thick, {}").format(unit.symbol),
-            translate("ThinPart", "Area, {}\u00b2").format(unit.symbol)])
-        solid = translate("ThinPart", "left solid: {}")
-        rows = [(shell if tuple(wall["faces"]) not in self._solid else translate("ThinPart", "solid"), wall["thickness"],
-                 number(wall["area"] / unit.millimetres ** 2), scale) for wall in walls]
-        rows += [(solid.format(kind_word(each["kind"])), each["thickness"], "\u2013", None) for each in left_solid]
-        self._faces = [tuple(each["faces"]) for each in (*walls, *left_solid)]
-        self.walls.setRowCount(len(rows))
-        for row, (text, thickness, area, own) in enumerate(rows):
-            for column, cell in enumerate((text, unit.number(thickness), area)):
-                item = QtWidgets.QTableWidgetItem(cell)
-                if column:
-                    item.setTextAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
-                elif self._faces[row] in could:
-                    item.setFlags(item.flags() | QtCore.Qt.ItemIsUserCheckable)
-                    item.setCheckState(QtCore.Qt.Unchecked if self._faces[row] in self._solid else QtCore.Qt.Checked)
-                if not column and own is not None:
-                    square = QtGui.QPixmap(12, 12)
-                    square.fill(colour(tuple(own.colours([thickness])[0] / 255.0)))
-                    item.setIcon(QtGui.QIcon(square))
-                self.walls.setItem(row, column, item)
-        self.walls.blockSignals(blocked)
-        line = self.fontMetrics().height() + 8
-        self.walls.verticalHeader().setDefaultSectionSize(line)
-        self.walls.setFixedHeight(min(max(2, len(rows)), _LINES) * line + self.walls.horizontalHeader().sizeHint().height()
-                                  + 2 * self.walls.frameWidth() + 2)
-        self.walls.resizeColumnsToContents()
-        self.walls.horizontalHeader().setSectionResizeMode(0, QtWidgets.QHeaderView.Stretch)
-
-    def _on_changed(self, cell):
-        chosen = {index.row() for index in self.walls.selectedIndexes()}
-        chosen = chosen if cell.row() in chosen else {cell.row()}
         could = {wall["faces"] for wall in self._walls}
-        faces = {self._faces[row] for row in chosen} & could
-        self._solid = self._solid - faces if cell.checkState() == QtCore.Qt.Checked else self._solid | faces
-        # The table is filled anew, which an item that reports its change does not survive.
-        QtCore.QTimer.singleShot(0, self.changed.emit)
+        rows = []
+        for wall in walls:
+            faces, is_in = tuple(wall["faces"]), tuple(wall["faces"]) not in self._solid
+            rgb = None if scale is None else tuple(scale.colours([wall["thickness"]])[0] / 255.0)
+            rows.append(_Wall(translate("ThinPart", "shell") if is_in else translate("ThinPart", "solid"), wall["thickness"],
+                              wall["area"], faces, rgb, is_in if faces in could else None))
+        for each in left_solid:
+            faces = tuple(each["faces"])
+            rows.append(_Wall(translate("ThinPart", "left solid: {}").format(kind_word(each["kind"])), each["thickness"],
+                              None, faces, None, faces not in self._solid if faces in could else None))
+        self.walls.show_rows(rows, _columns(), self._unit, lambda one, other: one.faces == other.faces, self.walls.subject)
 
-    def _on_selected(self):
-        chosen = sorted({index.row() for index in self.walls.selectedIndexes()})
-        self.faces_chosen.emit(tuple(face for row in chosen for face in self._faces[row]))
+    def _on_edited(self, _key, number, is_in):
+        rows, could = self.walls.rows, {wall["faces"] for wall in self._walls}
+        faces = {rows[each].faces for each in self.walls.selected(number)} & could
+        self._solid = self._solid - faces if is_in else self._solid | faces
+        self.changed.emit()
+
+
+def _columns():
+    return [
+        Column("wall", translate("ThinPart", "Wall"), lambda wall: wall.word, stretches=True,
+               picture=lambda wall: wall.rgb and square(wall.rgb), is_checked=lambda wall: wall.is_in),
+        figures("thickness_mm", translate("ThinPart", "Thick, {}"), lambda wall: wall.thickness, length),
+        figures("area_mm2", translate("ThinPart", "Area, {}\u00b2"), lambda wall: wall.area, area),
+    ]
 
 
 def _range(thick, unit):

@@ -1,118 +1,114 @@
-"""The editable table of the walls of a part: on or off, size, layers."""
+"""Tables of walls with check marks: what is edited holds for all selected rows."""
 
 from ...core.sizing.sizing_settings import divisions_of
-from ..application.length_unit import MILLIMETRE
 from ..application.numbers import marked
-from ..application.qt import QtCore, QtGui, QtWidgets, Signal, colour, grouped, translate
+from ..application.qt import QtWidgets, Signal, grouped, translate
 from ..record.regions_table import kind_word
+from ..tables.column import Column, figures, length, square
+from ..tables.small_table import SmallTable
 
 _LINES = 7
-WALL, SIZE, LAYERS, ELEMENTS = range(4)
 
 
-class WallTable(QtWidgets.QTableWidget):
-    """A row for each wall; what is edited holds for all selected rows.
+class CheckedWalls(SmallTable):
+    """A row for each wall of a part.
+
+    Parameters
+    ----------
+    name : str
+        Object name.
+    columns : list of Column
+    faces_of : callable
+        Maps a row to the numbers of its faces, from 0.
+
+    Signals
+    -------
+    faces_chosen(object)
+        Tuple of face numbers of the part, from 0, of the selected rows.
+    """
+
+    faces_chosen = Signal(object)
+
+    def __init__(self, name, columns, faces_of, parent=None):
+        super().__init__(name, columns, _LINES, parent)
+        self._faces_of = faces_of
+        self.setSelectionMode(QtWidgets.QAbstractItemView.ExtendedSelection)
+        self.setSortingEnabled(False)
+        self.selectionModel().selectionChanged.connect(lambda *_: self.faces_chosen.emit(self.faces))
+
+    @property
+    def faces(self):
+        """Tuple of int: the faces of the selected walls."""
+        return tuple(face for number in self.selected() for face in self._faces_of(self.rows[number]))
+
+    def selected(self, meant=None):
+        """Numbers of the selected rows, or only `meant` where that is not one of them: list of int."""
+        chosen = sorted({index.row() for index in self.selectedIndexes()})
+        return chosen if meant is None or meant in chosen else [meant]
+
+
+class WallSizes(CheckedWalls):
+    """Walls, on or off, with their element sizes and layers.
 
     Signals
     -------
     edited(object)
         dict: size in mm, or None for off, by number of the region.
-    faces_chosen(object)
-        Tuple of face numbers of the part, from 0, of the selected rows.
     """
 
     edited = Signal(object)
-    faces_chosen = Signal(object)
 
     def __init__(self, parent=None):
-        super().__init__(0, 4, parent)
-        self.setObjectName("ThinPart_WallSizes")
-        self.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
-        self.verticalHeader().hide()
-        self.setSizePolicy(QtWidgets.QSizePolicy.Expanding, QtWidgets.QSizePolicy.Fixed)
+        super().__init__("ThinPart_WallSizes", self._columns(), lambda wall: wall["faces"], parent)
+        self._colours = {}  # by number of the region
         self.setToolTip(translate(
             "ThinPart", "Double-click a size or a number of layers to change it, for all selected walls. Without "
                         "the check mark, a wall asks for no small elements."))
-        self.rows, self._unit = [], MILLIMETRE
-        self.itemChanged.connect(self._on_changed)
-        self.itemSelectionChanged.connect(self._on_selected)
+        self.model().edited.connect(self._on_edited)
 
-    def show_rows(self, rows, unit, colours):
+    def show_walls(self, walls, unit, colours):
         """Show walls.
 
         Parameters
         ----------
-        rows : list of dict
+        walls : list of dict
             As ``regions`` of `PartSizing.proposed`.
         unit : LengthUnit
         colours : list of tuple
-            Red, green and blue from 0 to 1 of each row.
+            Red, green and blue from 0 to 1 of each wall.
         """
-        blocked = self.blockSignals(True)
-        self.rows, self._unit = rows, unit
-        self.setHorizontalHeaderLabels([
-            translate("ThinPart", "Wall"), translate("ThinPart", "Size, {}").format(unit.symbol),
-            translate("ThinPart", "Layers"), translate("ThinPart", "Elements")])
-        if self.rowCount() != len(rows):
-            self.setRowCount(len(rows))
-        for number, (row, rgb) in enumerate(zip(rows, colours)):
-            is_on = row["size"] is not None
-            texts = [f"{kind_word(row['kind'])} {unit.text(row['thickness'])}", unit.number(row["size"]),
-                     marked(f"{row['layers']:.3g}") if is_on else "\u2013", grouped(row["elements"]) if is_on else "\u2013"]
-            for column, text in enumerate(texts):
-                self.setItem(number, column, self._cell(column, text, is_on, rgb))
-        self.blockSignals(blocked)
-        self._fit()
+        self._colours = {wall["region"]: rgb for wall, rgb in zip(walls, colours)}
+        self.show_rows(walls, self._columns(), unit, lambda one, other: one["region"] == other["region"], self.subject)
 
-    @property
-    def faces(self):
-        """Tuple of int: the faces of the selected walls."""
-        return tuple(face for number in self._selected() for face in self.rows[number]["faces"])
+    def _columns(self):
+        def is_on(wall):
+            return wall["size"] is not None
 
-    def _cell(self, column, text, is_on, rgb):
-        cell = QtWidgets.QTableWidgetItem(text)
-        flags = QtCore.Qt.ItemIsSelectable | QtCore.Qt.ItemIsEnabled
-        if column == WALL:
-            flags |= QtCore.Qt.ItemIsUserCheckable
-            cell.setCheckState(QtCore.Qt.Checked if is_on else QtCore.Qt.Unchecked)
-            square = QtGui.QPixmap(12, 12)
-            square.fill(colour(rgb))
-            cell.setIcon(QtGui.QIcon(square))
-        else:
-            cell.setTextAlignment(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
-        if column in (SIZE, LAYERS) and is_on:
-            flags |= QtCore.Qt.ItemIsEditable
-        cell.setFlags(flags)
-        return cell
+        def if_on(key, title, shown, **more):
+            return Column(key, title, lambda wall: wall[key],
+                          lambda wall, unit: shown(wall[key]) if is_on(wall) else "\u2013", is_number=True, **more)
 
-    def _selected(self):
-        return sorted({index.row() for index in self.selectedIndexes()})
+        return [
+            Column("wall", translate("ThinPart", "Wall"), lambda wall: wall["kind"],
+                   lambda wall, unit: f"{kind_word(wall['kind'])} {unit.text(wall['thickness'])}", stretches=True,
+                   picture=lambda wall: square(self._colours[wall["region"]]), is_checked=is_on),
+            Column("size_mm", translate("ThinPart", "Size, {}"), lambda wall: wall["size"],
+                   lambda wall, unit: unit.number(wall["size"]), is_number=True, has_unit=True, is_editable=is_on),
+            if_on("layers", translate("ThinPart", "Layers"), lambda layers: marked(f"{layers:.3g}"), is_editable=is_on),
+            if_on("elements", translate("ThinPart", "Elements"), grouped),
+            figures("thickness_mm", translate("ThinPart", "Thick, {}"), lambda wall: wall["thickness"], length,
+                    is_hidden=True),
+        ]
 
-    def _on_selected(self):
-        self.faces_chosen.emit(self.faces)
-
-    def _on_changed(self, cell):
-        chosen = self._selected()
-        chosen = chosen if cell.row() in chosen else [cell.row()]
-        if cell.column() == WALL:
-            is_on = cell.checkState() == QtCore.Qt.Checked
-            self.edited.emit({self.rows[number]["region"]: self.rows[number]["proposed_size"] if is_on else None
-                              for number in chosen})
+    def _on_edited(self, key, number, value):
+        chosen = [self.rows[each] for each in self.selected(number)]
+        if key == "wall":
+            self.edited.emit({wall["region"]: wall["proposed_size"] if value else None for wall in chosen})
             return
-        value = _number(cell.text())
-        if value is None:
-            self.edited.emit({})  # which shows the former text again
-            return
-        self.edited.emit({self.rows[number]["region"]: value * self._unit.millimetres if cell.column() == SIZE
-                          else self.rows[number]["thickness"] / divisions_of(value) for number in chosen})
-
-    def _fit(self):
-        row = self.fontMetrics().height() + 8
-        self.verticalHeader().setDefaultSectionSize(row)
-        self.setFixedHeight(min(max(2, len(self.rows)), _LINES) * row + self.horizontalHeader().sizeHint().height()
-                            + 2 * self.frameWidth() + 2)
-        self.resizeColumnsToContents()
-        self.horizontalHeader().setSectionResizeMode(WALL, QtWidgets.QHeaderView.Stretch)
+        value = _number(value)
+        if value is not None:
+            self.edited.emit({wall["region"]: value * self.model().unit.millimetres if key == "size_mm"
+                              else wall["thickness"] / divisions_of(value) for wall in chosen})
 
 
 def _number(text):

@@ -1,10 +1,9 @@
 """How lists show categories: titles, coloured squares, and the colour of failures."""
 
 from ...storage.index.part_query import FAILED
-from ..application.qt import QtGui, colour, translate
+from ..application.qt import QtGui, translate
+from ..tables.column import square
 from .verdict_text import category_title
-
-FAILED_COLOUR = (0.80, 0.07, 0.07)
 
 
 def group_title(group, profile):
@@ -16,11 +15,4 @@ def group_title(group, profile):
 
 def colour_icon(rgb):
     """QIcon of a small coloured square."""
-    return QtGui.QIcon(colour_square(rgb))
-
-
-def colour_square(rgb):
-    """QPixmap of a small coloured square."""
-    pixmap = QtGui.QPixmap(12, 12)
-    pixmap.fill(colour(rgb))
-    return pixmap
+    return QtGui.QIcon(square(rgb))

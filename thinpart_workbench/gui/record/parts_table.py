@@ -3,10 +3,11 @@
 from dataclasses import dataclass
 from typing import Optional
 
-from ...core.length_unit import MILLIMETRE
+from ...storage.part_table import PartRow, TableForm, failed_row, measured_row
 from ..application.qt import Signal, translate
 from ..application.sentences import translated
-from ..widgets.record_table_view import RecordColumn, RecordTableView
+from ..tables.column import Column, count, figures, square
+from ..tables.small_table import SmallTable
 from .verdict_text import category_colour, category_word
 
 _LINES = 6
@@ -22,18 +23,18 @@ class PartsTableRow:
     instances : int
     record : dict or None
         None until the part is measured.
-    failure : str
-        Why the part could not be measured; empty where that did not fail.
+    failure : dict or None
+        ``kind`` and ``message``, where the part could not be measured.
     """
 
     name: str
     label: str
     instances: int
     record: Optional[dict] = None
-    failure: str = ""
+    failure: Optional[dict] = None
 
 
-class PartsTable(RecordTableView):
+class PartsTable(SmallTable):
     """Label, category, thinnest wall and number of occurrences of every part; hidden where there is only one part.
 
     Signals
@@ -45,12 +46,11 @@ class PartsTable(RecordTableView):
     part_chosen = Signal(str)
 
     def __init__(self, parent=None):
-        self._profile, self._unit = None, MILLIMETRE
-        super().__init__("ThinPart_PartTable", self._columns(), _LINES, parent)
+        super().__init__("ThinPart_PartTable", _columns(None), _LINES, parent)
         self.row_chosen.connect(lambda row: self.part_chosen.emit(row.name))
         self.hide()
 
-    def show_parts(self, rows, profile, unit):
+    def show_parts(self, rows, profile, unit, file=""):
         """Show parts.
 
         Parameters
@@ -59,10 +59,11 @@ class PartsTable(RecordTableView):
         profile : Profile
             Used for their classification.
         unit : LengthUnit
+        file : str, optional
+            Path of their document.
         """
-        self._profile, self._unit = profile, unit
-        self.set_columns(self._columns())
-        self.update_rows(rows, lambda one, other: one.name == other.name)
+        self.show_rows(rows, _columns(profile), unit, lambda one, other: one.name == other.name)
+        self.csv_form, self.csv_file = TableForm(PartRow._fields, lambda row: _cells(file, row)), file
         self.setVisible(len(rows) > 1)
 
     def select_part(self, name):
@@ -77,44 +78,42 @@ class PartsTable(RecordTableView):
         if row is not None and row is before:
             self.row_chosen.emit(row)
 
-    def _columns(self):
-        return [
-            RecordColumn(translate("ThinPart", "Part"), lambda row: row.label, lambda row: row.label.casefold(),
-                      stretches=True),
-            RecordColumn(translate("ThinPart", "Category"), self._category, self._category, swatch=_swatch),
-            RecordColumn(translate("ThinPart", "Thinnest, {}").format(self._unit.symbol), self._thinnest_text,
-                      _thinnest, is_number=True, meaning=translate("ThinPart", "Thinnest wall")),
-            RecordColumn(translate("ThinPart", "\u00d7"), lambda row: str(row.instances),
-                      lambda row: row.instances, is_number=True,
-                      meaning=translate("ThinPart", "How often the part stands in the document")),
-        ]
-
-    def _category(self, row):
-        if row.record is not None:
-            return category_word(row.record["category"], self._profile)
-        if row.failure:
-            return translate("ThinPart", "failed: {}").format(translated(row.failure))
-        return "\u2026"
-
-    def _thinnest_text(self, row):
-        thinnest = _thinnest(row)
-        return "" if thinnest is None else self._unit.number(thinnest)
-
 
 def part_rows(analysis):
     """list of PartsTableRow: the parts of a `DocumentAnalysis`."""
-    rows = []
-    for part in analysis.parts:
-        failure = analysis.failures.get(part.name)
-        rows.append(PartsTableRow(part.name, part.label, part.instances, analysis.records.get(part.name),
-                            failure["message"] if failure else ""))
-    return rows
+    return [PartsTableRow(part.name, part.label, part.instances, analysis.records.get(part.name),
+                          analysis.failures.get(part.name)) for part in analysis.parts]
+
+
+def _columns(profile):
+    def category(row):
+        if row.record is not None:
+            return category_word(row.record["category"], profile)
+        if row.failure:
+            return translate("ThinPart", "failed: {}").format(translated(row.failure["message"]))
+        return "\u2026"
+
+    return [
+        Column("label", translate("ThinPart", "Part"), lambda row: row.label, stretches=True),
+        Column("category", translate("ThinPart", "Category"), category, picture=_swatch),
+        Column("thinnest_mm", translate("ThinPart", "Thinnest, {}"), _thinnest,
+               lambda row, unit: "" if _thinnest(row) is None else unit.number(_thinnest(row)), is_number=True,
+               has_unit=True, meaning=translate("ThinPart", "Thinnest wall")),
+        figures("instances", translate("ThinPart", "\u00d7"), lambda row: row.instances, count,
+                meaning=translate("ThinPart", "How often the part stands in the document")),
+    ]
 
 
 def _swatch(row):
-    return None if row.record is None else category_colour(row.record["category"])
+    return None if row.record is None else square(category_colour(row.record["category"]))
 
 
 def _thinnest(row):
     return None if row.record is None else row.record["descriptors"]["thickness_mm"]["min"]
 
+
+def _cells(file, row):
+    """The cells of a part in the table of parts."""
+    if row.record is not None:
+        return measured_row(file, row.record)._replace(instances=row.instances)
+    return failed_row(file, row.name, row.label, row.failure or {"kind": None, "message": None})

@@ -16,6 +16,11 @@ from .wall_checks import checks_text
 class RecordView(QtWidgets.QWidget):
     """Shows verdict, evidence, dimensions, walls, wall regions, thickness distribution and warnings.
 
+    Attributes
+    ----------
+    file : str
+        Path of the shown part's document, for files of its walls.
+
     Signals
     -------
     faces_chosen(object)
@@ -32,7 +37,7 @@ class RecordView(QtWidgets.QWidget):
 
     def __init__(self, parent=None):
         super().__init__(parent)
-        self._unit, self._profile = MILLIMETRE, None
+        self._unit, self._profile, self.file = MILLIMETRE, None, ""
         self.setObjectName("ThinPart_ResultView")
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -86,7 +91,7 @@ class RecordView(QtWidgets.QWidget):
         measured = record["descriptors"]
         show_text(self._box, _box(measured, unit))
         show_text(self._walls, _walls(measured["thickness_mm"], unit))
-        self._regions.show_regions(record, unit)
+        self._regions.show_regions(record, unit, file=self.file)
         show_text(self._other_regions, other_regions_text(record))
         self.show_flight("")
         shares = measured["shares"]

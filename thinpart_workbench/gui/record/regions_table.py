@@ -1,19 +1,16 @@
 """Table of the wall regions of a part, equal ones in one row."""
 
-from dataclasses import replace
-
 from ...core.descriptors.region_kinds import BAR, BLOCK, PLATE, TAPER, TOOTH, TUBE
 from ...core.length_unit import MILLIMETRE
 from ...core.record.region_groups import features_of, region_groups
-from ..application.numbers import number
 from ..application.qt import Signal, translate
-from ..widgets.record_table_view import RecordColumn
-from ..widgets.wall_table_view import WallTableView
+from ..tables.column import Column, area, count, figures, length
+from ..tables.wall_table import WallTable
 
 _LINES = 6
 
 
-class RegionsTable(WallTableView):
+class RegionsTable(WallTable):
     """Thickness, area, length and feature of each region, excluded ones struck through; hidden where there are none.
 
     Signals
@@ -31,7 +28,7 @@ class RegionsTable(WallTableView):
 
     def __init__(self, parent=None):
         # The other columns have the unit in their titles.
-        super().__init__("ThinPart_RegionsTable", _columns(MILLIMETRE)[:1], _LINES, lambda group: group.walls, parent)
+        super().__init__("ThinPart_RegionsTable", _columns()[:1], _LINES, lambda group: group.walls, parent)
         self.setToolTip(translate("ThinPart", "Click: fly to its thinnest place. N, P: to the next and the previous one."))
         self.row_chosen.connect(lambda group: self.faces_chosen.emit(group.faces))
         self.clicked.connect(self.activated)
@@ -40,7 +37,7 @@ class RegionsTable(WallTableView):
         self.viewportEntered.connect(lambda: self.hovered.emit(None))
         self.hide()
 
-    def show_regions(self, record, unit, features=(), notes=None):
+    def show_regions(self, record, unit, features=(), notes=None, file=""):
         """Show the regions of a part record; none is selected.
 
         Parameters
@@ -51,11 +48,12 @@ class RegionsTable(WallTableView):
             The feature that made each face, by face number; empty where that is not known.
         notes : list of dict, optional
             What people say of regions; by default what the record has.
+        file : str, optional
+            Path of the part's document.
         """
         groups = region_groups(record, notes)
         made_by = {id(group): ", ".join(features_of(group, record, features)) for group in groups} if features else {}
-        self.set_columns(_columns(unit, made_by))
-        self.set_rows(groups)
+        self.show_rows(groups, _columns(made_by), unit, subject=(file, record["name"], record["label"]))
         self.setVisible(bool(groups))
 
     def leaveEvent(self, event):
@@ -80,23 +78,27 @@ def _said_of(group, unit):
     return ", ".join(said)
 
 
-def _columns(unit, made_by=None):
-    columns = [
-        RecordColumn(translate("ThinPart", "Wall"), _kind_text, lambda group: group.kind, stretches=True,
-                     meaning=translate("ThinPart", "Connected walls of like thickness")),
-        RecordColumn(translate("ThinPart", "Thick, {}").format(unit.symbol), lambda group: _thickness(group, unit),
-                     lambda group: group.least, is_number=True,
-                     meaning=translate("ThinPart", "Least and median thickness of the wall")),
-        RecordColumn(translate("ThinPart", "Area, {}\u00b2").format(unit.symbol),
-                     lambda group: number(group.area / unit.millimetres ** 2), lambda group: group.area, is_number=True,
-                     meaning=translate("ThinPart", "Area of both of its sides")),
-        RecordColumn(translate("ThinPart", "Long, {}").format(unit.symbol), lambda group: unit.number(group.length),
-                     lambda group: group.length, is_number=True, meaning=translate("ThinPart", "Length of the wall")),
-    ]
+def _columns(made_by=None):
+    def add(make, *of_column, **more):
+        columns.append(make(*of_column, is_struck=lambda group: bool(group.excluded), **more))
+
+    columns = []
+    add(Column, "wall", translate("ThinPart", "Wall"), lambda group: group.kind, lambda group, unit: _kind_text(group),
+        stretches=True, meaning=translate("ThinPart", "Connected walls of like thickness"))
+    add(Column, "thinnest_mm", translate("ThinPart", "Thick, {}"), lambda group: group.least, _thickness, is_number=True,
+        has_unit=True, meaning=translate("ThinPart", "Least and median thickness of the wall"))
+    add(figures, "area_mm2", translate("ThinPart", "Area, {}\u00b2"), lambda group: group.area, area,
+        meaning=translate("ThinPart", "Area of both of its sides"))
+    add(figures, "length_mm", translate("ThinPart", "Long, {}"), lambda group: group.length, length,
+        meaning=translate("ThinPart", "Length of the wall"))
     if made_by:
-        columns.append(RecordColumn(translate("ThinPart", "Made by"), lambda group: made_by.get(id(group), ""),
-                                    lambda group: made_by.get(id(group), "").casefold() or None))
-    return [replace(column, is_struck=lambda group: bool(group.excluded)) for column in columns]
+        add(Column, "made_by", translate("ThinPart", "Made by"), lambda group: made_by.get(id(group), ""))
+    add(figures, "count", translate("ThinPart", "Instances"), lambda group: group.count, count, is_hidden=True)
+    add(figures, "median_mm", translate("ThinPart", "Median, {}"), lambda group: group.median, length, is_hidden=True)
+    add(Column, "notes", translate("ThinPart", "Notes"), lambda group: _said_of(group, MILLIMETRE), _said_of, is_hidden=True)
+    add(Column, "faces", translate("ThinPart", "Faces"),
+        lambda group: " ".join(f"Face{face + 1}" for face in group.faces), is_hidden=True)
+    return columns
 
 
 def _kind_text(group):

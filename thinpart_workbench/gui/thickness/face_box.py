@@ -31,14 +31,14 @@ class FaceBox(QtWidgets.QWidget):
         column.addWidget(self.table)
         self.show_no_part()
 
-    def show_faces(self, summaries, features, unit):
+    def show_faces(self, summaries, features, unit, record, file):
         """See `FaceTable.show_faces`."""
         show_text(self._hint, "")
         self.table.show()
-        self.table.show_faces(summaries, features, unit)
+        self.table.show_faces(summaries, features, unit, record, file)
 
     def show_no_part(self):
         """Hide the table, because several parts are shown."""
         show_text(self._hint, translate("ThinPart", "Choose a part in the list to see its faces."))
-        self.table.set_rows([])
+        self.table.model().set_rows([])
         self.table.hide()

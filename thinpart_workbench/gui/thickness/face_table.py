@@ -3,11 +3,10 @@
 from dataclasses import dataclass
 
 from ...core.maps.map_summary import FaceSummary
-from ..application.length_unit import MILLIMETRE
 from ..application.numbers import percent
 from ..application.qt import translate
-from ..widgets.record_table_view import RecordColumn
-from ..widgets.wall_table_view import WallTableView
+from ..tables.column import Column, area, figures, length
+from ..tables.wall_table import WallTable
 
 _VISIBLE_ROWS = 10
 
@@ -32,13 +31,13 @@ class FaceRow:
         return f"Face{self.summary.face + 1}"
 
 
-class FaceTable(WallTableView):
+class FaceTable(WallTable):
     """Faces with their thinnest and median wall and their thin and unmeasured shares."""
 
     def __init__(self, parent=None):
-        super().__init__("ThinPart_FaceTable", _columns(False, MILLIMETRE), _VISIBLE_ROWS, _walls, parent)
+        super().__init__("ThinPart_FaceTable", _columns(False), _VISIBLE_ROWS, _walls, parent)
 
-    def show_faces(self, summaries, features, unit):
+    def show_faces(self, summaries, features, unit, record, file=""):
         """Show the faces of a part; the selection stays if the number of faces is the same.
 
         Parameters
@@ -47,10 +46,13 @@ class FaceTable(WallTableView):
         features : list of str
             The feature that made each face, by face number; empty if unknown.
         unit : LengthUnit
+        record : PartRecord
+        file : str, optional
+            Path of the part's document.
         """
-        self.set_columns(_columns(any(features), unit))
         rows = [FaceRow(summary, features[summary.face] if summary.face < len(features) else "") for summary in summaries]
-        self.update_rows(rows, lambda one, other: one.name == other.name)
+        self.show_rows(rows, _columns(any(features)), unit, lambda one, other: one.name == other.name,
+                       (file, record["name"], record["label"]))
 
     def select_face(self, face):
         """Select the row of a face by its number from 0, or clear the selection for None; emits no signal."""
@@ -61,23 +63,28 @@ def _walls(row):
     return [] if row.summary.thinnest is None else [(row.summary.thinnest, row.summary)]
 
 
-def _columns(with_features, unit):
-    columns = [RecordColumn(translate("ThinPart", "Face"), lambda row: row.name, lambda row: row.summary.face)]
+def _columns(with_features):
+    columns = [Column("face", translate("ThinPart", "Face"), lambda row: row.name,
+                      order=lambda row: row.summary.face)]
     if with_features:
-        columns.append(RecordColumn(translate("ThinPart", "Made by"), lambda row: row.feature,
-                                 lambda row: row.feature.casefold() or None))
+        columns.append(Column("made_by", translate("ThinPart", "Made by"), lambda row: row.feature))
     return columns + [
-        _number_column(translate("ThinPart", "Thinnest, {}").format(unit.symbol), "thinnest", unit.number,
-                       translate("ThinPart", "Thinnest wall under the face")),
-        _number_column(translate("ThinPart", "Median, {}").format(unit.symbol), "median", unit.number,
-                       translate("ThinPart", "Half of the face's area has thinner walls")),
-        _number_column(translate("ThinPart", "Thin"), "thin_share", percent,
-                       translate("ThinPart", "Share of the face whose walls are thinner than the threshold")),
-        _number_column(translate("ThinPart", "Unmeasured"), "unmeasured_share", percent,
-                       translate("ThinPart", "Share of the face where no wall could be measured")),
+        _of_summary("thinnest", translate("ThinPart", "Thinnest, {}"), length,
+                    translate("ThinPart", "Thinnest wall under the face")),
+        _of_summary("median", translate("ThinPart", "Median, {}"), length,
+                    translate("ThinPart", "Half of the face's area has thinner walls")),
+        _of_summary("thin_share", translate("ThinPart", "Thin"), _share,
+                    translate("ThinPart", "Share of the face whose walls are thinner than the threshold")),
+        _of_summary("unmeasured_share", translate("ThinPart", "Unmeasured"), _share,
+                    translate("ThinPart", "Share of the face where no wall could be measured")),
+        figures("area_mm2", translate("ThinPart", "Area, {}\u00b2"), lambda row: row.summary.area, area, is_hidden=True),
     ]
 
 
-def _number_column(title, name, text, tool_tip):
-    return RecordColumn(title, lambda row: text(getattr(row.summary, name)),
-                     lambda row: getattr(row.summary, name), is_number=True, meaning=tool_tip)
+def _of_summary(name, title, shown, meaning):
+    key = f"{name}_mm" if shown is length else name
+    return figures(key, title, lambda row: getattr(row.summary, name), shown, meaning=meaning)
+
+
+def _share(share, unit):
+    return percent(share)

@@ -206,7 +206,7 @@ class ThicknessPresenter(QtCore.QObject):
         rows = [PartsTableRow(part.record["name"], part.record["label"], len(part.matrices), part.record)
                 for part in self._parts]
         shown = None if self._chosen is None else rows[self._chosen].name
-        self._boxes.head.show_parts(rows, self._profile, shown, self._unit)
+        self._boxes.head.show_parts(rows, self._profile, shown, self._unit, self.thickness.Document.FileName)
         self._boxes.head.show_measure(self.thickness.Measure)
         self._boxes.head.show_stale(self.thickness.Stale)
 
@@ -255,11 +255,12 @@ class ThicknessPresenter(QtCore.QObject):
             self._boxes.faces.show_no_part()
             return
         part = self._parts[self._chosen]
-        self._boxes.faces.show_faces(face_summaries(part.map, self.thickness.Threshold), part.features, self._unit)
+        self._boxes.faces.show_faces(face_summaries(part.map, self.thickness.Threshold), part.features, self._unit,
+                                     part.record, self.thickness.Document.FileName)
 
     def _show_probes(self):
         values = [probe.value for probe in probes_of(self.thickness)]
-        self._boxes.probes.show_probes(values, self._unit, self.thickness.Measure)
+        self._boxes.probes.show_probes(values, self._unit, self.thickness.Measure, self.thickness.Document.FileName)
 
     def _on_changed(self, name):
         # FreeCAD reports each property separately, and some of them several times.

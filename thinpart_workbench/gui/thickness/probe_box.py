@@ -7,9 +7,10 @@ from ..application.length_unit import MILLIMETRE
 from ..application.qt import QtCore, QtWidgets, Signal, translate
 from ..record.measure_text import here_sentence, value_title
 from ..record.record_view import show_text, text_line
+from ..tables.column import Column
+from ..tables.small_table import SmallTable
 from ..widgets.flow_layout import FlowLayout
 from ..widgets.push_button import add_button
-from ..widgets.record_table_view import RecordColumn, RecordTableView
 
 _VISIBLE_ROWS = 6
 
@@ -60,18 +61,20 @@ class ProbeBox(QtWidgets.QWidget):
                                  self.cleared.emit)
         column.addWidget(row)
         self._hover_text = text_line(self, column, "ThinPart_HoveredWall")
-        self.table = RecordTableView("ThinPart_ProbeTable", self._columns(), _VISIBLE_ROWS, self)
+        self.table = SmallTable("ThinPart_ProbeTable", self._columns(), _VISIBLE_ROWS, self)
         self.table.activated.connect(lambda index: self.visited.emit(self.table.rows[index.row()].number))
         self.table.selectionModel().selectionChanged.connect(lambda *_: self._show_buttons())
         column.addWidget(self.table)
         self.show_hovered(None)
 
-    def show_probes(self, values, unit, measure):
-        """Show the probes of a map in a unit: list of values in mm by one of `SHOWN_MEASURES`, in the order of pinning."""
+    def show_probes(self, values, unit, measure, file):
+        """Show the probes of a map in a unit: list of values in mm by one of `SHOWN_MEASURES`, in the order of pinning.
+
+        They may be on several parts of the document `file`.
+        """
         self._unit, self._measure = unit, measure
-        self.table.set_columns(self._columns())
-        self.table.update_rows([ProbeRow(number, value) for number, value in enumerate(values)],
-                               lambda one, other: one.number == other.number)
+        self.table.show_rows([ProbeRow(number, value) for number, value in enumerate(values)], self._columns(), unit,
+                             lambda one, other: one.number == other.number, (file, "", ""))
         self._show_buttons()
 
     def show_picking(self, is_on):
@@ -114,9 +117,10 @@ class ProbeBox(QtWidgets.QWidget):
 
     def _columns(self):
         return [
-            RecordColumn(translate("ThinPart", "Probe"), lambda row: str(row.number + 1), lambda row: row.number),
-            RecordColumn(value_title(self._measure), lambda row: self._unit.text(row.thickness),
-                         lambda row: row.thickness, is_number=True),
+            Column("probe", translate("ThinPart", "Probe"), lambda row: row.number + 1,
+                   lambda row, unit: str(row.number + 1)),
+            Column("thickness_mm", value_title(self._measure), lambda row: row.thickness,
+                   lambda row, unit: unit.text(row.thickness), is_number=True),
         ]
 
     def _remove_current(self):

@@ -1,7 +1,7 @@
 """The list of wall regions of one mapped part."""
 
 from ..application.length_unit import MILLIMETRE
-from ..application.qt import QtCore, QtWidgets, Signal, translate
+from ..application.qt import QtWidgets, Signal, translate
 from ..record.record_view import other_regions_text, show_text, text_line
 from ..record.regions_table import RegionsTable, notes_text
 from ..widgets.push_button import add_button
@@ -43,8 +43,7 @@ class RegionBox(QtWidgets.QWidget):
         self.table.faces_chosen.connect(self.faces_chosen)
         self.table.visited.connect(self.visited)
         self.table.hovered.connect(self.hovered)
-        self.table.setContextMenuPolicy(QtCore.Qt.CustomContextMenu)
-        self.table.customContextMenuRequested.connect(self._show_menu)
+        self.table.row_menu = self._menu
         column.addWidget(self.table)
         self._others = text_line(self, column, "ThinPart_OtherRegions")
         self._said = text_line(self, column, "ThinPart_RegionNotes")
@@ -55,18 +54,18 @@ class RegionBox(QtWidgets.QWidget):
         self.show_isolated(False)
         self.show_no_part()
 
-    def show_regions(self, record, unit, features=(), notes=(), refusal=""):
+    def show_regions(self, record, unit, features=(), notes=(), refusal="", file=""):
         """Show the regions of a part record.
 
         Parameters
         ----------
-        record, unit, features, notes
+        record, unit, features, notes, file
             See `RegionsTable.show_regions`.
         refusal : str
             Why nothing can be kept of them; empty if it can.
         """
         self._unit, self._refusal = unit, refusal
-        self.table.show_regions(record, unit, features, notes)
+        self.table.show_regions(record, unit, features, notes, file)
         show_text(self._hint, "" if self.table.rows else translate(
             "ThinPart", "No wall regions are recorded: measure the part again."))
         show_text(self._others, other_regions_text(record))
@@ -81,14 +80,10 @@ class RegionBox(QtWidgets.QWidget):
         self._is_isolated = is_isolated
         self._all.setVisible(is_isolated)
 
-    def _show_menu(self, place):
-        index = self.table.indexAt(place)
-        if index.isValid():
-            group = self.table.rows[index.row()]
-            menu = RegionMenu(group, self._unit, self._refusal, self._is_isolated,
-                              lambda *done: self._act(group, *done), self)
-            menu.setAttribute(QtCore.Qt.WA_DeleteOnClose)
-            menu.popup(self.table.viewport().mapToGlobal(place))
+    def _menu(self, group):
+        if group is None:
+            return QtWidgets.QMenu(self)
+        return RegionMenu(group, self._unit, self._refusal, self._is_isolated, lambda *done: self._act(group, *done), self)
 
     def _act(self, group, what, value=None):
         if what == "isolate":
@@ -103,5 +98,5 @@ class RegionBox(QtWidgets.QWidget):
         show_text(self._hint, translate("ThinPart", "Choose a part in the list to see its walls."))
         show_text(self._others, "")
         show_text(self._said, "")
-        self.table.set_rows([])
+        self.table.model().set_rows([])
         self.table.hide()

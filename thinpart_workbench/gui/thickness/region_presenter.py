@@ -43,7 +43,8 @@ class RegionPresenter(QtCore.QObject):
             self._box.show_no_part()
             return
         notes = (self._notes or {}).get(part.record["name"], ())
-        self._box.show_regions(part.record, length_unit(self._thickness.Document), part.features, notes, self._refusal())
+        document = self._thickness.Document
+        self._box.show_regions(part.record, length_unit(document), part.features, notes, self._refusal(), document.FileName)
 
     def show_whole(self):
         """The map was replaced, and is drawn whole."""

@@ -7,8 +7,8 @@ from ..record.measuring_progress import MeasuringProgress
 from ..record.parts_table import PartsTable
 from ..record.record_view import paint_swatch, show_text, swatch, text_line
 from ..record.verdict_text import category_colour, category_title
+from ..tables.wall_table import step_of
 from ..widgets.push_button import add_button
-from ..widgets.wall_table_view import step_of
 from .scale_box import narrow_combo
 
 
@@ -93,7 +93,7 @@ class SummaryBox(QtWidgets.QWidget):
         self._info.setToolTip(tool_tip)
         self._save.setVisible(can_save)
 
-    def show_parts(self, rows, profile, shown, unit):
+    def show_parts(self, rows, profile, shown, unit, file):
         """Show the summary of a map.
 
         Parameters
@@ -104,8 +104,10 @@ class SummaryBox(QtWidgets.QWidget):
         shown : str or None
             Name of the part shown in the other boxes; None for all.
         unit : LengthUnit
+        file : str
+            Path of their document.
         """
-        self.parts.show_parts(rows, profile, unit)
+        self.parts.show_parts(rows, profile, unit, file)
         self.parts.select_part(shown)
         self._all.setVisible(len(rows) > 1)
         self._all.setEnabled(shown is not None)

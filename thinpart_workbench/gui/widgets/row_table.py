@@ -1,6 +1,6 @@
 """How tables look and behave that show one record per row."""
 
-from ..application.qt import QtCore, QtWidgets
+from ..application.qt import QtWidgets
 
 
 def show_whole_rows(view):
@@ -12,12 +12,5 @@ def show_whole_rows(view):
     view.setAlternatingRowColors(True)
     view.setShowGrid(False)
     view.setWordWrap(False)
-
-
-class PathDelegate(QtWidgets.QStyledItemDelegate):
-    """Elides long paths in the middle, because both ends are the most informative."""
-
-    def initStyleOption(self, option, index):
-        """Called by Qt for each cell."""
-        super().initStyleOption(option, index)
-        option.textElideMode = QtCore.Qt.ElideMiddle
+    view.verticalHeader().hide()
+    view.horizontalHeader().setHighlightSections(False)

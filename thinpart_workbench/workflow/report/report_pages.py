@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from ...core.analysis_settings import RAY
 from ...core.errors import ThinPartError
-from ...core.foreign_text import csv_text, safe_name, url_path
+from ...core.foreign_text import safe_name, url_path
 from ...core.kinds.file_marks import PAGE, PICTURE
 from ...core.length_unit import MILLIMETRE, LengthUnit
 from ...core.message import message
@@ -161,7 +161,7 @@ class PageMaker:
         from ...core.rendering.part_views import PartPictures
         from ...freecad_adapter.features.face_features import face_features
         from ...freecad_adapter.features.feature_history import feature_history
-        from ...storage.face_table import face_rows
+        from ...storage.face_table import FACES, face_rows
         from ...storage.png import png_bytes
         from .part_page import part_page
 
@@ -174,6 +174,6 @@ class PageMaker:
         about = {**self._about, "kept": self._annotations.get(part.name, {}), "limits": self._pages.limits}
         content = part_page(record, pictures, features, about, self._pages.document, overview,
                             self._pages.language, self._pages.unit)
-        self.faces[part.name] = csv_text(face_rows(self._pages.document, record, features))
+        self.faces[part.name] = FACES.text(face_rows(self._pages.document, record, features))
         small = pictures.small(PICTURE_WIDTH, PICTURE_HEIGHT)
         return content, png_bytes(small.tobytes(), PICTURE_WIDTH, PICTURE_HEIGHT)

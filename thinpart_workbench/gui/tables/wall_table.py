@@ -1,7 +1,7 @@
 """Small tables of walls: one flies to the wall of a row, and by key to the next thicker and the previous one."""
 
 from ..application.qt import QtCore, Signal, translate
-from .record_table_view import RecordTableView
+from .small_table import SmallTable
 
 _STEPS = {QtCore.Qt.Key_N: 1, QtCore.Qt.Key_P: -1}
 
@@ -17,13 +17,13 @@ def keys_hint():
     return translate("ThinPart", "Double-click: fly to its thinnest place. N, P: to the next and the previous one.")
 
 
-class WallTableView(RecordTableView):
+class WallTable(SmallTable):
     """A table whose rows have walls.
 
     Parameters
     ----------
     name, columns, lines, parent
-        As of `RecordTableView`.
+        As of `SmallTable`.
     walls_of : callable
         Maps a row to its walls, the thinnest first: list of tuples whose first item is the thickness, mm.
 

@@ -1,0 +1,97 @@
+"""The found parts: their columns, pictures, and the files that one can drag."""
+
+import os
+
+from ..application.qt import QtCore, translate
+from ..application.sentences import translated, translated_list
+from ..record.part_columns import category_column, measured, quantity_columns
+from ..tables.column import Column
+from ..tables.fetched_rows import FetchedRows
+from .thumbnails import neutral_picture
+
+_MOST = 34
+"""Greatest width of a column, in characters."""
+
+
+class FoundRows(FetchedRows):
+    """Model of found parts: rows with the fields of StoredPart.
+
+    Parameters
+    ----------
+    profile : Profile
+        Provides the titles of the categories.
+    pictures : Thumbnails
+    """
+
+    def __init__(self, profile, pictures, parent=None):
+        super().__init__(self._columns(profile), "label", parent)
+        self._pictures, self._neutral = pictures, {}
+        self.picture_size, self.screen_ratio = QtCore.QSize(48, 36), 1.0
+        pictures.loaded.connect(self._show_pictures)
+
+    def tip(self, row, column):
+        """Why a part failed; otherwise its file and what is noted of it."""
+        return translated(row.error_message or "") or "\n".join(filter(None, (row.file, row.notes)))
+
+    def flags(self, index):
+        """Allow dragging of rows."""
+        return super().flags(index) | QtCore.Qt.ItemIsDragEnabled
+
+    def mimeTypes(self):
+        """MIME type of files, as used by file managers."""
+        return ["text/uri-list"]
+
+    def mimeData(self, indexes):
+        """URLs of the documents of the dragged parts, without duplicates."""
+        parts = [self.row_at(row) for row in sorted({index.row() for index in indexes})]
+        files = dict.fromkeys(part.file for part in parts if part is not None)
+        data = QtCore.QMimeData()
+        data.setUrls([QtCore.QUrl.fromLocalFile(file) for file in files])
+        return data
+
+    def _columns(self, profile):
+        def reasons(part):
+            return translated_list(getattr(part, "reasons", ""))
+
+        columns = [
+            Column("score", translate("ThinPart", "Like"), _score, is_number=True, most=8),
+            Column("label", translate("ThinPart", "Part"), _part, picture=self._picture, most=_MOST),
+            category_column(profile, most=_MOST),
+            Column("reasons", translate("ThinPart", "Why"), reasons, tip=lambda part, unit: reasons(part), most=45,
+                   is_sortable=False),
+            measured("thinnest_mm", translate("ThinPart", "Thinnest, {}"), most=_MOST),
+            measured("d1_mm", translate("ThinPart", "Longest, {}"), most=_MOST),
+            Column("file", translate("ThinPart", "File"), lambda part: part.place, is_path=True, most=_MOST),
+        ]
+        return columns + quantity_columns({column.key for column in columns}, is_sortable=False)
+
+    def _picture(self, part):
+        picture = self._pictures.picture(part)
+        if picture is not None:
+            scaled = picture.scaled(self.picture_size * self.screen_ratio, QtCore.Qt.KeepAspectRatio,
+                                    QtCore.Qt.SmoothTransformation)
+            scaled.setDevicePixelRatio(self.screen_ratio)
+            return scaled
+        key = part.category, bool(part.error_kind), self.screen_ratio, self.picture_size.height()
+        if key not in self._neutral:
+            self._neutral[key] = neutral_picture(part, self.picture_size, self.screen_ratio)
+        return self._neutral[key]
+
+    def _show_pictures(self):
+        if self.rowCount():
+            column = self.number_of("label")
+            self.dataChanged.emit(self.index(0, column), self.index(self.rowCount() - 1, column),
+                                  [QtCore.Qt.DecorationRole])
+
+
+def part_name(part):
+    """Display name of a part."""
+    return part.label or part.name or os.path.basename(part.file)
+
+
+def _part(part):
+    return part_name(part) + (f" \u00d7 {part.instances}" if (part.instances or 1) > 1 else "")
+
+
+def _score(part):
+    return f"{part.score:.0f}\u00a0%" if hasattr(part, "score") else ""

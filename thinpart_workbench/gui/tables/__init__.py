@@ -1,0 +1,1 @@
+"""Tables of rows: one model, whose rows are kept here or fetched when they are shown, and one view of it."""

@@ -1,0 +1,136 @@
+"""The Qt table model of rows, whatever they are and wherever they come from."""
+
+from ..application.length_unit import MILLIMETRE
+from ..application.qt import QtCore, QtGui, QtWidgets, Signal, colour, flags_as_int
+
+FAILED_COLOUR = (0.80, 0.07, 0.07)
+
+
+class RowModel(QtCore.QAbstractTableModel):
+    """Table model whose columns are data; `KeptRows` and `FetchedRows` have the rows.
+
+    Parameters
+    ----------
+    columns : list of Column
+
+    Attributes
+    ----------
+    unit : LengthUnit
+        The one in which lengths are shown.
+
+    Signals
+    -------
+    edited(str, int, object)
+        The user has edited a cell: the key of its column, the number of its row, and the new text, or whether it is checked.
+    """
+
+    edited = Signal(str, int, object)
+
+    def __init__(self, columns, parent=None):
+        super().__init__(parent)
+        self.columns, self.unit = list(columns), MILLIMETRE
+
+    def row_at(self, number):
+        """The row with this number, from 0; None where it is not known."""
+        raise NotImplementedError
+
+    def collect(self, done):
+        """Call a function with a list of all shown rows in their order, at once or when they have come."""
+        raise NotImplementedError
+
+    def is_failed(self, row):
+        """Whether a row is about a failure, which is shown in red."""
+        return bool(getattr(row, "error_kind", None))
+
+    def tip(self, row, column):
+        """The tool tip of a row in a column that has none itself."""
+        return column.shown(row, self.unit)
+
+    def number_of(self, key):
+        """Number of the column with this key: int."""
+        return next(number for number, column in enumerate(self.columns) if column.key == key)
+
+    def show_unit(self, unit):
+        """Show lengths in a LengthUnit; the order of rows stays."""
+        if unit != self.unit:
+            self.unit = unit
+            self.show_columns(self.columns)
+
+    def show_columns(self, columns):
+        """Replace the columns; the rows stay, also their selection where there are as many columns as before."""
+        if [column.key for column in columns] != [column.key for column in self.columns]:
+            self.beginResetModel()
+            self.columns = list(columns)
+            self.endResetModel()
+            return
+        self.columns = list(columns)
+        self.headerDataChanged.emit(QtCore.Qt.Horizontal, 0, len(columns) - 1)
+        self.rows_changed(0, self.rowCount())
+
+    def rows_changed(self, start, end):
+        """Tell views that the cells of some rows are others: from number `start` up to, excluding, `end`."""
+        if end > start:
+            self.dataChanged.emit(self.index(start, 0), self.index(end - 1, len(self.columns) - 1))
+
+    def columnCount(self, parent=QtCore.QModelIndex()):
+        """Number of columns."""
+        return 0 if parent.isValid() else len(self.columns)
+
+    def headerData(self, section, orientation, role=QtCore.Qt.DisplayRole):
+        """Headings of the columns, aligned like their cells."""
+        if orientation != QtCore.Qt.Horizontal or section >= len(self.columns):
+            return None
+        column = self.columns[section]
+        if role == QtCore.Qt.DisplayRole:
+            return column.heading(self.unit)
+        if role == QtCore.Qt.ToolTipRole:
+            return column.meaning or column.heading(self.unit)
+        return column.alignment if role == QtCore.Qt.TextAlignmentRole else None
+
+    def data(self, index, role=QtCore.Qt.DisplayRole):
+        """Data of a cell for a role."""
+        if not index.isValid():
+            return None
+        column, row = self.columns[index.column()], self.row_at(index.row())
+        if role == QtCore.Qt.TextAlignmentRole:
+            return column.alignment
+        if row is None:
+            return self.waiting(index) if role == QtCore.Qt.DisplayRole else None
+        if role in (QtCore.Qt.DisplayRole, QtCore.Qt.EditRole):
+            return column.shown(row, self.unit)
+        if role == QtCore.Qt.ToolTipRole:
+            return column.tip and column.tip(row, self.unit) or self.tip(row, column)
+        if role == QtCore.Qt.DecorationRole:
+            return column.picture and column.picture(row)
+        if role == QtCore.Qt.ForegroundRole and self.is_failed(row):
+            return QtGui.QBrush(colour(FAILED_COLOUR))
+        if role == QtCore.Qt.FontRole and column.is_struck and column.is_struck(row):
+            font = QtGui.QFont(QtWidgets.QApplication.font("QTableView"))
+            font.setStrikeOut(True)
+            return font
+        if role == QtCore.Qt.CheckStateRole and column.is_checked and column.is_checked(row) is not None:
+            return flags_as_int(QtCore.Qt.Checked if column.is_checked(row) else QtCore.Qt.Unchecked)
+        return None
+
+    def waiting(self, index):
+        """What a cell shows whose row is not known yet."""
+        return None
+
+    def flags(self, index):
+        """Which cells may be checked and edited."""
+        flags = super().flags(index)
+        row = self.row_at(index.row()) if index.isValid() else None
+        if row is not None:
+            column = self.columns[index.column()]
+            if column.is_checked and column.is_checked(row) is not None:
+                flags |= QtCore.Qt.ItemIsUserCheckable
+            if column.is_editable and column.is_editable(row):
+                flags |= QtCore.Qt.ItemIsEditable
+        return flags
+
+    def setData(self, index, value, role=QtCore.Qt.EditRole):
+        """Tell what the user wants in a cell; who listens shows other rows."""
+        if role == QtCore.Qt.CheckStateRole:
+            value = value in (QtCore.Qt.Checked, flags_as_int(QtCore.Qt.Checked))
+        self.edited.emit(self.columns[index.column()].key, index.row(), value)
+        return True
