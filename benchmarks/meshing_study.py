@@ -20,7 +20,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from benchmarks.meshing_plot import meshing_plot
 from benchmarks.meshing_tables import family_of
 from benchmarks.table_text import Table, markdown
-from thinpart_workbench.api.mesh_sizes import MESH_SECONDS, mesh_sizes
+from thinpart_workbench.api.mesh_sizes import MESH_SECONDS, MeshRequest, SizeProgress, mesh_sizes
 from thinpart_workbench.core.analysis_limits import Limits
 
 COLUMNS = ("parts", "no mesh at one size", "of these meshed as proposed", "no mesh as proposed",
@@ -61,8 +61,8 @@ def main():
 def meshed_parts(options):
     """The records of the parts of a folder, list of dict; where a run is interrupted, the next goes on."""
     parts, limits = [], Limits(jobs=options.jobs)
-    for outcome in mesh_sizes(options.folder, check=True, limits=limits, mesh_seconds=options.mesh_timeout,
-                              report=lambda outcome, progress: print(outcome["file"], file=sys.stderr)):
+    for outcome in mesh_sizes(options.folder, MeshRequest(check=True, mesh_seconds=options.mesh_timeout), limits=limits,
+                              progress=SizeProgress(counted=lambda outcome, _: print(outcome["file"], file=sys.stderr))):
         parts += outcome.get("parts", ())
     return parts
 

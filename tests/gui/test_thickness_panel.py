@@ -9,6 +9,7 @@ import window_actions as window
 from window_actions import V
 
 from thinpart_workbench.api.document_maps import parts_of
+from thinpart_workbench.api.window.map_values import bar_edges
 from thinpart_workbench.core.maps.map_summary import share_between
 from thinpart_workbench.freecad_adapter.objects.thickness_object import thickness_objects
 from thinpart_workbench.freecad_adapter.objects.thickness_probes import probes_of
@@ -16,7 +17,6 @@ from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
 from thinpart_workbench.gui.colour_bar.colours import GREYED
 from thinpart_workbench.gui.document.free_area import free_area
 from thinpart_workbench.gui.scene.view_ray import line_of_sight
-from thinpart_workbench.gui.thickness.histogram import bar_edges
 
 
 @pytest.fixture

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from program import SAMPLES, thinpart
 
-from thinpart_workbench.api.mesh_sizes import mesh_sizes, write_size_script
+from thinpart_workbench.api.mesh_sizes import FileChoice, MeshRequest, mesh_sizes, write_size_script
 from thinpart_workbench.core.file_formats import FORMATS, SHAPE
 from thinpart_workbench.storage.exchange.gmsh_shape import is_opened_as_shape
 
@@ -51,7 +51,7 @@ def proposal(plate, tmp_path_factory):
     """What is proposed for the plate."""
     file = tmp_path_factory.mktemp("proposal") / "plate.step"
     plate.exportStep(str(file))
-    outcome, = mesh_sizes(file, has_sources=True, force=True)
+    outcome, = mesh_sizes(file, MeshRequest(has_sources=True), files=FileChoice(force=True))
     return outcome["parts"][0]
 
 

@@ -12,7 +12,7 @@ import subprocess
 import pytest
 from program import SAMPLES, thinpart
 
-from thinpart_workbench.api.mesh_sizes import mesh_sizes
+from thinpart_workbench.api.mesh_sizes import MeshRequest, SizeProgress, mesh_sizes
 from thinpart_workbench.core.errors import ThinPartError
 from thinpart_workbench.core.sizing.sizing_settings import SizingSettings
 from thinpart_workbench.storage.exchange.msh_file import read_tetrahedra
@@ -222,8 +222,9 @@ def test_an_interrupted_run_goes_on_where_it_was(parts):
     calls = []
 
     def sizes():
-        return list(mesh_sizes([parts / "bracket.step", parts / "block.brep"], SizingSettings(layers=1.5), check=True,
-                               report=lambda outcome, progress: calls.append(outcome["file"])))
+        wanted = MeshRequest(SizingSettings(layers=1.5), check=True)
+        return list(mesh_sizes([parts / "bracket.step", parts / "block.brep"], wanted,
+                               progress=SizeProgress(counted=lambda outcome, progress: calls.append(outcome["file"]))))
 
     first = sizes()
     assert len(calls) == 2
@@ -240,7 +241,7 @@ def test_without_gmsh_it_says_how_to_have_it(parts, monkeypatch, tmp_path):
     monkeypatch.setenv("PATH", str(tmp_path))
     monkeypatch.setattr("sys.executable", str(tmp_path / "python3"))
     with pytest.raises(ThinPartError, match="Meshing needs Gmsh: install it") as missing:
-        list(mesh_sizes(parts / "block.brep", check=True))
+        list(mesh_sizes(parts / "block.brep", MeshRequest(check=True)))
     assert missing.value.kind == "unsupported"
 
 

@@ -60,6 +60,11 @@ def annotate_part(path, part=None, info_folder=None, **values):
     ------
     ThinPartError
         kind ``usage`` if it is ambiguous which part is meant.
+
+    Examples
+    --------
+    >>> annotate_part(plate, notes="of the cover")["notes"]
+    'of the cover'
     """
     def change(content):
         return set_annotation(select_record(content["parts"], part, path), **values)
@@ -91,6 +96,11 @@ def label_part(path, category, person="", is_sure=True, part=None, info_folder=N
     ------
     ThinPartError
         kind ``usage`` if it is ambiguous which part is meant, or there is no such category.
+
+    Examples
+    --------
+    >>> label_part(plate, "thin", "Ann")["labels"][0]["category"]
+    'thin'
     """
     person = _checked_person(person)
 
@@ -131,6 +141,12 @@ def note_regions(path, regions, person="", part=None, info_folder=None, excluded
     ------
     ThinPartError
         kind ``usage`` if it is ambiguous which part is meant, or if something cannot be kept.
+
+    Examples
+    --------
+    >>> wall = record["regions"]["listed"][0]
+    >>> note_regions(plate, [wall], "Ann", mesh_size_mm=0.5)["region_notes"][0]["mesh_size_mm"]
+    0.5
     """
     person = _checked_person(person)
 
@@ -147,6 +163,11 @@ def region_notes(path):
     ----------
     path : str or Path
         The info file.
+
+    Examples
+    --------
+    >>> list(region_notes(block + ".thinpart.json").values())
+    [[]]
     """
     content = stored_info(path)
     return None if content is None else {part["name"]: part.get("region_notes", []) for part in content["parts"]}
@@ -174,6 +195,13 @@ def keep_mesh_settings(path, part, settings, global_size, diagonal, rows, figure
     ------
     ThinPartError
         kind ``missing`` where there is no info file, ``usage`` if it is ambiguous which part is meant.
+
+    Examples
+    --------
+    >>> settings = {"order": 2, "layers": None, "growth": 1.4, "size": None, "budget": None}
+    >>> figures = {"elements": 900, "poor_share": 0.0, "gamma_least": 0.3, "layers_share": 1.0, "tries": []}
+    >>> keep_mesh_settings(plate, None, settings, 8.0, 100.0, [], figures)["elements"]
+    900
     """
     kept = worked_settings(settings, global_size, diagonal, rows, figures,
                            datetime.now(timezone.utc).isoformat(timespec="seconds"), __version__)
@@ -201,6 +229,11 @@ def settings_that_worked(record, roots, info_file=None, report=None):
     dict or None
         ``label`` of the part that has them, its ``file``, ``alike`` from 0 to 100, ``is_own``, ``meshed``, and for the given
         part: ``settings`` as arguments of `SizingSettings`, ``sizes`` of walls, by number of the listed region.
+
+    Examples
+    --------
+    >>> settings_that_worked(record, []) is None  # neither an info file nor a library to look at
+    True
     """
     content = stored_info(info_file) if info_file is not None else None
     own: dict = next((part for part in (content or {"parts": ()})["parts"] if part["name"] == record["name"]), {})
@@ -230,7 +263,13 @@ def _offer(record, label, file, alike, is_own, meshed):
 
 
 def no_settings(part):
-    """The sentence for a part for which there are none."""
+    """The sentence for a part for which there are none.
+
+    Examples
+    --------
+    >>> print(no_settings("lid"))
+    No part like lid has mesh settings that worked: the usual ones are used.
+    """
     return message("No part like {part} has mesh settings that worked: the usual ones are used.", part=part)
 
 
@@ -246,6 +285,11 @@ def mesh_settings(text):
     -------
     dict
         ``{"settings": object}``, ``{"file": path}``, or empty.
+
+    Examples
+    --------
+    >>> mesh_settings('{"size": 2}')
+    {'settings': {'size': 2}}
     """
     if not text.strip():
         return {}
@@ -309,6 +353,11 @@ def link_address(text, library, info_file):
     ------
     ThinPartError
         kind ``unsafe`` for any other link, ``missing`` for a path that does not exist.
+
+    Examples
+    --------
+    >>> link_address("https://example.org/lid", samples, plate + ".thinpart.json")
+    'https://example.org/lid'
     """
     text = text.strip()
     if not text.isprintable():

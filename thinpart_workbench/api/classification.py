@@ -46,6 +46,11 @@ def classify(source, profile=DEFAULT_PROFILE, settings=None, *, write_info=False
     ThinPartError
         If nothing could be classified; ``kind`` is a key of `thinpart_workbench.core.errors.KINDS`, and the message
         is one sentence.
+
+    Examples
+    --------
+    >>> classify((vertices, triangles))[0].category
+    'thin'
     """
     if isinstance(source, (str, os.PathLike)):
         return _classify_file(source, profile, settings, write_info, seconds, megabytes)
@@ -98,6 +103,11 @@ def classify_files(paths, profile=DEFAULT_PROFILE, settings=None, *, jobs=None, 
         started.
     Cancelled
         If `control` was asked to stop.
+
+    Examples
+    --------
+    >>> {parts[0].label: parts[0].category for parts in classify_files([block, plate], write_info=True, jobs=1)}
+    {'block': 'normal', 'plate': 'thin'}
     """
     paths = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
     limits = _limits(seconds, megabytes, jobs)
@@ -202,6 +212,11 @@ def cluster_address(text):
     ------
     ThinPartError
         kind ``usage``.
+
+    Examples
+    --------
+    >>> cluster_address("host:8786")
+    'tcp://host:8786'
     """
     address = text if "://" in text else f"tcp://{text}"
     try:

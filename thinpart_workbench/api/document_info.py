@@ -65,6 +65,13 @@ def write_document_info(document, stamp, records, failures, profile, settings, f
     ThinPartError
         kind ``unreadable`` if the document was written again since, ``info_write`` if the folder does not answer or
         holds a file of that name that is no info file.
+
+    Examples
+    --------
+    >>> from thinpart_workbench import AnalysisSettings
+    >>> written = write_document_info(block, file_stamp(block), [record], [], "calibrated", AnalysisSettings())
+    >>> [verdict["category"] for verdict in written.now.values()]
+    ['thin']
     """
     path, profile = info_location(document, folder), given_profile(profile).content
     stored = call_in_folder(folder, lambda: stored_info(path), patience)
@@ -82,7 +89,13 @@ def write_document_info(document, stamp, records, failures, profile, settings, f
 
 
 def file_stamp(path):
-    """Size and time of a file, to detect whether it has been written again: list of int."""
+    """Size and time of a file, to detect whether it has been written again: list of int.
+
+    Examples
+    --------
+    >>> file_stamp(plate)[0] == os.stat(plate).st_size
+    True
+    """
     status = os.stat(path)
     return [status.st_size, status.st_mtime_ns]
 

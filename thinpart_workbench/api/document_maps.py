@@ -34,6 +34,12 @@ def new_thickness_object(document, sources, parts):
     ------
     OSError
         If there is no space for the file.
+
+    Examples
+    --------
+    >>> added = new_thickness_object(document, thickness.Sources, parts_of(thickness))
+    >>> round(added.Thinnest, 2)
+    2.0
     """
     thickness = document.addObject("App::FeaturePython", NAME)
     ThicknessObject(thickness)
@@ -64,6 +70,11 @@ def set_parts(thickness, sources, parts):
     Raises
     ------
     OSError
+
+    Examples
+    --------
+    >>> set_parts(thickness, thickness.Sources, parts_of(thickness))  # none of its probes was dropped
+    0
     """
     probes = carried_probes(thickness, parts)
     dropped = len(probes_of(thickness)) - len(probes)
@@ -83,6 +94,11 @@ def parts_of(thickness):
     ------
     ThinPartError
         kind ``unreadable``.
+
+    Examples
+    --------
+    >>> [part.record["label"] for part in parts_of(thickness)]
+    ['plate']
     """
     key = map_version(thickness)
     proxy = thickness.Proxy
@@ -92,7 +108,13 @@ def parts_of(thickness):
 
 
 def map_version(thickness):
-    """A value to compare, which changes whenever the maps of an object do."""
+    """A value to compare, which changes whenever the maps of an object do.
+
+    Examples
+    --------
+    >>> map_version(thickness) == map_version(thickness)
+    True
+    """
     try:
         status = os.stat(thickness.Map)
     except OSError:

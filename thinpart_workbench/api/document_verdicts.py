@@ -32,6 +32,11 @@ def document_verdicts(records: list[PartRecord], profile: dict) -> dict[str, Par
     -------
     dict of str to PartVerdict
         By the part's name.
+
+    Examples
+    --------
+    >>> [verdict["title"] for verdict in document_verdicts([record], profile).values()]
+    ['Thin part']
     """
     titles = {category["name"]: category.get("title", category["name"]) for category in profile["categories"]}
     return {record["name"]: _verdict(record, titles) for record in records}
@@ -64,6 +69,12 @@ def category_changes(before, now):
     -------
     list of (PartVerdict, PartVerdict)
         The old and the new verdict on a part.
+
+    Examples
+    --------
+    >>> verdicts = document_verdicts([record], profile)
+    >>> category_changes(verdicts, verdicts)
+    []
     """
     verdict_pairs = [((before or {}).get(name), verdict) for name, verdict in now.items()]
     return [(old, new) for old, new in verdict_pairs
@@ -83,6 +94,11 @@ def walls_newly_under(before, now, limit):
     -------
     list of PartVerdict
         The new verdicts on these parts.
+
+    Examples
+    --------
+    >>> [new["category"] for new in walls_newly_under(None, document_verdicts([record], profile), 10.0)]
+    ['thin']
     """
     return [new for name, new in now.items()
             if _is_under(new, limit) and not _is_under((before or {}).get(name), limit)]

@@ -181,6 +181,11 @@ def write_map(path, files, *, part=None, look=None, measure=RAY, profile=DEFAULT
         kind ``usage`` where the part or the format is not clear; what else prevents it. Files that were there stay then.
     Cancelled
         If `control` was asked to stop.
+
+    Examples
+    --------
+    >>> write_map(plate, [f"{samples}/plate.ply"])["thinnest"]
+    8.0
     """
     # Imported late: it imports numpy.
     from ..core.rendering.map_picture import MapLook

@@ -210,6 +210,12 @@ def record_and_profile(info_file, name) -> tuple[PartRecord, ProfileContent]:
     ------
     ThinPartError
         If the info file cannot be read or does not hold the part.
+
+    Examples
+    --------
+    >>> found, judged_by = record_and_profile(plate + ".thinpart.json", record["name"])
+    >>> found["category"], judged_by["name"]
+    ('thin', 'calibrated')
     """
     content = read_info(info_file)
     return select_record(content["parts"], name, info_file), content["profile"]

@@ -56,6 +56,12 @@ def learn(library, labels=(), profile=DEFAULT_PROFILE, *, kept_labels=True, outp
     ThinPartError
         If the profile is invalid, a label cannot be used, labels are too few, scikit-learn is not installed, or the file
         cannot be written.
+
+    Examples
+    --------
+    >>> learn(samples, kept_labels=False)
+    Traceback (most recent call last):
+    thinpart_workbench.core.errors.ThinPartError: There are no labels in ...
     """
     check_scikit_learn()
     start = given_profile(profile)
@@ -91,6 +97,11 @@ def export_labels(library, output, labels=(), profile=DEFAULT_PROFILE, *, kept_l
     ------
     ThinPartError
         If a label cannot be used, there are none, or the file cannot be written.
+
+    Examples
+    --------
+    >>> export_labels(samples, f"{samples}/labels.csv", labels)
+    1
     """
     files = _files(labels)
     inputs = [*_inputs(files, profile), *inputs]
@@ -132,6 +143,12 @@ def label_by_meshing(library, profile=DEFAULT_PROFILE, limits=MESHING_LIMITS, *,
         If Gmsh is not installed, or there are no info files.
     Cancelled
         When `control` was asked to stop; what was meshed is kept for the next run.
+
+    Examples
+    --------
+    >>> label_by_meshing(samples, one_category)
+    Traceback (most recent call last):
+    thinpart_workbench.core.errors.ThinPartError: The profile ... has no category thin_features: ...
     """
     start = given_profile(profile)
     missing = [category for category in (THIN, THIN_FEATURES) if category not in categories_of(start)]
@@ -168,6 +185,12 @@ def save_profile(content, output, overwrite=False):
     Raises
     ------
     ThinPartError
+
+    Examples
+    --------
+    >>> save_profile(profile, f"{samples}/own.json")
+    >>> given_profile(f"{samples}/own.json").name
+    'own'
     """
     name = _stem(output)
     write_profile(profile_from({**content, "name": name, "title": name}).content, output, overwrite)

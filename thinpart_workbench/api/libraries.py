@@ -137,6 +137,11 @@ def find(roots, category=(), criterion=(), where=(), text="", thickness=(None, N
     ------
     ThinPartError
         kind ``usage`` if an argument is invalid, ``missing`` if none of the folders exists.
+
+    Examples
+    --------
+    >>> [part.label for part in find(samples, category="thin")]
+    ['plate']
     """
     # Build the query first, so that invalid arguments are rejected before folders are read.
     query = part_query(
@@ -174,6 +179,11 @@ def similar(part, roots, count=10, *, same_size=None, name=None, report=None):
     ------
     ThinPartError
         If the file cannot be read, the part is ambiguous, or none of the folders exists.
+
+    Examples
+    --------
+    >>> [part.label for part in similar(record, samples, count=1)]
+    ['plate']
     """
     record, own_key = reference_part(part, name)
     with _opened(roots, report) as libraries:
@@ -193,6 +203,11 @@ def reference_part(part, name=None):
     record : PartRecord
     own_key : tuple of (str, str) or None
         Info file and name of the part itself, which the search leaves out.
+
+    Examples
+    --------
+    >>> reference_part(plate)[0]["label"]
+    'plate'
     """
     if isinstance(part, ClassifiedPart):
         return part.record, None

@@ -26,6 +26,12 @@ def checked_arrays(vertices, triangles, face_of_triangle=None):
     ------
     MeshError
         kind ``usage`` for wrong shapes or types.
+
+    Examples
+    --------
+    >>> points, numbers, faces = checked_arrays([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    >>> points.dtype.name, numbers.shape, faces
+    ('float64', (1, 3), None)
     """
     vertices = _array(vertices, "vertices", "fiu", (None, 3)).astype(np.float64)
     triangles = _array(triangles, "triangles", "iu", (None, 3)).astype(np.int64)

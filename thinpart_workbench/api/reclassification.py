@@ -114,6 +114,11 @@ def reclassify(paths, profile=DEFAULT_PROFILE, *, write=False, jobs=1, control=N
     ------
     ThinPartError
         If the profile is invalid, a document was not classified, or there are no info files.
+
+    Examples
+    --------
+    >>> len(list(reclassify([plate], "paper")))  # files
+    1
     """
     profile = given_profile(profile)  # first, so that an invalid one is refused before folders are read
     paths = [os.fspath(path) for path in ([paths] if isinstance(paths, (str, os.PathLike)) else paths)]
@@ -150,6 +155,11 @@ def reclassify_folders(folders, profile=DEFAULT_PROFILE, *, write=False, jobs=1,
     ------
     ThinPartError
         If the profile is invalid.
+
+    Examples
+    --------
+    >>> len(list(reclassify_folders([samples])))
+    2
     """
     profile = given_profile(profile)
     searched = [_info_files_below(folder) for folder in folders]
@@ -169,6 +179,11 @@ def verdict_changes(folders):
     -------
     VerdictChanges
         Nothing is read yet but the lists of the folders, and nothing is ever written.
+
+    Examples
+    --------
+    >>> type(verdict_changes([samples])).__name__
+    'VerdictChanges'
     """
     searched = [_info_files_below(folder) for folder in folders]
     return VerdictChanges(list(dict.fromkeys(file for found, _ in searched for file in found)),

@@ -72,6 +72,12 @@ def classify_saved(document, profile=DEFAULT_PROFILE, settings=None, *, folder="
         For an unusable profile, kind ``unsupported`` where a Python module is missing.
     Cancelled
         When `control` was asked to stop.
+
+    Examples
+    --------
+    >>> found = classify_saved(plate)  # its info file is current
+    >>> found.current, [verdict["category"] for verdict in found.verdicts.values()]
+    (True, ['thin'])
     """
     profile, settings = given_profile(profile).content, given_settings(settings)
     found = SavedVerdicts()

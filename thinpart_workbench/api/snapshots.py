@@ -105,6 +105,11 @@ def measure_snapshot(folder, megabytes, report=None, wait_for_history=None, page
     ------
     ThinPartError
         If the profile is unusable. An unreadable snapshot raises whatever its reader does.
+
+    Examples
+    --------
+    >>> [found.record["category"] for found in measure_snapshot(snapshot, 4096)]
+    ['thin']
     """
     job, read = read_snapshot(folder)
     settings, profile = AnalysisSettings(**job["settings"]), profile_from(job["profile"])

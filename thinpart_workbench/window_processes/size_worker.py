@@ -35,7 +35,8 @@ def _serve(parent, job):
     from ..freecad_adapter.bootstrap import load_meshing
 
     load_meshing()
-    from ..api.mesh_sizes import PartSizes, missing_gmsh
+    from ..api.mesh_sizes import missing_gmsh
+    from ..api.window.part_sizes import PartSizes
 
     os.chdir(job["folder"])
     confine_running_process(job["folder"], with_programs=True)

@@ -7,7 +7,16 @@ from pathlib import Path
 
 from ...api.annotations import keep_mesh_settings, no_settings, settings_that_worked
 from ...api.libraries import reference_part
-from ...api.mesh_sizes import MESH_SECONDS, check_shell_file, mesh_sizes, write_shell_file, write_size_script
+from ...api.mesh_sizes import (
+    MESH_SECONDS,
+    FileChoice,
+    MeshRequest,
+    SizeProgress,
+    check_shell_file,
+    mesh_sizes,
+    write_shell_file,
+    write_size_script,
+)
 from ...core.categories import NORMAL
 from ...core.errors import ThinPartError
 from ...core.foreign_text import printable
@@ -91,6 +100,9 @@ def run(options):
     if options.shell is not None:
         check_shell_file(options.shell)
         shell = ShellSettings(options.shell_size, options.shell_order)
+    request = MeshRequest(settings, tuple(sizes.items()), options.all_walls, options.check, shell, options.mesh_timeout,
+                          has_sources=options.geo is not None,
+                          part=None if options.geo is None and options.shell is None else options.part or "")
     report, found, failed, refused = new_report(options.json, options.control), [], 0, None
     control = RunControl(report.state)
     try:
@@ -98,13 +110,10 @@ def run(options):
             if options.control:
                 listen(control)
             for outcome in mesh_sizes(
-                    options.paths, settings, options.profile, analysis=settings_of(options), limits=limits_of(options),
-                    check=options.check, mesh_seconds=options.mesh_timeout, has_sources=options.geo is not None,
-                    force=options.force, include=options.include, exclude=options.exclude, control=control,
-                    started=report.started, report=report.counted, on_step=report.step, shell=shell,
-                    region_sizes=sizes, all_walls=options.all_walls,
-                    part=None if options.geo is None and options.shell is None else options.part or "",
-                    found=lambda documents: check_with_documents(options, documents)):
+                    options.paths, request, options.profile, analysis=settings_of(options), limits=limits_of(options),
+                    files=FileChoice(options.include, options.exclude, options.force,
+                                     lambda documents: check_with_documents(options, documents)),
+                    control=control, progress=SizeProgress(report.started, report.counted, report.step)):
                 if outcome.get("error", {}).get("kind") == "usage":
                     refused = outcome["error"]["message"]
                     continue

@@ -1,6 +1,5 @@
 """Measures a part and asks for element sizes and meshes, in another process."""
 
-import os
 import shutil
 import tempfile
 
@@ -17,7 +16,7 @@ class SizeClient(QtCore.QObject):
     Attributes
     ----------
     folder : str or None
-        With the files of `api.mesh_sizes`, until `end`.
+        With the files of `api.window.part_sizes`, until `end`.
 
     Signals
     -------
@@ -109,10 +108,6 @@ class SizeClient(QtCore.QObject):
         self._is_meshing = True
         self._next = {"shell": settings}
         self._send_next()
-
-    def file(self, name):
-        """Path of a file of the process."""
-        return os.path.join(self.folder, name)
 
     def end(self):
         """End the process and remove its files."""

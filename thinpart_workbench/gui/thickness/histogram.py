@@ -11,22 +11,11 @@ from ..application.theme import plot_background, readable, text_colour
 from ..record.measure_text import axis_title
 from ..widgets.chart_axes import ChartAxes
 
-BARS = 40
 _GRAB_DISTANCE = 5
 """Distance in pixels within which the mouse grabs the threshold line."""
 
 _LINE_COLOURS = QtGui.QColor(20, 20, 20), QtGui.QColor(235, 235, 235)
 """Colours of the threshold line on a light and on a dark background."""
-
-
-def bar_edges(last, unit=MILLIMETRE):
-    """Edges of the bars from 0 to a thickness: ndarray of shape (k + 1,), mm.
-
-    The bars are centred on multiples of a round width in the unit, so that a wall of 3 mm that measures 2.999 mm
-    in places falls into one bar; the first bar is half as wide.
-    """
-    width = unit.millimetres * round_up(unit.value(last) / BARS)
-    return np.concatenate([[0.0], width * (np.arange(int(np.ceil(last / width + 0.5 - 1e-6))) + 0.5)])
 
 
 class ThicknessHistogram(ChartAxes):

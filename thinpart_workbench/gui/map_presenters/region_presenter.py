@@ -1,28 +1,21 @@
 """Presents the wall regions of a map: what the mouse is over, what is isolated, and what people say of them."""
 
 from ..application import lifelong
-from ..application.length_unit import length_unit
 from ..application.qt import QtCore, disconnect, translate
 
 
 class RegionPresenter(QtCore.QObject):
-    """Connects the box of wall regions with the view of the map and with the info file.
+    """Connects the box of wall regions with the view of the map and with the info file; see `ThicknessPresenter`."""
 
-    Parameters
-    ----------
-    thickness : FreeCAD.DocumentObject
-    box : RegionBox
-    """
-
-    def __init__(self, thickness, box, parent=None):
+    def __init__(self, thickness, shown, highlight, tour, box, parent):
         super().__init__(parent)
-        self._thickness, self._box = thickness, box
-        self._number = self._part = None  # the part whose regions are shown
+        self._thickness, self._shown, self._highlight, self._box = thickness, shown, highlight, box
         # By part name; None while there is no info file.
         self._notes = lifelong.region_notes.known(thickness.Document.FileName)
         self._former = None  # what was highlighted before the mouse was over a region
         self._connections = [
             (box.hovered, self._hover), (box.isolated, self._isolate), (box.said, self._keep),
+            (box.faces_chosen, self._choose), (box.visited, tour.to_region), (shown.chosen, self.show),
             (lifelong.region_notes.answered, self._on_answered),
         ]
         for signal, slot in self._connections:
@@ -36,23 +29,19 @@ class RegionPresenter(QtCore.QObject):
         for signal, slot in self._connections:
             disconnect(signal, slot)  # FreeCAD may already have deleted the box
 
-    def show(self, number, part):
-        """Show the regions of a part: its number, and MappedPart; None for both where several parts are shown."""
-        self._number, self._part = number, part
+    def show(self):
+        """Show everything."""
+        part = self._shown.part
         if part is None:
             self._box.show_no_part()
             return
         notes = (self._notes or {}).get(part.record["name"], ())
-        document = self._thickness.Document
-        self._box.show_regions(part.record, length_unit(document), part.features, notes, self._refusal(), document.FileName)
+        self._box.show_regions(part.record, self._shown.unit, part.features, notes, self._refusal(),
+                               self._thickness.Document.FileName)
 
     def show_whole(self):
         """The map was replaced, and is drawn whole."""
         self._box.show_isolated(False)
-
-    def keep_highlight(self):
-        """What is highlighted now stays when the mouse leaves the table."""
-        self._former = None
 
     def read_notes(self):
         """Read what people say of regions, in another process."""
@@ -72,10 +61,14 @@ class RegionPresenter(QtCore.QObject):
             return
         if self._former is None:
             self._former = self._view.highlighting
-        self._view.highlight_faces({self._number: set(group.faces)})
+        self._highlight.show_faces(group.faces)
+
+    def _choose(self, faces):
+        self._highlight.choose_faces(faces)
+        self._former = None  # what is highlighted stays when the mouse leaves the table
 
     def _isolate(self, faces):
-        self._view.isolate(None if faces is None else {self._number: set(faces)})
+        self._view.isolate(None if faces is None else {self._shown.number: set(faces)})
         self._box.show_isolated(faces is not None)
 
     def _refusal(self):
@@ -87,7 +80,7 @@ class RegionPresenter(QtCore.QObject):
 
     def _keep(self, regions, said):
         self._box.show_message("")
-        lifelong.region_notes.keep(self._thickness.Document.FileName, self._part.record["name"], regions, **said)
+        lifelong.region_notes.keep(self._thickness.Document.FileName, self._shown.part.record["name"], regions, **said)
 
     def _on_answered(self, document, sentence):
         if document != self._thickness.Document.FileName:
@@ -96,4 +89,4 @@ class RegionPresenter(QtCore.QObject):
         if not sentence:
             self._notes = lifelong.region_notes.known(document)
             self._hover(None)
-            self.show(self._number, self._part)
+            self.show()

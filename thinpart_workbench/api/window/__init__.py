@@ -1,0 +1,1 @@
+"""What the window shows of parts, documents, profiles and limits: judged, summed up and grouped, for widgets to draw."""

@@ -1,0 +1,163 @@
+"""Limits of walls to choose from, and parts checked against them."""
+
+from typing import Any, NamedTuple, Optional
+
+from ...core.errors import ThinPartError
+from ...core.judging.limit_bands import FAILS, JUST_ABOVE, PASSES, TOO_THICK
+from ...core.judging.wall_check import check_sentence, check_walls
+from ...core.judging.wall_limits import SHIPPED, WallLimits, limits_content, shipped_limits
+from ...core.maps.map_summary import share_between
+from ...freecad_adapter.objects.thickness_object import OWN_CHECK
+from ...freecad_adapter.preferences import preference
+from ...storage.user_limits import known_limits, limits_named, user_limits
+
+BANDS = (FAILS, JUST_ABOVE, PASSES, TOO_THICK)
+"""What the walls of a map are, by the limits that it is checked against."""
+
+
+class CheckedPart(NamedTuple):
+    """Whether a part ``holds`` limits, None where that cannot be told, and a ``sentence`` that says why."""
+
+    holds: Optional[bool]
+    sentence: str
+
+
+def offered_limits():
+    """Limits to choose from: those that are known, or the shipped ones where the user's file cannot be used.
+
+    Returns
+    -------
+    dict of str to WallLimits
+
+    Examples
+    --------
+    >>> offered_limits()["FDM"].min_mm > 0.0
+    True
+    """
+    try:
+        return known_limits()
+    except ThinPartError:
+        return shipped_limits()  # the error is reported when they are used
+
+
+def checked(record, limits):
+    """Check the walls of a part.
+
+    Parameters
+    ----------
+    record : PartRecord
+        May lack its faces.
+    limits : WallLimits
+
+    Returns
+    -------
+    CheckedPart
+
+    Examples
+    --------
+    >>> checked(record, offered_limits()["FDM"]).holds
+    True
+    """
+    check = check_walls(record, limits)
+    return CheckedPart(check.holds, check_sentence(check))
+
+
+def preferred_checks(record):
+    """The walls of a part checked against what the preferences name: list of CheckedPart, empty where that is nothing.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``usage`` if there is no such process, or the user's own limits cannot be used.
+
+    Examples
+    --------
+    >>> preferred_checks(record)
+    []
+    """
+    return [checked(record, limits) for limits in limits_named(preference("Checks").split(","))]
+
+
+def limits_of_map(thickness, own_title):
+    """The limits that a map is checked against.
+
+    Parameters
+    ----------
+    thickness : FreeCAD.DocumentObject
+    own_title : str
+        Of a limit that is none of a process.
+
+    Returns
+    -------
+    WallLimits or None
+
+    Examples
+    --------
+    >>> limits_of_map(thickness, "Own limit") is None  # nothing is checked
+    True
+    """
+    name, least, most = thickness.Check, thickness.Threshold or None, thickness.CheckMost or None
+    if not name or least is most is None:
+        return None
+    known = offered_limits().get(name)
+    if known is not None and (known.min_mm, known.max_mm) == (least, most):
+        return known
+    # An own limit, or one of a process that has other limits by now than when it was chosen.
+    return WallLimits(name, own_title if name == OWN_CHECK else name, least, most)
+
+
+def band_shares(parts, bands):
+    """The share of the surface of parts in each band of a check.
+
+    Parameters
+    ----------
+    parts : list of MappedPart
+    bands : list of LimitBand
+
+    Returns
+    -------
+    list of (str, float)
+        Name of the band, one of `BANDS`, and the share of all area.
+
+    Examples
+    --------
+    >>> band_shares(parts_of(thickness), [])
+    []
+    """
+    return [(band.name, share_between(parts, band.low, band.high)) for band in bands]
+
+
+def editable_processes() -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
+    """The processes whose limits the user may edit, as in the file.
+
+    Returns
+    -------
+    shipped : list of dict
+        Those that come with ThinPart and are not replaced by the user's own.
+    own : list of dict
+
+    Raises
+    ------
+    ThinPartError
+        kind ``usage`` if the user's own limits cannot be used.
+
+    Examples
+    --------
+    >>> shipped, own = editable_processes()
+    >>> "FDM" in [process["id"] for process in shipped], own
+    (True, [])
+    """
+    own = user_limits()
+    replaced = {process["id"].casefold() for process in own}
+    return [process for process in shipped_processes() if process["id"].casefold() not in replaced], own
+
+
+def shipped_processes() -> list[dict[str, Any]]:
+    """The processes that come with ThinPart, as in the file.
+
+    Examples
+    --------
+    >>> len(shipped_processes()) > 5
+    True
+    """
+    return limits_content(SHIPPED)["processes"]

@@ -1,0 +1,69 @@
+"""What is to be said of the verdict on a part: why it is so, how sure it is, and what the paper would say."""
+
+from typing import NamedTuple, Optional
+
+from ...core.categories import UNKNOWN
+from ...core.judging.criteria import PAPER, Profile, load_profile
+from ...core.judging.verdict_reasons import deciding_criteria, nearest_other, reason_of
+from ...core.judging.verdict_sentence import verdict_sentence
+from ...core.record.record_types import PartRecord
+
+
+class Why(NamedTuple):
+    """Why a part has its category: a ``sentence``, empty where none says it; then ``criteria`` do, list of EvidenceRow."""
+
+    sentence: str
+    criteria: list
+
+
+class Sureness(NamedTuple):
+    """How sure a verdict is: ``margin`` from the limit, or None where ``probability`` says it; the ``other`` category that
+    the part might have, and ``other_probability``; whether it is ``borderline``."""
+
+    margin: Optional[float]
+    probability: Optional[float]
+    other: str
+    other_probability: Optional[float]
+    borderline: bool
+
+
+def why(record: PartRecord) -> Why:
+    """Why a part has its category, or why that is unknown.
+
+    Examples
+    --------
+    >>> "of the surface lies over walls thinner than" in why(record).sentence
+    True
+    """
+    if record["category"] == UNKNOWN:
+        return Why(reason_of(record), [])
+    return Why(verdict_sentence(record) or "", deciding_criteria(record))
+
+
+def sureness(record: PartRecord) -> Optional[Sureness]:
+    """How sure the verdict on a part is; None where that is unknown.
+
+    Examples
+    --------
+    >>> sureness(record).borderline
+    False
+    """
+    if record["margin"] is None:
+        return None
+    if "probabilities" in record:
+        chances = {each["category"]: each["probability"] for each in record["probabilities"]}
+        own = record["category"]
+        other = max((each for each in chances if each != own), key=lambda each: chances[each])
+        return Sureness(None, chances[own], other, chances[other], record["borderline"])
+    return Sureness(record["margin"], None, nearest_other(record), None, record["borderline"])
+
+
+def paper_profile(profile: Profile) -> Optional[Profile]:
+    """The profile with the paper's own thresholds, by which records are judged too; None where they were judged by it alone.
+
+    Examples
+    --------
+    >>> paper_profile(preferred).name
+    'paper'
+    """
+    return None if profile.name == PAPER else load_profile(PAPER)

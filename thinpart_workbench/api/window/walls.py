@@ -1,0 +1,28 @@
+"""The wall regions of a part, with what people say of them."""
+
+from ...core.record.region_notes import notes_of_regions
+
+
+def noted_sizes(record, notes):
+    """Element sizes that people want on wall regions.
+
+    Parameters
+    ----------
+    record : PartRecord
+    notes : list of dict
+        See ``region_notes`` of a part record.
+
+    Returns
+    -------
+    dict of int to float or None
+        mm by number of the listed region, from 0; None for one that is left out. Regions without a wish are not in it.
+
+    Examples
+    --------
+    >>> wall = record["regions"]["listed"][0]
+    >>> noted_sizes(record, [{"place": wall["place"], "faces": wall["faces"], "mesh_size_mm": 0.5}])
+    {0: 0.5}
+    """
+    found = enumerate(notes_of_regions(record["regions"]["listed"], notes))
+    return {number: None if note.get("excluded") else note["mesh_size_mm"] for number, note in found
+            if note is not None and (note.get("excluded") or note.get("mesh_size_mm"))}

@@ -1,0 +1,96 @@
+"""Presents the distribution of a map: its bars, its threshold, and the check of its walls."""
+
+from ...api.window.map_values import thickness_bars
+from ...core.maps.map_summary import share_between
+from ...freecad_adapter.objects.thickness_object import OWN_CHECK
+from ..application.qt import QtCore, disconnect
+from ..colour_bar.colours import ThicknessColours
+from ..widgets.process_field import offered_limits
+from .map_check import band_shares, checked_limits, map_check_text
+from .map_properties import SCALE, THIN, change
+
+
+class DistributionPresenter(QtCore.QObject):
+    """Connects the box of the distribution with a map; see `ThicknessPresenter` for the parameters."""
+
+    def __init__(self, thickness, shown, highlight, box, parent):
+        super().__init__(parent)
+        self._thickness, self._shown, self._highlight, self._box = thickness, shown, highlight, box
+        self._before_dragging = None  # the previous threshold, while its line is dragged
+        self._connections = [
+            (box.range_chosen, self._choose_range), (box.threshold_changed, self._set_threshold),
+            (box.thin_only_changed, lambda on: change(thickness, {"ThinOnly": on})),
+            (box.check.chosen, self._choose_check), (box.check.limit_typed, self._check_own_limit),
+            (shown.chosen, self.show),
+        ]
+        for signal, slot in self._connections:
+            signal.connect(slot)
+
+    def leave(self):
+        """Disconnect everything."""
+        for signal, slot in self._connections:
+            disconnect(signal, slot)
+
+    def show(self):
+        """Show everything; no bar is selected."""
+        edges, shares, thickest = thickness_bars(self._shown.shown, self._thickness.Threshold, self._shown.unit)
+        diagonal = max(part.record["descriptors"]["diagonal_mm"] for part in self._shown.shown)
+        self._box.show_shares(edges, shares, thickest, diagonal, self._shown.unit, self._thickness.Measure)
+        self._box.show_choice(None, 0.0, 0)
+        self._show_colours()
+        self._show_threshold()
+
+    def refresh(self, changed):
+        """Show what has changed: set of names of properties."""
+        if changed & set(THIN):
+            self._show_threshold()
+        if changed & {*SCALE, *THIN, "Stale"}:
+            self._show_colours()
+
+    def show_whole(self):
+        """Select no bar: greyed facets would hide the wall that is flown to."""
+        self._box.chart.clear_choice()
+
+    def _show_colours(self):
+        chart = self._box.chart
+        middles = 0.5 * (chart.edges[1:] + chart.edges[:-1])
+        if chart.thickest > chart.edges[-1]:
+            middles[-1] = chart.thickest
+        chart.show_colours(ThicknessColours.of(self._thickness).of_values(middles))
+
+    def _show_threshold(self):
+        threshold, parts = self._thickness.Threshold, self._shown.shown
+        self._box.show_threshold(threshold, share_between(parts, 0.0, threshold), self._thickness.ThinOnly)
+        self._box.check.show_check(
+            self._thickness.Check, threshold, self._shown.unit,
+            band_shares(parts, ThicknessColours.of(self._thickness).bands),
+            map_check_text([part.record for part in parts], checked_limits(self._thickness), self._shown.unit,
+                           self._thickness.Measure))
+
+    def _choose_range(self, chosen):
+        if chosen is None:
+            self._highlight.clear()
+            self._box.show_choice(None, 0.0, 0)
+        else:
+            count = self._highlight.choose_range(*chosen)
+            self._box.show_choice(chosen, share_between(self._shown.shown, *chosen), count)
+
+    def _set_threshold(self, threshold, is_final):
+        if not is_final:
+            if self._before_dragging is None:
+                self._before_dragging = self._thickness.Threshold
+            self._thickness.Threshold = threshold
+            return
+        before, self._before_dragging = self._before_dragging, None
+        if before is not None:
+            self._thickness.Threshold = before  # the value that Undo restores
+        own = {"Check": OWN_CHECK, "CheckMost": 0.0} if self._thickness.Check else {}
+        change(self._thickness, {"Threshold": threshold, **own})
+
+    def _choose_check(self, name):
+        limits = offered_limits().get(name)
+        values = {} if limits is None else {"Threshold": limits.min_mm or 0.0}
+        change(self._thickness, {"Check": name, "CheckMost": 0.0 if limits is None else limits.max_mm or 0.0, **values})
+
+    def _check_own_limit(self, limit):
+        change(self._thickness, {"Check": OWN_CHECK, "CheckMost": 0.0, "Threshold": limit})
