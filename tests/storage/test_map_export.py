@@ -15,7 +15,7 @@ from thinpart_workbench.core.maps.thickness_map import thickness_map
 from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 from thinpart_workbench.core.rendering.colour_scale import ColourScale
 from thinpart_workbench.core.thickness.measurement import measure
-from thinpart_workbench.storage.exchange.map_export import write_ply, write_vtp
+from thinpart_workbench.storage.exchange.map_export import PLY, VTP, write_map_file
 
 
 @pytest.fixture(scope="module")
@@ -41,7 +41,7 @@ def arrays_of(path):
 
 
 def test_polydata_has_points_facets_and_values(parts, tmp_path):
-    write_vtp(tmp_path / "map.vtp", parts)
+    write_map_file(tmp_path / "map.vtp", VTP, parts, None)
     sizes, arrays = arrays_of(tmp_path / "map.vtp")
     shown, count = parts[0].map, 2 * parts[0].map.count
     assert int(sizes["NumberOfPolys"]) == count and int(sizes["NumberOfPoints"]) == 3 * count
@@ -58,7 +58,7 @@ def test_polydata_has_points_facets_and_values(parts, tmp_path):
 
 def test_ply_has_colours_and_thickness(parts, tmp_path):
     scale = ColourScale(0.0, 60.0)
-    write_ply(tmp_path / "map.ply", parts, scale.colours)
+    write_map_file(tmp_path / "map.ply", PLY, parts, scale.colours)
     head, body = (tmp_path / "map.ply").read_bytes().split(b"end_header\n", 1)
     lines = head.decode("ascii").splitlines()
     assert lines[:2] == ["ply", "format binary_little_endian 1.0"]
@@ -74,7 +74,7 @@ def test_ply_has_colours_and_thickness(parts, tmp_path):
 def test_what_was_there_stays_where_it_cannot_be_written(parts, tmp_path):
     (tmp_path / "folder.vtp").mkdir()
     with pytest.raises(ThinPartError, match="cannot be written"):
-        write_vtp(tmp_path / "folder.vtp", parts)
+        write_map_file(tmp_path / "folder.vtp", VTP, parts, None)
     with pytest.raises(OSError):
-        write_ply(tmp_path / "no such folder" / "map.ply", parts, ColourScale(0.0, 1.0).colours)
+        write_map_file(tmp_path / "no such folder" / "map.ply", PLY, parts, ColourScale(0.0, 1.0).colours)
     assert os.listdir(tmp_path) == ["folder.vtp"]

@@ -119,6 +119,11 @@ def keep_label(path, part, category, is_sure, person=""):
     ------
     ThinPartError
         See `label_part`.
+
+    Examples
+    --------
+    >>> keep_label(plate + ".thinpart.json", "plate", "thin", True, "Ann")[0]["person"]
+    'Ann'
     """
     return label_part(path, category, person, is_sure, part).get("labels", [])
 
@@ -132,6 +137,11 @@ def notes(document, folder=""):
         Its path.
     folder : str, optional
         See `info_location`.
+
+    Examples
+    --------
+    >>> list(notes(block).values())
+    [[]]
     """
     return region_notes(info_location(document, folder))
 
@@ -155,6 +165,13 @@ def keep_notes(document, part, regions, folder="", person="", **said):
     ------
     ThinPartError
         See `note_regions`.
+
+    Examples
+    --------
+    >>> wall = record["regions"]["listed"][0]
+    >>> kept = keep_notes(plate, "plate", [wall], person="Ann", excluded="cast")
+    >>> [note["excluded"] for note in kept[record["name"]]]
+    ['cast']
     """
     path = info_location(document, folder)
     note_regions(path, regions, person, part, **said)
@@ -175,6 +192,10 @@ def keep_settings(document, folder="", **worked):
     ------
     ThinPartError
         See `keep_mesh_settings`.
+
+    Examples
+    --------
+    >>> keep_settings(f"{samples}/never_classified.step")  # there is no info file to keep them in
     """
     path = info_location(document, folder)
     if os.path.isfile(path):
@@ -192,6 +213,11 @@ def settings_for(record, document, folder="", roots=(), report=None):
     roots : list of str, optional
         Folders of info files; those that are not there are left out.
     report : callable, optional
+
+    Examples
+    --------
+    >>> settings_for(record, plate) is None  # none has worked so far
+    True
     """
     return settings_that_worked(record, [root for root in roots if os.path.isdir(root)],
                                 info_location(document, folder) if document else None, report)

@@ -12,13 +12,12 @@ from ...core.message import message
 from ...core.rendering.colour_maps import COLOUR_MAPS
 from ...core.rendering.map_picture import LEAST_SIDE, MOST_SIDE, VIEWS, MapLook
 from ...core.run_control import RunControl
+from ...storage.exchange.map_export import MAP_FORMATS
 from ..output_options import add_output_option, replacing
 from ..run_options import add_limit_options, add_measurement_options, limits_of, settings_of, shown_measure_of
 from ..stop_signals import stop_signals
 
-_FORMATS = {"png": "a picture, with the colour bar",
-            "vtp": "triangles with the thickness at every corner, for ParaView and VTK",
-            "ply": "the same with colours, for MeshLab, Blender and others"}
+_FORMATS = {"png": "a picture, with the colour bar", **{ending[1:]: each.use for ending, each in MAP_FORMATS.items()}}
 
 
 def add_arguments(parser):

@@ -1,18 +1,14 @@
 """Colours for thickness."""
 
-import json
 from dataclasses import dataclass
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 
-from .colour_maps import COLOUR_MAPS
+from .colour_maps import COLOUR_MAPS, HEX_OF_MAP
 
 UNMEASURED = (0.62, 0.62, 0.62)
 """Colour of unmeasured surface; it occurs in none of the colour maps."""
-
-_TABLES = Path(__file__).resolve().parents[3] / "resources" / "colour_maps.json"
 
 
 @dataclass(frozen=True)
@@ -106,6 +102,4 @@ class ColourScale:
 @cache
 def colour_table(name):
     """ndarray of shape (256, 3), uint8: a colour map, starting at its low end."""
-    with open(_TABLES, encoding="utf-8") as file:
-        text = json.load(file)["maps"][name]
-    return np.frombuffer(bytes.fromhex(text), dtype=np.uint8).reshape(-1, 3).copy()
+    return np.frombuffer(bytes.fromhex(HEX_OF_MAP[name]), dtype=np.uint8).reshape(-1, 3).copy()

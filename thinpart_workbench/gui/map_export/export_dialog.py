@@ -1,23 +1,15 @@
 """Asks where and as what a thickness map is to be written, and writes it."""
 
 import os
-from pathlib import Path
 
 import FreeCADGui as Gui
 
-from ...api.document_maps import parts_of
+from ...api.window.map_files import MARKS, PICTURE, map_formats, write_picture, write_triangles
 from ...core.errors import ThinPartError
-from ...core.kinds.file_marks import MAPS
-from ...storage.exchange.map_export import PLY, VTP, write_ply, write_vtp
-from ...storage.output_file import write_output
-from ...storage.png import marked_png
-from ...storage.temporary_folder import temporary_folder
 from ..application.qt import QtWidgets, execute, translate
 from ..application.sentences import translated
 from ..colour_bar.colours import ThicknessColours
 from ..widgets.confirmation import may_overwrite
-
-PNG = ".png"
 
 WIDTH, HEIGHT = 1600, 1200
 """Size of a picture that is offered at first, pixels."""
@@ -43,9 +35,8 @@ class ExportDialog(QtWidgets.QFileDialog):
         self.setOption(QtWidgets.QFileDialog.DontUseNativeDialog, True)
         self.setAcceptMode(QtWidgets.QFileDialog.AcceptSave)
         self._endings = {
-            translate("ThinPart", "Picture of the view (*.png)"): PNG,
-            translate("ThinPart", "VTK PolyData with thickness (*.vtp)"): VTP,
-            translate("ThinPart", "PLY with thickness and colours (*.ply)"): PLY,
+            translate("ThinPart", "Picture of the view (*.png)"): PICTURE,
+            **{translated(title): ending for ending, title in map_formats().items()},
         }
         self.setNameFilters(list(self._endings))
         self.filterSelected.connect(self._on_filter)
@@ -68,7 +59,7 @@ class ExportDialog(QtWidgets.QFileDialog):
     @property
     def ending(self):
         """str: of the chosen format."""
-        return self._endings.get(self.selectedNameFilter(), PNG)
+        return self._endings.get(self.selectedNameFilter(), PICTURE)
 
     def write(self, path):
         """Write the map to a file; the user is asked before one is replaced that ThinPart did not write.
@@ -84,29 +75,24 @@ class ExportDialog(QtWidgets.QFileDialog):
             kind ``usage`` or ``failed``, with a sentence.
         """
         try:
-            overwrite = may_overwrite(self, path, MAPS[self.ending], [self._thickness.Document.FileName])
+            overwrite = may_overwrite(self, path, MARKS[self.ending], [self._thickness.Document.FileName])
             if overwrite is None:
                 return False
-            if self.ending == PNG:
-                write_output(path, self._picture(), MAPS[PNG], overwrite)
-            elif self.ending == VTP:
-                write_vtp(path, parts_of(self._thickness), overwrite)
+            if self.ending == PICTURE:
+                write_picture(path, self._draw, overwrite)
             else:
-                write_ply(path, parts_of(self._thickness), ThicknessColours.of(self._thickness).of_values)
+                colours = ThicknessColours.of(self._thickness).of_values
+                write_triangles(path, self.ending, self._thickness, colours, overwrite)
             return True
         except OSError as error:
             raise ThinPartError(translate("ThinPart", "{} cannot be written ({}): choose another place.").format(
                 path, error.strerror or error), "failed") from None
 
-    def _picture(self):
-        """The view as a PNG file: bytes."""
+    def _draw(self, path):
         view = Gui.getDocument(self._thickness.Document.Name).activeView()
-        with temporary_folder() as folder:
-            path = os.path.join(folder, f"view{PNG}")
-            view.saveImage(path, self.width_field.value(), self.height_field.value(), "Current")
-            if not os.path.exists(path):
-                raise OSError(translate("ThinPart", "the view cannot be drawn at this size"))
-            return marked_png(Path(path).read_bytes())
+        view.saveImage(path, self.width_field.value(), self.height_field.value(), "Current")
+        if not os.path.exists(path):
+            raise OSError(translate("ThinPart", "the view cannot be drawn at this size"))
 
     def _pixels(self, row, name, value):
         field = QtWidgets.QSpinBox(self._size)
@@ -118,7 +104,7 @@ class ExportDialog(QtWidgets.QFileDialog):
 
     def _on_filter(self, _):
         self.setDefaultSuffix(self.ending[1:])
-        self._size.setVisible(self.ending == PNG)
+        self._size.setVisible(self.ending == PICTURE)
 
 
 def export_map(thickness, parent):

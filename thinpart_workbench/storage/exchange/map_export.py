@@ -2,11 +2,13 @@
 
 import base64
 import struct
+from typing import Callable, NamedTuple
 
 import numpy as np
 
 from ...core.file_formats import FORMATS
 from ...core.kinds.file_marks import MAPS, PLY_COMMENT, VTP_COMMENT
+from ...core.message import Message, message
 from ..output_file import write_output
 
 VTP = ".vtp"
@@ -14,12 +16,30 @@ PLY, = next(each.endings for each in FORMATS if each.name == "PLY")
 """Endings of the formats."""
 
 
-def write_vtp(path, parts, overwrite=False):
-    """Write the content of `vtp_bytes` to a file; see `write_output`."""
-    write_output(path, vtp_bytes(parts), MAPS[VTP], overwrite)
+class MapFormat(NamedTuple):
+    """A format for triangles with values.
+
+    Attributes
+    ----------
+    title : Message
+        In a list of formats, with the ending.
+    use : str
+        What it is for, in the help of the command line.
+    content : callable
+        Gives the bytes of a file, of a list of MappedPart and `colours` as of `ply_bytes`.
+    """
+
+    title: Message
+    use: str
+    content: Callable
 
 
-def vtp_bytes(parts):
+def write_map_file(path, ending, parts, colours, overwrite=False):
+    """Write maps as one of `MAP_FORMATS`; see there, and `write_output`."""
+    write_output(path, MAP_FORMATS[ending].content(parts, colours), MAPS[ending], overwrite)
+
+
+def vtp_bytes(parts, _colours=None):
     """Maps as VTK PolyData, with the thickness at points and cells, face and part of each cell: bytes.
 
     Parameters
@@ -47,11 +67,6 @@ def vtp_bytes(parts):
         "</Piece>", "</PolyData>", "</VTKFile>", ""]).encode("ascii")
 
 
-def write_ply(path, parts, colours):
-    """Write the content of `ply_bytes` to a file; see `write_output`."""
-    write_output(path, ply_bytes(parts, colours), MAPS[PLY])
-
-
 def ply_bytes(parts, colours):
     """Maps as binary PLY, with thickness and colour at vertices: bytes.
 
@@ -77,6 +92,15 @@ def ply_bytes(parts, colours):
         *(f"property float {axis}" for axis in "xyz"), *(f"property uchar {name}" for name in ("red", "green", "blue")),
         "property float thickness", f"element face {count}", "property list uchar int vertex_indices", "end_header", ""])
     return head.encode("ascii") + vertices.tobytes() + faces.tobytes()
+
+
+MAP_FORMATS = {
+    VTP: MapFormat(message("VTK PolyData with thickness (*.vtp)"),
+                   "triangles with the thickness at every corner, for ParaView and VTK", vtp_bytes),
+    PLY: MapFormat(message("PLY with thickness and colours (*.ply)"),
+                   "the same with colours, for MeshLab, Blender and others", ply_bytes),
+}
+"""By ending. Each has a mark in `core.kinds.file_marks.MAPS`, by which its files are known as ThinPart's own."""
 
 
 def _joined(parts):

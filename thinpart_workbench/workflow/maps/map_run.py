@@ -12,7 +12,7 @@ from ...core.kinds.compound_kinds import Record
 from ...core.kinds.value_kinds import Number, OrNull, Text
 from ...core.message import message
 from ...core.rendering.map_picture import MapLook, map_picture
-from ...storage.exchange.map_export import PLY, VTP, ply_bytes, vtp_bytes
+from ...storage.exchange.map_export import MAP_FORMATS
 from ...storage.info.info_definition import SOURCE
 from ...storage.png import png_bytes
 from ..analysis.analyse_part import analyse_part
@@ -112,11 +112,11 @@ def _contents(task):
     measurement, record = analyse_part(part, task.analysis, profile_from(task.profile))
     mapped = MappedPart(record, thickness_map(measurement, by=task.measure))
     scale = task.look.scale(mapped)
-    make = {PNG: lambda: _png(map_picture(mapped, task.look)), VTP: lambda: vtp_bytes([mapped]),
-            PLY: lambda: ply_bytes([mapped], scale.colours)}
+    contents = {ending: _png(map_picture(mapped, task.look)) if ending == PNG
+                else MAP_FORMATS[ending].content([mapped], scale.colours) for ending in task.formats}
     thinnest = record["descriptors"]["thickness_mm"]["min"]
     return {"label": part.label, "thinnest": thinnest, "low": scale.low, "high": scale.high,
-            "contents": {ending: base64.b64encode(make[ending]()).decode() for ending in task.formats}}
+            "contents": {ending: base64.b64encode(content).decode() for ending, content in contents.items()}}
 
 
 def _png(pixels):
