@@ -344,6 +344,33 @@ def test_the_window_and_the_command_line_have_their_work_done_by_api_alone(layer
         assert below not in path.read_text(encoding="utf-8"), "nor does it start a process of workflow"
 
 
+FOR_GUI = {
+    "core": {
+        # values and words that every layer shares
+        "errors", "message", "figures", "number_text", "length_unit", "categories", "problem", "hook", "foreign_text",
+        "file_formats", "kinds.file_marks", "rigid_transform", "descriptors", "judging.limit_bands", "judging.condition_text",
+        # settings and their defaults; a profile is one
+        "analysis_settings", "analysis_limits", "judging.criteria", "sizing.sizing_settings", "shells.shell_settings",
+        # what is drawn
+        "maps", "rendering", "mesh.thinned_facets", "mesh.tetrahedra", "rays.line_of_sight",
+    },
+    "freecad_adapter": {
+        "preferences", "guard", "objects", "occurrence", "occurrences",  # and what starts other programs:
+        "additional_packages", "python_beside_freecad",
+    },
+}
+"""What gui imports beside `api`, which judges, measures, sums up, searches, reads and compares for it."""
+
+
+@pytest.mark.parametrize("layer", FOR_GUI)
+def test_the_window_has_domain_work_done_by_api(layer):
+    modules, inside = _modules(PACKAGE), f"{PACKAGE.name}.{layer}."
+    for path in files("gui"):
+        name = ".".join(path.relative_to(PACKAGE.parent).with_suffix("").parts)
+        below = {each[len(inside):] for each in _imported_anywhere(name, path, modules) if each.startswith(inside)}
+        assert not [each for each in below if not any(f"{each}.".startswith(f"{allowed}.") for allowed in FOR_GUI[layer])], path
+
+
 IN_SAVED_DOCUMENTS = {
     "gui.thickness_view": "ThicknessView",
     "freecad_adapter.thickness_object": "ThicknessObject",

@@ -3,16 +3,11 @@
 from typing import Any, NamedTuple, Optional
 
 from ...core.errors import ThinPartError
-from ...core.judging.limit_bands import FAILS, JUST_ABOVE, PASSES, TOO_THICK
 from ...core.judging.wall_check import check_sentence, check_walls
 from ...core.judging.wall_limits import SHIPPED, WallLimits, limits_content, shipped_limits
-from ...core.maps.map_summary import share_between
 from ...freecad_adapter.objects.thickness_object import OWN_CHECK
 from ...freecad_adapter.preferences import preference
-from ...storage.user_limits import known_limits, limits_named, user_limits
-
-BANDS = (FAILS, JUST_ABOVE, PASSES, TOO_THICK)
-"""What the walls of a map are, by the limits that it is checked against."""
+from ...storage.user_limits import known_limits, limits_named
 
 
 class CheckedPart(NamedTuple):
@@ -104,52 +99,6 @@ def limits_of_map(thickness, own_title):
         return known
     # An own limit, or one of a process that has other limits by now than when it was chosen.
     return WallLimits(name, own_title if name == OWN_CHECK else name, least, most)
-
-
-def band_shares(parts, bands):
-    """The share of the surface of parts in each band of a check.
-
-    Parameters
-    ----------
-    parts : list of MappedPart
-    bands : list of LimitBand
-
-    Returns
-    -------
-    list of (str, float)
-        Name of the band, one of `BANDS`, and the share of all area.
-
-    Examples
-    --------
-    >>> band_shares(parts_of(thickness), [])
-    []
-    """
-    return [(band.name, share_between(parts, band.low, band.high)) for band in bands]
-
-
-def editable_processes() -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
-    """The processes whose limits the user may edit, as in the file.
-
-    Returns
-    -------
-    shipped : list of dict
-        Those that come with ThinPart and are not replaced by the user's own.
-    own : list of dict
-
-    Raises
-    ------
-    ThinPartError
-        kind ``usage`` if the user's own limits cannot be used.
-
-    Examples
-    --------
-    >>> shipped, own = editable_processes()
-    >>> "FDM" in [process["id"] for process in shipped], own
-    (True, [])
-    """
-    own = user_limits()
-    replaced = {process["id"].casefold() for process in own}
-    return [process for process in shipped_processes() if process["id"].casefold() not in replaced], own
 
 
 def shipped_processes() -> list[dict[str, Any]]:

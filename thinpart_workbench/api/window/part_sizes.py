@@ -11,7 +11,7 @@ from ...core.judging.classification import classify
 from ...core.judging.criteria import profile_from
 from ...core.shells.shell_mesh import ALIKE
 from ...core.shells.shell_settings import ShellSettings
-from ...core.sizing.sizing_settings import SizingSettings
+from ...core.sizing.sizing_settings import SizingSettings, divisions_of
 from ...freecad_adapter.objects.snapshot import read_snapshot
 from ...workflow.analysis.analyse_part import analyse_part
 from ...workflow.meshing.gmsh_program import gmsh_program
@@ -208,6 +208,17 @@ def shown_thickness_range(thicknesses):
     """
     least, most = min(thicknesses), max(thicknesses)
     return (least, most) if most > ALIKE * least else (0.5 * least, 1.5 * most)
+
+
+def size_for_layers(thickness, layers):
+    """Element size, mm, with which a wall of a thickness, mm, gets so many layers.
+
+    Examples
+    --------
+    >>> size_for_layers(3.0, 1.0)
+    3.0
+    """
+    return thickness / divisions_of(layers)
 
 
 def rows_to_keep(meshed, sizes):

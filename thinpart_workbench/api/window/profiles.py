@@ -4,7 +4,8 @@ import os
 from typing import NamedTuple
 
 from ...core.errors import ThinPartError
-from ...core.judging.criteria import PAPER, PROFILES, load_profile
+from ...core.judging.criteria import PAPER, PROFILES, load_profile, profile_from
+from ...core.judging.impossible_conditions import impossible_conditions
 from ...freecad_adapter.preferences import preference
 from ...storage.user_profiles import user_profiles
 
@@ -96,3 +97,30 @@ def known_criteria(profile):
     """
     return {str(criterion.id): criterion.title
             for known in (load_profile(PAPER), load_profile(), profile) for criterion in known.criteria}
+
+
+def never_met(content):
+    """Conditions of a profile that no part can meet together.
+
+    Parameters
+    ----------
+    content : dict
+        Of the profile.
+
+    Returns
+    -------
+    dict of (int, int, int) to Message
+        What is wrong, by the numbers of category, criterion and condition, from 0.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``profile`` if it is not well formed.
+
+    Examples
+    --------
+    >>> never_met(profile)
+    {}
+    """
+    return {(each.category, each.criterion, each.condition): each.problem
+            for each in impossible_conditions(profile_from(content))}

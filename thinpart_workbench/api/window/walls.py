@@ -1,5 +1,6 @@
 """The wall regions of a part, with what people say of them."""
 
+from ...core.record.region_groups import features_of, region_groups
 from ...core.record.region_notes import notes_of_regions
 
 
@@ -26,3 +27,27 @@ def noted_sizes(record, notes):
     found = enumerate(notes_of_regions(record["regions"]["listed"], notes))
     return {number: None if note.get("excluded") else note["mesh_size_mm"] for number, note in found
             if note is not None and (note.get("excluded") or note.get("mesh_size_mm"))}
+
+
+def grouped_walls(record, notes=None, features=()):
+    """The wall regions of a part, equal ones together; those of which people say something else are apart.
+
+    Parameters
+    ----------
+    record : PartRecord
+    notes : list of dict, optional
+        ``region_notes`` of the part; by default those in the record.
+    features : list of str, optional
+        The feature that made each face, by face number; empty where that is not known.
+
+    Returns
+    -------
+    list of (RegionGroup, list of str)
+        The thinnest first, each with the features that made it, the one with most of its area first.
+
+    Examples
+    --------
+    >>> [group.count for group, _ in grouped_walls(record)]
+    [1]
+    """
+    return [(group, features_of(group, record, features) if features else []) for group in region_groups(record, notes)]

@@ -2,12 +2,10 @@
 
 import FreeCADGui as Gui
 
+from ...api.window.open_parts import colours_of_thin_faces, parts_selected
 from ...core.errors import ThinPartError
 from ...freecad_adapter.objects.thickness_object import thickness_objects
-from ...freecad_adapter.occurrences.active_part import selected_parts
 from ...freecad_adapter.occurrences.face_owners import face_owners
-from ...freecad_adapter.shapes.part import SolidPart
-from ...freecad_adapter.thin_colours import preferred_colours
 from ..application import lifelong
 from ..application.length_unit import length_unit
 from ..application.qt import translate
@@ -127,7 +125,7 @@ class ClassificationController(TaskController):
     def _new_analysis(self):
         document, content = self.measured.document, self.measured.content()
         selected, active = selected_paths(document), active_path(document)
-        candidates = selected_parts(document, content.parts, selected, active)
+        candidates = parts_selected(document, selected, active, content.parts)
         chosen = candidates[0]
         if len(candidates) > 1 and selected:
             chosen = ask_for_part(candidates, Gui.getMainWindow())
@@ -276,7 +274,7 @@ class ClassificationController(TaskController):
                 "ThinPart", "The thickness map is hidden, to show the thin faces. Space shows it again."))
 
     def _colours_of(self, name):
-        return preferred_colours(self._analysis.shown_records[name], isinstance(self._part(name), SolidPart))
+        return colours_of_thin_faces(self._analysis.shown_records[name], self._part(name))
 
     def _is_coloured(self, name):
         return bool(self._colours_of(name)) and any(

@@ -7,11 +7,10 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from ...api.document_info import file_stamp
+from ...api.window.open_parts import content_of, parts_as_measured
+from ...api.window.profiles import preferred_profile
 from ...core.errors import ThinPartError
-from ...core.judging.criteria import load_profile
 from ...freecad_adapter.preferences import preference, preferred_analysis, preferred_thin_limit
-from ...freecad_adapter.reading.document_parts import document_content, document_parts
-from ...freecad_adapter.shapes.same_parts import same_parts
 from ..application import lifelong
 from ..application.qt import QtCore, Signal, translate
 from ..application.sentences import translated
@@ -108,7 +107,7 @@ class DocumentMeasurement(QtCore.QObject):
 
     def content(self):
         """The document's current content, DocumentContent; raises like `document`."""
-        return document_content(self.document)
+        return content_of(self.document)
 
     def analysis_of(self, parts, chosen, broken=(), maps=None, first_maps=False):
         """A `DocumentAnalysis` with the settings of the preferences; see there for the parameters.
@@ -118,7 +117,7 @@ class DocumentMeasurement(QtCore.QObject):
         ThinPartError
             When the profile cannot be read.
         """
-        profile = load_profile(preference("Profile"))
+        profile = preferred_profile()
         return DocumentAnalysis(parts, chosen, preferred_analysis(), profile.content, broken,
                                 preferred_thin_limit(), maps, first_maps)
 
@@ -172,11 +171,7 @@ class DocumentMeasurement(QtCore.QObject):
 
     def current_parts(self):
         """The measured parts as they are in the document now, or None where they have changed."""
-        current = document_parts(self.document)
-        if not self._is_whole_document:
-            names = {part.name for part in self.analysis.parts}
-            current = [part for part in current if part.name in names]
-        return current if same_parts(self.analysis.parts, current) else None
+        return parts_as_measured(self.document, self.analysis.parts, self._is_whole_document)
 
     def is_unchanged(self):
         """Whether the parts of the document are still the measured ones."""

@@ -6,11 +6,10 @@ import os
 import FreeCAD as App
 import FreeCADGui as Gui
 
+from ...api.window.open_parts import check_file
 from ...core.errors import ThinPartError
 from ...core.file_formats import is_document
 from ...core.problem import NOT_READ_BY_FREECAD, problem_of
-from ...freecad_adapter.reading.closed_links import check_links
-from ...freecad_adapter.reading.document_safety import check_document
 from ..application.qt import translate
 from ..application.sentences import translated
 from .open_part import check_kind
@@ -43,8 +42,7 @@ def insert_part(file, name=None):
     if not os.path.isfile(file):
         raise ThinPartError(translate("ThinPart", "The file {} no longer exists.").format(file), "missing")
     check_kind(file)
-    check_document(file)
-    check_links(file)
+    check_file(file)
     document.openTransaction(translate("ThinPart", "Insert part"))
     try:
         template = _insert(document, file, name)

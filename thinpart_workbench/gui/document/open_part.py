@@ -5,11 +5,10 @@ import os
 import FreeCAD as App
 import FreeCADGui as Gui
 
+from ...api.window.open_parts import check_file
 from ...core.errors import ThinPartError
 from ...core.file_formats import ENDINGS, is_document
 from ...core.problem import NOT_READ_BY_FREECAD, problem_of
-from ...freecad_adapter.reading.closed_links import check_links
-from ...freecad_adapter.reading.document_safety import check_document
 from ..application.qt import QtWidgets, translate
 from ..application.sentences import translated
 from ..widgets.confirmation import is_confirmed
@@ -38,8 +37,7 @@ def open_part(file, name=None):
         raise ThinPartError(translate(
             "ThinPart", "The file {} no longer exists.").format(file), "missing")
     check_kind(file)
-    check_document(file)
-    check_links(file)
+    check_file(file)
     try:
         document = _document(file)
     except Exception as error:  # each importer of FreeCAD raises its own exceptions

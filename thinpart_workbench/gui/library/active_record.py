@@ -6,10 +6,9 @@ from collections import namedtuple
 import FreeCAD as App
 import FreeCADGui as Gui
 
+from ...api.window.open_parts import parts_selected
 from ...core.errors import ThinPartError
-from ...freecad_adapter.occurrences.active_part import selected_parts
 from ...freecad_adapter.preferences import preference
-from ...freecad_adapter.reading.document_parts import document_content
 from ...storage.info.info_location import info_location
 from ..application import lifelong
 from ..application.qt import translate
@@ -41,8 +40,7 @@ def active_record():
     document = App.ActiveDocument
     if document is None:
         raise ThinPartError(translate("ThinPart", "There is no document: open or create one first."), "empty")
-    parts = selected_parts(document, document_content(document).parts, selected_paths(document),
-                        active_path(document))
+    parts = parts_selected(document, selected_paths(document), active_path(document))
     chosen = parts[0] if len(parts) == 1 else ask_for_part(parts, Gui.getMainWindow())
     if chosen is None:
         return None

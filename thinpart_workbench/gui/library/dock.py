@@ -3,8 +3,8 @@
 from pathlib import Path
 from types import SimpleNamespace
 
+from ...api.window.profiles import profile_for_titles
 from ...core.errors import ThinPartError
-from ...core.judging.criteria import load_profile
 from ...freecad_adapter.preferences import preference
 from ...system.file_paths import is_below
 from ..application import lifelong
@@ -51,7 +51,7 @@ class FindDock(QtWidgets.QDockWidget):
         super().__init__(translate("ThinPart", "Find parts"), parent)
         self.setObjectName("ThinPart_FindParts")
         self.setWindowIcon(QtGui.QIcon(str(ICON)))
-        self._profile = _profile()
+        self._profile = profile_for_titles()
         self._reference, self._orientation = None, None
         self._search = SearchClient(self)
         self._pictures = Thumbnails(self)
@@ -382,10 +382,3 @@ class FindDock(QtWidgets.QDockWidget):
 
     def _show_message(self, sentence):
         show_text(self._message, sentence)
-
-
-def _profile():
-    try:
-        return load_profile(preference("Profile"))
-    except ThinPartError:
-        return load_profile()  # the error is reported when the profile is used

@@ -1,12 +1,12 @@
 """Presents the distribution of a map: its bars, its threshold, and the check of its walls."""
 
+from ...api.window.limits import offered_limits
 from ...api.window.map_values import thickness_bars
 from ...core.maps.map_summary import share_between
 from ...freecad_adapter.objects.thickness_object import OWN_CHECK
 from ..application.qt import QtCore, disconnect
 from ..colour_bar.colours import ThicknessColours
-from ..widgets.process_field import offered_limits
-from .map_check import band_shares, checked_limits, map_check_text
+from .map_check import band_texts, checked_limits, map_check_text
 from .map_properties import SCALE, THIN, change
 
 
@@ -63,7 +63,7 @@ class DistributionPresenter(QtCore.QObject):
         self._box.show_threshold(threshold, share_between(parts, 0.0, threshold), self._thickness.ThinOnly)
         self._box.check.show_check(
             self._thickness.Check, threshold, self._shown.unit,
-            band_shares(parts, ThicknessColours.of(self._thickness).bands),
+            band_texts(parts, ThicknessColours.of(self._thickness).bands),
             map_check_text([part.record for part in parts], checked_limits(self._thickness), self._shown.unit,
                            self._thickness.Measure))
 

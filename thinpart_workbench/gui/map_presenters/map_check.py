@@ -1,28 +1,19 @@
 """The check of a thickness map: its limits, and the result for some of its parts in words."""
 
+from ...api.window.limits import checked, limits_of_map
+from ...api.window.map_values import band_shares
 from ...core.analysis_settings import RAY
 from ...core.judging.limit_bands import FAILS, JUST_ABOVE, PASSES
-from ...core.judging.wall_check import check_walls
-from ...core.judging.wall_limits import WallLimits
-from ...core.maps.map_summary import share_between
 from ...freecad_adapter.objects.thickness_object import OWN_CHECK
 from ..application.numbers import percent
 from ..application.qt import translate
 from ..colour_bar.colours import BAND_COLOURS
 from ..record.wall_checks import check_line
-from ..widgets.process_field import offered_limits
 
 
 def checked_limits(thickness):
     """The limits that a map is checked against: WallLimits, or None."""
-    name, least, most = thickness.Check, thickness.Threshold or None, thickness.CheckMost or None
-    if not name or least is most is None:
-        return None
-    known = offered_limits().get(name)
-    if known is not None and (known.min_mm, known.max_mm) == (least, most):
-        return known
-    # An own limit, or one of a process that has other limits by now than when it was chosen.
-    return WallLimits(name, translate("ThinPart", "Own limit") if name == OWN_CHECK else name, least, most)
+    return limits_of_map(thickness, translate("ThinPart", "Own limit"))
 
 
 def map_check_text(records, limits, unit, measure):
@@ -44,7 +35,7 @@ def map_check_text(records, limits, unit, measure):
     """
     if limits is None:
         return ""
-    checks = [check_walls(record, limits) for record in records]
+    checks = [checked(record, limits) for record in records]
     if len(checks) == 1:
         result = check_line(checks[0], unit)
     else:
@@ -61,7 +52,7 @@ def map_check_text(records, limits, unit, measure):
         "broken.")
 
 
-def band_shares(parts, bands):
+def band_texts(parts, bands):
     """The share of the surface in each colour of a check.
 
     Parameters
@@ -74,8 +65,7 @@ def band_shares(parts, bands):
     list of (tuple, str)
         Colour of each band, red, green and blue from 0 to 255, and its share of all area in words.
     """
-    return [(BAND_COLOURS[band.name], _band_words(band.name).format(percent(share_between(parts, band.low, band.high))))
-            for band in bands]
+    return [(BAND_COLOURS[name], _band_words(name).format(percent(share))) for name, share in band_shares(parts, bands)]
 
 
 def _band_words(name):

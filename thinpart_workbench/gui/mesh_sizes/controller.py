@@ -5,8 +5,8 @@ import FreeCADGui as Gui
 from ...api.window.open_parts import parts_selected
 from ...api.window.part_sizes import poor_elements, shell_files, shown_shell, shown_sizes, shown_thickness_range
 from ...api.window.part_to_mesh import PartToMesh
+from ...api.window.profiles import preferred_profile
 from ...core.errors import ThinPartError
-from ...core.judging.criteria import load_profile
 from ...core.rendering.colour_scale import ColourScale
 from ...freecad_adapter.objects.fem_mesh import missing_fem, preferred_gmsh
 from ...freecad_adapter.preferences import preference, preferred_analysis
@@ -106,7 +106,7 @@ class MeshSizesController(TaskController):
                 return
             self._part = PartToMesh.of(document, whole)
             self._view = SizeView(self._part, self)
-            profile = load_profile(preference("Profile")).content
+            profile = preferred_profile().content
             self._walls.read_notes()
             self.panel.show()
             self._form.show_part(document.FileName, self._part.part.name, self._label, length_unit(document))

@@ -1,9 +1,9 @@
 """The analysis of an open document from the messages of the worker, and its info file."""
 
 from ...api.document_info import file_stamp
+from ...api.window.verdicts import shown_record
 from ...core.errors import ThinPartError
 from ...core.judging.criteria import profile_from
-from ...core.record.thin_faces import with_limit
 from ..application.qt import translate
 
 _MEASURING_SHARE = 0.3
@@ -74,7 +74,7 @@ class DocumentAnalysis:
             record = response["record"]
             self.records[record["name"]] = self.shown_records[record["name"]] = record
             if "thin_limit_mm" in response:
-                self.shown_records[record["name"]] = with_limit(
+                self.shown_records[record["name"]] = shown_record(
                     record, response["thin_limit_mm"], response["thin_shares"])
         elif "failure" in response:
             self.failures[response["failure"]["part"]] = response["failure"]

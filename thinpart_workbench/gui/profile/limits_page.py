@@ -3,8 +3,8 @@
 import copy
 import re
 
+from ...api.window.limits import shipped_processes
 from ...core.errors import ThinPartError
-from ...core.judging.wall_limits import SHIPPED, limits_content
 from ...storage.user_limits import user_limits, user_limits_file, write_user_limits
 from ..application.length_unit import length_unit
 from ..application.qt import QtCore, QtWidgets, Signal, translate
@@ -33,7 +33,7 @@ class LimitsPage(QtWidgets.QWidget):
     def __init__(self, parent=None):
         super().__init__(parent)
         self._processes, self._own, self._is_readable, self._is_showing = [], set(), True, False
-        self._shipped = {process["id"].casefold(): process for process in limits_content(SHIPPED)["processes"]}
+        self._shipped = {process["id"].casefold(): process for process in shipped_processes()}
         lead_to_guide(self, LIMITS)
         column = QtWidgets.QVBoxLayout(self)
         row = QtWidgets.QHBoxLayout()

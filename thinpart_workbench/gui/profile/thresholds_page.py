@@ -1,8 +1,7 @@
 """The page of the profile editor with the categories and their criteria."""
 
+from ...api.window.profiles import never_met
 from ...core.categories import NORMAL, UNKNOWN
-from ...core.judging.criteria import profile_from
-from ...core.judging.impossible_conditions import impossible_conditions
 from ..application.qt import QtWidgets, Signal, call_later, translate
 from ..application.sentences import translated
 from ..record.record_view import show_text
@@ -83,8 +82,7 @@ class ThresholdsPage(QtWidgets.QScrollArea):
         """Look for what cannot be used, and show it at the fields: str, the first sentence; empty if there is none."""
         problems = [*self._name_problems(), *self._bound_problems()]
         if not problems:
-            found = {(each.category, each.criterion, each.condition): translated(each.problem)
-                     for each in impossible_conditions(profile_from(self.content()))}
+            found = {place: translated(problem) for place, problem in never_met(self.content()).items()}
         else:
             found = {}
         for number, category in enumerate(self.categories):

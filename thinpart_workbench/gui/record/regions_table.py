@@ -1,8 +1,8 @@
 """Table of the wall regions of a part, equal ones in one row."""
 
+from ...api.window.walls import grouped_walls
 from ...core.descriptors.region_kinds import BAR, BLOCK, PLATE, TAPER, TOOTH, TUBE
 from ...core.length_unit import MILLIMETRE
-from ...core.record.region_groups import features_of, region_groups
 from ..application.qt import Signal, translate
 from ..tables.column import Column, area, count, figures, length
 from ..tables.wall_table import WallTable
@@ -51,8 +51,9 @@ class RegionsTable(WallTable):
         file : str, optional
             Path of the part's document.
         """
-        groups = region_groups(record, notes)
-        made_by = {id(group): ", ".join(features_of(group, record, features)) for group in groups} if features else {}
+        found = grouped_walls(record, notes, features)
+        groups = [group for group, _ in found]
+        made_by = {id(group): ", ".join(made) for group, made in found} if features else {}
         self.show_rows(groups, _columns(made_by), unit, subject=(file, record["name"], record["label"]))
         self.setVisible(bool(groups))
 

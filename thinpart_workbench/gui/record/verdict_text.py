@@ -1,9 +1,8 @@
 """Texts about a part's verdict."""
 
+from ...api.window.profiles import known_criteria
+from ...api.window.verdicts import paper_profile, sureness, why
 from ...core.categories import NORMAL, UNKNOWN
-from ...core.judging.criteria import PAPER, load_profile
-from ...core.judging.verdict_reasons import deciding_criteria, nearest_other, reason_of
-from ...core.judging.verdict_sentence import verdict_sentence
 from ..application.numbers import percent
 from ..application.qt import translate
 from ..application.sentences import translated
@@ -58,26 +57,19 @@ def category_colour(category):
 
 def reason_text(record, unit):
     """One sentence: the criteria that decided the category, with lengths in a unit."""
-    if record["category"] == UNKNOWN:
-        return translated(reason_of(record), unit)
-    sentence = verdict_sentence(record)
-    if sentence is not None:
-        return translated(sentence, unit)
-    deciding = deciding_criteria(record)
-    if not deciding:
+    found = why(record)
+    if found.sentence or record["category"] == UNKNOWN:
+        return translated(found.sentence, unit)
+    if not found.criteria:
         return translate("ThinPart", "No criterion holds: its walls are thick all over.")
     return translate("ThinPart", "Why: {}").format(", ".join(
         translate("ThinPart", "{} (rule {})").format(_as_part_of_sentence(row["title"]), row["criterion"])
-        for row in deciding))
+        for row in found.criteria))
 
 
 def criterion_titles(profile):
-    """What people call criteria, by their ids as texts: those of a profile, and of the ones that come with ThinPart.
-
-    Results that were judged by another profile name its criteria.
-    """
-    return {str(criterion.id): translated(criterion.title)
-            for known in (load_profile(PAPER), load_profile(), profile) for criterion in known.criteria}
+    """What people call criteria, by their ids as texts; see `known_criteria`."""
+    return {name: translated(title) for name, title in known_criteria(profile).items()}
 
 
 def _as_part_of_sentence(title):
@@ -88,33 +80,28 @@ def _as_part_of_sentence(title):
 
 def confidence_text(record, profile):
     """How sure the verdict is, and what else the part might be; empty where that is unknown."""
-    if record["margin"] is None:
+    sure = sureness(record)
+    if sure is None:
         return ""
-    if "probabilities" in record:
-        return _probability_text(record, profile)
-    margin = percent(record["margin"])
-    if not record["borderline"]:
-        return translate("ThinPart", "Confidence: clear ({} from the limit)").format(margin)
-    other = category_title(nearest_other(record), profile)
-    return translate("ThinPart", "Confidence: borderline, close to '{}' ({} from the limit)").format(other, margin)
-
-
-def _probability_text(record, profile):
-    chances = {each["category"]: each["probability"] for each in record["probabilities"]}
-    own = record["category"]
-    other = max((each for each in chances if each != own), key=chances.get)
-    words = (category_title(own, profile), percent(chances[own]), category_title(other, profile), percent(chances[other]))
-    if record["borderline"]:
+    other = category_title(sure.other, profile)
+    if sure.margin is not None:
+        margin = percent(sure.margin)
+        if not sure.borderline:
+            return translate("ThinPart", "Confidence: clear ({} from the limit)").format(margin)
+        return translate("ThinPart", "Confidence: borderline, close to '{}' ({} from the limit)").format(other, margin)
+    words = (category_title(record["category"], profile), percent(sure.probability), other, percent(sure.other_probability))
+    if sure.borderline:
         return translate("ThinPart", "Unsure: '{}' ({}) or '{}' ({})").format(*words)
     return translate("ThinPart", "Probability: {}, next '{}' with {}").format(*words[1:])
 
 
 def paper_text(record, profile):
     """The verdict by the paper's own thresholds; empty where the profile is the paper's."""
-    if profile.name == PAPER:
+    judging = paper_profile(profile)
+    if judging is None:
         return ""
     paper = record["paper"]
-    title = category_title(paper["category"], load_profile(PAPER))
+    title = category_title(paper["category"], judging)
     if not paper["criteria"]:
         return translate("ThinPart", "By the thresholds of the paper: {}").format(title)
     return translate("ThinPart", "By the thresholds of the paper: {} (criteria {})").format(

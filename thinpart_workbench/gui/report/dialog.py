@@ -6,12 +6,12 @@ from pathlib import Path
 import FreeCAD as App
 
 from ...api.report_folder import LANGUAGES, OVERVIEW
+from ...api.window.open_parts import content_of
+from ...api.window.profiles import preferred_profile
 from ...core.analysis_settings import RAY
 from ...core.errors import ThinPartError
-from ...core.judging.criteria import load_profile
 from ...freecad_adapter.additional_packages import has_package, install_folder
 from ...freecad_adapter.preferences import preference, preferred_analysis
-from ...freecad_adapter.reading.document_parts import document_content
 from ..application import lifelong
 from ..application.language import language_of
 from ..application.length_unit import length_unit
@@ -112,10 +112,10 @@ class ReportDialog(QtWidgets.QDialog):
         self._show_state()
 
     def _write(self, document):
-        content = document_content(document)
+        content = content_of(document)
         file = os.path.abspath(document.FileName) if document.FileName else ""
         self._analysis = DocumentAnalysis(
-            content.parts, content.parts[0], preferred_analysis(), load_profile(preference("Profile")).content,
+            content.parts, content.parts[0], preferred_analysis(), preferred_profile().content,
             content.broken, maps=RAY)
         self._job = SnapshotJob(self._analysis, preference("MemoryMegabytes"), self, {
             "output": self._output, "document": file, "label": document.Label,

@@ -3,11 +3,11 @@
 import numpy as np
 
 from ...api.document_maps import new_thickness_object, set_parts
+from ...api.window.open_parts import parts_selected
 from ...core.analysis_settings import RAY
 from ...core.errors import ThinPartError
 from ...core.maps.mapped_part import MappedPart
 from ...freecad_adapter.objects.thickness_object import thickness_objects
-from ...freecad_adapter.occurrences.active_part import selected_parts
 from ...freecad_adapter.occurrences.occurrences import occurrence_matrices, sources_of
 from ...storage.map_file import read_maps
 from ..application.qt import QtCore, Signal, translate
@@ -65,7 +65,7 @@ class ThicknessMeasurement(QtCore.QObject):
         ThinPartError
         """
         document, content = self.measured.document, self.measured.content()
-        parts = selected_parts(document, content.parts, selected_paths(document))
+        parts = parts_selected(document, selected_paths(document), parts=content.parts)
         self._start(parts, content, None, shown_measure)
 
     def start_again(self, thickness, shown_measure=None):

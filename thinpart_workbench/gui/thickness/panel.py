@@ -2,9 +2,8 @@
 
 from pathlib import Path
 
+from ...api.window.profiles import profile_for_titles
 from ...core.errors import ThinPartError
-from ...core.judging.criteria import load_profile
-from ...freecad_adapter.preferences import preference
 from ..application.qt import QtCore, QtGui, QtWidgets, call_later, translate
 from ..application.sentences import translated
 from ..document.task_dialog import TaskDialog
@@ -78,7 +77,7 @@ class ThicknessPanel(QtCore.QObject):
         while self._create_next_box():
             pass
         try:
-            self._presenter = ThicknessPresenter(thickness, self, _profile())
+            self._presenter = ThicknessPresenter(thickness, self, profile_for_titles())
         except ThinPartError as error:
             self.head.show_message(translated(error), can_repeat=True)
             return
@@ -129,13 +128,6 @@ def _new_container(title):
     container.setWindowIcon(QtGui.QIcon(str(ICON)))
     QtWidgets.QVBoxLayout(container).setContentsMargins(0, 0, 0, 0)
     return container
-
-
-def _profile():
-    try:
-        return load_profile(preference("Profile"))
-    except ThinPartError:
-        return load_profile()  # only for the titles: the verdict is in the record
 
 
 def _fold(task_box):

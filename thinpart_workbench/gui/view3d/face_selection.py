@@ -5,11 +5,11 @@ from contextlib import contextmanager
 import FreeCAD as App
 import FreeCADGui as Gui
 
+from ...api.window.open_parts import content_of
 from ...core.maps.map_search import MapSearch
 from ...core.rigid_transform import inverse, transform_points
 from ...freecad_adapter.guard import guarded_methods
 from ...freecad_adapter.occurrences.occurrences import face_at, face_paths
-from ...freecad_adapter.reading.document_parts import document_parts
 from ..application import lifelong
 from ..application.qt import QtCore, Signal
 from ..document.selection import MAX_FACES
@@ -106,7 +106,7 @@ class FaceSelection(QtCore.QObject):
     def _parts(self):
         revision = lifelong.observer.revision(self._document)
         if self._cached_parts[0] != revision:
-            self._cached_parts = revision, document_parts(App.getDocument(self._document))
+            self._cached_parts = revision, content_of(App.getDocument(self._document)).parts
         return self._cached_parts[1]
 
     @contextmanager

@@ -11,8 +11,6 @@ from ...core.maps.map_summary import thickness_range, typical_range
 from ...core.rendering.colour_scale import ColourScale
 from ...freecad_adapter.objects.thickness_object import scale_of
 from ...freecad_adapter.preferences import preference
-from ...freecad_adapter.shapes.placements import global_placement, same_placement
-from ...freecad_adapter.shapes.source_signature import same_signature, signature
 from ..application import lifelong
 from ..application.length_unit import length_unit
 from ..colour_bar.colour_bar import BarContent
@@ -52,7 +50,7 @@ class FirstColours:
         self._root.addChild(unpicked)
         names = sorted(set().union(*sources.values()))
         self._objects = [document.getObject(name) for name in names]
-        self._state = self._current_state()
+        self._state = SourcesState(self._objects)
 
     @property
     def is_shown(self):
@@ -153,16 +151,9 @@ class FirstColours:
             thickness = self._like
             return thickness is None or not thickness.ViewObject.Visibility or thickness.ViewObject.Proxy.is_complete
         try:
-            return not self._is_as_it_was()
+            return not self._state.is_unchanged
         except ReferenceError:
             return True  # an object was deleted
-
-    def _is_as_it_was(self):
-        (shapes, placements), (now, places) = self._state, self._current_state()
-        return same_signature(shapes, now) and all(map(same_placement, placements, places))
-
-    def _current_state(self):
-        return signature(self._objects), [global_placement(source) for source in self._objects]
 
 
 def _views(name):

@@ -1,8 +1,8 @@
 """An input field for processes whose limits of the wall are checked, with a menu of those that are known."""
 
+from ...api.window.limits import offered_limits
 from ...core.errors import ThinPartError
-from ...core.judging.wall_limits import shipped_limits
-from ...storage.user_limits import known_limits, new_user_limits, user_limits_file
+from ...storage.user_limits import new_user_limits, user_limits_file
 from ..application.length_unit import length_unit
 from ..application.qt import QtCore, QtGui, QtWidgets, Signal, translate
 from ..application.sentences import translated
@@ -88,14 +88,6 @@ class ProcessField(QtWidgets.QWidget):
     def _choose(self, name, is_on):
         names = [each for each in self._names() if each.casefold() != name.casefold()]
         self.show_value(", ".join([*names, name] if is_on else names))
-
-
-def offered_limits():
-    """Limits to choose from: those that are known, or the shipped ones where the user's file cannot be used."""
-    try:
-        return known_limits()
-    except ThinPartError:
-        return shipped_limits()  # the error is reported when they are used
 
 
 def _range_text(limits, unit):

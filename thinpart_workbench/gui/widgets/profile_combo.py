@@ -1,10 +1,6 @@
 """A combo box for threshold profiles: the shipped ones, or a file."""
 
-import os
-
-from ...core.errors import ThinPartError
-from ...core.judging.criteria import PROFILES, load_profile
-from ...storage.user_profiles import user_profiles
+from ...api.window.profiles import profile_choice, profile_choices, shipped_file
 from ..application import lifelong
 from ..application.qt import QtCore, QtWidgets, translate
 from ..application.sentences import translated
@@ -17,10 +13,8 @@ class ProfileCombo(QtWidgets.QComboBox):
         super().__init__(parent)
         self.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         self.setMinimumContentsLength(16)
-        for path in sorted(PROFILES.glob("*.json")):
-            self.addItem(_title(path.stem), path.stem)
-        for path in user_profiles():
-            self._add(str(path))
+        for choice in profile_choices():
+            self._add(choice)
         lifelong.profile_signals.saved.connect(self._show_saved)
 
     def choose(self, name):
@@ -32,20 +26,21 @@ class ProfileCombo(QtWidgets.QComboBox):
             Name of a shipped profile, or path of a file.
         """
         if self.findData(name) < 0:
-            self._add(name)
+            self._add(profile_choice(name))
         self.setCurrentIndex(self.findData(name))
 
-    def _add(self, name):
-        self.addItem(_title(name), name)
-        self.setItemData(self.count() - 1, name, QtCore.Qt.ToolTipRole)
+    def _add(self, choice):
+        self.addItem(translated(choice.title), choice.name)
+        if not shipped_file(choice.name):
+            self.setItemData(self.count() - 1, choice.name, QtCore.Qt.ToolTipRole)
 
     def _show_saved(self, name):
         """Show the title that a profile has after it was saved."""
         place = self.findData(name)
         if place < 0:
-            self._add(name)
+            self._add(profile_choice(name))
         else:
-            self.setItemText(place, _title(name))
+            self.setItemText(place, translated(profile_choice(name).title))
 
     def ask_for_file(self):
         """Let the user choose a file."""
@@ -54,10 +49,3 @@ class ProfileCombo(QtWidgets.QComboBox):
             translate("ThinPart", "Thresholds (*.json)"))
         if file:
             self.choose(file)
-
-
-def _title(name):
-    try:
-        return translated(load_profile(name).title)
-    except ThinPartError:
-        return os.path.basename(name)  # the error is reported when the profile is used
