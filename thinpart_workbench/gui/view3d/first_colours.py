@@ -6,6 +6,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from pivy import coin
 
+from ...api.window.open_parts import SourcesState
 from ...core.analysis_settings import RAY
 from ...core.maps.map_summary import thickness_range, typical_range
 from ...core.rendering.colour_scale import ColourScale
