@@ -7,7 +7,6 @@ from ...core.judging.criteria import PAPER, Profile, load_profile
 from ...core.judging.verdict_reasons import deciding_criteria, nearest_other, reason_of
 from ...core.judging.verdict_sentence import verdict_sentence
 from ...core.record.record_types import PartRecord
-from ...core.record.thin_faces import with_limit
 
 
 class Why(NamedTuple):
@@ -68,21 +67,3 @@ def paper_profile(profile: Profile) -> Optional[Profile]:
     'paper'
     """
     return None if profile.name == PAPER else load_profile(PAPER)
-
-
-def shown_record(record: PartRecord, thin_limit_mm: float, thin_shares: list) -> PartRecord:
-    """A record as it is shown where the preferences have a thin limit of their own; it is never stored.
-
-    Parameters
-    ----------
-    record : PartRecord
-    thin_limit_mm : float, mm
-    thin_shares : list of float
-        By that limit, the thin share of each face.
-
-    Examples
-    --------
-    >>> shown_record(record, 9.0, [0.5] * 6)["thin_limit_mm"]
-    9.0
-    """
-    return with_limit(record, thin_limit_mm, thin_shares)

@@ -1,7 +1,8 @@
-"""The wall regions of a part, with what people say of them."""
+"""The walls of a part as they are shown: regions with what people say of them, thin faces by a limit."""
 
 from ...core.record.region_groups import features_of, region_groups
 from ...core.record.region_notes import notes_of_regions
+from ...core.record.thin_faces import with_limit
 
 
 def noted_sizes(record, notes):
@@ -51,3 +52,21 @@ def grouped_walls(record, notes=None, features=()):
     [1]
     """
     return [(group, features_of(group, record, features) if features else []) for group in region_groups(record, notes)]
+
+
+def shown_record(record, thin_limit_mm, thin_shares):
+    """A record as it is shown where the preferences have a thin limit of their own; it is never stored.
+
+    Parameters
+    ----------
+    record : PartRecord
+    thin_limit_mm : float, mm
+    thin_shares : list of float
+        By that limit, the thin share of each face.
+
+    Examples
+    --------
+    >>> shown_record(record, 9.0, [0.5] * 6)["thin_limit_mm"]
+    9.0
+    """
+    return with_limit(record, thin_limit_mm, thin_shares)

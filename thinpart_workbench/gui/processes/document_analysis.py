@@ -1,7 +1,7 @@
 """The analysis of an open document from the messages of the worker, and its info file."""
 
 from ...api.document_info import file_stamp
-from ...api.window.verdicts import shown_record
+from ...api.window.walls import shown_record
 from ...core.errors import ThinPartError
 from ...core.judging.criteria import profile_from
 from ..application.qt import translate
