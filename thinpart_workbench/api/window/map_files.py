@@ -74,7 +74,7 @@ def write_picture(path, draw, overwrite=False):
     Examples
     --------
     >>> from thinpart_workbench.storage.png import png_bytes
-    >>> write_picture(f"{samples}/map.png", lambda file: open(file, "wb").write(png_bytes(bytes(3), 1, 1)) and None)
+    >>> write_picture(f"{samples}/map.png", lambda file: Path(file).write_bytes(png_bytes(bytes(3), 1, 1)))
     >>> os.path.isfile(f"{samples}/map.png")
     True
     """
