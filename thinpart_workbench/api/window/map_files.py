@@ -16,15 +16,15 @@ MARKS = MAPS
 """By ending, what files of ThinPart's own have in them; see `storage.output_file.check_output`."""
 
 
-def map_formats():
-    """The formats for triangles with values: dict of Message by ending.
+def map_endings():
+    """The endings of the formats for triangles with values: list of str.
 
     Examples
     --------
-    >>> list(map_formats())
+    >>> map_endings()
     ['.vtp', '.ply']
     """
-    return {ending: each.title for ending, each in MAP_FORMATS.items()}
+    return list(MAP_FORMATS)
 
 
 def write_triangles(path, ending, thickness, colours, overwrite=False):
@@ -34,7 +34,7 @@ def write_triangles(path, ending, thickness, colours, overwrite=False):
     ----------
     path : str or Path
     ending : str
-        Of one of `map_formats`.
+        One of `map_endings`.
     thickness : FreeCAD.DocumentObject
     colours : callable
         Maps thicknesses in mm, ndarray of shape (n,), to ndarray of shape (n, 3), uint8.
@@ -74,7 +74,7 @@ def write_picture(path, draw, overwrite=False):
     Examples
     --------
     >>> from thinpart_workbench.storage.png import png_bytes
-    >>> write_picture(f"{samples}/map.png", lambda file: Path(file).write_bytes(png_bytes(bytes(3), 1, 1)))
+    >>> write_picture(f"{samples}/map.png", lambda file: Path(file).write_bytes(png_bytes(bytes(4), 1, 1)))
     >>> os.path.isfile(f"{samples}/map.png")
     True
     """
