@@ -14,7 +14,7 @@ from ..widgets.push_button import add_button
 from .quality_chart import QualityChart
 from .scale_bar import ScaleBar
 from .shell_box import ShellBox
-from .wall_table import WallSizes
+from .wall_table import WallSizesTable
 
 ICON = Path(__file__).resolve().parents[3] / "resources" / "icons" / "ThinPart_MeshSizes.svg"
 
@@ -71,7 +71,7 @@ class MeshSizesPanel(QtWidgets.QWidget):
                                       self.offer_taken.emit)
         self.show_offer("")
         self._add_settings(rows)
-        self.walls = WallSizes(self)
+        self.walls = WallSizesTable(self)
         rows.addWidget(self.walls)
         self._estimate = text_line(self, rows, "ThinPart_MeshEstimate")
         self.preview = self._check(rows, "ThinPart_SizePreview", translate("ThinPart", "Show sizes on the part"), True)

@@ -47,7 +47,7 @@ class CheckedWalls(SmallTable):
         return chosen if meant is None or meant in chosen else [meant]
 
 
-class WallSizes(CheckedWalls):
+class WallSizesTable(CheckedWalls):
     """Walls, on or off, with their element sizes and layers.
 
     Signals
