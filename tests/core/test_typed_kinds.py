@@ -1,5 +1,9 @@
 """The kinds that types of records stand for."""
 
+import json
+import subprocess
+import sys
+from pathlib import Path
 from typing import Annotated, Any, NotRequired, Optional, TypedDict, Union
 
 import pytest
@@ -7,6 +11,8 @@ import pytest
 from thinpart_workbench.core.kinds.compound_kinds import ListOf, Record
 from thinpart_workbench.core.kinds.typed_kinds import LATER, Restricted, kind_of
 from thinpart_workbench.core.kinds.value_kinds import Either, Flag, Number, OneOf, OrNull, Text, Whole
+
+ROOT = Path(__file__).resolve().parents[2]
 
 Share = Annotated[float, Number(0, 1)]
 
@@ -70,3 +76,20 @@ def test_limits_are_checked():
 def test_types_without_a_kind_are_refused(given):
     with pytest.raises(TypeError, match="has no kind"):
         kind_of(given)
+
+
+OLDER_PYTHON = """
+import json, sys, typing
+import numpy, jsonschema  # whatever looks at the version has done so
+from thinpart_workbench.core.kinds import value_kinds
+sys.version_info = (3, 10)
+from thinpart_workbench.storage.info.info_definition import json_schema
+print(json.dumps(json_schema()))
+"""
+
+
+def test_pythons_that_lack_some_names_of_types_have_the_same_definition():
+    run = subprocess.run([sys.executable, "-c", OLDER_PYTHON], cwd=ROOT, capture_output=True, encoding="utf-8",
+                         stdin=subprocess.DEVNULL)
+    assert run.returncode == 0, run.stderr
+    assert json.loads(run.stdout) == json.loads((ROOT / "resources" / "info-file.schema.json").read_text(encoding="utf-8"))

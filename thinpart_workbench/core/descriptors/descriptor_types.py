@@ -3,10 +3,11 @@
 A quantity of `descriptor_table` that is not here is a number or null under its own key.
 """
 
-from typing import Annotated, NotRequired, Optional, TypedDict
+from typing import Annotated, Optional, TypedDict
 
 from ..analysis_settings import ACCURACIES
 from ..kinds.compound_kinds import Row
+from ..kinds.key_presence import NotRequired
 from ..kinds.typed_kinds import LATER, Restricted
 from ..kinds.value_kinds import LARGEST, Number, OneOf, Whole
 from .bins import ANGLE_STEP, BINS, MIDDLE_BINS

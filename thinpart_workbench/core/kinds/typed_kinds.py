@@ -2,9 +2,10 @@
 
 from dataclasses import dataclass, replace
 from functools import cache
-from typing import Annotated, Any, NotRequired, Required, Union, get_args, get_origin, get_type_hints, is_typeddict
+from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
 
 from .compound_kinds import ListOf, Record
+from .key_presence import NotRequired, Required, is_required
 from .value_kinds import Either, Flag, Kind, Number, OrNull, Text, Whole
 
 LATER = "later"
@@ -57,7 +58,7 @@ def kind_of(given):
         return OrNull(kind) if len(kinds) < len(arguments) else kind
     if origin is list:
         return ListOf(kind_of(arguments[0]))
-    if is_typeddict(given):
+    if hasattr(given, "__required_keys__"):  # a TypedDict
         return _record(given)
     if given in _SIMPLE:
         return _SIMPLE[given]
@@ -74,6 +75,6 @@ def _record(given):
         if get_origin(hint) in (NotRequired, Required):
             hint, = get_args(hint)
         is_later = LATER in getattr(hint, "__metadata__", ())
-        group = "required" if key in given.__required_keys__ else "later" if is_later else "optional"
+        group = "required" if is_required(given, key, hint) else "later" if is_later else "optional"
         groups[group][key] = kind_of(hint)
     return Record(**groups)

@@ -4,13 +4,14 @@ Programs and editors know records by them; checks of info files and the JSON sch
 a record is a plain dict. Lengths are in mm; docs/info-file.md says what each key means.
 """
 
-from typing import Annotated, Any, NotRequired, Optional, TypedDict, Union
+from typing import Annotated, Any, Optional, TypedDict, Union
 
 from ..analysis_settings import ACCURACIES, BOXES, MEASURES
 from ..descriptors.descriptor_types import Share
 from ..descriptors.recorded_descriptors import DESCRIPTORS, DescriptorsRecord
 from ..descriptors.region_kinds import REGION_KINDS
 from ..kinds.compound_kinds import Known
+from ..kinds.key_presence import NotRequired
 from ..kinds.typed_kinds import LATER, Restricted, kind_of
 from ..kinds.value_kinds import LARGEST_WHOLE, Number, OneOf, Text, Whole
 

@@ -4,9 +4,10 @@
 """
 
 import json
-from typing import Annotated, Any, NotRequired, Optional, Required, TypedDict
+from typing import Annotated, Any, Optional, TypedDict
 
 from ...core.kinds.file_marks import INFO
+from ...core.kinds.key_presence import NotRequired, Required
 from ...core.kinds.typed_kinds import LATER, Restricted, kind_of
 from ...core.kinds.value_kinds import OneOf, Text
 from ...core.record.record_types import (
