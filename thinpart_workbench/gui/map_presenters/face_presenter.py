@@ -17,7 +17,7 @@ class FacePresenter(QtCore.QObject):
         self._timer = QtCore.QTimer(self, singleShot=True, interval=_DELAY)
         self._timer.timeout.connect(self.show)
         self._connections = [(box.face_chosen, lambda face: highlight.choose_faces([face])), (box.visited, tour.to_face),
-                             (highlight.face_selected, box.table.select_face), (shown.chosen, self.show)]
+                             (highlight.face_selected, lambda face: box.table.select_face(face)), (shown.chosen, self.show)]
         for signal, slot in self._connections:
             signal.connect(slot)
 

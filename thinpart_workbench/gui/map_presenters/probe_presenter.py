@@ -16,7 +16,7 @@ class ProbePresenter(QtCore.QObject):
         self._picker = ThicknessPicker(thickness)
         self._connections = [
             (box.picking_toggled, self._toggle), (box.removed, self._remove), (box.cleared, self._clear),
-            (box.visited, self._visit), (self._picker.hovered, box.show_hovered),
+            (box.visited, self._visit), (self._picker.hovered, lambda found: box.show_hovered(found)),
         ]
         for signal, slot in self._connections:
             signal.connect(slot)

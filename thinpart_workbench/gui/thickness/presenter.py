@@ -70,7 +70,7 @@ class ThicknessPresenter(QtCore.QObject):
         self._connections = [
             (self._observer.changed, self._on_changed), (self._observer.removed, self._on_removed),
             (tour.started, distribution.show_whole), (tour.reached, self._section.uncover),
-            (tour.told, self._head.show_flight), (self._head.part_chosen, self._choose_part),
+            (tour.told, self._show_flight), (self._head.part_chosen, self._choose_part),
             (self._head.all_requested, self._choose_all), (self._head.fly_requested, tour.to_thinnest),
             (self._head.step_requested, tour.step), (self._head.export_requested, self._export),
             (lifelong.units.changed, self._show_unit),
@@ -90,6 +90,10 @@ class ThicknessPresenter(QtCore.QObject):
         for each in (self._tour, *self._presenters, self.regions, self._section):
             each.leave()
         self._highlight.leave(self._is_gone)
+
+    def _show_flight(self, text):
+        # Not a slot of the box: Qt 6 fails to disconnect what FreeCAD has already deleted.
+        self._head.show_flight(text)
 
     def _on_removed(self):
         self._is_gone = True
