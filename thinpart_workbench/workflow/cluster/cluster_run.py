@@ -324,7 +324,8 @@ def _archive():
     """ThinPart as a ZIP archive, without GUI and command line."""
     content = io.BytesIO()
     package = _ROOT / "thinpart_workbench"
-    files = [*package.glob("*.py"), *(_ROOT / "resources" / "profiles").glob("*.json")]
+    files = [*package.glob("*.py"), *(_ROOT / "resources" / "profiles").glob("*.json"),
+             _ROOT / "resources" / "colour_maps.json"]
     for layer in _SENT_LAYERS:
         files += (package / layer).rglob("*.py")
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
