@@ -307,6 +307,7 @@ def test_a_worker_that_dies_is_one_sentence(document):
     assert thickness_objects(document) == []
 
 
+@pytest.mark.timeout(120)  # the part is measured to its end, by a process that leaves the processors to others
 def test_a_part_that_is_deleted_meanwhile(document):
     window.add(document, "Sieve", window.slow_shape())
     window.press("ThinPart_ShowThickness")
