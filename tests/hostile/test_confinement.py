@@ -22,7 +22,7 @@ from thinpart_workbench.system.confinement import VARIABLE, chosen_confinement
 from thinpart_workbench.system.landlock import landlock_version
 from thinpart_workbench.workflow.analysis.analyse_file import FileTask
 from thinpart_workbench.workflow.workers.pool_messages import DONE
-from thinpart_workbench.workflow.workers.process_pool import WorkerDied
+from thinpart_workbench.workflow.workers.worker_thread import WorkerDied
 
 HERE = [name for name, is_here in (("landlock", landlock_version() > 0), ("bubblewrap", has_bubblewrap())) if is_here]
 CONFINEMENTS = [pytest.param(name, marks=[] if name in HERE else pytest.mark.skip(f"no {name} on this system"))

@@ -20,8 +20,9 @@ from ...core.record.record_types import VerdictRecord
 from ...core.run_control import RunControl
 from ...storage.info.info_file import change_info, read_info
 from ...system.process_limits import crash_quietly, limit_memory
-from ..workers.process_pool import ProcessPool, WorkerDied
+from ..workers.process_pool import ProcessPool
 from ..workers.task_run import worker_folder
+from ..workers.worker_thread import WorkerDied
 
 FILES_AT_ONCE = 64
 """Info files per batch that a worker process receives."""

@@ -16,8 +16,9 @@ from ...storage.temporary_folder import temporary_folder
 from ...system.exit_cause import ExitCause
 from ..analysis.analysis_outcome import failure, told_failure
 from .compiled_modules import compiled_modules
-from .process_pool import ProcessPool, WorkerDied, WorkerFault
+from .process_pool import ProcessPool
 from .reading import answer, start_reader
+from .worker_thread import WorkerDied, WorkerFault
 
 
 class Done(NamedTuple):
