@@ -1575,10 +1575,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Eigene Grenzen</translation>
     </message>
     <message>
-        <source>PLY with thickness and colours (*.ply)</source>
-        <translation>PLY mit Dicke und Farben (*.ply)</translation>
-    </message>
-    <message>
         <source>Part</source>
         <translation>Bauteil</translation>
     </message>
@@ -2429,10 +2425,6 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>V/VBB</source>
         <translation>V/VBB</translation>
-    </message>
-    <message>
-        <source>VTK PolyData with thickness (*.vtp)</source>
-        <translation>VTK PolyData mit Dicke (*.vtp)</translation>
     </message>
     <message>
         <source>Value</source>
@@ -3926,6 +3918,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Nur {share} der Oberfläche liegen über Wänden, die dünner als {limit} sind, {part} der mittleren Seite von {middle}: mit Volumenelementen vernetzen.</translation>
     </message>
     <message>
+        <source>PLY with thickness and colours (*.ply)</source>
+        <translation>PLY mit Dicke und Farben (*.ply)</translation>
+    </message>
+    <message>
         <source>Part</source>
         <translation>Bauteil</translation>
     </message>
@@ -4696,6 +4692,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Unsure: “{category}” ({probability}) or “{other}” ({others}).</source>
         <translation>Unsicher: „{category}“ ({probability}) oder „{other}“ ({others}).</translation>
+    </message>
+    <message>
+        <source>VTK PolyData with thickness (*.vtp)</source>
+        <translation>VTK PolyData mit Dicke (*.vtp)</translation>
     </message>
     <message>
         <source>Very thin wall on a filled part</source>

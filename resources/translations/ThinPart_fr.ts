@@ -1575,10 +1575,6 @@ Son volume est inconnu.</translation>
         <translation>Limites propres</translation>
     </message>
     <message>
-        <source>PLY with thickness and colours (*.ply)</source>
-        <translation>PLY avec épaisseur et couleurs (*.ply)</translation>
-    </message>
-    <message>
         <source>Part</source>
         <translation>Pièce</translation>
     </message>
@@ -2429,10 +2425,6 @@ Son volume est inconnu.</translation>
     <message>
         <source>V/VBB</source>
         <translation>V/VBB</translation>
-    </message>
-    <message>
-        <source>VTK PolyData with thickness (*.vtp)</source>
-        <translation>VTK PolyData avec épaisseur (*.vtp)</translation>
     </message>
     <message>
         <source>Value</source>
@@ -3926,6 +3918,10 @@ Son volume est inconnu.</translation>
         <translation>Seulement {share} de la surface recouvre des parois plus minces que {limit}, {part} du côté médian de {middle} : mailler en éléments volumiques.</translation>
     </message>
     <message>
+        <source>PLY with thickness and colours (*.ply)</source>
+        <translation>PLY avec épaisseur et couleurs (*.ply)</translation>
+    </message>
+    <message>
         <source>Part</source>
         <translation>Pièce</translation>
     </message>
@@ -4696,6 +4692,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Unsure: “{category}” ({probability}) or “{other}” ({others}).</source>
         <translation>Incertain : « {category} » ({probability}) ou « {other} » ({others}).</translation>
+    </message>
+    <message>
+        <source>VTK PolyData with thickness (*.vtp)</source>
+        <translation>VTK PolyData avec épaisseur (*.vtp)</translation>
     </message>
     <message>
         <source>Very thin wall on a filled part</source>

@@ -16,15 +16,15 @@ MARKS = MAPS
 """By ending, what files of ThinPart's own have in them; see `storage.output_file.check_output`."""
 
 
-def map_endings():
-    """The endings of the formats for triangles with values: list of str.
+def map_titles():
+    """By ending, the titles of the formats for triangles with values, each with its ending: dict of str to Message.
 
     Examples
     --------
-    >>> map_endings()
-    ['.vtp', '.ply']
+    >>> map_titles()[".vtp"]
+    'VTK PolyData with thickness (*.vtp)'
     """
-    return list(MAP_FORMATS)
+    return {ending: each.title for ending, each in MAP_FORMATS.items()}
 
 
 def write_triangles(path, ending, thickness, colours, overwrite=False):
@@ -34,7 +34,7 @@ def write_triangles(path, ending, thickness, colours, overwrite=False):
     ----------
     path : str or Path
     ending : str
-        One of `map_endings`.
+        One of `map_titles`.
     thickness : FreeCAD.DocumentObject
     colours : callable
         Maps thicknesses in mm, ndarray of shape (n,), to ndarray of shape (n, 3), uint8.

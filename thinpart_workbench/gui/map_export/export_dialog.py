@@ -4,7 +4,7 @@ import os
 
 import FreeCADGui as Gui
 
-from ...api.window.map_files import MARKS, PICTURE, map_endings, write_picture, write_triangles
+from ...api.window.map_files import MARKS, PICTURE, map_titles, write_picture, write_triangles
 from ...core.errors import ThinPartError
 from ..application.qt import QtWidgets, execute, translate
 from ..application.sentences import translated
@@ -36,7 +36,7 @@ class ExportDialog(QtWidgets.QFileDialog):
         self.setAcceptMode(QtWidgets.QFileDialog.AcceptSave)
         self._endings = {
             translate("ThinPart", "Picture of the view (*.png)"): PICTURE,
-            **{_title(ending): ending for ending in map_endings()},
+            **{translated(title): ending for ending, title in map_titles().items()},
         }
         self.setNameFilters(list(self._endings))
         self.filterSelected.connect(self._on_filter)
@@ -105,14 +105,6 @@ class ExportDialog(QtWidgets.QFileDialog):
     def _on_filter(self, _):
         self.setDefaultSuffix(self.ending[1:])
         self._size.setVisible(self.ending == PICTURE)
-
-
-def _title(ending):
-    """What people call a format; one that has no words here has its name."""
-    return {
-        ".vtp": translate("ThinPart", "VTK PolyData with thickness (*.vtp)"),
-        ".ply": translate("ThinPart", "PLY with thickness and colours (*.ply)"),
-    }.get(ending, f"{ending[1:].upper()} (*{ending})")
 
 
 def export_map(thickness, parent):

@@ -8,6 +8,7 @@ import numpy as np
 
 from ...core.file_formats import FORMATS
 from ...core.kinds.file_marks import MAPS, PLY_COMMENT, VTP_COMMENT
+from ...core.message import Message, message
 from ..output_file import write_output
 
 VTP = ".vtp"
@@ -20,12 +21,15 @@ class MapFormat(NamedTuple):
 
     Attributes
     ----------
+    title : Message
+        Its name in the window, with its ending as file dialogs want it.
     use : str
         What it is for, in the help of the command line.
     content : callable
         Gives the bytes of a file, of a list of MappedPart and `colours` as of `ply_bytes`.
     """
 
+    title: Message
     use: str
     content: Callable
 
@@ -91,8 +95,10 @@ def ply_bytes(parts, colours):
 
 
 MAP_FORMATS = {
-    VTP: MapFormat("triangles with the thickness at every corner, for ParaView and VTK", vtp_bytes),
-    PLY: MapFormat("the same with colours, for MeshLab, Blender and others", ply_bytes),
+    VTP: MapFormat(message("VTK PolyData with thickness (*.vtp)"),
+                   "triangles with the thickness at every corner, for ParaView and VTK", vtp_bytes),
+    PLY: MapFormat(message("PLY with thickness and colours (*.ply)"),
+                   "the same with colours, for MeshLab, Blender and others", ply_bytes),
 }
 """By ending. Each has a mark in `core.kinds.file_marks.MAPS`, by which its files are known as ThinPart's own."""
 
