@@ -66,12 +66,7 @@ CHOICES = {
 
 
 def format_of(path):
-    """Find the format of a file by its name; None where there is none.
-
-    Parameters
-    ----------
-    path : str or Path
-    """
+    """Find the format of a file by its name; None where there is none."""
     name = os.fspath(path).lower()
     return next((file_format for file_format in FORMATS if name.endswith(file_format.endings)), None)
 

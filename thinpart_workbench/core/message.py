@@ -51,7 +51,7 @@ class Message(str):
 
 
 def message(template, /, **fields):
-    """Make a sentence from a template and fields.
+    """Make a sentence from a template and fields: Message.
 
     Parameters
     ----------
@@ -59,10 +59,6 @@ def message(template, /, **fields):
         Must be a literal, since `resources/translations/texts_of_code.py` collects it from the source code.
     **fields
         Numbers, texts, paths, exceptions (as their text), messages, and lengths and shares as `figures` have them.
-
-    Returns
-    -------
-    Message
 
     Raises
     ------
@@ -91,7 +87,7 @@ def joined(sentences):
 
 
 def in_other_words(text, look_up, unit):
-    """A sentence, reason, title or meaning in another language, with its lengths in a unit.
+    """A sentence, reason, title or meaning in another language, with its lengths in a unit: str.
 
     Only fields that are numbers or figures are written differently. Texts such as names, and sentences that are no
     messages, stay as they are, whatever stands in them.
@@ -105,10 +101,6 @@ def in_other_words(text, look_up, unit):
         Returns the translation of a text, or the text where there is none.
     unit : LengthUnit
         Its decimal mark is that of all numbers.
-
-    Returns
-    -------
-    str
     """
     if not isinstance(text, Message):
         return look_up(text) if text else text
@@ -133,16 +125,12 @@ def to_data(sentence):
 
 
 def from_data(data):
-    """Restore the message from the result of `to_data`; None for anything else.
+    """Restore the Message from the result of `to_data`; None for anything else.
 
     Parameters
     ----------
     data : object
         Any JSON value: a process that reads an untrusted file may have been made to send anything.
-
-    Returns
-    -------
-    Message or None
     """
     said = _from_data(data, _DEEPEST)
     return None if said is None else _with_lengths(said)
@@ -167,16 +155,12 @@ def with_messages(content):
 
 
 def restored(content):
-    """Undo `with_messages` on an object that was read from JSON.
+    """Undo `with_messages` on an object that was read from JSON: object.
 
     Parameters
     ----------
     content : object
         Texts that are listed under `MESSAGES_KEY` become messages again; everything else is unchanged.
-
-    Returns
-    -------
-    object
     """
     if not isinstance(content, dict) or MESSAGES_KEY not in content:
         return content

@@ -2,17 +2,13 @@
 
 
 def portion(report, start, end):
-    """Make the callback for one part of the work, which itself reports from 0 to 1.
+    """Make the callback for one part of the work, which itself reports from 0 to 1: callable or None.
 
     Parameters
     ----------
     report : callable or None
     start, end : float
         Fractions of all the work at which the part starts and ends.
-
-    Returns
-    -------
-    callable or None
     """
     return report and (lambda done: report(start + (end - start) * min(done, 1.0)))
 

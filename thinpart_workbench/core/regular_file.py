@@ -10,14 +10,6 @@ from .message import message
 def open_regular(path):
     """Open a regular file for reading: opening a pipe would block, and reading a device may never end.
 
-    Parameters
-    ----------
-    path : str or Path
-
-    Returns
-    -------
-    binary file
-
     Raises
     ------
     OSError
@@ -43,10 +35,6 @@ def read_regular(path, most):
     path : str or Path
     most : int
         Greatest number of bytes that are read, whatever size the system says the file has.
-
-    Returns
-    -------
-    bytes
 
     Raises
     ------

@@ -7,17 +7,13 @@ import numpy as np
 
 
 def rigid_transform(rotation, translation):
-    """Make the transform that rotates, and then translates.
+    """Make the transform that rotates, and then translates: ndarray of shape (4, 4).
 
     Parameters
     ----------
     rotation : array_like of shape (3, 3)
         Its columns are the images of the axes.
     translation : array_like of shape (3,), mm
-
-    Returns
-    -------
-    ndarray of shape (4, 4)
     """
     matrix = np.eye(4)
     matrix[:3, :3], matrix[:3, 3] = rotation, translation
@@ -35,16 +31,12 @@ def translation(matrix):
 
 
 def transform_points(matrix, points):
-    """Apply a transform, which may also scale, to points.
+    """Apply a transform, which may also scale, to points: ndarray of the same shape, mm.
 
     Parameters
     ----------
     matrix : ndarray of shape (4, 4)
     points : array_like of shape (3,) or (n, 3), mm
-
-    Returns
-    -------
-    ndarray of the same shape, mm
     """
     return np.asarray(points) @ rotation(matrix).T + translation(matrix)
 
@@ -55,23 +47,19 @@ def transform_directions(matrix, directions):
 
 
 def inverse(matrix):
-    """Invert a rigid transform.
+    """Invert a rigid transform: ndarray of shape (4, 4).
 
     Parameters
     ----------
     matrix : ndarray of shape (4, 4)
         A rotation and a translation only: the transposed matrix is the inverse of no other.
-
-    Returns
-    -------
-    ndarray of shape (4, 4)
     """
     back = rotation(matrix).T
     return rigid_transform(back, -back @ translation(matrix))
 
 
 def nearest_motion(points, others):
-    """Find the rigid transform that brings points nearest to others, by least squares.
+    """Find the rigid transform that brings points nearest to others, by least squares: ndarray of shape (4, 4).
 
     Kabsch 1976, doi:10.1107/S0567739476001873. Mirrored points are not brought onto the others: the result is
     always a rotation.
@@ -79,10 +67,6 @@ def nearest_motion(points, others):
     Parameters
     ----------
     points, others : ndarray of shape (n, 3), mm
-
-    Returns
-    -------
-    ndarray of shape (4, 4)
     """
     middle, other_middle = points.mean(axis=0), others.mean(axis=0)
     left, _, right = np.linalg.svd((points - middle).T @ (others - other_middle))

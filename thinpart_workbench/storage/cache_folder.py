@@ -9,11 +9,7 @@ from .atomic_file import OWNER_ONLY, write_atomically
 
 
 def cache_folder():
-    """``$THINPART_CACHE``, else ``thinpart`` in the user's cache folder; may not exist yet.
-
-    Returns
-    -------
-    Path
+    """``$THINPART_CACHE``, else ``thinpart`` in the user's cache folder: Path, which may not exist yet.
 
     Raises
     ------
@@ -28,11 +24,6 @@ def cache_folder():
 
 def write_cached(path, content):
     """Write a file of the cache, and its folder where that is missing: readable by this user alone, as are some parts.
-
-    Parameters
-    ----------
-    path : Path
-    content : bytes
 
     Raises
     ------

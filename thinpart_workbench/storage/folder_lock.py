@@ -24,10 +24,6 @@ class FolderIsLocked(OSError):
 def folder_lock(folder):
     """Keep other programs that use this lock out of a folder until the block ends.
 
-    Parameters
-    ----------
-    folder : str or Path
-
     Raises
     ------
     FolderIsLocked

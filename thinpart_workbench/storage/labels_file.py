@@ -65,7 +65,7 @@ class Label(NamedTuple):
 
 
 def read_labels(path, categories):
-    """Read a file of labels.
+    """Read a file of labels: list of Label.
 
     Parameters
     ----------
@@ -73,10 +73,6 @@ def read_labels(path, categories):
         CSV in UTF-8 with a header, separated by commas or semicolons.
     categories : sequence of str
         Those that may be given.
-
-    Returns
-    -------
-    list of Label
 
     Raises
     ------
@@ -207,7 +203,7 @@ def _place(name, line):
 
 
 def refused_label(place, reason, kind="usage"):
-    """The error for a row that cannot be used.
+    """The error for a row that cannot be used: ThinPartError.
 
     Parameters
     ----------
@@ -215,9 +211,5 @@ def refused_label(place, reason, kind="usage"):
     reason : Message
         Without a full stop.
     kind : str
-
-    Returns
-    -------
-    ThinPartError
     """
     return ThinPartError(message("{place}: {reason}.", place=place, reason=reason), kind)

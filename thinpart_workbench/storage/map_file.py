@@ -19,11 +19,6 @@ VERSION = 1
 def write_maps(path, parts):
     """Write maps, for the parent of a worker or into a FreeCAD document.
 
-    Parameters
-    ----------
-    path : str
-    parts : list of MappedPart
-
     Raises
     ------
     OSError

@@ -7,17 +7,13 @@ _SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
 
 def png_bytes(pixels, width, height):
-    """An image as a PNG file.
+    """An image as a PNG file: bytes.
 
     Parameters
     ----------
     pixels : bytes
         Red, green, blue and alpha, row by row from the top.
     width, height : int
-
-    Returns
-    -------
-    bytes
 
     Raises
     ------

@@ -25,15 +25,11 @@ def relative_path(path, start):
 
 
 def path_in_tree(folder, top):
-    """The path of a folder in the tree below another one; a folder on another drive is below that drive's letter.
+    """The path of a folder in the tree below another one, str; a folder on another drive is below that drive's letter.
 
     Parameters
     ----------
     folder, top : str or Path
-
-    Returns
-    -------
-    str
     """
     folder = _path.abspath(folder)
     try:

@@ -38,12 +38,7 @@ _ALL_THREADS = (8, 1 << 3)
 
 
 def landlock_version():
-    """Version of the kernel's Landlock; 0 if the kernel has none.
-
-    Returns
-    -------
-    int
-    """
+    """Version of the kernel's Landlock, int; 0 if the kernel has none."""
     if not sys.platform.startswith("linux"):
         return 0
     try:

@@ -137,17 +137,13 @@ class Distribution:
 
 
 def distribution(field, diagonal, middle):
-    """Compute the distribution of a thickness field.
+    """Compute the distribution of a thickness field: Distribution.
 
     Parameters
     ----------
     field : ThicknessField
     diagonal, middle : float, mm
         Diagonal of the part's bounding box, and its middle side.
-
-    Returns
-    -------
-    Distribution
     """
     share = field.area / field.area.sum()
     parallel, nonparallel = field.parallel, field.nonparallel

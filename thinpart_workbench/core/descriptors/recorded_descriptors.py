@@ -21,7 +21,7 @@ _WITH_ERRORS = (*(quantity for quantity in QUANTITIES if quantity.has_error and 
 
 
 def recorded_descriptors(descriptors, wall_range, error_bound, has_teeth, is_watertight):
-    """Compute the ``descriptors`` of a part record.
+    """Compute the ``descriptors`` of a part record: DescriptorsRecord.
 
     Parameters
     ----------
@@ -30,10 +30,6 @@ def recorded_descriptors(descriptors, wall_range, error_bound, has_teeth, is_wat
         Least, median and greatest thickness of parallel walls.
     error_bound : float, mm
     has_teeth, is_watertight : bool
-
-    Returns
-    -------
-    DescriptorsRecord
     """
     shares, middle = descriptors.distribution, descriptors.distribution.middle
     others = {

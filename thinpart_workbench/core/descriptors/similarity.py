@@ -109,10 +109,6 @@ _LEAST_RATIO = np.float32(1e-4)
 def signature(record):
     """Compute the signature by which a part is compared.
 
-    Parameters
-    ----------
-    record : PartRecord
-
     Returns
     -------
     ndarray of shape (SIGNATURE_LENGTH,), float32

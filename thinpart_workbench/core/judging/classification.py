@@ -69,16 +69,7 @@ def _thin_bound(checked, descriptors):
 
 
 def classify(descriptors, profile):
-    """Classify a part.
-
-    Parameters
-    ----------
-    descriptors : Descriptors
-    profile : Profile
-
-    Returns
-    -------
-    Classification
+    """Classify a part: Classification.
 
     Notes
     -----

@@ -5,12 +5,7 @@ from ..message import Message, message
 
 
 def quantity_text(quantity):
-    """What a quantity is, with its bounds: str, a Message where it has some.
-
-    Parameters
-    ----------
-    quantity : Quantity
-    """
+    """What a quantity is, with its bounds: str, a Message where it has some."""
     if not quantity.bounds:
         return quantity.meaning
     low, high = quantity.bounds

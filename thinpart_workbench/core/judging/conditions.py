@@ -25,16 +25,12 @@ class SearchCondition:
 
 
 def search_conditions(text):
-    """Parse conditions that must all hold.
+    """Parse conditions that must all hold: tuple of SearchCondition.
 
     Parameters
     ----------
     text : str
         One or several, joined by ``and``; quantities as in `descriptors.QUANTITIES`.
-
-    Returns
-    -------
-    tuple of SearchCondition
 
     Raises
     ------

@@ -53,12 +53,7 @@ class Condition:
     value: float
 
     def check(self, descriptors, area_floor):
-        """Compare the quantity with the threshold.
-
-        Returns
-        -------
-        CheckedCondition
-        """
+        """Compare the quantity with the threshold: CheckedCondition."""
         value = self.quantity.evaluate(descriptors, area_floor)
         if value is None:
             value = self.quantity.absent_means
@@ -151,12 +146,7 @@ class Criterion:
     conditions: tuple
 
     def check(self, descriptors, area_floor):
-        """Check every condition.
-
-        Returns
-        -------
-        CheckedCriterion
-        """
+        """Check every condition: CheckedCriterion."""
         checked = tuple(condition.check(descriptors, area_floor) for condition in self.conditions)
         verdicts = [row.holds for row in checked]
         holds = False if False in verdicts else (None if None in verdicts else True)
@@ -247,16 +237,12 @@ def load_profile(name_or_file=DEFAULT_PROFILE):
 
 
 def given_profile(profile=DEFAULT_PROFILE):
-    """Get a profile from any of the forms in which a caller may give it.
+    """Get a profile from any of the forms in which a caller may give it: Profile.
 
     Parameters
     ----------
     profile : str, Path, dict or Profile
         A shipped profile's name, a JSON file, the content of one, or the profile itself.
-
-    Returns
-    -------
-    Profile
 
     Raises
     ------

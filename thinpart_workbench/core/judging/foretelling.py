@@ -79,15 +79,11 @@ def foretellings(descriptors, has_trouble, more=()):
 
 
 def area_under_curve(yes, no):
-    """The probability that a value of one group exceeds one of the other, ties counting half.
+    """The probability that a value of one group exceeds one of the other, ties counting half: float.
 
     Parameters
     ----------
     yes, no : ndarray of shape (m,) and (n,)
-
-    Returns
-    -------
-    float
 
     Notes
     -----

@@ -29,10 +29,6 @@ class Impossible(NamedTuple):
 def impossible_conditions(profile):
     """Find the criteria that no part can meet.
 
-    Parameters
-    ----------
-    profile : Profile
-
     Returns
     -------
     list of Impossible

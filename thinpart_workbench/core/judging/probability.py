@@ -101,7 +101,7 @@ class ProbabilityModel:
 
 
 def probability_model(content, categories):
-    """Read the model of a profile.
+    """Read the model of a profile: ProbabilityModel.
 
     Parameters
     ----------
@@ -109,10 +109,6 @@ def probability_model(content, categories):
         Entry ``probability`` of a profile, of the kind `PROBABILITY`.
     categories : sequence of str
         The profile's own, in order.
-
-    Returns
-    -------
-    ProbabilityModel
 
     Raises
     ------

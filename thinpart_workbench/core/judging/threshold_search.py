@@ -88,16 +88,12 @@ class ThresholdSearch:
                 self._criteria.append((number, range(first, len(self._candidates))))
 
     def best(self, worth):
-        """Find the profile that is worth most.
+        """Find the profile that is worth most: FoundProfile.
 
         Parameters
         ----------
         worth : ndarray of shape (n, categories + 1)
             Of each verdict on each part; the last one is normal. The verdict unknown is worth nothing.
-
-        Returns
-        -------
-        FoundProfile
         """
         worth = np.column_stack([worth, np.zeros(len(worth))])
         choice = [0] * len(self._candidates)

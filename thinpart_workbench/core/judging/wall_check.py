@@ -176,17 +176,13 @@ def wall_verdict(measured, limits):
 
 
 def check_walls(record, limits):
-    """Check a part.
+    """Check a part: WallCheck.
 
     Parameters
     ----------
     record : PartRecord
         It may lack its faces, which make shares of the surface more precise.
     limits : WallLimits
-
-    Returns
-    -------
-    WallCheck
 
     Notes
     -----
@@ -210,16 +206,7 @@ def check_walls(record, limits):
 
 
 def check_sentence(check):
-    """The result in a sentence with figures.
-
-    Parameters
-    ----------
-    check : WallCheck
-
-    Returns
-    -------
-    Message
-    """
+    """The result in a sentence with figures: Message."""
     limits, thinnest, error = check.limits, Length(check.thinnest_mm), Length(check.error_mm)
     process, least, most = limits.full_title, Length(limits.min_mm), Length(limits.max_mm)
     if check.holds is False:

@@ -65,10 +65,6 @@ def shipped_limits():
 def read_limits(path):
     """Read a table of limits.
 
-    Parameters
-    ----------
-    path : str or Path
-
     Returns
     -------
     dict of str to WallLimits

@@ -15,17 +15,13 @@ class UnreadableJson(Exception):
 
 
 def read_json(path, most=LARGEST_WRITTEN):
-    """The content of a JSON file.
+    """The content of a JSON file: object.
 
     Parameters
     ----------
     path : str or Path
     most : int
         Greatest number of bytes.
-
-    Returns
-    -------
-    object
 
     Raises
     ------
@@ -41,16 +37,12 @@ def read_json(path, most=LARGEST_WRITTEN):
 
 
 def parsed_json(data):
-    """The value that JSON text stands for.
+    """The value that JSON text stands for: object.
 
     Parameters
     ----------
     data : bytes
         In any of the encodings of Unicode.
-
-    Returns
-    -------
-    object
 
     Raises
     ------

@@ -43,7 +43,7 @@ _WRONG = (AttributeError, KeyError, OverflowError, TypeError, ValueError)
 
 
 def compiled(write, source):
-    """Compile a function that returns whether a value is valid.
+    """Compile a function that returns whether a value is valid: callable.
 
     Parameters
     ----------
@@ -51,10 +51,6 @@ def compiled(write, source):
         Writes the lines that return False if it is not. Called with the name of the variable, `source` and the depth of the
         lines.
     source : Source
-
-    Returns
-    -------
-    callable
     """
     wrong = source.name(_WRONG)
     source.line(0, "def holds(value):")

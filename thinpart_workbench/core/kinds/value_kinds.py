@@ -31,10 +31,6 @@ _LARGEST_FLOAT = sys.float_info.max
 def is_plain(data):
     """Whether JSON data is at most `LONGEST` bytes of ASCII without escapes. Then every text in it can be written and is
     no longer than `LONGEST`, so that the texts need no check one by one.
-
-    Parameters
-    ----------
-    data : bytes
     """
     return len(data) <= LONGEST and data.isascii() and b"\\" not in data
 
@@ -83,12 +79,7 @@ class Kind(ABC):
         return None
 
     def entry_faults(self, value, path):
-        """Explain what is wrong with the entries of a value; see `first_fault`.
-
-        Returns
-        -------
-        iterable of str or None
-        """
+        """Explain what is wrong with the entries of a value: iterable of str or None; see `first_fault`."""
         return ()
 
     @abstractmethod

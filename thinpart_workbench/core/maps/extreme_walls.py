@@ -47,10 +47,6 @@ class ExtremeWall:
 def thinnest_wall(parts):
     """Find the thinnest wall.
 
-    Parameters
-    ----------
-    parts : list of MappedPart
-
     Returns
     -------
     ExtremeWall or None

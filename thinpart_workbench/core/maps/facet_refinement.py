@@ -19,16 +19,12 @@ _CUTS = {
 
 
 def side_lengths(points, facets):
-    """Compute the lengths of the sides from each corner to the next.
+    """Compute the lengths of the sides from each corner to the next: ndarray of shape (m, 3), mm.
 
     Parameters
     ----------
     points : ndarray of shape (v, 3), mm
     facets : ndarray of shape (m, 3), int
-
-    Returns
-    -------
-    ndarray of shape (m, 3), mm
     """
     corners = corners_of(np.ascontiguousarray(points.T), facets)
     lengths = np.empty((3, len(facets)))
@@ -73,17 +69,13 @@ def cut_sides(points, facets, cut):
 
 
 def side_keys(facets, count):
-    """Compute a key for each side that is the same for the two facets that share it.
+    """Compute a key for each side that is the same for the two facets that share it: ndarray of shape (m, 3), int64.
 
     Parameters
     ----------
     facets : ndarray of shape (m, 3), int64
     count : int
         Number of points.
-
-    Returns
-    -------
-    ndarray of shape (m, 3), int64
     """
     ahead = np.roll(facets, -1, axis=1)
     return np.minimum(facets, ahead) * count + np.maximum(facets, ahead)

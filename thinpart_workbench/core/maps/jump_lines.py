@@ -59,7 +59,7 @@ class CutFacets:
 
 
 def cut_along_jumps(mesh, rays, points, facets, parent, report=None):
-    """Cut facets where the thickness jumps.
+    """Cut facets where the thickness jumps: CutFacets.
 
     Parameters
     ----------
@@ -70,10 +70,6 @@ def cut_along_jumps(mesh, rays, points, facets, parent, report=None):
     parent : ndarray of shape (m,), int64
     report : callable, optional
         Called with the fraction done; may raise to stop.
-
-    Returns
-    -------
-    CutFacets
 
     Notes
     -----

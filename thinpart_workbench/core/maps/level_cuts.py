@@ -35,17 +35,13 @@ class LevelCuts:
 
 
 def cut_at_levels(shown, levels):
-    """Cut the facets of a map along lines of equal thickness.
+    """Cut the facets of a map along lines of equal thickness: LevelCuts.
 
     Parameters
     ----------
     shown : ThicknessMap
     levels : sequence of float, mm
         Ascending.
-
-    Returns
-    -------
-    LevelCuts
     """
     values = shown.corner_thickness.astype(np.float64)
     facet = np.flatnonzero(_passed(values, levels)[1] > 0)
@@ -100,17 +96,13 @@ def _cut(pieces, level):
 
 
 def section_at_levels(cut, levels):
-    """Cut the lines of a section where the thickness passes a level.
+    """Cut the lines of a section where the thickness passes a level: MapSection.
 
     Parameters
     ----------
     cut : MapSection
     levels : sequence of float, mm
         Ascending.
-
-    Returns
-    -------
-    MapSection
     """
     first, count = _passed(cut.thickness, levels)
     line = np.repeat(np.arange(len(count)), count + 1)

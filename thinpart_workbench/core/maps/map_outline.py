@@ -12,10 +12,6 @@ CREASE = np.radians(30.0)
 def outline(thickness_map):
     """Find the sides of facets where two B-Rep faces meet, where the surface has a crease, or where it ends.
 
-    Parameters
-    ----------
-    thickness_map : ThicknessMap
-
     Returns
     -------
     ndarray of shape (k, 2), int32

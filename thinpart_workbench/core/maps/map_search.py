@@ -7,12 +7,7 @@ _GROUP = 64
 
 
 class MapSearch:
-    """Finds facets of a map. Build it once per map.
-
-    Parameters
-    ----------
-    thickness_map : ThicknessMap
-    """
+    """Finds facets of a map. Build it once per map."""
 
     def __init__(self, thickness_map):
         self._map = thickness_map

@@ -72,7 +72,7 @@ class MapSection:
 
 
 def map_section(shown, plane, drawn=None):
-    """Cut a thickness map.
+    """Cut a thickness map: MapSection.
 
     Parameters
     ----------
@@ -81,10 +81,6 @@ def map_section(shown, plane, drawn=None):
         In the coordinates of the map, as are the results.
     drawn : ndarray of shape (m,), bool, optional
         Facets that have an edge where they are cut; the material is that of all facets.
-
-    Returns
-    -------
-    MapSection
     """
     heights = (plane.heights(shown.points.astype(np.float64) + shown.origin))[shown.facets]
     above = heights > 0.0

@@ -10,10 +10,6 @@ from ..rigid_transform import inverse, transform_directions, transform_points
 class MapSight:
     """The surfaces of the parts of a map, at all their occurrences.
 
-    Parameters
-    ----------
-    parts : list of MappedPart
-
     Attributes
     ----------
     scenes : list of Scene
@@ -25,7 +21,7 @@ class MapSight:
         self._back = [np.array([inverse(matrix) for matrix in part.matrices]) for part in parts]
 
     def are_free(self, points, directions, limits):
-        """Whether nothing stands between places and an eye.
+        """Whether nothing stands between places and an eye: ndarray of shape (k,), bool.
 
         Parameters
         ----------
@@ -35,10 +31,6 @@ class MapSight:
             Unit vectors towards the eye.
         limits : ndarray of shape (k,), mm
             How far the eye is, or what else ends the line of sight; inf where nothing does.
-
-        Returns
-        -------
-        ndarray of shape (k,), bool
         """
         free = np.ones(len(points), dtype=bool)
         for scene, backs in zip(self.scenes, self._back):

@@ -56,17 +56,13 @@ def _walls(mesh, rays, points, triangle, report=None):
 
 
 def differ(mesh, first, second):
-    """Whether places see different walls.
+    """Whether places see different walls: ndarray of shape (n,), bool.
 
     Parameters
     ----------
     mesh : SurfaceMesh
     first, second : tuple of ndarray
         Thickness and opposite triangle, each of shape (n,).
-
-    Returns
-    -------
-    ndarray of shape (n,), bool
     """
     low, high = np.minimum(first[0], second[0]), np.maximum(first[0], second[0])
     same_face = mesh.face_of_triangle[first[1]] == mesh.face_of_triangle[second[1]]

@@ -157,7 +157,7 @@ class ThicknessMap:
 
 
 def thickness_map(measurement, report=None, by=RAY):
-    """Compute the thickness of a measured part, facet by facet.
+    """Compute the thickness of a measured part, facet by facet: ThicknessMap.
 
     Parameters
     ----------
@@ -166,10 +166,6 @@ def thickness_map(measurement, report=None, by=RAY):
         Called with the fraction done; may raise to stop.
     by : str
         One of `SHOWN_MEASURES`.
-
-    Returns
-    -------
-    ThicknessMap
 
     Notes
     -----

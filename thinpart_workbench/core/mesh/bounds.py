@@ -56,15 +56,11 @@ class OrientedBox:
 
 
 def principal_box(points):
-    """Compute the box along the principal axes of the vertices, as in the paper.
+    """Compute the box along the principal axes of the vertices, as in the paper: OrientedBox.
 
     Parameters
     ----------
     points : ndarray of shape (v, 3), mm
-
-    Returns
-    -------
-    OrientedBox
 
     Notes
     -----

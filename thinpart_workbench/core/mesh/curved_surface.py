@@ -11,10 +11,6 @@ from .smooth_normals import barycentric
 class CurvedSurface:
     """A mesh whose facets bulge so far that the surface has the smooth normals at their corners.
 
-    Parameters
-    ----------
-    mesh : SurfaceMesh
-
     Notes
     -----
     Between two corners, the surface rises above the chord by a parabola: the chord times the turn of the normal along it, by

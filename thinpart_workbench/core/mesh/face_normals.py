@@ -140,7 +140,7 @@ class FaceNormals:
         return row
 
     def renumbered(self, new, count):
-        """The same normals under other numbers of the faces.
+        """The same normals under other numbers of the faces: FaceNormals.
 
         Parameters
         ----------
@@ -148,10 +148,6 @@ class FaceNormals:
             New number of each face; those that become one lie on one surface.
         count : int
             Number of faces afterwards.
-
-        Returns
-        -------
-        FaceNormals
         """
         return FaceNormals(count, replace(self.round_faces, faces=new[self.round_faces.faces]),
                            replace(self.nodes, faces=new[self.nodes.faces]))

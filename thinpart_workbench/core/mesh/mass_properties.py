@@ -9,10 +9,6 @@ from ..tolerances import TOLERANCES
 def volume(mesh):
     """Compute the enclosed volume as the sum of signed tetrahedra, and of what curved surfaces add to their facets.
 
-    Parameters
-    ----------
-    mesh : SurfaceMesh
-
     Returns
     -------
     float or None

@@ -80,10 +80,6 @@ def is_turned_too_far(mesh, angular_deflection):
 def smallest_side(descriptors):
     """Find the smallest length of the body as a whole that is shown or compared with thresholds: float, mm, or None.
 
-    Parameters
-    ----------
-    descriptors : Descriptors
-
     Notes
     -----
     In a coarse mesh of a rod the thinnest wall may be its length, so the body counts as well. Distances of slanted walls do

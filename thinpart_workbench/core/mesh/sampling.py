@@ -69,7 +69,7 @@ def smooth_samples(mesh, points, triangle, area):
 
 
 def surface_samples(mesh, minimum=AnalysisSettings.minimum_samples):
-    """Sample a surface deterministically.
+    """Sample a surface deterministically: SurfaceSamples.
 
     Parameters
     ----------
@@ -77,10 +77,6 @@ def surface_samples(mesh, minimum=AnalysisSettings.minimum_samples):
     minimum : int
         Number of samples, to which few are added so that all triangles of a coarse mesh, and all faces of a fine one, have
         some. It does not grow with the number of triangles.
-
-    Returns
-    -------
-    SurfaceSamples
 
     Notes
     -----
@@ -109,16 +105,12 @@ def centroid_samples(mesh):
 
 
 def corner_samples(mesh, triangles):
-    """Make samples just inside the corners of some triangles; they represent no area.
+    """Make samples just inside the corners of some triangles: SurfaceSamples that represent no area.
 
     Parameters
     ----------
     mesh : SurfaceMesh
     triangles : ndarray of shape (k,), int64, ascending
-
-    Returns
-    -------
-    SurfaceSamples
     """
     points = np.einsum("sc,kcj->ksj", _JUST_INSIDE_CORNERS, mesh.corners[triangles])
     return smooth_samples(mesh, points.reshape(-1, 3), np.repeat(triangles, 3), np.zeros(3 * len(triangles)))

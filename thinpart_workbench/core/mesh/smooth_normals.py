@@ -51,7 +51,7 @@ def smooth_patches(vertices, triangles, sides):
 
 
 def normals_at(mesh, triangle, points):
-    """Compute unit normals of the smooth surface at points on triangles.
+    """Compute unit normals of the smooth surface at points on triangles: ndarray of shape (m, 3).
 
     Parameters
     ----------
@@ -59,10 +59,6 @@ def normals_at(mesh, triangle, points):
     triangle : ndarray of shape (m,), int64
     points : ndarray of shape (m, 3), mm
         On those triangles, in the coordinates of the mesh.
-
-    Returns
-    -------
-    ndarray of shape (m, 3)
 
     Notes
     -----
@@ -119,12 +115,7 @@ def barycentric(corners, points):
 
 
 def corner_normals(mesh):
-    """Compute the smooth normals at the corners, ndarray of shape (3, 3, n): corner, coordinate, triangle.
-
-    Parameters
-    ----------
-    mesh : SurfaceMesh
-    """
+    """Compute the smooth normals at the corners, ndarray of shape (3, 3, n): corner, coordinate, triangle."""
     which = _vertex_of_face(mesh)
     facet = np.ascontiguousarray(mesh.normals.T)
     weight = _corner_weights(mesh).ravel()

@@ -55,7 +55,7 @@ class BoxTree:
 
 
 def box_tree(corners, normals, areas, gap=0.0):
-    """Build the tree bottom-up.
+    """Build the tree bottom-up: BoxTree.
 
     Parameters
     ----------
@@ -65,10 +65,6 @@ def box_tree(corners, normals, areas, gap=0.0):
     areas : ndarray of shape (n,), mm2
     gap : float, mm
         See `BoxTree`; small against `extent`.
-
-    Returns
-    -------
-    BoxTree
     """
     low, high = corners.min(axis=1), corners.max(axis=1)
     extent = float(np.linalg.norm(high.max(axis=1) - low.min(axis=1)))

@@ -6,17 +6,13 @@ from ..columns import dot
 
 
 def closest_weights(points, corners):
-    """Barycentric coordinates of the closest points of triangles.
+    """Barycentric coordinates of the closest points of triangles: ndarray of shape (3, m).
 
     Parameters
     ----------
     points : ndarray of shape (3, m), mm
     corners : ndarray of shape (3, 3, m), mm
         Coordinate, corner, triangle.
-
-    Returns
-    -------
-    ndarray of shape (3, m)
 
     Notes
     -----

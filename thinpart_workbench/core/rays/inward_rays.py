@@ -21,10 +21,6 @@ BLOCK = 65536
 class InwardRays:
     """Casts rays along the inward normals of samples of a mesh, with a tree over its triangles.
 
-    Parameters
-    ----------
-    mesh : SurfaceMesh
-
     Attributes
     ----------
     tree : BoxTree

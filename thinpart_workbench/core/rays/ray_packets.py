@@ -14,16 +14,12 @@ MOST_DIVERGENCE = 3.0
 
 
 def coherent_order(origins, directions):
-    """Compute an order in which neighbouring rays have similar origins and directions.
+    """Compute an order in which neighbouring rays have similar origins and directions: ndarray of shape (m,), int64.
 
     Parameters
     ----------
     origins : ndarray of shape (3, m), mm
     directions : ndarray of shape (3, m)
-
-    Returns
-    -------
-    ndarray of shape (m,), int64
 
     Notes
     -----
@@ -75,7 +71,7 @@ class ThickRays:
 
 
 def thick_rays(origins, directions, limit, extent):
-    """Enclose packets in thick rays.
+    """Enclose packets in thick rays: ThickRays.
 
     Parameters
     ----------
@@ -84,10 +80,6 @@ def thick_rays(origins, directions, limit, extent):
         Length of the rays of each packet.
     extent : float, mm
         Size of the scene, to which rounding is proportional.
-
-    Returns
-    -------
-    ThickRays
 
     Notes
     -----

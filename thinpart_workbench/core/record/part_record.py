@@ -32,7 +32,7 @@ def face_number(entry):
 
 
 def part_record(part, mesh, measurement, classification, paper, faces, error_bound, deflection) -> PartRecord:
-    """Assemble the record of one part.
+    """Assemble the record of one part: PartRecord.
 
     Parameters
     ----------
@@ -43,10 +43,6 @@ def part_record(part, mesh, measurement, classification, paper, faces, error_bou
         By the active profile, and by the paper's own thresholds.
     faces : list of FaceThickness
     error_bound, deflection : float, mm
-
-    Returns
-    -------
-    PartRecord
     """
     return _rounded({
         "name": part.name,
@@ -71,16 +67,7 @@ def part_record(part, mesh, measurement, classification, paper, faces, error_bou
 
 
 def verdict(classification) -> VerdictRecord:
-    """The verdict of a profile on a part, without the evidence: the first keys of its record.
-
-    Parameters
-    ----------
-    classification : Classification
-
-    Returns
-    -------
-    VerdictRecord
-    """
+    """The verdict of a profile on a part, without the evidence: the first keys of its record, VerdictRecord."""
     return {
         "category": classification.category,
         "criteria": list(classification.criteria),

@@ -45,16 +45,12 @@ class ColourScale:
         return self.logarithmic and 0.0 < self.low < self.high
 
     def colours(self, thickness):
-        """Compute the colours of values.
+        """Compute the colours of values: ndarray of shape (m, 3), uint8.
 
         Parameters
         ----------
         thickness : array_like of shape (m,), mm
             nan where nothing was measured.
-
-        Returns
-        -------
-        ndarray of shape (m, 3), uint8
         """
         thickness = np.asarray(thickness, dtype=np.float64)
         measured = np.isfinite(thickness)

@@ -80,11 +80,6 @@ class MapLook:
 def map_picture(part, look):
     """Draw the map of a part, lit and with edges, on white, with the colour bar beside it.
 
-    Parameters
-    ----------
-    part : MappedPart
-    look : MapLook
-
     Returns
     -------
     ndarray of shape (height, width, 4), uint8

@@ -42,10 +42,6 @@ class FacingFaces:
 def facing_faces(field):
     """Find the pairs of faces that are the sides of walls.
 
-    Parameters
-    ----------
-    field : ThicknessField
-
     Returns
     -------
     list of FacingFaces

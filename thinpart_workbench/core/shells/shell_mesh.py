@@ -71,7 +71,7 @@ class ShellMesh:
 
 
 def shell_mesh(points, triangles, wall, walls, mesh, rays):
-    """Measure the thickness under each triangle of a mid-surface.
+    """Measure the thickness under each triangle of a mid-surface: ShellMesh.
 
     Parameters
     ----------
@@ -83,10 +83,6 @@ def shell_mesh(points, triangles, wall, walls, mesh, rays):
         Of the solid.
     rays : InwardRays
         Of that mesh.
-
-    Returns
-    -------
-    ShellMesh
 
     Notes
     -----

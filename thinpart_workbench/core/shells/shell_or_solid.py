@@ -53,7 +53,7 @@ class Idealisation:
 
 
 def idealisation(measurement, solid_elements, shell_size, no_shell=""):
-    """Say whether a part is better meshed as shells or as a solid.
+    """Say whether a part is better meshed as shells or as a solid: Idealisation.
 
     Parameters
     ----------
@@ -64,10 +64,6 @@ def idealisation(measurement, solid_elements, shell_size, no_shell=""):
         Greatest size of the elements of a shell.
     no_shell : str
         Why a shell cannot be made; empty where it can, or nothing is known.
-
-    Returns
-    -------
-    Idealisation
     """
     walls = [region for region in measurement.regions.listed if region.kind in (PLATE, TUBE)]
     known = [region.volume_share for region in walls if region.volume_share is not None]

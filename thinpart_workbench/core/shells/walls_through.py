@@ -23,17 +23,13 @@ class Sides(NamedTuple):
     face_behind: np.ndarray
 
     def is_between(self, pairs, count):
-        """Whether points lie between two faces that are one of some pairs.
+        """Whether points lie between two faces that are one of some pairs: ndarray of shape (m,), bool.
 
         Parameters
         ----------
         pairs : iterable of (int, int)
         count : int
             Number of faces.
-
-        Returns
-        -------
-        ndarray of shape (m,), bool
         """
         low, high = np.minimum(self.face_ahead, self.face_behind), np.maximum(self.face_ahead, self.face_behind)
         keys = np.array([first * count + second for first, second in pairs], dtype=np.int64)
@@ -41,7 +37,7 @@ class Sides(NamedTuple):
 
 
 def sides_of(mesh, rays, points, directions):
-    """Look both ways from points within the material.
+    """Look both ways from points within the material: Sides.
 
     Parameters
     ----------
@@ -52,10 +48,6 @@ def sides_of(mesh, rays, points, directions):
         In the coordinates of the document.
     directions : ndarray of shape (m, 3)
         Unit vectors.
-
-    Returns
-    -------
-    Sides
     """
     origins, along = rays.turned(points - mesh.origin), rays.turned_directions(directions)
     ahead, triangle_ahead = first_hits(rays.tree, origins, along, INNER)

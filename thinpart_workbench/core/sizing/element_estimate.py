@@ -11,7 +11,7 @@ layer of flat ones reaches from side to side, however thin the wall is. Three fi
 
 
 def elements_by_sample(inner, size_field, count):
-    """Estimate the number of tetrahedra under each sample of the surface.
+    """Estimate the number of tetrahedra under each sample of the surface: ndarray of shape (count,).
 
     Parameters
     ----------
@@ -19,10 +19,6 @@ def elements_by_sample(inner, size_field, count):
     size_field : SizeField
     count : int
         Number of samples.
-
-    Returns
-    -------
-    ndarray of shape (count,)
     """
     elements = np.zeros(count)
     sizes = size_field.at(inner.points.reshape(-1, 3)).reshape(inner.volumes.shape)

@@ -32,15 +32,7 @@ class InnerPoints:
 
 
 def inner_points(measurement):
-    """Spread points over the inside of a part, densely under its surface.
-
-    Parameters
-    ----------
-    measurement : Measurement
-
-    Returns
-    -------
-    InnerPoints
+    """Spread points over the inside of a part, densely under its surface: InnerPoints.
 
     Notes
     -----

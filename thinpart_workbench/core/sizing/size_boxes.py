@@ -39,7 +39,7 @@ class SizeBoxes:
 
 
 def size_boxes(field, low, high, inner, most=MOST_BOXES):
-    """Divide a box into cubes, fine where the size changes within the part.
+    """Divide a box into cubes, fine where the size changes within the part: SizeBoxes.
 
     Parameters
     ----------
@@ -50,10 +50,6 @@ def size_boxes(field, low, high, inner, most=MOST_BOXES):
         Points spread over the inside of the part.
     most : int
         Greatest number of cubes.
-
-    Returns
-    -------
-    SizeBoxes
 
     Notes
     -----

@@ -115,7 +115,7 @@ class SizeProposal:
 
 
 def propose_sizes(measurement, thin_limit, settings, region_sizes=None, has_details=True, only_chosen=False):
-    """Propose element sizes for a measured part.
+    """Propose element sizes for a measured part: SizeProposal.
 
     Parameters
     ----------
@@ -130,10 +130,6 @@ def propose_sizes(measurement, thin_limit, settings, region_sizes=None, has_deta
     only_chosen : bool
         Whether nothing asks for sizes but the regions to which `region_sizes` gives one: for parts that are called normal,
         which mesh well at one size, whatever small walls they have.
-
-    Returns
-    -------
-    SizeProposal
 
     Notes
     -----
@@ -171,11 +167,6 @@ def propose_sizes(measurement, thin_limit, settings, region_sizes=None, has_deta
 def without_thinnest(measurement, proposal):
     """A proposal whose elements are no smaller than all but the thinnest walls want, `THINNEST` of the thin area.
 
-    Parameters
-    ----------
-    measurement : Measurement
-    proposal : SizeProposal
-
     Returns
     -------
     SizeProposal or None
@@ -196,18 +187,7 @@ def without_thinnest(measurement, proposal):
 
 
 def with_sources(measurement, proposal, sources):
-    """A proposal with other sources, and its elements counted anew.
-
-    Parameters
-    ----------
-    measurement : Measurement
-    proposal : SizeProposal
-    sources : SizeSources
-
-    Returns
-    -------
-    SizeProposal
-    """
+    """A proposal with other sources, and its elements counted anew: SizeProposal."""
     found = _proposed(measurement, proposal.thin_limit, proposal.settings, proposal.global_size, sources, proposal.layers,
                       proposal.inner)
     return replace(found, unbounded=proposal.unbounded, region_sizes=proposal.region_sizes, only_chosen=proposal.only_chosen,

@@ -96,7 +96,7 @@ class SizeSources:
 
 
 def size_sources(measurement, thin_limit, divisions, has_details=True):
-    """Find the sources of a part.
+    """Find the sources of a part: SizeSources.
 
     Parameters
     ----------
@@ -107,10 +107,6 @@ def size_sources(measurement, thin_limit, divisions, has_details=True):
         Thickness of a thin wall by the element size there; see `divisions_of`.
     has_details : bool
         Whether narrow faces and short edges ask for sizes too.
-
-    Returns
-    -------
-    SizeSources
 
     Notes
     -----

@@ -9,7 +9,7 @@ _CERTAIN = 0.95
 
 
 def precision_of(measurement, deflections, accuracy):
-    """Estimate the precision of a measurement.
+    """Estimate the precision of a measurement: Precision.
 
     Parameters
     ----------
@@ -18,10 +18,6 @@ def precision_of(measurement, deflections, accuracy):
         Chord error of each face.
     accuracy : str
         One of `ACCURACIES`.
-
-    Returns
-    -------
-    Precision
     """
     field = measurement.field
     mesh = field.mesh
@@ -42,7 +38,7 @@ def precision_of(measurement, deflections, accuracy):
 
 
 def chords_of(field, samples, deflections):
-    """Chord errors of the facets at both ends of walls, together.
+    """Chord errors of the facets at both ends of walls, together: ndarray of shape (k,), mm.
 
     Parameters
     ----------
@@ -51,10 +47,6 @@ def chords_of(field, samples, deflections):
         Those whose rays hit something.
     deflections : ndarray of shape (f,), mm
         Chord error of each face, or of all of them.
-
-    Returns
-    -------
-    ndarray of shape (k,), mm
     """
     chord = _chord_errors(field.mesh, deflections)
     return chord[field.samples.triangle[samples]] + chord[field.opposite[samples]]

@@ -89,7 +89,7 @@ class RegionShape:
 
 
 def region_shape(points, links, volume, closer_links=None):
-    """Measure a region.
+    """Measure a region: RegionShape.
 
     Parameters
     ----------
@@ -102,10 +102,6 @@ def region_shape(points, links, volume, closer_links=None):
     closer_links : callable, optional
         Finds links of `WallPoints` without others among them, by which ways are straighter. Called where the region seems
         to be bent or a ring.
-
-    Returns
-    -------
-    RegionShape
     """
     area, thickness = float(points.area.sum()), area_median(points.thickness, points.area)
     length, is_tube = _length(points, links, area, thickness, closer_links)

@@ -149,7 +149,7 @@ def least_distances(mesh, first, second):
 
 
 def overlaps(mesh, first, second, limit):
-    """Cut out the parts of triangles over others.
+    """Cut out the parts of triangles over others: Overlaps.
 
     Parameters
     ----------
@@ -158,10 +158,6 @@ def overlaps(mesh, first, second, limit):
         Pairs of triangles.
     limit : float, mm
         Only what is nearer counts.
-
-    Returns
-    -------
-    Overlaps
     """
     corner, along, across = _plane_of(mesh, first)
     own = _in_plane(mesh.corners[first], corner, along, across)

@@ -92,7 +92,7 @@ class ThicknessField:
 
 
 def measure_rays(mesh, samples, report=None, rays=None):
-    """Measure the distance to the first hit along the inward normal of every sample.
+    """Measure the distance to the first hit along the inward normal of every sample: ThicknessField.
 
     Parameters
     ----------
@@ -102,10 +102,6 @@ def measure_rays(mesh, samples, report=None, rays=None):
         Called with the fraction done; may raise to stop.
     rays : InwardRays, optional
         Rays over the mesh; built if not given.
-
-    Returns
-    -------
-    ThicknessField
 
     Notes
     -----

@@ -11,10 +11,6 @@ _ROUNDING = 1e-9
 def thinnest_walls(field):
     """Samples over the thinnest walls, the thinnest first.
 
-    Parameters
-    ----------
-    field : ThicknessField
-
     Returns
     -------
     ndarray of shape (k,), int64
@@ -84,16 +80,7 @@ def _even_area(field, samples):
 
 
 def touching_sample(field):
-    """A sample where surfaces touch or cross over some area; None where they do not.
-
-    Parameters
-    ----------
-    field : ThicknessField
-
-    Returns
-    -------
-    int or None
-    """
+    """Number of a sample where surfaces touch or cross over some area; None where they do not."""
     near = np.flatnonzero(field.parallel & (field.distance <= _touching_below(field)))
     if field.area[near].sum() < STATED_FLOOR * field.area.sum():
         return None

@@ -95,10 +95,6 @@ class WallPoints:
 def wall_points(field):
     """Choose the points of a thickness field, evenly over the surface and denser on thin walls.
 
-    Parameters
-    ----------
-    field : ThicknessField
-
     Returns
     -------
     points : WallPoints
@@ -194,10 +190,6 @@ def _nearest_thinner(points, step, within):
 
 def wall_links(points):
     """Find which points belong to one wall.
-
-    Parameters
-    ----------
-    points : WallPoints
 
     Returns
     -------

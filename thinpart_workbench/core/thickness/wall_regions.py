@@ -115,7 +115,7 @@ class WallRegions:
 
 
 def wall_regions(field, enclosed=None, thinnest=None):
-    """Find the regions of a part.
+    """Find the regions of a part: WallRegions.
 
     Parameters
     ----------
@@ -124,10 +124,6 @@ def wall_regions(field, enclosed=None, thinnest=None):
         Volume of the part, where it is known.
     thinnest : Witness, optional
         The thinnest wall of the part: see `with_thinnest`.
-
-    Returns
-    -------
-    WallRegions
 
     Notes
     -----

@@ -80,17 +80,13 @@ def bridges(faces, kept, rest):
 
 
 def connected_faces(faces, numbers):
-    """Groups of faces that hold together by their edges.
+    """Groups of faces that hold together by their edges: list of list of int.
 
     Parameters
     ----------
     faces : list of Part.Face
     numbers : sequence of int
         Of those that are meant.
-
-    Returns
-    -------
-    list of list of int
     """
     return _connected(numbers, _meets(faces, numbers))
 

@@ -134,7 +134,7 @@ class MidSurface:
 
 
 def mid_walls(shape, pairs, mesh, rays):
-    """The walls of a solid that are shells.
+    """The walls of a solid that are shells: list of MidWall.
 
     Parameters
     ----------
@@ -142,10 +142,6 @@ def mid_walls(shape, pairs, mesh, rays):
     pairs : list of FacingFaces
     mesh : SurfaceMesh
     rays : InwardRays
-
-    Returns
-    -------
-    list of MidWall
     """
     faces, walls = shape.Faces, []
     for pair in sorted(pairs, key=lambda each: -each.area):
@@ -175,7 +171,7 @@ def _without_heights(walls, mesh, rays, count):
 
 
 def mid_surface(shape, pairs, mesh, rays, report=None, solid_walls=()):
-    """Make the mid-surface of a solid.
+    """Make the mid-surface of a solid: MidSurface.
 
     Parameters
     ----------
@@ -189,10 +185,6 @@ def mid_surface(shape, pairs, mesh, rays, report=None, solid_walls=()):
         Called with the fraction that is done.
     solid_walls : collection of tuple of int
         Faces of walls that are to stay solid; see `ShellSettings`.
-
-    Returns
-    -------
-    MidSurface
 
     Raises
     ------

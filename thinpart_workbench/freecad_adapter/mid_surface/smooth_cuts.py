@@ -11,11 +11,6 @@ SMOOTH = math.cos(math.radians(5.0))
 def smooth_cuts(shape, walls):
     """Faces across the walls along the smooth edges between two of them.
 
-    Parameters
-    ----------
-    shape : Part.Shape
-    walls : list of MidWall
-
     Returns
     -------
     list of list of Part.Face

@@ -84,7 +84,7 @@ def fem_mesh_of(document, owner):
 
 
 def set_fem_mesh(document, owner, file, settings, global_size, order, walls, analysis=None):
-    """Make or update the Gmsh mesh of an object; to be called in a transaction.
+    """Make or update the Gmsh mesh of an object, FreeCAD.DocumentObject; to be called in a transaction.
 
     Parameters
     ----------
@@ -101,10 +101,6 @@ def set_fem_mesh(document, owner, file, settings, global_size, order, walls, ana
         Label, size in mm, and numbers of faces of the owner, from 0.
     analysis : FreeCAD.DocumentObject, optional
         The mesh joins it.
-
-    Returns
-    -------
-    FreeCAD.DocumentObject
 
     Raises
     ------

@@ -12,15 +12,11 @@ _MOST_NAMED = 5
 
 
 def special_links(document):
-    """Files that a document links to, directly or through others, and that must not be opened.
+    """Files that a document links to, directly or through others, and that must not be opened: list of Path.
 
     Parameters
     ----------
     document : str or Path
-
-    Returns
-    -------
-    list of Path
     """
     return [file for file in linked_files(document) if is_special(file)]
 

@@ -89,16 +89,7 @@ def check_document(path):
 
 
 def named_modules(path):
-    """Python modules that FreeCAD would import for a document and those that it links to.
-
-    Parameters
-    ----------
-    path : str or Path
-
-    Returns
-    -------
-    NamedModules
-    """
+    """Python modules that FreeCAD would import for a document and those that it links to: NamedModules."""
     names = set().union(*map(_modules_of, _documents(path)))
     trusted = {name for name in names if _is_trusted(name)}
     return NamedModules(tuple(sorted(trusted)), tuple(sorted(names - trusted)))

@@ -12,16 +12,12 @@ from .tolerances import SHAPE_TOLERANCES
 
 
 def equal_part(parts, solid):
-    """The part with the same shape as a solid, whatever its placement, or None.
+    """The part with the same shape as a solid, whatever its placement, or None: SolidPart.
 
     Parameters
     ----------
     parts : list of SolidPart or MeshedPart
     solid : Part.Shape
-
-    Returns
-    -------
-    SolidPart or None
 
     Notes
     -----

@@ -39,10 +39,6 @@ class Repair:
 def repaired_copies(solid):
     """Copies of a solid, one after the other, with the `Repair` that made each.
 
-    Parameters
-    ----------
-    solid : Part.Shape
-
     Yields
     ------
     copy : Part.Shape

@@ -6,12 +6,7 @@ import numpy as np
 
 
 class SolidMeasures:
-    """Measures of one solid, in the order of its faces, edges and corners.
-
-    Parameters
-    ----------
-    shape : Part.Shape
-    """
+    """Measures of one solid, in the order of its faces, edges and corners."""
 
     def __init__(self, shape):
         self._shape = shape

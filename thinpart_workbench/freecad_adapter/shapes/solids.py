@@ -50,12 +50,7 @@ def solids_of(shape, whose=message("The file")):
 
 
 def has_surface(solid):
-    """Whether a solid is more than a line. OCC makes such solids of tori and spheres whose border is the same circle twice.
-
-    Parameters
-    ----------
-    solid : Part.Shape
-    """
+    """Whether a solid is more than a line; OCC makes lines of tori and spheres whose border is the same circle twice."""
     least = _NO_AREA * solid.BoundBox.DiagonalLength ** 2
     return any(face.Area > least for face in solid.Faces)
 

@@ -19,7 +19,7 @@ _ROUND = {
 
 
 def geometry_normals(faces, parameters, tolerance, offset=(0.0, 0.0, 0.0)):
-    """Normals of the curved faces of a tessellated shape.
+    """Normals of the curved faces of a tessellated shape: FaceNormals.
 
     Parameters
     ----------
@@ -30,10 +30,6 @@ def geometry_normals(faces, parameters, tolerance, offset=(0.0, 0.0, 0.0)):
         How far a node of the mesh may be from its place on a free-form face.
     offset : tuple of three float, mm
         By which the mesh is moved against the faces.
-
-    Returns
-    -------
-    FaceNormals
     """
     round_faces, round_rows, free_faces, nodes = [], [], [], []
     for number, face in enumerate(faces):

@@ -9,26 +9,12 @@ FREE_FORM = ("Part::GeomBSplineSurface", "Part::GeomBezierSurface", "Part::GeomT
 
 
 def surface_types(shape):
-    """FreeCAD's name of the type of each face's surface; None for a surface without a Python class.
-
-    Parameters
-    ----------
-    shape : Part.Shape
-
-    Returns
-    -------
-    list of str or None
-    """
+    """FreeCAD's name of the type of each face's surface, list of str; None for a surface without a Python class."""
     return [_surface_type(face) for face in shape.Faces]
 
 
 def curve_type(edge):
-    """FreeCAD's name of the type of an edge's curve, str; None for a curve without a Python class.
-
-    Parameters
-    ----------
-    edge : Part.Edge
-    """
+    """FreeCAD's name of the type of an edge's curve, str; None for a curve without a Python class."""
     try:
         return edge.Curve.TypeId
     except (TypeError, RuntimeError):  # the exception differs between versions of FreeCAD

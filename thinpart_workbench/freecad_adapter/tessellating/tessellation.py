@@ -65,7 +65,7 @@ class Tessellation:
         return found
 
     def renumbered(self, new, count):
-        """The same triangles with other numbers of their faces.
+        """The same triangles with other numbers of their faces: Tessellation.
 
         Parameters
         ----------
@@ -73,17 +73,13 @@ class Tessellation:
             New number of each face; several may become one.
         count : int
             Number of faces afterwards.
-
-        Returns
-        -------
-        Tessellation
         """
         return replace(self, face_of_triangle=new[self.face_of_triangle],
                        face_normals=self.face_normals and self.face_normals.renumbered(new, count))
 
 
 def tessellate(shape, linear_deflection, angular_deflection):
-    """Tessellate a solid.
+    """Tessellate a solid: Tessellation.
 
     Parameters
     ----------
@@ -91,10 +87,6 @@ def tessellate(shape, linear_deflection, angular_deflection):
     linear_deflection : float
         Chord error as a share of the diagonal of the bounding box.
     angular_deflection : float, degrees
-
-    Returns
-    -------
-    Tessellation
 
     Raises
     ------
@@ -139,7 +131,7 @@ def tessellate(shape, linear_deflection, angular_deflection):
 
 
 def tessellate_mapped(faces, diagonal, linear_deflection, angular_deflection):
-    """Tessellate a solid on grids; see the module `mapped_faces`.
+    """Tessellate a solid on grids: Tessellation; see the module `mapped_faces`.
 
     Parameters
     ----------
@@ -150,10 +142,6 @@ def tessellate_mapped(faces, diagonal, linear_deflection, angular_deflection):
         Chord error as a share of that diagonal.
     angular_deflection : float, degrees
         Widened if there would be too many triangles, as far as the chord error allows.
-
-    Returns
-    -------
-    Tessellation
 
     Raises
     ------

@@ -10,7 +10,7 @@ from ..output_file import write_output
 
 
 def geo_text(global_size, boxes, part_file=None, order=1, options=()):
-    """The script: the geometry, if Gmsh can open it, a background field, and the settings that belong to it.
+    """The script: the geometry, if Gmsh can open it, a background field, and the settings that belong to it, str.
 
     Parameters
     ----------
@@ -23,10 +23,6 @@ def geo_text(global_size, boxes, part_file=None, order=1, options=()):
         Of the elements.
     options : iterable of (str, number)
         Further options of Gmsh, such as ``Mesh.Algorithm``.
-
-    Returns
-    -------
-    str
 
     Notes
     -----

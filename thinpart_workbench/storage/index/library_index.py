@@ -94,17 +94,13 @@ class LibraryIndex:
         self.close()
 
     def refresh(self, report=None):
-        """Bring the index up to date with the info files.
+        """Bring the index up to date with the info files: Refreshed.
 
         Parameters
         ----------
         report : callable, optional
             Called with the numbers of info files read and to be read, during the search for them with 0 and
             the number found so far; may raise to stop.
-
-        Returns
-        -------
-        Refreshed
 
         Raises
         ------

@@ -31,7 +31,7 @@ _PERMANENT = ("empty", "no_solid", "not_finite", "unreadable", "unsafe", "unsupp
 
 
 def info_path(document, info_folder=None, root=None):
-    """The path of the info file of a document.
+    """The path of the info file of a document: Path.
 
     Parameters
     ----------
@@ -40,10 +40,6 @@ def info_path(document, info_folder=None, root=None):
         Folder that mirrors the tree of the documents; by default the file lies beside the document.
     root : str or Path, optional
         Top of the tree that is mirrored; the document's own folder by default.
-
-    Returns
-    -------
-    Path
     """
     document = Path(document)
     name = document.name + SUFFIX
@@ -189,7 +185,7 @@ def _is_unchanged(entry, path):
 
 
 def info_content(source, settings, profile, parts, failures=()):
-    """Content of an info file.
+    """Content of an info file: dict.
 
     Parameters
     ----------
@@ -199,10 +195,6 @@ def info_content(source, settings, profile, parts, failures=()):
     parts : list of PartRecord
     failures : list of FailureRecord
         Parts of the document that could not be analysed.
-
-    Returns
-    -------
-    dict
     """
     return {
         "format": INFO.format,

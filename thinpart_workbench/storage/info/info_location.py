@@ -13,7 +13,7 @@ PATIENCE = 15.0
 
 
 def info_location(document, folder=""):
-    """The path of a document's info file.
+    """The path of a document's info file: Path.
 
     Parameters
     ----------
@@ -22,10 +22,6 @@ def info_location(document, folder=""):
     folder : str, optional
         Mirrors the tree of all documents from the root of the file system, so that documents of the same
         name do not share an info file; empty for the document's own folder.
-
-    Returns
-    -------
-    Path
     """
     return info_path(document, folder or None, os.sep)
 

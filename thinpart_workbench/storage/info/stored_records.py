@@ -39,7 +39,7 @@ def _is_file(info):
 
 
 def stored_records(path, part=None, info_folder=None):
-    """Records of a document from its info file: all of them, or that of one part.
+    """Records of a document from its info file: all of them, or that of one part, list of PartRecord.
 
     Parameters
     ----------
@@ -47,10 +47,6 @@ def stored_records(path, part=None, info_folder=None):
         Document or info file.
     part : str, optional
         Name or label.
-
-    Returns
-    -------
-    list of PartRecord
     """
     return _matching(read_info(info_file_of(path, info_folder))["parts"], part, path)
 

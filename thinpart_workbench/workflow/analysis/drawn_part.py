@@ -26,13 +26,7 @@ class DrawnPart:
     picture: Optional[bytes] = None
 
     def draw_thumbnail(self, mesh, record):
-        """Draw a part with its thin faces, if there is enough memory.
-
-        Parameters
-        ----------
-        mesh : SurfaceMesh
-        record : PartRecord
-        """
+        """Draw a part with its thin faces, if there is enough memory."""
         from ...core.rendering.picture import picture
         from ...freecad_adapter.thin_colours import preferred_colours
 

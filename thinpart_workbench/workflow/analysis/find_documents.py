@@ -75,7 +75,7 @@ class FoundDocuments:
 
 
 def find_documents(paths, names=NameFilter(), report=None):
-    """The documents among and below some files and folders.
+    """The documents among and below some files and folders: FoundDocuments.
 
     Parameters
     ----------
@@ -86,10 +86,6 @@ def find_documents(paths, names=NameFilter(), report=None):
         Which files of the folders to include.
     report : callable, optional
         ``report(count)``, called often with the number of documents so far; may raise `Cancelled` to stop.
-
-    Returns
-    -------
-    FoundDocuments
     """
     search = _Search(names, report or (lambda count: None))
     for path in map(os.fspath, paths):

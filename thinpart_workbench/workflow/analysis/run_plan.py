@@ -36,7 +36,7 @@ class PlannedFile:
 
 
 def plan_run(documents, new_task, info_for, jobs):
-    """Plan the tasks in the best order.
+    """Plan the tasks in the best order: list of PlannedFile.
 
     Unchanged files come first: they are done at once, and then the remaining work is known. With several
     workers the largest of the other files come first: a large file started last would leave the other
@@ -51,10 +51,6 @@ def plan_run(documents, new_task, info_for, jobs):
         Maps a path to the path of its info file, or None.
     jobs : int
         Number of workers.
-
-    Returns
-    -------
-    list of PlannedFile
     """
     planned = [_plan(document, new_task, info_for(document.path)) for document in documents]
     if jobs > 1:

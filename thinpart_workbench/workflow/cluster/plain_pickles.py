@@ -50,10 +50,6 @@ def _refuse(event, arguments):
 def texts_of_pickle(content):
     """The texts in a pickle, including names of modules and their members, without unpickling it.
 
-    Parameters
-    ----------
-    content : bytes
-
     Returns
     -------
     list of str

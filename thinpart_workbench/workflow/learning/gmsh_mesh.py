@@ -62,10 +62,6 @@ class MeshingTask:
 def mesh_document(task):
     """Mesh parts of a document.
 
-    Parameters
-    ----------
-    task : MeshingTask
-
     Returns
     -------
     list of dict

@@ -11,7 +11,7 @@ from ..library.find_parts import find_parts, open_library
 
 
 def kept_labels(library, categories, report=None):
-    """The labels of a library, found by its index.
+    """The labels of a library, found by its index: list of Label.
 
     Parameters
     ----------
@@ -20,10 +20,6 @@ def kept_labels(library, categories, report=None):
         Those that may be given.
     report : callable, optional
         See `open_library`.
-
-    Returns
-    -------
-    list of Label
 
     Raises
     ------

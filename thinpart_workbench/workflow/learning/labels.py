@@ -84,7 +84,7 @@ def categories_of(profile):
 
 
 def labelled_parts(library, labels, categories):
-    """Find the parts of labels in a library, and merge what several people say.
+    """Find the parts of labels in a library, and merge what several people say: list of LabelledPart.
 
     Parameters
     ----------
@@ -93,10 +93,6 @@ def labelled_parts(library, labels, categories):
     labels : list of Label
     categories : sequence of str
         In the order of the profile.
-
-    Returns
-    -------
-    list of LabelledPart
 
     Raises
     ------
@@ -127,16 +123,7 @@ def labelled_parts(library, labels, categories):
 
 
 def disagreement(parts):
-    """How far people agree who labelled the same parts.
-
-    Parameters
-    ----------
-    parts : list of LabelledPart
-
-    Returns
-    -------
-    Disagreement
-    """
+    """How far people agree who labelled the same parts: Disagreement."""
     pairs = [one != other for part in parts for one, other in combinations(part.answers.values(), 2)]
     different = tuple({"file": part.file, "part": part.part, "answers": part.answers}
                       for part in parts if len(set(part.answers.values())) > 1)

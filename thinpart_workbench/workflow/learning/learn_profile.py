@@ -93,7 +93,7 @@ class LearnedProfile:
 
 
 def learn_profile(parts, start, name, report=None):
-    """Learn thresholds and probabilities.
+    """Learn thresholds and probabilities: LearnedProfile.
 
     Parameters
     ----------
@@ -104,10 +104,6 @@ def learn_profile(parts, start, name, report=None):
         Of the new profile.
     report : callable, optional
         Called with the number of profiles learned and to be learned; may raise to stop.
-
-    Returns
-    -------
-    LearnedProfile
 
     Raises
     ------

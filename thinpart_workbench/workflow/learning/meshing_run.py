@@ -32,7 +32,7 @@ _READING_SECONDS = 60.0
 
 
 def mesh_library(library, limits, profile, control=None, report=None):
-    """Mesh all classified parts of a library.
+    """Mesh all classified parts of a library: Meshing.
 
     Parameters
     ----------
@@ -45,10 +45,6 @@ def mesh_library(library, limits, profile, control=None, report=None):
     control : RunControl, optional
     report : callable, optional
         Called with the number of documents done and their total.
-
-    Returns
-    -------
-    Meshing
 
     Raises
     ------

@@ -56,15 +56,11 @@ class Scores:
 
 
 def share_of(flags):
-    """Of how many flags are true, with the interval of Wilson.
+    """Of how many flags are true, with the interval of Wilson: CountedShare.
 
     Parameters
     ----------
     flags : sequence of bool
-
-    Returns
-    -------
-    CountedShare
 
     Notes
     -----
@@ -101,7 +97,7 @@ class Bin:
 
 
 def scores(parts, verdicts, categories):
-    """Compare verdicts with labels.
+    """Compare verdicts with labels: Scores.
 
     Parameters
     ----------
@@ -109,10 +105,6 @@ def scores(parts, verdicts, categories):
     verdicts : list of Classification
         In the same order.
     categories : sequence of str
-
-    Returns
-    -------
-    Scores
     """
     confusion = {label: dict.fromkeys((*categories, UNKNOWN), 0) for label in categories}
     for part, verdict in zip(parts, verdicts):
@@ -145,15 +137,11 @@ def reliability(stated, right, bins=10):
 
 
 def calibration_error(stated, right):
-    """Expected calibration error: the mean difference of stated and found shares, over bins of equal width.
+    """Expected calibration error: the mean difference of stated and found shares, over bins of equal width, float.
 
     Parameters
     ----------
     stated, right : ndarray of shape (n,)
-
-    Returns
-    -------
-    float
 
     Notes
     -----

@@ -70,7 +70,7 @@ def open_library(root, report=None):
 
 
 def find_parts(index, query=PartQuery(), order="files.path, parts.id"):
-    """Parts of a library that match a query.
+    """Parts of a library that match a query: FoundParts.
 
     Parameters
     ----------
@@ -78,10 +78,6 @@ def find_parts(index, query=PartQuery(), order="files.path, parts.id"):
     query : PartQuery
     order : str
         SQL; empty for the order of the index, which is fastest.
-
-    Returns
-    -------
-    FoundParts
     """
     where, values = query.where()
     joined = " JOIN files ON files.id = parts.file" if "files." in where + order else ""

@@ -89,7 +89,7 @@ class LibrarySearch:
         return count
 
     def find(self, query, sort="file", descending=False, among=None):
-        """The parts that match a query.
+        """The parts that match a query: OrderedParts.
 
         Parameters
         ----------
@@ -99,10 +99,6 @@ class LibrarySearch:
         descending : bool
         among : list of list of int, optional
             Ids by index: only these parts.
-
-        Returns
-        -------
-        OrderedParts
 
         Raises
         ------
@@ -117,16 +113,12 @@ class LibrarySearch:
         return OrderedParts(self.indexes, [joined_terms(own) for own in terms], _ORDERS.get(sort, sort), descending)
 
     def counts(self, query):
-        """Count the parts for each choice.
+        """Count the parts for each choice: ChoiceCounts.
 
         Parameters
         ----------
         query : PartQuery
             Columns of its ``ranges`` have a histogram too, also without bounds.
-
-        Returns
-        -------
-        ChoiceCounts
         """
         columns = tuple(dict.fromkeys((*SHOWN_RANGES, *(column for column, *_ in query.ranges))))
         scales = {column: self._scale(column) for column in columns}

@@ -13,7 +13,7 @@ SimilarPart = namedtuple("SimilarPart", "part score reasons")
 
 
 def similar_parts(indexes, record, count, same_size=None, excluding=None, among=None):
-    """The parts most similar to a given part, best first.
+    """The parts most similar to a given part, best first: list of SimilarPart.
 
     Parameters
     ----------
@@ -29,10 +29,6 @@ def similar_parts(indexes, record, count, same_size=None, excluding=None, among=
         Info file and name of the part itself, which is left out.
     among : list of ndarray of int64, optional
         The ids of the candidates in each index; all parts by default.
-
-    Returns
-    -------
-    list of SimilarPart
     """
     target = signature(record)
     found: list[tuple] = []

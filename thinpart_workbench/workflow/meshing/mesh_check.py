@@ -177,11 +177,6 @@ def _rounded(value):
 def thin_places(measurement, proposal):
     """Places of thin parallel walls, at which `mesh_figures` counts layers.
 
-    Parameters
-    ----------
-    measurement : Measurement
-    proposal : SizeProposal
-
     Returns
     -------
     here, there : ndarray of shape (k, 3), mm

@@ -59,10 +59,6 @@ def save_whole(path, array):
 def thickness_groups(shell):
     """Faces of a mid-surface by their thickness.
 
-    Parameters
-    ----------
-    shell : PartShell
-
     Returns
     -------
     list of dict

@@ -47,17 +47,13 @@ class PartSizing:
         self._points = np.empty((0, 3, 3))
 
     def proposed(self, settings, region_sizes):
-        """What is proposed, of plain values, all lengths in mm.
+        """What is proposed, of plain values, all lengths in mm: dict.
 
         Parameters
         ----------
         settings : SizingSettings
         region_sizes : dict
             See `propose_sizes`.
-
-        Returns
-        -------
-        dict
         """
         proposal = self._proposal(settings, region_sizes)
         unbounded = proposal.unbounded

@@ -117,7 +117,7 @@ def _too_little(part, share):
 
 
 def shell_of_part(part, measurement, program, seconds, settings=None, report=None):
-    """Make the shell of a measured part.
+    """Make the shell of a measured part: PartShell.
 
     Parameters
     ----------
@@ -130,10 +130,6 @@ def shell_of_part(part, measurement, program, seconds, settings=None, report=Non
     settings : ShellSettings, optional
     report : callable, optional
         Called with the fraction that is done.
-
-    Returns
-    -------
-    PartShell
 
     Raises
     ------

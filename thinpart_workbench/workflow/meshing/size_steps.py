@@ -23,12 +23,7 @@ _NOTE = Record({"file": Text(), "part": Text(), "number": Whole(0), "parts": Who
 
 
 class StepNote:
-    """The note of one worker, about one document.
-
-    Parameters
-    ----------
-    file : str
-    """
+    """The note of one worker, about one document."""
 
     def __init__(self, file):
         self._note = {"file": file, "part": "", "number": 0, "parts": 0}

@@ -35,7 +35,7 @@ _POWERS = {"mm": (1, ""), "mm2": (2, "\u00b2"), "mm3": (3, "\u00b3")}
 
 
 def part_page(record, pictures, features, about, file, overview, language=ENGLISH, unit=MILLIMETRE):
-    """Create a self-contained page.
+    """Create a self-contained page: bytes.
 
     Parameters
     ----------
@@ -55,10 +55,6 @@ def part_page(record, pictures, features, about, file, overview, language=ENGLIS
         One of `LANGUAGES`.
     unit : LengthUnit, optional
         Of all lengths on the page.
-
-    Returns
-    -------
-    bytes
     """
     profile = profile_from(about["profile"])
     titles = {category.name: category.title for category in profile.categories}
