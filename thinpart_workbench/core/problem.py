@@ -18,7 +18,9 @@ NOT_WRITTEN_BY_FREECAD = message("FreeCAD cannot write them")
 
 
 def problem_of(error, otherwise=UNEXPECTED):
-    """Why something failed, in words for people.
+    """Why something failed, in words for people: str.
+
+    The end of a sentence, or what stands within parentheses: without a full stop, unless it is a sentence of its own.
 
     Parameters
     ----------
@@ -26,11 +28,6 @@ def problem_of(error, otherwise=UNEXPECTED):
     otherwise : str, optional
         Said of an exception that has no words for people: those of Python and FreeCAD have shapes of arrays, addresses, and
         names of classes and functions.
-
-    Returns
-    -------
-    str
-        The end of a sentence, or what stands within parentheses: without a full stop, unless it is a sentence of its own.
     """
     if isinstance(error, ThinPartError) or error.args and isinstance(error.args[0], Message):
         return error.args[0]  # such as ValueError(message("..."))

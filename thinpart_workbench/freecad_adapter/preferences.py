@@ -297,12 +297,9 @@ def changed_deflections():
 
 
 def preferred_thin_limit():
-    """The thickness below which a wall is shown as thin.
+    """The thickness below which a wall is shown as thin: dict or None.
 
-    Returns
-    -------
-    dict or None
-        ``millimetres`` or ``share`` (of the diagonal) with its value; None for the verdict's own limit.
+    ``millimetres`` or ``share`` (of the diagonal) with its value; None for the verdict's own limit.
     """
     chosen = preference("ThinLimit")
     if chosen == "verdict":

@@ -5,7 +5,7 @@ from .preferences import preference
 
 
 def preferred_colours(record, has_faces=True):
-    """Colours of the thin faces of a part.
+    """Colours of the thin faces of a part: dict, from the index of a face to red, green and blue from 0 to 1.
 
     Parameters
     ----------
@@ -13,11 +13,6 @@ def preferred_colours(record, has_faces=True):
         Part record.
     has_faces : bool, optional
         False for a mesh, which has one colour.
-
-    Returns
-    -------
-    dict
-        Maps the index of a face to red, green and blue from 0 to 1.
     """
     colours = thin_face_colours if has_faces else thin_body_colours
     return colours(record, preference("ThinColour"), preference("PartlyThinColour"))

@@ -7,7 +7,7 @@ from ..core.regular_file import open_regular
 
 
 def write_new(folder, stem, ending, content, mode=0o666, companion=None):
-    """Write bytes to a file that is not there yet.
+    """Write bytes to a file that is not there yet, and get its name; an earlier file with the same content is taken as it is.
 
     Parameters
     ----------
@@ -19,11 +19,6 @@ def write_new(folder, stem, ending, content, mode=0o666, companion=None):
         Permissions, as far as the system's mask for new files allows.
     companion : str, optional
         A name counts as taken too where there is a file with this ending behind it.
-
-    Returns
-    -------
-    str
-        The name. An earlier file with the same content is taken as it is.
 
     Raises
     ------

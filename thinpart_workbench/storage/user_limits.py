@@ -55,17 +55,12 @@ def user_limits():
 
 
 def write_user_limits(processes):
-    """Write a user's own limits file.
+    """Write a user's own limits file, and get its path: Path.
 
     Parameters
     ----------
     processes : list of dict
         As in the file; `wall_limits.limits_fault` finds nothing wrong with them.
-
-    Returns
-    -------
-    Path
-        The file.
 
     Raises
     ------
@@ -84,17 +79,14 @@ def write_user_limits(processes):
 
 
 def known_limits(file=None):
-    """The shipped limits, with a user's own added or put in their place.
+    """The shipped limits, with a user's own added or put in their place: dict of str to WallLimits.
+
+    See `read_limits`. A process of the user's takes the place of the shipped one with all its materials.
 
     Parameters
     ----------
     file : str or Path, optional
         The user's own; by default that of `user_limits_file`, if it exists.
-
-    Returns
-    -------
-    dict of str to WallLimits
-        See `read_limits`. A process of the user's takes the place of the shipped one with all its materials.
 
     Raises
     ------

@@ -17,12 +17,9 @@ UNCONFINED = {"files": NONE, "network": NONE}
 
 
 def chosen_confinement():
-    """The kind of confinement that is used here.
+    """The kind of confinement that is used here: str.
 
-    Returns
-    -------
-    str
-        ``landlock`` if the kernel has it, else ``bubblewrap`` if it is installed, else ``none``.
+    ``landlock`` if the kernel has it, else ``bubblewrap`` if it is installed, else ``none``.
     """
     chosen = os.environ.get(VARIABLE)
     if chosen != BUBBLEWRAP and chosen != NONE and landlock_version():
@@ -95,7 +92,7 @@ def confine(confinement, *folders, with_programs=False):
 
 
 def confine_running_process(*folders, with_programs=False):
-    """Confine this process if it was not started as a confined one, as far as possible.
+    """Confine this process if it was not started as a confined one, as far as possible: dict, as `confine`.
 
     Parameters
     ----------
@@ -103,10 +100,5 @@ def confine_running_process(*folders, with_programs=False):
         The folders that it may write to.
     with_programs : bool, optional
         See `confine`.
-
-    Returns
-    -------
-    dict
-        As `confine`.
     """
     return confine(LANDLOCK, *folders, with_programs=with_programs) if chosen_confinement() == LANDLOCK else UNCONFINED

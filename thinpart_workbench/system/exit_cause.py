@@ -51,17 +51,14 @@ class ProcessEnd:
     error_output: bytes = b""
 
     def cause(self, is_done=True):
-        """Why the process ended.
+        """Why the process ended: ExitCause.
+
+        `FAILED` if the process ended by itself with a code other than 0 or before it was done.
 
         Parameters
         ----------
         is_done : bool, optional
             Whether the process finished its job. If not, the cause is never `WELL`, whatever its exit code.
-
-        Returns
-        -------
-        ExitCause
-            `FAILED` if the process ended by itself with a code other than 0 or before it was done.
         """
         if self.code == 0 and is_done:
             return ExitCause.WELL

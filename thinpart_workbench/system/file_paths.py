@@ -6,16 +6,13 @@ _path = os.path
 
 
 def relative_path(path, start):
-    """A path relative to a folder, with ``/`` as separator, which every system reads.
+    """A path relative to a folder, with ``/`` as separator, which every system reads: str.
+
+    The unchanged path if there is no relative one, because the drives differ.
 
     Parameters
     ----------
     path, start : str or Path
-
-    Returns
-    -------
-    str
-        The unchanged path if there is no relative one, because the drives differ.
     """
     try:
         relative = _path.relpath(path, start)

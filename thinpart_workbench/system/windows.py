@@ -55,18 +55,13 @@ def _kernel():
 
 
 def join_new_job(flags, memory=0):
-    """Put this process into a job of its own.
+    """Put this process into a job of its own, and get the handle of that: int.
 
     Parameters
     ----------
     flags : int
     memory : int
         Bytes, for LIMIT_MEMORY.
-
-    Returns
-    -------
-    int
-        Handle of the job.
 
     Raises
     ------

@@ -117,7 +117,7 @@ class Descriptors:
         return self.distribution.middle_share(low, high, middle_by_diagonal(self.box), slanted)
 
     def value(self, quantity, area_floor=STATED_FLOOR):
-        """Value of a named quantity.
+        """Value of a named quantity: float, or None where it could not be measured.
 
         Parameters
         ----------
@@ -125,11 +125,6 @@ class Descriptors:
             A name or symbol of `QUANTITIES`, with its bounds where it has some: ``F[0;0.25]``.
         area_floor : float
             Area share below which non-parallel walls are stray.
-
-        Returns
-        -------
-        float or None
-            None where it could not be measured.
 
         Raises
         ------
@@ -139,12 +134,7 @@ class Descriptors:
         return quantity_named(quantity).evaluate(self, area_floor)
 
     def named_value(self, quantity):
-        """As `value`, for quantities that a user names.
-
-        Returns
-        -------
-        float or None
-            None where it could not be measured.
+        """As `value`, for quantities that a user names: float, or None where it could not be measured.
 
         Raises
         ------

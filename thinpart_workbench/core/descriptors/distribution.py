@@ -114,7 +114,9 @@ class Distribution:
         return BINS * unit, (self.bins, self.area), (self.nonparallel_bins, self.nonparallel_area)
 
     def nonparallel_minimum(self, floor, from_angle=10, to_angle=55):
-        """Smallest x at which non-parallel walls reach an area share.
+        """Smallest x at which non-parallel walls reach an area share: float or None.
+
+        Lower edge of the bin; None where the floor is never reached.
 
         Parameters
         ----------
@@ -122,11 +124,6 @@ class Distribution:
             Area share that must be reached.
         from_angle, to_angle : int
             Wedge angles, degrees.
-
-        Returns
-        -------
-        float or None
-            Lower edge of the bin; None where the floor is never reached.
         """
         chosen = (self.nonparallel_angles >= from_angle) & (self.nonparallel_angles < to_angle)
         per_bin = np.bincount(

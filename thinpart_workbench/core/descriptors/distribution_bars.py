@@ -25,7 +25,7 @@ class Bar:
 
 
 def bars(bins, area, limit):
-    """Group the bins of a distribution into bars of one width.
+    """Group the bins of a distribution into bars of one width: list of Bar, from x = 0 on, without gaps.
 
     Parameters
     ----------
@@ -33,11 +33,6 @@ def bars(bins, area, limit):
     area : list of float
     limit : float
         x of the thin limit; a bar ends there if possible.
-
-    Returns
-    -------
-    list of Bar
-        From x = 0 on, without gaps.
     """
     limit_bin = round(limit * BINS)
     end = max([*bins, limit_bin], default=0) + 1

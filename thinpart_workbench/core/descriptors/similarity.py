@@ -153,7 +153,7 @@ class Similarity(NamedTuple):
 
 
 def nearest(signatures, reference, count, same_size=None):
-    """Find the parts most similar to a reference part.
+    """Find the parts most similar to a reference part, equally similar ones in the order of their rows: Similarity.
 
     Parameters
     ----------
@@ -163,11 +163,6 @@ def nearest(signatures, reference, count, same_size=None):
         How many at most.
     same_size : float, optional
         Factor, 1 or more, by which diagonals may differ; by default any size.
-
-    Returns
-    -------
-    Similarity
-        Equally similar parts come in the order of their rows.
 
     Notes
     -----
@@ -206,17 +201,14 @@ def score(distance):
 
 
 def reasons(terms):
-    """Describe the similarity of two parts in words.
+    """Describe the similarity of two parts in words: str.
+
+    Such as "same wall distribution, same fill, longer box, less flat box".
 
     Parameters
     ----------
     terms : ndarray of shape (len(TERMS),)
         A row of `Similarity.terms`.
-
-    Returns
-    -------
-    str
-        Such as "same wall distribution, same fill, longer box, less flat box".
     """
     return ", ".join(filter(None, map(_words, TERMS, terms)))
 

@@ -47,7 +47,9 @@ class Foretelling:
 
 
 def foretellings(descriptors, has_trouble, more=()):
-    """How well the quantities of the table foretell trouble.
+    """How well the quantities of the table foretell trouble: list of Foretelling.
+
+    The best first. Quantities that are known of no part of one of the groups are left out.
 
     Parameters
     ----------
@@ -55,11 +57,6 @@ def foretellings(descriptors, has_trouble, more=()):
     has_trouble : sequence of bool, of length n
     more : iterable of Quantity, optional
         Further quantities, such as those of a profile's conditions: of the shares of walls, the table has no bounds.
-
-    Returns
-    -------
-    list of Foretelling
-        The best first. Quantities that are known of no part of one of the groups are left out.
     """
     trouble = np.asarray(has_trouble, bool)
     more = tuple(more)

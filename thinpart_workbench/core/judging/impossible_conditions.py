@@ -27,12 +27,7 @@ class Impossible(NamedTuple):
 
 
 def impossible_conditions(profile):
-    """Find the criteria that no part can meet.
-
-    Returns
-    -------
-    list of Impossible
-        At most one for each criterion.
+    """Find the criteria that no part can meet: list of Impossible, at most one for each criterion.
 
     Notes
     -----
@@ -46,17 +41,14 @@ def impossible_conditions(profile):
 
 
 def impossibility(conditions, area_floor):
-    """Why conditions cannot all hold.
+    """Why conditions cannot all hold: tuple of (int, Message) or None.
+
+    Position of the last condition that takes part in it, and the reason; None where they may hold.
 
     Parameters
     ----------
     conditions : sequence of Condition
     area_floor : float
-
-    Returns
-    -------
-    tuple of (int, Message), or None
-        Position of the last condition that takes part in it, and the reason; None where they may hold.
     """
     for number, condition in enumerate(conditions):
         reason = _out_of_reach(condition, area_floor)

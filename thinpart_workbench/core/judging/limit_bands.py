@@ -32,17 +32,12 @@ class LimitBand:
 
 
 def limit_bands(least, most):
-    """Divide all thicknesses by limits.
+    """Divide all thicknesses by limits: list of LimitBand, the thinnest first.
 
     Parameters
     ----------
     least, most : float, mm
         0 for no such limit.
-
-    Returns
-    -------
-    list of LimitBand
-        The thinnest first.
     """
     end = most * (1.0 + AT_LIMIT) if most > 0.0 else float("inf")
     bands, low = [], 0.0

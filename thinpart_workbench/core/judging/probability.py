@@ -76,17 +76,14 @@ class ProbabilityModel:
     steps: tuple
 
     def probabilities(self, descriptors, area_floor):
-        """Probability of every category.
+        """Probability of every category: dict of str to float or None.
+
+        They sum to 1. None where a quantity could not be measured.
 
         Parameters
         ----------
         descriptors : Descriptors
         area_floor : float
-
-        Returns
-        -------
-        dict of str to float, or None
-            They sum to 1. None where a quantity could not be measured.
         """
         found, remaining = {}, 1.0
         for step in self.steps:

@@ -9,17 +9,14 @@ from .verdict_reasons import deciding_criteria
 
 
 def verdict_sentence(record):
-    """What decided, in figures.
+    """What decided, in figures: Message or None.
+
+    None where the profile asks for something that has no such sentence: who shows it has the titles of the criteria.
 
     Parameters
     ----------
     record : dict
         Part record, or a verdict without descriptors, which has no figures.
-
-    Returns
-    -------
-    Message or None
-        None where the profile asks for something that has no such sentence: who shows it has the titles of the criteria.
     """
     if "descriptors" not in record:
         return None

@@ -63,12 +63,7 @@ def shipped_limits():
 
 
 def read_limits(path):
-    """Read a table of limits.
-
-    Returns
-    -------
-    dict of str to WallLimits
-        Every process, followed by its materials, by name.
+    """Read a table of limits: dict of str to WallLimits by name, each process followed by its materials.
 
     Raises
     ------
@@ -96,18 +91,13 @@ def limits_content(path):
 
 
 def chosen_limits(known, names):
-    """The limits that people name.
+    """The limits that people name: tuple of WallLimits, each once, in the order of the names.
 
     Parameters
     ----------
     known : dict of str to WallLimits
     names : iterable of str
         Names of `known`, in whatever case; empty ones are left out.
-
-    Returns
-    -------
-    tuple of WallLimits
-        Each once, in the order of the names.
 
     Raises
     ------

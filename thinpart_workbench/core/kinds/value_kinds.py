@@ -106,18 +106,15 @@ class Kind(ABC):
         return compiled(lambda value, source, depth: source.require(depth, self.condition(value, source)), Source())
 
     def fault(self, value, path):
-        """Explain what is wrong with a value.
+        """Explain what is wrong with a value: str or None.
+
+        What is at the path and what should be; None if the value is of this kind.
 
         Parameters
         ----------
         value
         path : str
             Path of the value, such as ``parts[0].descriptors.box_mm``.
-
-        Returns
-        -------
-        str or None
-            What is at the path and what should be; None if the value is of this kind.
         """
         return None if self.holds(value) else self.first_fault(value, path)
 

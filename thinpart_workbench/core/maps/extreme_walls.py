@@ -59,18 +59,13 @@ def thinnest_wall(parts):
 
 
 def thickest_wall(parts, sight):
-    """Find the thickest wall.
+    """Find the thickest wall: ExtremeWall, or None where nothing was measured.
 
     Parameters
     ----------
     parts : list of MappedPart
     sight : MapSight
         Of these parts.
-
-    Returns
-    -------
-    ExtremeWall or None
-        None where nothing was measured.
 
     Notes
     -----

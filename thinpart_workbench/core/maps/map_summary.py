@@ -123,18 +123,13 @@ def _thinnest_wall(part):
 
 
 def face_summaries(thickness_map, threshold):
-    """Summarise the walls under each B-Rep face.
+    """Summarise the walls under each B-Rep face: list of FaceSummary, in the order of the faces.
 
     Parameters
     ----------
     thickness_map : ThicknessMap
     threshold : float, mm
         Area over walls thinner than this is thin.
-
-    Returns
-    -------
-    list of FaceSummary
-        In the order of the faces.
     """
     order = np.lexsort([thickness_map.thickness, thickness_map.face])  # nan comes last
     area, thickness = thickness_map.areas[order], thickness_map.thickness[order]

@@ -23,18 +23,15 @@ SAME_BASIN = 0.05
 
 
 def refined_axes(points, axes):
-    """Find the axes of boxes that are locally the smallest, near given ones.
+    """Find the axes of boxes that are locally the smallest, near given ones: ndarray of shape (k, 3, 3).
+
+    No box is larger than the given one. Those that no probe makes smaller are returned as they are.
 
     Parameters
     ----------
     points : ndarray of shape (v, 3), mm
     axes : ndarray of shape (k, 3, 3)
         Rows are the directions of a box's sides.
-
-    Returns
-    -------
-    ndarray of shape (k, 3, 3)
-        No box is larger than the given one. Those that no probe makes smaller are returned as they are.
 
     Notes
     -----

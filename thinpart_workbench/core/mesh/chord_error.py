@@ -4,7 +4,9 @@ import numpy as np
 
 
 def chord_errors(mesh, planar_faces, linear_deflection):
-    """Estimate the chord error of each face of a tessellated B-Rep from above.
+    """Estimate the chord error of each face of a tessellated B-Rep from above: ndarray of shape (f,), mm.
+
+    At most the given deflection, and 0 for a face without triangles.
 
     Parameters
     ----------
@@ -13,11 +15,6 @@ def chord_errors(mesh, planar_faces, linear_deflection):
         Which B-Rep faces are planes: those have no chord error.
     linear_deflection : float, mm
         Linear deflection given to the mesher. The angular deflection mostly makes the mesh finer than that.
-
-    Returns
-    -------
-    ndarray of shape (f,), mm
-        At most the given deflection, and 0 for a face without triangles.
 
     Notes
     -----

@@ -33,17 +33,14 @@ def dominant_directions(normals, areas, most):
 
 
 def dominant_axes(normals, areas):
-    """Find three perpendicular directions in which most of the surface faces.
+    """Find three perpendicular directions in which most of the surface faces: ndarray of shape (3, 3).
+
+    Rows are unit vectors.
 
     Parameters
     ----------
     normals : ndarray of shape (n, 3)
     areas : ndarray of shape (n,)
-
-    Returns
-    -------
-    ndarray of shape (3, 3)
-        Rows are unit vectors.
     """
     candidates = dominant_directions(normals, areas, 50)
     first = candidates[0]

@@ -40,18 +40,15 @@ class RoundFaces:
     slopes: np.ndarray
 
     def normals(self, row, points):
-        """Directions of the normals, not of unit length, to one of both sides.
+        """Directions of the normals, not of unit length, to one of both sides: ndarray of shape (3, m).
+
+        Not finite on the axis of a cylinder or cone.
 
         Parameters
         ----------
         row : ndarray of shape (m,), int64
             Which of these faces each point is on.
         points : ndarray of shape (3, m), mm
-
-        Returns
-        -------
-        ndarray of shape (3, m)
-            Not finite on the axis of a cylinder or cone.
         """
         axis = self.axes[row].T
         away = points - self.centres[row].T

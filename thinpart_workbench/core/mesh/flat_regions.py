@@ -12,7 +12,9 @@ _PLANES_APART = 1e-3
 
 
 def flattened(vertices, triangles, sides, extent):
-    """Move vertices into the planes of the flat regions that they belong to.
+    """Move vertices into the planes of the flat regions that they belong to: ndarray of shape (v, 3), mm.
+
+    No vertex has moved by more than a few times `Tolerances.flat`.
 
     Parameters
     ----------
@@ -22,11 +24,6 @@ def flattened(vertices, triangles, sides, extent):
     sides : tuple of two ndarrays of shape (e,), int64
         The `shared_sides` of the triangles.
     extent : float, mm
-
-    Returns
-    -------
-    ndarray of shape (v, 3), mm
-        No vertex has moved by more than a few times `Tolerances.flat`.
 
     Notes
     -----

@@ -20,7 +20,9 @@ _CYLINDRICAL = 1e-4
 
 
 def box_of_round_sides(mesh, box):
-    """Compute the box of the smooth surface that the facets approximate.
+    """Compute the box of the smooth surface that the facets approximate: OrientedBox.
+
+    A box with the same directions that is no smaller.
 
     Parameters
     ----------
@@ -28,11 +30,6 @@ def box_of_round_sides(mesh, box):
         A mesh with B-Rep faces.
     box : OrientedBox
         The box of its vertices.
-
-    Returns
-    -------
-    OrientedBox
-        A box with the same directions that is no smaller.
 
     Notes
     -----

@@ -117,17 +117,14 @@ def corner_samples(mesh, triangles):
 
 
 def even_samples(area, count):
-    """Choose samples that each stand for the same share of the surface.
+    """Choose samples that each stand for the same share of the surface: ndarray of shape (count,), int64.
+
+    Ascending; some may occur twice.
 
     Parameters
     ----------
     area : ndarray of shape (m,), mm2
     count : int
-
-    Returns
-    -------
-    ndarray of shape (count,), int64
-        Ascending; some may occur twice.
     """
     cumulative = np.cumsum(area)
     wanted = (np.arange(count) + 0.5) / count * cumulative[-1]

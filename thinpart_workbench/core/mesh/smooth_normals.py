@@ -21,7 +21,9 @@ turned by more may well be meant as they are, such as those of the flanks of a c
 
 
 def smooth_patches(vertices, triangles, sides):
-    """Divide a mesh into patches without a crease inside.
+    """Divide a mesh into patches without a crease inside: ndarray of shape (n,), int64.
+
+    Patch of each triangle, numbered by first appearance.
 
     Parameters
     ----------
@@ -30,11 +32,6 @@ def smooth_patches(vertices, triangles, sides):
         Welded and oriented.
     sides : tuple of two ndarrays of shape (e,), int64
         Their `shared_sides`.
-
-    Returns
-    -------
-    ndarray of shape (n,), int64
-        Patch of each triangle, numbered by first appearance.
     """
     corners = vertices[triangles]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])

@@ -39,18 +39,13 @@ def radius_ratios(points, tetrahedra):
 
 
 def surface_share(points, tetrahedra, chosen):
-    """Share of the surface of a mesh that lies on chosen tetrahedra.
+    """Share of the surface of a mesh that lies on chosen tetrahedra: float, 0 for a mesh without a surface.
 
     Parameters
     ----------
     points : ndarray of shape (v, 3), mm
     tetrahedra : ndarray of int, shape (n, 4)
     chosen : ndarray of bool, shape (n,)
-
-    Returns
-    -------
-    float
-        0 for a mesh without a surface.
     """
     outer = _outer_sides(tetrahedra)[1]
     areas = _side_areas(points, tetrahedra).reshape(-1)[outer]

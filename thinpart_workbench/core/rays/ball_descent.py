@@ -6,18 +6,15 @@ from .box_tree import WIDTH, children_of_nodes
 
 
 def least_of_nodes(tree, values):
-    """The least value below every child of every node.
+    """The least value below every child of every node: list of ndarray of shape (8, p), float32.
+
+    By level, from the root down, as `BoxTree.levels`; 0 where a node of the last level lacks a child.
 
     Parameters
     ----------
     tree : BoxTree
     values : ndarray of shape (n,)
         By triangle.
-
-    Returns
-    -------
-    list of ndarray of shape (8, p), float32
-        By level, from the root down, as `BoxTree.levels`; 0 where a node of the last level lacks a child.
     """
     least = children_of_nodes(values[tree.order])
     levels = [least]

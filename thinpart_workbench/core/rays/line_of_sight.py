@@ -100,7 +100,9 @@ class Scene:
         return np.minimum(*(first_hits(self._tree, origins, columns, side)[0] for side in (INNER, OUTER)))
 
     def distances_within(self, starts, directions, limits, side=INNER):
-        """Distance from points to what lines meet first from one side, as far as a limit.
+        """Distance from points to what lines meet first from one side, as far as a limit: ndarray of shape (m,), mm.
+
+        The limit where they meet nothing before.
 
         Parameters
         ----------
@@ -110,11 +112,6 @@ class Scene:
         limits : ndarray of shape (m,), mm
         side : float
             `INNER`, which a line out of the material meets, or `OUTER`.
-
-        Returns
-        -------
-        ndarray of shape (m,), mm
-            The limit where they meet nothing before.
         """
         if self._tree is None:
             return limits
@@ -130,7 +127,9 @@ class Scene:
 
 
 def best_sight(scene, walls, current):
-    """Choose the end of a wall and the direction in which it is seen best.
+    """Choose the end of a wall and the direction in which it is seen best: Sight.
+
+    Of the first wall from its first end if it is hidden from everywhere.
 
     Parameters
     ----------
@@ -140,11 +139,6 @@ def best_sight(scene, walls, current):
         Ends of the wall, at every place where it stands; the first one is preferred.
     current : ndarray of shape (3,)
         Direction in which the view looks now: of like directions, the nearest is chosen.
-
-    Returns
-    -------
-    Sight
-        Of the first wall from its first end if it is hidden from everywhere.
     """
     found = []
     for point, opposite in walls:

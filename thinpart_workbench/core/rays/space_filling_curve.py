@@ -19,18 +19,13 @@ def hilbert_order(points):
 
 
 def hilbert_index(points, bounds=None):
-    """Compute the position of each point along a Hilbert curve.
+    """Compute the position of each point along a Hilbert curve: ndarray of shape (n,), uint64, below 2 ** 30.
 
     Parameters
     ----------
     points : ndarray of shape (3, n)
     bounds : pair of ndarray of shape (3,), optional
         Lower and upper corner of the cells; by default those of the points.
-
-    Returns
-    -------
-    ndarray of shape (n,), uint64
-        Below 2 ** 30.
 
     Notes
     -----

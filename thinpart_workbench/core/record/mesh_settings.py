@@ -10,7 +10,7 @@ SAME_WALL = 1.3
 
 
 def worked_settings(settings, global_size, diagonal, rows, figures, when, version):
-    """What is kept with a part whose mesh was made.
+    """What is kept with a part whose mesh was made: dict, ``meshed`` of a part record.
 
     Parameters
     ----------
@@ -25,11 +25,6 @@ def worked_settings(settings, global_size, diagonal, rows, figures, when, versio
     when : str
     version : str
         Of ThinPart.
-
-    Returns
-    -------
-    dict
-        ``meshed`` of a part record.
     """
     kept = {"when": when, "version": version, "order": settings["order"], "layers": settings["layers"],
             "growth": settings["growth"], "size_mm": settings["size"], "budget": settings["budget"],
@@ -61,7 +56,9 @@ def settings_for(meshed, diagonal):
 
 
 def wall_sizes_for(meshed, walls, diagonal):
-    """Sizes of the walls of a part from those that people chose for another.
+    """Sizes of the walls of a part from those that people chose for another: dict.
+
+    Size, mm, or None for a wall to leave out, by number of the wall: as many elements through it as there.
 
     Parameters
     ----------
@@ -69,11 +66,6 @@ def wall_sizes_for(meshed, walls, diagonal):
     walls : list of (str, float)
         Kind and thickness, mm, of each wall.
     diagonal : float, mm
-
-    Returns
-    -------
-    dict
-        Size, mm, or None for a wall to leave out, by number of the wall: as many elements through it as there.
     """
     found = {}
     for number, (kind, thickness) in enumerate(walls):

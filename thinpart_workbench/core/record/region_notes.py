@@ -10,7 +10,9 @@ NEARBY = 0.5
 
 
 def notes_of_regions(regions, notes):
-    """Find the note of each region.
+    """Find the note of each region: list of dict or None.
+
+    For each region. Each note belongs to one region at most: to the nearest of those with about the same faces.
 
     Parameters
     ----------
@@ -18,11 +20,6 @@ def notes_of_regions(regions, notes):
         As ``listed`` in a part record.
     notes : list of dict
         As ``region_notes`` of a part record.
-
-    Returns
-    -------
-    list of dict or None
-        For each region. Each note belongs to one region at most: to the nearest of those with about the same faces.
     """
     pairs = sorted((math.dist(region["place"], note["place"]), at, number)
                    for at, region in enumerate(regions) for number, note in enumerate(notes) if _fits(region, note))

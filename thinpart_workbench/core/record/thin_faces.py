@@ -10,18 +10,15 @@ LEAST_AREA_SHARE = 0.0001
 
 
 def limit_in_millimetres(limit, diagonal):
-    """Convert a limit that a user gave to mm, for a part with a given diagonal.
+    """Convert a limit that a user gave to mm, for a part with a given diagonal: float.
+
+    At most the diagonal: no wall is thicker.
 
     Parameters
     ----------
     limit : dict
         ``millimetres``, or ``share`` of the diagonal.
     diagonal : float, mm
-
-    Returns
-    -------
-    float
-        At most the diagonal: no wall is thicker.
     """
     return min(limit.get("millimetres", limit.get("share", 0.0) * diagonal), diagonal)
 
@@ -42,18 +39,13 @@ def with_limit(record, limit, thin_shares):
 
 
 def thin_face_colours(record, thin, partly):
-    """Choose the colours of the thin faces of a part.
+    """Choose the colours of the thin faces of a part: dict, one of the two colours by face number, from 0.
 
     Parameters
     ----------
     record : PartRecord
     thin, partly : tuple of float
         Colours of faces that are thin on at least half of their area, and on less than half.
-
-    Returns
-    -------
-    dict
-        One of the two colours by face number, from 0.
     """
     least = LEAST_AREA_SHARE * record["descriptors"]["area_mm2"]
     colours = {}

@@ -39,16 +39,13 @@ class Camera:
     height: int
 
     def project(self, points):
-        """Project points into the picture.
+        """Project points into the picture: ndarray of shape (..., 3).
+
+        To the right and downwards from the upper left corner, and towards the viewer, in pixels.
 
         Parameters
         ----------
         points : ndarray of shape (..., 3), mm
-
-        Returns
-        -------
-        ndarray of shape (..., 3)
-            To the right and downwards from the upper left corner, and towards the viewer, in pixels.
         """
         projected = (points - self.centre) @ self.axes.T
         projected *= np.array([self.scale, -self.scale, self.scale])

@@ -52,7 +52,9 @@ def picture(mesh, face_colours=None):
 
 
 def draw(corners, normals, colours, camera, both_sides=False, darkest=DARKEST):
-    """Draw triangles.
+    """Draw triangles: ndarray of shape (height, width, 4), uint8.
+
+    Red, green, blue and alpha. What the part does not cover is transparent.
 
     Parameters
     ----------
@@ -66,11 +68,6 @@ def draw(corners, normals, colours, camera, both_sides=False, darkest=DARKEST):
         Whether triangles are visible from behind as well.
     darkest : float
         Brightness of surface that faces away from the light.
-
-    Returns
-    -------
-    ndarray of shape (height, width, 4), uint8
-        Red, green, blue and alpha. What the part does not cover is transparent.
 
     Notes
     -----

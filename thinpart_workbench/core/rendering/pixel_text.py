@@ -21,7 +21,7 @@ _GLYPHS = {each: np.array([[mark == "1" for mark in row] for row in rows.split()
 
 
 def text_mask(text, enlarged=1):
-    """Draw a text.
+    """Draw a text: ndarray of shape (HEIGHT * enlarged, n), bool, True where the text is.
 
     Parameters
     ----------
@@ -29,11 +29,6 @@ def text_mask(text, enlarged=1):
         Of digits, signs and units of length; spaces of any width are one.
     enlarged : int
         Pixels for each pixel of a character.
-
-    Returns
-    -------
-    ndarray of shape (HEIGHT * enlarged, n), bool
-        Where the text is.
     """
     columns = []
     for character in text.replace("\u00a0", " "):

@@ -40,12 +40,9 @@ class FacingFaces:
 
 
 def facing_faces(field):
-    """Find the pairs of faces that are the sides of walls.
+    """Find the pairs of faces that are the sides of walls: list of FacingFaces.
 
-    Returns
-    -------
-    list of FacingFaces
-        The largest in terms of its thickness first. A face that sees itself, as that of a rod does, is no wall.
+    The largest in terms of its thickness first. A face that sees itself, as that of a rod does, is no wall.
     """
     known = np.flatnonzero((field.area > 0.0) & (field.opposite >= 0) & (field.wedge_angle < MOST_ANGLE))
     here, there = field.face[known], field.mesh.face_of_triangle[field.opposite[known]]

@@ -62,17 +62,14 @@ class SizeSources:
         return SizeSources(*(getattr(self, name)[chosen] for name in self.__dataclass_fields__))
 
     def with_region_sizes(self, sizes):
-        """Sources of which some wall regions have other sizes.
+        """Sources of which some wall regions have other sizes: SizeSources.
+
+        Within a region, thinner places keep their smaller sizes.
 
         Parameters
         ----------
         sizes : dict
             Median size, mm, by number of the region; None for a region that asks for nothing.
-
-        Returns
-        -------
-        SizeSources
-            Within a region, thinner places keep their smaller sizes.
         """
         factor, asks = np.ones(self.count), np.ones(self.count, dtype=bool)
         for number, size in sizes.items():

@@ -4,7 +4,9 @@ import numpy as np
 
 
 def clip(points, value):
-    """Clip each polygon to where a linear function is not negative.
+    """Clip each polygon to where a linear function is not negative: ndarray of shape (m, k + 1, 2).
+
+    Polygons of zero area where nothing is left.
 
     Parameters
     ----------
@@ -12,11 +14,6 @@ def clip(points, value):
         Corners in order; a corner may be repeated.
     value : ndarray of shape (m, k)
         Values of the function at the corners.
-
-    Returns
-    -------
-    ndarray of shape (m, k + 1, 2)
-        Polygons of zero area where nothing is left.
 
     Notes
     -----

@@ -65,7 +65,7 @@ class FaceThickness:
 
 
 def face_thicknesses(field, thin_limit_mm, thinnest=None):
-    """Summarise a thickness field by B-Rep face.
+    """Summarise a thickness field by B-Rep face: list of FaceThickness, one per face that has triangles, by index.
 
     Parameters
     ----------
@@ -74,11 +74,6 @@ def face_thicknesses(field, thin_limit_mm, thinnest=None):
         Distance under which area counts as thin.
     thinnest : Witness, optional
         The thinnest wall of the part: its face has it for its minimum, and no face has a thinner one.
-
-    Returns
-    -------
-    list of FaceThickness
-        One per face that has triangles, by index.
     """
     face = field.face
     order = np.lexsort([field.distance, face])
@@ -91,17 +86,14 @@ def face_thicknesses(field, thin_limit_mm, thinnest=None):
 
 
 def thin_shares(field, thin_limit_mm):
-    """Share of the area of each B-Rep face that lies over walls thinner than a limit.
+    """Share of the area of each B-Rep face that lies over walls thinner than a limit: ndarray of shape (n,).
+
+    For each face that has triangles, by index, in the order of `face_thicknesses`.
 
     Parameters
     ----------
     field : ThicknessField
     thin_limit_mm : float, mm
-
-    Returns
-    -------
-    ndarray of shape (n,)
-        For each face that has triangles, by index, in the order of `face_thicknesses`.
     """
     faces, face_row = np.unique(field.face, return_inverse=True)
     thin = (field.parallel | field.nonparallel) & (field.distance < thin_limit_mm)

@@ -38,7 +38,9 @@ _BALLS_AT_ONCE = 2048
 
 
 def inscribed_balls(mesh, samples, rays=None, report=None):
-    """Find the largest balls inside the material that touch the surface at samples.
+    """Find the largest balls inside the material that touch the surface at samples: ndarray of shape (m,), mm.
+
+    Their diameters; inf where nothing bounds the ball.
 
     Parameters
     ----------
@@ -48,11 +50,6 @@ def inscribed_balls(mesh, samples, rays=None, report=None):
         Rays over the mesh; built if not given.
     report : callable, optional
         Called with the fraction done; may raise to stop.
-
-    Returns
-    -------
-    ndarray of shape (m,), mm
-        Their diameters; inf where nothing bounds the ball.
 
     Notes
     -----

@@ -111,17 +111,14 @@ class Measurement:
         return self.descriptors.named_value(quantity)
 
     def faces(self, thinner_than=None):
-        """Summarise the faces, in the order of their numbers.
+        """Summarise the faces, in the order of their numbers: list of FaceThickness.
+
+        For triangles that were given without faces, they are smooth patches of the surface.
 
         Parameters
         ----------
         thinner_than : float, mm, optional
             Only faces with a parallel wall thinner than this; ``thin_share`` is the share of their area over thinner walls.
-
-        Returns
-        -------
-        list of FaceThickness
-            For triangles that were given without faces, they are smooth patches of the surface.
         """
         if thinner_than is None:
             return face_thicknesses(self.field, 0.0, self.thinnest_wall)
@@ -143,7 +140,7 @@ class Measurement:
 
 
 def measure(mesh, settings, report=None, is_fine_enough=None):
-    """Measure a part.
+    """Measure a part: Measurement, or None where the mesh is not fine enough.
 
     Parameters
     ----------
@@ -154,11 +151,6 @@ def measure(mesh, settings, report=None, is_fine_enough=None):
     is_fine_enough : callable, optional
         Called with the `Descriptors` that are known once the thickness is, the `ThicknessField` and the samples of the
         thinnest walls in it. Where it returns False, the mesh will give way to a finer one, and nothing more is measured.
-
-    Returns
-    -------
-    Measurement or None
-        None where the mesh is not fine enough.
 
     Raises
     ------

@@ -23,7 +23,9 @@ _AT_ONCE = 1024
 
 
 def nonparallel_minimum(mesh, rays, field, diagonal, report=None, work=None):
-    """Find the distance under which non-parallel walls lie on `STATED_FLOOR` of the area.
+    """Find the distance under which non-parallel walls lie on `STATED_FLOOR` of the area: float or None.
+
+    Share of the diagonal; None if the floor is not reached.
 
     Parameters
     ----------
@@ -37,11 +39,6 @@ def nonparallel_minimum(mesh, rays, field, diagonal, report=None, work=None):
         Called with the fraction done; may raise to stop.
     work : Work, optional
         Counters to increase; `exact` is the number of pairs of triangles that are cut.
-
-    Returns
-    -------
-    float or None
-        Share of the diagonal; None if the floor is not reached.
 
     Notes
     -----

@@ -172,7 +172,9 @@ def overlaps(mesh, first, second, limit):
 
 
 def slanted_pieces(mesh, rays, over, limit):
-    """Cut overlaps into pieces, and choose those that count.
+    """Cut overlaps into pieces, and choose those that count: SlantedPieces.
+
+    Without those whose centre does not see the other triangle, or not at `STATED_ANGLES`.
 
     Parameters
     ----------
@@ -182,11 +184,6 @@ def slanted_pieces(mesh, rays, over, limit):
     over : Overlaps
     limit : float, mm
         Only what is nearer counts.
-
-    Returns
-    -------
-    SlantedPieces
-        Without those whose centre does not see the other triangle, or not at `STATED_ANGLES`.
     """
     points = clip(over.points, _evaluate(over.slope, over.level, over.points))
     points, which = _banded(points, over.slope, over.level, limit)

@@ -35,7 +35,9 @@ def thinnest_walls(field):
 
 
 def first_of_extent(field, samples, group, floor):
-    """Of each group of samples, the one over the thinnest wall that covers an area.
+    """Of each group of samples, the one over the thinnest wall that covers an area: ndarray of shape (k,), int64.
+
+    -1 for a group that has none.
 
     Parameters
     ----------
@@ -45,11 +47,6 @@ def first_of_extent(field, samples, group, floor):
         From 0 on.
     floor : float or ndarray of shape (k,), mm2
         Area that walls up to `TOLERANCES.alike` times as thick have to cover, of all or of each group.
-
-    Returns
-    -------
-    ndarray of shape (k,), int64
-        -1 for a group that has none.
     """
     count = len(floor) if np.ndim(floor) else int(group.max(initial=-1)) + 1
     first = np.full(count, -1)

@@ -189,12 +189,9 @@ def _nearest_thinner(points, step, within):
 
 
 def wall_links(points):
-    """Find which points belong to one wall.
+    """Find which points belong to one wall: csr_matrix of shape (n, n).
 
-    Returns
-    -------
-    csr_matrix of shape (n, n)
-        Distance, mm, between the middles of walls that are linked along the surface or through the wall.
+    Distance, mm, between the middles of walls that are linked along the surface or through the wall.
     """
     count = len(points.sample)
     if count < 2:

@@ -10,7 +10,9 @@ _GRIDS = (1, 2, 3, 5, 9, 17)
 
 
 def face_features(shape, history):
-    """The label of the feature that made each face.
+    """The label of the feature that made each face: list of str.
+
+    One label per face, empty if the feature is not known. The list is empty if there is no history.
 
     Parameters
     ----------
@@ -18,11 +20,6 @@ def face_features(shape, history):
         Shape of the part.
     history : list of Feature
         From `feature_history`.
-
-    Returns
-    -------
-    list of str
-        One label per face, empty if the feature is not known. The list is empty if there is no history.
 
     Notes
     -----

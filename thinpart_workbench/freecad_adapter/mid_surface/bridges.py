@@ -50,7 +50,9 @@ def is_bridge(face, wall):
 
 
 def bridges(faces, kept, rest):
-    """Faces that connect what is apart without them.
+    """Faces that connect what is apart without them: list of int.
+
+    The smallest that do: of two ways from one piece to another, one is taken.
 
     Parameters
     ----------
@@ -60,11 +62,6 @@ def bridges(faces, kept, rest):
         Numbers of the faces that are there anyhow.
     rest : list of int
         Numbers of those that may be added.
-
-    Returns
-    -------
-    list of int
-        The smallest that do: of two ways from one piece to another, one is taken.
     """
     meets, found = _meets(faces, (*kept, *rest)), []
     for group in _connected(rest, meets):

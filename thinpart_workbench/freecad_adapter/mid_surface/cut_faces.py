@@ -40,7 +40,7 @@ def too_long():
 
 
 def faces_cut(faces, tolerance, seconds=SECONDS):
-    """Cut faces by each other.
+    """Cut faces by each other: list of Part.Face, the pieces; those that meet share their edges.
 
     Parameters
     ----------
@@ -49,11 +49,6 @@ def faces_cut(faces, tolerance, seconds=SECONDS):
         Edges that are nearer to each other are one.
     seconds : float, optional
         Limit of processor time where there are more than `FEW`.
-
-    Returns
-    -------
-    list of Part.Face
-        Pieces; those that meet share their edges.
 
     Raises
     ------

@@ -205,17 +205,12 @@ def _arc(angles):
 
 
 def mid_shape(first, second, pair):
-    """The surface half-way between two faces.
+    """The surface half-way between two faces: MidPlane or MidRound, or None where the surfaces are of other kinds.
 
     Parameters
     ----------
     first, second : Part.Face
     pair : FacingFaces
-
-    Returns
-    -------
-    MidPlane, MidRound or None
-        None where the surfaces are of other kinds.
     """
     try:
         surfaces = first.Surface, second.Surface

@@ -9,13 +9,7 @@ SMOOTH = math.cos(math.radians(5.0))
 
 
 def smooth_cuts(shape, walls):
-    """Faces across the walls along the smooth edges between two of them.
-
-    Returns
-    -------
-    list of list of Part.Face
-        Per wall.
-    """
+    """Faces across the walls along the smooth edges between two of them: list of Part.Face for each wall."""
     faces = shape.Faces
     edges = _edges_between(faces)
     opposite = {}

@@ -126,18 +126,15 @@ def read_snapshot(folder):
 
 
 def read_history(folder, entry):
-    """Read the history of a part, as far as it was written.
+    """Read the history of a part, as far as it was written: list of Feature.
+
+    See `feature_history`; empty if any of its files is missing.
 
     Parameters
     ----------
     folder : str
     entry : dict
         Of ``job["parts"]``.
-
-    Returns
-    -------
-    list of Feature
-        See `feature_history`; empty if any of its files is missing.
     """
     import Part
 

@@ -238,12 +238,9 @@ def _same_source_state(one, other):
 
 
 def motion(thickness):
-    """How the sources have moved since they were measured.
+    """How the sources have moved since they were measured: FreeCAD.Placement or None.
 
-    Returns
-    -------
-    FreeCAD.Placement or None
-        None if they have not all moved alike, so that the map no longer fits them.
+    None if they have not all moved alike, so that the map no longer fits them.
     """
     measured, sources = thickness.SourcePlacements, thickness.Sources
     if len(measured) != len(sources) or not sources:

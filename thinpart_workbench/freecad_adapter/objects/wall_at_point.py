@@ -27,18 +27,15 @@ class Wall:
 
 
 def point_on_face(face, point=None):
-    """The point of a face that is nearest to a given point.
+    """The point of a face that is nearest to a given point: FreeCAD.Vector.
+
+    Near the middle of the face if no point is given.
 
     Parameters
     ----------
     face : Part.Face
     point : FreeCAD.Vector, optional
         May lie beside the face: the user clicks on facets, and the face may have moved since.
-
-    Returns
-    -------
-    FreeCAD.Vector
-        Near the middle of the face if no point is given.
     """
     import Part
 
@@ -50,7 +47,9 @@ def point_on_face(face, point=None):
 
 
 def wall_at_point(solid, face, point):
-    """The wall under a point of a solid, measured along the normal of the face there.
+    """The wall under a point of a solid, measured along the normal of the face there: Wall or None.
+
+    None if the face has no normal there or no face lies opposite.
 
     Parameters
     ----------
@@ -59,11 +58,6 @@ def wall_at_point(solid, face, point):
         A face of the solid.
     point : FreeCAD.Vector
         On the face.
-
-    Returns
-    -------
-    Wall or None
-        None if the face has no normal there or no face lies opposite.
     """
     import Part
 

@@ -5,17 +5,14 @@ from ..shapes.part import SolidPart
 
 
 def face_owners(document, part):
-    """The objects that draw the faces of a part.
+    """The objects that draw the faces of a part: list of tuple.
+
+    ``(object, indices)``: face k of the part is ``object.Shape.Faces[indices[k]]``; a mesh is one face.
 
     Parameters
     ----------
     document : FreeCAD.Document
     part : SolidPart or MeshedPart
-
-    Returns
-    -------
-    list of tuple
-        ``(object, indices)``: face k of the part is ``object.Shape.Faces[indices[k]]``; a mesh is one face.
 
     Notes
     -----

@@ -10,7 +10,9 @@ from .face_owners import face_indices
 
 
 def occurrence_matrices(document, part, measured):
-    """Matrices from the position of a part when it was measured to each of its occurrences.
+    """Matrices from the position of a part when it was measured to each of its occurrences: ndarray of shape (p, 4, 4), mm.
+
+    In the order of the part's occurrences.
 
     Parameters
     ----------
@@ -19,11 +21,6 @@ def occurrence_matrices(document, part, measured):
         As it is in the document now.
     measured : SolidPart or MeshedPart
         The same part at the time of the measurement; see `same_parts`.
-
-    Returns
-    -------
-    ndarray of shape (p, 4, 4), mm
-        In the order of the part's occurrences.
     """
     if not isinstance(part, SolidPart):
         return np.eye(4)[None]  # a mesh that was moved has other points, so it is not the same part
@@ -34,17 +31,14 @@ def occurrence_matrices(document, part, measured):
 
 
 def sources_of(document, parts):
-    """The objects of a document that parts and their placements depend on, without duplicates.
+    """The objects of a document that parts and their placements depend on, without duplicates: list of App.DocumentObject.
+
+    For a part in another document the link to it; for a part in a linked container the links too.
 
     Parameters
     ----------
     document : FreeCAD.Document
     parts : list of SolidPart or MeshedPart
-
-    Returns
-    -------
-    list of App.DocumentObject
-        For a part in another document the link to it; for a part in a linked container the links too.
     """
     found = {}
     for part in parts:

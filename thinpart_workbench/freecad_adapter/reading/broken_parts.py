@@ -34,7 +34,9 @@ class BrokenPart:
 
 
 def defect_of(leaf, shape):
-    """Why an object without a solid is a defect, or None if it is not meant to be a solid.
+    """Why an object without a solid is a defect, or None if it is not meant to be a solid: tuple of (str, str) or None.
+
+    Kind and message.
 
     Parameters
     ----------
@@ -42,11 +44,6 @@ def defect_of(leaf, shape):
         The object in the document, which may be a link.
     shape : Part.Shape
         Its shape, without solids.
-
-    Returns
-    -------
-    tuple of (str, str) or None
-        Kind and message.
 
     Notes
     -----

@@ -13,16 +13,11 @@ _LABEL = "shape"
 
 
 def held_content(source):
-    """Distinct parts of a FreeCAD shape, mesh, object or document.
+    """Distinct parts of a FreeCAD shape, mesh, object or document: DocumentContent, at least one part or broken part.
 
     Parameters
     ----------
     source : Part.Shape, Mesh.Mesh, FreeCAD.DocumentObject or FreeCAD.Document
-
-    Returns
-    -------
-    DocumentContent
-        At least one part or broken part.
 
     Raises
     ------

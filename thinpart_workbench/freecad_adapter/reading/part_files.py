@@ -27,17 +27,12 @@ from .shape_parts import shape_parts
 
 
 def read_parts(path):
-    """Read the distinct parts of a file.
+    """Read the distinct parts of a file: DocumentContent, at least one part or broken part.
 
     Parameters
     ----------
     path : str or Path
         A file that exists and is not empty; `storage/info/info_file.new_source` has checked this.
-
-    Returns
-    -------
-    DocumentContent
-        At least one part or broken part.
 
     Raises
     ------

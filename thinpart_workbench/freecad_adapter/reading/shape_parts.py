@@ -8,7 +8,7 @@ from ..shapes.solids import solids_of
 
 
 def shape_parts(shape, label, whose=message("The file")):
-    """Distinct solids of a shape.
+    """Distinct solids of a shape: list of SolidPart, empty if its surfaces do not close.
 
     Parameters
     ----------
@@ -17,11 +17,6 @@ def shape_parts(shape, label, whose=message("The file")):
         Label of the part; several parts are numbered.
     whose : str, optional
         Owner of the shape, as the start of a sentence.
-
-    Returns
-    -------
-    list of SolidPart
-        Empty if its surfaces do not close.
     """
     solids, warnings = solids_of(shape, whose)
     parts = []

@@ -21,7 +21,9 @@ _OTHER = 0.2
 
 
 def exact_wall(solid, wall, error):
-    """A wall that was found between facets, as the faces themselves have it.
+    """A wall that was found between facets, as the faces themselves have it: Witness or None.
+
+    None where the faces do not enclose a wall there.
 
     Parameters
     ----------
@@ -29,11 +31,6 @@ def exact_wall(solid, wall, error):
     wall : Witness
     error : float, mm
         How far facets lie from their faces.
-
-    Returns
-    -------
-    Witness or None
-        None where the faces do not enclose a wall there.
     """
     App = load_freecad()
     import Part

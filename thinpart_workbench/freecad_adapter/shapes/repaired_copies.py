@@ -59,18 +59,13 @@ def repaired_copies(solid):
 
 
 def faces_of_copy(solid, copy, surface):
-    """Which face of the solid each face of a copy came of.
+    """Which face of the solid each face of a copy came of: ndarray of shape (f,), int64, index into the faces of the solid.
 
     Parameters
     ----------
     solid, copy : Part.Shape
     surface : Tessellation
         Of the copy.
-
-    Returns
-    -------
-    ndarray of shape (f,), int64
-        Index into the faces of the solid.
     """
     import FreeCAD
     import Part

@@ -151,7 +151,9 @@ class SolidMesher:
         return any(abs(enclosed - each) <= error + _SAME_VOLUME * enclosed for each in (self._measures.volume, copy.Volume))
 
     def finest_deflection(self, settings, target, mesh, deflections):
-        """The linear deflection nearest to a target that keeps the mesh within `MOST_TRIANGLES`.
+        """The linear deflection nearest to a target that keeps the mesh within `MOST_TRIANGLES`: float or None.
+
+        Share of the diagonal of the shape's box; None if every finer mesh would have more than `MOST_TRIANGLES`.
 
         Parameters
         ----------
@@ -162,11 +164,6 @@ class SolidMesher:
             The present mesh.
         deflections : ndarray of shape (f,), mm
             Chord error of each face of the present mesh.
-
-        Returns
-        -------
-        float or None
-            Share of the diagonal of the shape's box; None if every finer mesh would have more than `MOST_TRIANGLES`.
         """
         # FreeCAD's box of a coil or of a spline is larger than what it holds, and so would be a share of its diagonal.
         target *= mesh.extent / self._diagonal

@@ -15,7 +15,9 @@ def gmsh_ending(path):
 
 
 def is_opened_as_shape(path, folder):
-    """Whether a script of Gmsh may open a file of a shape as it is called.
+    """Whether a script of Gmsh may open a file of a shape as it is called: bool.
+
+    Otherwise the name is no string or no path of Gmsh, or the file would be run, or a script beside it.
 
     Parameters
     ----------
@@ -23,11 +25,6 @@ def is_opened_as_shape(path, folder):
         As the script says it, with ``/`` as separator.
     folder : str
         Of the script.
-
-    Returns
-    -------
-    bool
-        Otherwise the name is no string or no path of Gmsh, or the file would be run, or a script beside it.
     """
     stem, ending = os.path.splitext(path.rpartition("/")[2])
     found = format_of(path)

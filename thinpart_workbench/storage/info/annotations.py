@@ -18,7 +18,7 @@ def has_annotation(part):
 
 
 def set_annotation(part, **values):
-    """Set annotations of a part, or remove those whose value is empty.
+    """Set annotations of a part, or remove those whose value is empty; says whether something changed, bool.
 
     Parameters
     ----------
@@ -26,11 +26,6 @@ def set_annotation(part, **values):
         Changed in place.
     values
         By key of `ANNOTATION_KEYS`; None leaves the annotation unchanged.
-
-    Returns
-    -------
-    bool
-        Whether something changed.
     """
     before = {key: part.get(key) for key in ANNOTATION_KEYS}
     for key, value in values.items():
@@ -48,7 +43,7 @@ def set_annotation(part, **values):
 
 
 def set_label(part, person, category, is_sure=True):
-    """Set what a person says of a part, or remove it.
+    """Set what a person says of a part, or remove it; says whether that changed: the same answer again is no change.
 
     Parameters
     ----------
@@ -58,11 +53,6 @@ def set_label(part, person, category, is_sure=True):
     category : str
         Empty removes the answer of this person.
     is_sure : bool, optional
-
-    Returns
-    -------
-    bool
-        Whether something changed: the same answer again does not count as a new one.
     """
     earlier = next((label for label in part.get("labels", ()) if label["person"] == person), None)
     if earlier is None and not category:
@@ -76,7 +66,7 @@ def set_label(part, person, category, is_sure=True):
 
 
 def set_region_note(part, regions, person, excluded=None, mesh_size_mm=None):
-    """Set what a person says of wall regions, or remove it.
+    """Set what a person says of wall regions, or remove it; says whether something changed, bool.
 
     Parameters
     ----------
@@ -89,11 +79,6 @@ def set_region_note(part, regions, person, excluded=None, mesh_size_mm=None):
         Why they are left out; empty includes them again, None changes nothing.
     mesh_size_mm : float, optional
         Wanted element size; 0 removes it, None changes nothing.
-
-    Returns
-    -------
-    bool
-        Whether something changed.
     """
     now = datetime.now(timezone.utc).isoformat(timespec="seconds")
     given = {key: value for key, value in (("excluded", excluded), ("mesh_size_mm", mesh_size_mm)) if value is not None}

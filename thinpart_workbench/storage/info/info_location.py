@@ -27,7 +27,7 @@ def info_location(document, folder=""):
 
 
 def call_in_folder(folder, call, patience=PATIENCE):
-    """Call a function that accesses the folder for info files, with a time limit.
+    """Call a function that accesses the folder for info files, with a time limit, and get its result.
 
     Parameters
     ----------
@@ -37,11 +37,6 @@ def call_in_folder(folder, call, patience=PATIENCE):
         Called without arguments. After the time limit it keeps running, in a thread that ends with the process.
     patience : float
         Seconds.
-
-    Returns
-    -------
-    object
-        The result of `call`.
 
     Raises
     ------

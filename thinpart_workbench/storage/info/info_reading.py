@@ -80,7 +80,9 @@ def read_open_info(file, name):
 
 
 def fault_of(content, plain=False):
-    """The first reason why content is not that of an info file.
+    """The first reason why content is not that of an info file: str or None.
+
+    Such as "parts[0].label is 7, not a text that can be written".
 
     Parameters
     ----------
@@ -88,11 +90,6 @@ def fault_of(content, plain=False):
         Parsed JSON.
     plain : bool
         `is_plain` of the bytes that it was parsed from.
-
-    Returns
-    -------
-    str or None
-        Such as "parts[0].label is 7, not a text that can be written".
     """
     return None if plain and INFO_FILE.holds_plain(content) else INFO_FILE.fault(content, "")
 

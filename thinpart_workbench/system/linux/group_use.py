@@ -10,16 +10,13 @@ _MEMORY_FACTOR = 2
 
 
 def is_too_much(group):
-    """Whether a process group has more than `MOST_PROCESSES`, or uses more than twice the memory that one of them may.
+    """Whether a process group has more than `MOST_PROCESSES`, or uses more than twice the memory that one of them may: bool.
+
+    Not counting what another system or a container hides.
 
     Parameters
     ----------
     group : int
-
-    Returns
-    -------
-    bool
-        Not counting what another system or a container hides.
     """
     import resource  # not on other systems, where nothing is forked
 

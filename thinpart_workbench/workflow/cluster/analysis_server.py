@@ -46,12 +46,9 @@ def task_from(line):
 
 
 def software():
-    """Versions of the software on this machine that affects results.
+    """Versions of the software on this machine that affects results: dict.
 
-    Returns
-    -------
-    dict
-        ``thinpart``, ``freecad``, ``python`` (str), or ``lacks`` (str): why it cannot analyse files.
+    ``thinpart``, ``freecad``, ``python`` (str), or ``lacks`` (str): why it cannot analyse files.
     """
     missing = requirements.missing("classify")
     if missing:

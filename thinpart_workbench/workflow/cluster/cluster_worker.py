@@ -81,17 +81,12 @@ class AnalysisServers(WorkerPlugin):
             return self.versions
 
     def analyse(self, task):
-        """Analyse one file.
+        """Analyse one file: JSON text of ``software``, and ``outcome``, a line of JSON or None if the process died.
 
         Parameters
         ----------
         task : str
             A line of JSON.
-
-        Returns
-        -------
-        str
-            JSON: ``software``, and ``outcome``, a line of JSON or None if the process died.
         """
         versions = self.software()
         if "lacks" in versions:

@@ -48,12 +48,9 @@ def _refuse(event, arguments):
 
 
 def texts_of_pickle(content):
-    """The texts in a pickle, including names of modules and their members, without unpickling it.
+    """The texts in a pickle, including names of modules and their members, without unpickling it: list of str.
 
-    Returns
-    -------
-    list of str
-        In their order; if the pickle is damaged, those before the damage.
+    In their order; if the pickle is damaged, those before the damage.
     """
     texts = []
     try:

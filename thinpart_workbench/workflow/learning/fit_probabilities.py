@@ -56,16 +56,11 @@ class ProbabilityFit:
                      dtype=float).reshape(len(descriptors), len(step.terms)) for step in model.steps]
 
     def content(self, chosen):
-        """Fit to some of the parts.
+        """Fit to some of the parts: dict, entry ``probability`` of a profile.
 
         Parameters
         ----------
         chosen : ndarray of bool, shape (n,)
-
-        Returns
-        -------
-        dict
-            Entry ``probability`` of a profile.
         """
         steps = []
         for number, step in enumerate(self._model.steps):

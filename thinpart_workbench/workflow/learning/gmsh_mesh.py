@@ -60,12 +60,7 @@ class MeshingTask:
 
 
 def mesh_document(task):
-    """Mesh parts of a document.
-
-    Returns
-    -------
-    list of dict
-        See `RESULTS`.
+    """Mesh parts of a document: list of dict; see `RESULTS`.
 
     Raises
     ------

@@ -151,17 +151,14 @@ def calibration_error(stated, right):
 
 
 def folds(groups):
-    """Divide parts such that groups stay together.
+    """Divide parts such that groups stay together: list of ndarray of bool, shape (n,).
+
+    At most `MOST_FOLDS`, of like size: whether a part is left out.
 
     Parameters
     ----------
     groups : sequence of str
         Of n parts.
-
-    Returns
-    -------
-    list of ndarray of bool, shape (n,)
-        At most `MOST_FOLDS`, of like size: whether a part is left out.
     """
     names, counts = np.unique(np.asarray(groups), return_counts=True)
     sizes = [0] * min(MOST_FOLDS, len(names))

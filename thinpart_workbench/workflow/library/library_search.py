@@ -258,7 +258,9 @@ def _tables(condition):
 
 
 def _codes(index, own, others, bins):
-    """What a scan finds, as a row of whole numbers for each part.
+    """What a scan finds, as a row of whole numbers for each part: ndarray of uint32, shape (n, 3 + histograms).
+
+    Which of `own` the part fails, its verdict, its flags, its bins; 0 where it has none.
 
     Parameters
     ----------
@@ -267,11 +269,6 @@ def _codes(index, own, others, bins):
         Terms of a query: those that parts may fail alone, and those that all must meet.
     bins : dict of str to str
         SQL for the bin of a part in the histogram of each column.
-
-    Returns
-    -------
-    ndarray of uint32, shape (n, 3 + histograms)
-        Which of `own` the part fails, its verdict, its flags, its bins; 0 where it has none.
     """
     fails = " + ".join(f"({sql} IS NOT TRUE) * {_ALONE + position}" for position, (sql, _) in enumerate(own.values())) or "0"
     flags = " + ".join(f"(({sql}) IS TRUE) * {1 << bit}" for bit, sql in enumerate(FLAGS.values()))

@@ -97,7 +97,7 @@ class MeshTries:
         self._stated, self._is_long = "", False
 
     def after(self, last, reason, stated):
-        """What to try after a try that gave no mesh.
+        """What to try after a try that gave no mesh: MeshTry, or None where nothing else helps.
 
         Parameters
         ----------
@@ -106,11 +106,6 @@ class MeshTries:
             Why there is no mesh.
         stated : str
             All that Gmsh printed.
-
-        Returns
-        -------
-        MeshTry or None
-            None where nothing else helps.
         """
         self._stated = stated
         if reason in (TIMEOUT, MEMORY):

@@ -160,7 +160,7 @@ def _shell(part, measurement, task):
 
 
 def size_record(part, record, measurement, proposal, check, has_sources, tried=None, no_shell=""):
-    """What is proposed for a part, of plain values.
+    """What is proposed for a part, of plain values: dict, all lengths in mm.
 
     Parameters
     ----------
@@ -177,11 +177,6 @@ def size_record(part, record, measurement, proposal, check, has_sources, tried=N
         What was meshed.
     no_shell : str
         Why a shell cannot be made; see `idealisation`.
-
-    Returns
-    -------
-    dict
-        All lengths in mm.
     """
     unbounded = proposal.unbounded
     options = tried.options if tried else usual_options(proposal)

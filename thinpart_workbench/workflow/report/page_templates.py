@@ -13,7 +13,7 @@ TEMPLATES = Path(__file__).resolve().parents[3] / "resources" / "report"
 
 
 def fill_in(template, language=ENGLISH, unit=MILLIMETRE, **values):
-    """Render a template, which finds the methods of `LengthUnit` in ``length``.
+    """Render a template, which finds the methods of `LengthUnit` in ``length``: bytes, UTF-8.
 
     Parameters
     ----------
@@ -23,11 +23,6 @@ def fill_in(template, language=ENGLISH, unit=MILLIMETRE, **values):
         One of `LANGUAGES`.
     unit : LengthUnit, optional
         Of all lengths, those in sentences included.
-
-    Returns
-    -------
-    bytes
-        UTF-8.
     """
     return _environment(language, unit).get_template(template).render(**values).encode()
 
