@@ -155,7 +155,7 @@ def _label(row, columns, categories, place, stem):
 
 
 def write_labels(path, labels, more=(), overwrite=False, inputs=()):
-    """Write a file of labels, which `read_labels` reads.
+    """Write a file of labels, which `read_labels` reads; raises ThinPartError of kind ``usage`` or ``failed``.
 
     Parameters
     ----------
@@ -166,11 +166,6 @@ def write_labels(path, labels, more=(), overwrite=False, inputs=()):
         Titles of further columns, and functions of a label's number for their cells.
     overwrite, inputs
         See `check_output`.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``usage`` or ``failed``.
     """
     rows = [(label.file, label.part, label.category, label.person, "yes" if label.is_sure else "no", label.second,
              label.group or "", *(cell(number) for _, cell in more)) for number, label in enumerate(labels)]

@@ -17,12 +17,7 @@ VERSION = 1
 
 
 def write_maps(path, parts):
-    """Write maps, for the parent of a worker or into a FreeCAD document.
-
-    Raises
-    ------
-    OSError
-    """
+    """Write maps, for the parent of a worker or into a FreeCAD document; raises OSError."""
     arrays = {}
     for number, part in enumerate(parts):
         arrays.update({f"{name}_{number}": getattr(part.map, name) for name in _ARRAYS})
@@ -36,13 +31,7 @@ def write_maps(path, parts):
 
 
 def read_maps(path):
-    """The maps that `write_maps` wrote, list of MappedPart.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``unreadable``.
-    """
+    """The maps that `write_maps` wrote, list of MappedPart; raises ThinPartError of kind ``unreadable``."""
     try:
         # Opened here because numpy leaves a damaged file open.
         with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:

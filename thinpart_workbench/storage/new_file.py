@@ -7,7 +7,7 @@ from ..core.regular_file import open_regular
 
 
 def write_new(folder, stem, ending, content, mode=0o666, companion=None):
-    """Write bytes to a file that is not there yet, and get its name; an earlier file with the same content is taken as it is.
+    """Write bytes to a file that is not there yet, and get its name; an earlier one with the same content is taken as it is.
 
     Parameters
     ----------

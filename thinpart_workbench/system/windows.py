@@ -55,17 +55,13 @@ def _kernel():
 
 
 def join_new_job(flags, memory=0):
-    """Put this process into a job of its own, and get the handle of that: int.
+    """Put this process into a job of its own, and get the handle of that: int; raises OSError.
 
     Parameters
     ----------
     flags : int
     memory : int
         Bytes, for LIMIT_MEMORY.
-
-    Raises
-    ------
-    OSError
     """
     kernel = _kernel()
     job = _checked(kernel.CreateJobObjectW(None, None))
@@ -115,12 +111,7 @@ def bytes_in_pipe(handle):
 
 
 def lower_priority(process):
-    """Give a process a priority below normal.
-
-    Raises
-    ------
-    OSError
-    """
+    """Give a process a priority below normal; raises OSError."""
     kernel = _kernel()
     handle = _checked(kernel.OpenProcess(PROCESS_SET_INFORMATION, False, process))
     try:

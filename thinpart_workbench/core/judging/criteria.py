@@ -208,16 +208,12 @@ class Profile:
 
 
 def load_profile(name_or_file=DEFAULT_PROFILE):
-    """Read a profile.
+    """Read a profile; raises ProfileError.
 
     Parameters
     ----------
     name_or_file : str or Path
         A shipped profile's name, or a JSON file.
-
-    Raises
-    ------
-    ProfileError
     """
     path = PROFILES / f"{name_or_file}.json"
     if not os.path.isfile(path):  # Path.is_file raises an error for a name that is too long
@@ -237,16 +233,12 @@ def load_profile(name_or_file=DEFAULT_PROFILE):
 
 
 def given_profile(profile=DEFAULT_PROFILE):
-    """Get a profile from any of the forms in which a caller may give it: Profile.
+    """Get a profile from any of the forms in which a caller may give it: Profile; raises ProfileError.
 
     Parameters
     ----------
     profile : str, Path, dict or Profile
         A shipped profile's name, a JSON file, the content of one, or the profile itself.
-
-    Raises
-    ------
-    ProfileError
     """
     if isinstance(profile, Profile):
         return profile
@@ -254,17 +246,13 @@ def given_profile(profile=DEFAULT_PROFILE):
 
 
 def usable_profile(content, where=message("the profile")):
-    """Like `profile_from`, for a profile to judge by: conditions that no part can meet are refused too.
+    """Like `profile_from`, for a profile to judge by: conditions that no part can meet are refused too; raises ProfileError.
 
     Parameters
     ----------
     content : dict
     where : str
         Name of the profile in error messages.
-
-    Raises
-    ------
-    ProfileError
     """
     profile = profile_from(content, where)
     for found in impossible_conditions(profile):

@@ -37,16 +37,12 @@ def read_json(path, most=LARGEST_WRITTEN):
 
 
 def parsed_json(data):
-    """The value that JSON text stands for: object.
+    """The value that JSON text stands for: object; raises UnreadableJson.
 
     Parameters
     ----------
     data : bytes
         In any of the encodings of Unicode.
-
-    Raises
-    ------
-    UnreadableJson
     """
     try:
         return _DECODE(str(data, json.detect_encoding(data)))

@@ -22,16 +22,11 @@ def special_links(document):
 
 
 def check_links(document):
-    """Reject a document if opening it would open a pipe, a device or a socket.
+    """Reject a document if opening it would open a pipe, a device or a socket; raises ThinPartError of kind ``unsafe``.
 
     Parameters
     ----------
     document : str or Path
-
-    Raises
-    ------
-    ThinPartError
-        kind ``unsafe``.
     """
     found = special_links(document)
     if found:

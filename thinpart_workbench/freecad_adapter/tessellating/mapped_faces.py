@@ -101,17 +101,13 @@ class MappedFaces:
         return pieces, sum(face.triangle_count(pieces) for face in self._faces)
 
     def surface(self, pieces):
-        """Points, triangles and the face of each triangle for a division of the edges.
+        """Points, triangles and the face of each triangle for a division of the edges; raises NotMapped.
 
         Returns
         -------
         points : ndarray of shape (v, 3), mm
         triangles : ndarray of shape (n, 3), int64
         face_of_triangle : ndarray of shape (n,), int64
-
-        Raises
-        ------
-        NotMapped
         """
         nodes = [self._edges.nodes(edge, count) for edge, count in enumerate(pieces)]
         parts = [face.surface(nodes) for face in self._faces]

@@ -79,7 +79,7 @@ class Tessellation:
 
 
 def tessellate(shape, linear_deflection, angular_deflection):
-    """Tessellate a solid: Tessellation.
+    """Tessellate a solid: Tessellation; raises MeshError of kind ``zero_volume`` or ``unreadable``.
 
     Parameters
     ----------
@@ -87,11 +87,6 @@ def tessellate(shape, linear_deflection, angular_deflection):
     linear_deflection : float
         Chord error as a share of the diagonal of the bounding box.
     angular_deflection : float, degrees
-
-    Raises
-    ------
-    MeshError
-        kind ``zero_volume`` or ``unreadable``.
 
     Notes
     -----

@@ -49,7 +49,7 @@ def read_tetrahedra(path, order=1):
 
 
 def read_triangles(path, order=1):
-    """The triangles of a file in the binary MSH format 2.2.
+    """The triangles of a file in the binary MSH format 2.2; raises ThinPartError of kind ``unreadable``.
 
     Parameters
     ----------
@@ -64,11 +64,6 @@ def read_triangles(path, order=1):
         Rows of the points: corners, then the middles of the sides.
     surface : ndarray of shape (n,), int64
         Number of the surface that each lies on, from 1.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``unreadable``.
     """
     points, blocks = _read(path)
     width = {1: 3, 2: 6}[order]

@@ -49,17 +49,12 @@ def part_query(conditions=(), changed_since=None, ranges=(), **fields):
 
 
 def moment(text):
-    """The time that a date or an age stands for: datetime, in UTC.
+    """The time that a date or an age stands for: datetime, in UTC; raises ThinPartError of kind ``usage``.
 
     Parameters
     ----------
     text : str
         ``2026-03-31``, also with a time; or ``12h``, ``7d``, ``4w``, ``1y``.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``usage``.
     """
     age = _AGE.match(text.strip().lower())
     try:

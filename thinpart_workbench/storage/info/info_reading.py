@@ -22,18 +22,13 @@ class DamagedInfoFile(ThinPartError):
 
 
 def read_info(path):
-    """Read and check an info file.
+    """Read and check an info file; raises ThinPartError of kind ``info_file``.
 
     Returns
     -------
     dict
         Matches `info_definition.INFO_FILE`: callers need not check it again. Sentences whose template the file
         contains are Message objects.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``info_file``.
     """
     path = Path(path)
     try:

@@ -63,7 +63,7 @@ def single_record(path, part=None):
 
 
 def select_record(records, part, path):
-    """The record with a name or label, or the only record of a document.
+    """The record with a name or label, or the only record of a document; raises ThinPartError of kind ``usage``.
 
     Parameters
     ----------
@@ -71,11 +71,6 @@ def select_record(records, part, path):
     part : str or None
     path : str or Path
         Path of the document, for messages.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``usage``.
     """
     matching = _matching(records, part, path)
     if len(matching) > 1:

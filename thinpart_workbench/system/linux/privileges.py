@@ -13,13 +13,9 @@ _READ_ANY_FILE = 1 << 1 | 1 << 2
 
 
 def set_no_new_privileges():
-    """Prevent this process and its children from gaining privileges by starting a program (no_new_privs).
+    """Prevent this process and its children from gaining privileges by starting a program (no_new_privs); raises OSError.
 
     Landlock and seccomp both require it.
-
-    Raises
-    ------
-    OSError
     """
     _set(_PR_SET_NO_NEW_PRIVS, 1)
 
@@ -60,12 +56,7 @@ def hide_memory(hidden=True):
 
 
 def adopt_orphans():
-    """Become the parent of all processes below this one whose own parents end, so that none is lost.
-
-    Raises
-    ------
-    OSError
-    """
+    """Become the parent of all processes below this one whose own parents end, so that none is lost; raises OSError."""
     _set(_PR_SET_CHILD_SUBREAPER, 1)
 
 

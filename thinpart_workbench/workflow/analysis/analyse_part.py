@@ -31,7 +31,7 @@ DOUBTFUL = 4.0
 
 
 def analyse_part(part, settings, profile, report=None):
-    """Analyse one part.
+    """Analyse one part; raises ThinPartError.
 
     Parameters
     ----------
@@ -45,10 +45,6 @@ def analyse_part(part, settings, profile, report=None):
     -------
     Measurement
     PartRecord
-
-    Raises
-    ------
-    ThinPartError
     """
     seconds: SecondsRecord = {"read": 0.0, "tessellate": 0.0, "measure": 0.0}
     meshes: dict = {}

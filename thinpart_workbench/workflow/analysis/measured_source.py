@@ -29,17 +29,13 @@ def source_of(file, info_file=None):
 
 
 def check_source(source, file):
-    """Raise an error where a result is not about the file as it is now.
+    """Raise a ThinPartError where a result is not about the file as it is now.
 
     Parameters
     ----------
     source : dict
         From `source_of`.
     file : str
-
-    Raises
-    ------
-    ThinPartError
     """
     if source_is_unchanged(source, file):
         return

@@ -12,13 +12,7 @@ REGULARISATION = 1.0
 
 
 def check_scikit_learn():
-    """Check before reading that probabilities can be fitted.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``unsupported``.
-    """
+    """Check before reading that probabilities can be fitted; raises ThinPartError of kind ``unsupported``."""
     try:
         _regression()
     except ImportError as error:

@@ -12,7 +12,7 @@ SHELL_SHAPE, SHELL_MESH, SHELL_FACETS, SHELL_THICKNESS = "middle.brep", "shell.u
 
 
 def write_part_shell(folder, shell, label):
-    """Write the files of a shell.
+    """Write the files of a shell; raises OSError.
 
     Parameters
     ----------
@@ -27,10 +27,6 @@ def write_part_shell(folder, shell, label):
         Of plain values, lengths in mm: ``size``, ``nodes``, ``elements``, ``volume_share``, ``left_solid`` and ``warnings``
         as of `PartShell`; ``walls``: ``thickness``, ``area`` and ``faces`` of the part, from 0; ``groups``: ``thickness``
         and ``faces`` of the mid-surface, from 0: walls of about one thickness share one.
-
-    Raises
-    ------
-    OSError
     """
     mesh = shell.mesh
     # FreeCAD's exception does not say that a disk is full; Python's does.

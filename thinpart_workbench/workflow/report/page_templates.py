@@ -28,13 +28,7 @@ def fill_in(template, language=ENGLISH, unit=MILLIMETRE, **values):
 
 
 def check_templates():
-    """Check before measuring that the templates can be rendered.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``unsupported``.
-    """
+    """Check before measuring that the templates can be rendered; raises ThinPartError of kind ``unsupported``."""
     try:
         _environment(ENGLISH, MILLIMETRE)
     except ImportError as error:

@@ -71,17 +71,12 @@ class ReportPages:
         return self.page(part_name, ".png")
 
     def write(self, drawn, record):
-        """Write the page of a part and the picture beside it.
+        """Write the page of a part and the picture beside it; raises ThinPartError of kind ``failed``.
 
         Parameters
         ----------
         drawn : DrawnPart
         record : PartRecord
-
-        Raises
-        ------
-        ThinPartError
-            kind ``failed``.
         """
         page, picture = (os.path.join(self.folder, each(record["name"])) for each in (self.page, self.picture))
         # Pictures of earlier versions have no mark, but the page that they belong to has one.
