@@ -3,6 +3,7 @@
 from pivy import coin
 
 from ..application.qt import QtCore
+from ..scene.coin_nodes import add_children, flat_colours, skipped_by_fit_all, unpickable
 from ..scene.view_pixels import free_pixels, is_size_of, pixels_drawn, place_on_screen, set_image
 from .bar_handle import BarHandle
 from .bar_place import BarPlace
@@ -34,23 +35,16 @@ class ColourBarNode:
         self._content = self._drawn_for = None
         self._image_size = 1, 1
         self.place, self.rect, self._window_rect = BarPlace.kept(), QtCore.QRect(), QtCore.QRect()
-        # A group class of FreeCAD: 'fit all' ignores its children.
-        self.node = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
-        self.node.set("mode EXCLUDE_BBOX")
-        annotation, unpicked = coin.SoAnnotation(), coin.SoPickStyle()
-        unpicked.style = coin.SoPickStyle.UNPICKABLE
+        self.node, annotation = skipped_by_fit_all(), coin.SoAnnotation()
         fit = coin.SoCallback()
         self._fit = self._fit_to_view  # pivy does not hold a reference to it
         fit.setCallback(self._fit)
-        light = coin.SoLightModel()
-        light.model = coin.SoLightModel.BASE_COLOR
         self._translation, self._image = coin.SoTranslation(), coin.SoImage()
         self._translation.enableNotify(False)  # set during rendering, which must not trigger another rendering
         self._image.vertAlignment = coin.SoImage.BOTTOM
         self._image.horAlignment = coin.SoImage.LEFT
         # All inside the annotation, so that none of it affects the nodes after the bar.
-        for node in (unpicked, fit, light, self._translation, self._image):
-            annotation.addChild(node)
+        add_children(annotation, unpickable(), fit, flat_colours(), self._translation, self._image)
         self.node.addChild(annotation)
         root.insertChild(self.node, 0)  # before FreeCAD's clipping plane, which cuts all that follows
         self._handle = BarHandle(self._widget, self)

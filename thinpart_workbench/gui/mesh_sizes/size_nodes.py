@@ -3,7 +3,16 @@
 import numpy as np
 from pivy import coin
 
-from ..scene.coin_arrays import fill_numbers, fill_points
+from ..scene.coin_arrays import fill_colours, fill_points, fill_rows, set_matrix
+from ..scene.coin_nodes import (
+    add_children,
+    colour_per_vertex,
+    flat_colours,
+    painted,
+    put_into,
+    take_out_of,
+    unpickable,
+)
 
 _POOR = (0.85, 0.0, 0.35)
 _EDGES = (0.15, 0.15, 0.15)
@@ -21,25 +30,20 @@ class SizeNodes:
 
     def __init__(self, matrix):
         self._root = coin.SoSeparator()
-        unpicked = coin.SoPickStyle()
-        unpicked.style = coin.SoPickStyle.UNPICKABLE
         transform = coin.SoMatrixTransform()
-        transform.matrix = coin.SbMatrix(*map(float, matrix.T.ravel()))
-        for each in (unpicked, transform):
-            self._root.addChild(each)
+        set_matrix(transform, matrix)
+        add_children(self._root, unpickable(), transform)
         self._facets = self._poor = None
 
     def show_in(self, scenes):
         """Be part of scene graphs: iterable of pivy.coin.SoSeparator."""
         for scene in scenes:
-            if scene.findChild(self._root) < 0:
-                scene.addChild(self._root)
+            put_into(scene, self._root)
 
     def leave(self, scenes):
         """Be part of scene graphs no more."""
         for scene in scenes:
-            if scene.findChild(self._root) >= 0:
-                scene.removeChild(self._root)
+            take_out_of(scene, self._root)
 
     def show_sizes(self, corners, colours, has_edges=False):
         """Colour the surface, or a shell.
@@ -53,24 +57,17 @@ class SizeNodes:
         """
         self.hide_sizes()
         node = self._facets = coin.SoSeparator()
-        light = coin.SoLightModel()
-        light.model = coin.SoLightModel.BASE_COLOR
         offset = coin.SoPolygonOffset()  # before the surface itself, behind its own edges
         offset.factor = offset.units = 1.0 if has_edges else -1.0
-        binding = coin.SoMaterialBinding()
-        binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
         packed = coin.SoPackedColor()
-        red, green, blue = colours.reshape(-1, 3).astype(np.uint32).T
-        fill_numbers(packed.orderedRGBA, red << 24 | green << 16 | blue << 8 | np.uint32(255), np.uint32)
-        for each in (light, offset, binding, packed):
-            node.addChild(each)
+        fill_colours(packed.orderedRGBA, colours)
+        add_children(node, flat_colours(), offset, colour_per_vertex(), packed)
         triangles = np.arange(3 * len(corners)).reshape(-1, 3)
         _add_triangles(node, corners.reshape(-1, 3), triangles)
         if has_edges:
-            paint, style, even = coin.SoBaseColor(), coin.SoDrawStyle(), coin.SoMaterialBinding()
-            paint.rgb, style.style, even.value = _EDGES, coin.SoDrawStyle.LINES, coin.SoMaterialBinding.OVERALL
-            for each in (paint, even, style):
-                node.addChild(each)
+            style, even = coin.SoDrawStyle(), coin.SoMaterialBinding()
+            style.style, even.value = coin.SoDrawStyle.LINES, coin.SoMaterialBinding.OVERALL
+            add_children(node, painted(_EDGES), even, style)
             _add_triangles(node, corners.reshape(-1, 3), triangles)
         self._root.addChild(node)
 
@@ -85,15 +82,10 @@ class SizeNodes:
         if not len(corners):
             return
         node = self._poor = coin.SoAnnotation()
-        light = coin.SoLightModel()
-        light.model = coin.SoLightModel.BASE_COLOR
-        paint = coin.SoBaseColor()
-        paint.rgb = _POOR
         style = coin.SoDrawStyle()
         style.lineWidth, style.style = 2.0, coin.SoDrawStyle.LINES  # seen also where an element is a pixel wide
         triangles = (4 * np.arange(len(corners))[:, None, None] + np.array(_SIDES)).reshape(-1, 3)
-        for each in (light, paint):
-            node.addChild(each)
+        add_children(node, flat_colours(), painted(_POOR))
         _add_triangles(node, corners.reshape(-1, 3), triangles)
         node.addChild(style)
         _add_triangles(node, corners.reshape(-1, 3), triangles)
@@ -105,15 +97,12 @@ class SizeNodes:
         self._poor = None
 
     def _remove(self, node):
-        if node is not None and self._root.findChild(node) >= 0:
-            self._root.removeChild(node)
+        if node is not None:
+            take_out_of(self._root, node)
 
 
 def _add_triangles(node, points, triangles):
     coordinates, faces = coin.SoCoordinate3(), coin.SoIndexedFaceSet()
     fill_points(coordinates.point, points)
-    rows = np.full((len(triangles), 4), -1, dtype=np.int32)
-    rows[:, :3] = triangles
-    fill_numbers(faces.coordIndex, rows.ravel())
-    node.addChild(coordinates)
-    node.addChild(faces)
+    fill_rows(faces.coordIndex, triangles)
+    add_children(node, coordinates, faces)

@@ -5,6 +5,7 @@ import numpy as np
 
 from ..application import lifelong
 from ..application.qt import QtCore, QtWidgets
+from ..scene.document_views import views_of
 from ..view3d.covered_sources import CoveredSources
 from .size_nodes import SizeNodes
 
@@ -76,8 +77,4 @@ class SizeView(QtCore.QObject):
             self._nodes.show_in(self._scenes())
 
     def _scenes(self):
-        try:
-            shown = Gui.getDocument(self._name)
-        except NameError:
-            return []  # the document is being closed, and its views with it
-        return [view.getSceneGraph() for view in shown.mdiViewsOfType("Gui::View3DInventor")]
+        return [view.getSceneGraph() for view in views_of(self._name)]

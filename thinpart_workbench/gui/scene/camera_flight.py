@@ -1,6 +1,5 @@
 """Animated camera moves of a 3D view to a wall."""
 
-import FreeCADGui as Gui
 import numpy as np
 from pivy import coin
 
@@ -117,12 +116,3 @@ def _set_camera(camera, orientation, focus, height):
     direction = np.array(orientation.multVec(coin.SbVec3f(0, 0, -1)).getValue())
     camera.orientation = orientation
     camera.position = tuple(map(float, focus - distance * direction))
-
-
-def view_of(document):
-    """The active 3D view of a document, or else its first; None if it has none."""
-    shown = Gui.getDocument(document.Name)
-    active = shown.ActiveView
-    if hasattr(active, "getCameraNode"):
-        return active
-    return next(iter(shown.mdiViewsOfType("Gui::View3DInventor")), None)

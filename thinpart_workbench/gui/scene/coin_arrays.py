@@ -33,6 +33,19 @@ def fill_numbers(field, numbers, kind=np.int32):
     _fill(field, np.ascontiguousarray(numbers, dtype=kind), int, int)
 
 
+def fill_rows(field, rows):
+    """Set the vertices of lines or faces, as many each, in a ``coordIndex``: ndarray of shape (n, k)."""
+    ended = np.full((len(rows), rows.shape[1] + 1), -1, dtype=np.int32)
+    ended[:, :-1] = rows
+    fill_numbers(field, ended.ravel())
+
+
+def fill_colours(field, colours, opacity=1.0):
+    """Set the colours of an ``orderedRGBA``: ndarray of shape (..., 3), from 0 to 255."""
+    red, green, blue = colours.reshape(-1, 3).astype(np.uint32).T
+    fill_numbers(field, red << 24 | green << 16 | blue << 8 | np.uint32(round(255 * opacity)), np.uint32)
+
+
 def _fill(field, array, read, convert):
     # With lists, pivy blocks the window for 0.14 s per 50,000 points; copying memory takes 2 ms per 600,000.
     field.setNum(len(array))

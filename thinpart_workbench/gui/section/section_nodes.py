@@ -6,7 +6,8 @@ from pivy import coin
 from ...core.maps.level_cuts import section_at_levels
 from ...core.maps.map_section import map_section
 from ...core.rigid_transform import inverse, transform_points
-from ..scene.coin_arrays import fill_numbers, fill_points
+from ..scene.coin_arrays import fill_colours, fill_points, fill_rows
+from ..scene.coin_nodes import add_children, colour_per_vertex, flat_colours, painted
 from ..scene.view_pixels import pixels_drawn
 
 _MATERIAL = (0.86, 0.86, 0.87)
@@ -33,20 +34,15 @@ class SectionNodes:
         self.clips = [coin.SoClipPlane(), coin.SoClipPlane()]
         self.root = coin.SoSwitch()
         content = coin.SoSeparator()
-        light = coin.SoLightModel()
-        light.model = coin.SoLightModel.BASE_COLOR
         self._edge_points, self._edge_colours = coin.SoCoordinate3(), coin.SoPackedColor()
         self._edges, self._pieces = coin.SoIndexedLineSet(), coin.SoIndexedFaceSet()
         self._points, self._places = coin.SoCoordinate3(), coin.SoTextureCoordinate2()
         edges, material = coin.SoSeparator(), coin.SoSeparator()
-        width, binding = coin.SoDrawStyle(), coin.SoMaterialBinding()
+        width = coin.SoDrawStyle()
         width.lineWidth = _EDGE_WIDTH
-        binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
-        for node in (width, binding, self._edge_points, self._edge_colours, self._edges):
-            edges.addChild(node)
-        behind, grey, hatch = coin.SoPolygonOffset(), coin.SoBaseColor(), coin.SoTexture2()
+        add_children(edges, width, colour_per_vertex(), self._edge_points, self._edge_colours, self._edges)
+        behind, hatch = coin.SoPolygonOffset(), coin.SoTexture2()
         behind.factor, behind.units = 1.0, 1.0  # the edge stays visible
-        grey.rgb = _MATERIAL
         hatch.model = coin.SoTexture2.MODULATE
         hatch.image.setValue(coin.SbVec2s(_SIZE, _SIZE), 1, _hatch().tobytes())
         fine, self._scale, fit = coin.SoComplexity(), coin.SoTexture2Transform(), coin.SoCallback()
@@ -55,10 +51,9 @@ class SectionNodes:
         self._middle, self._fit = None, self._fit_hatch  # pivy does not hold a reference to it
         fit.setCallback(self._fit)
         material.renderCaching = coin.SoSeparator.OFF
-        for node in (behind, grey, fine, hatch, fit, self._scale, self._points, self._places, self._pieces):
-            material.addChild(node)
-        for node in (light, material, edges):
-            content.addChild(node)
+        add_children(material, behind, painted(_MATERIAL), fine, hatch, fit, self._scale, self._points, self._places,
+                     self._pieces)
+        add_children(content, flat_colours(), material, edges)
         self.root.addChild(content)
         self.hide()
 
@@ -93,7 +88,7 @@ class SectionNodes:
                 edge_colours.append(colours.of_section(number, part.map, cut).reshape(-1, 3))
                 if faces is None:
                     material.append(transform_points(stands, cut.material.reshape(-1, 3)))
-        self._show_edges(np.concatenate(ends), np.concatenate(edge_colours).astype(np.uint32))
+        self._show_edges(np.concatenate(ends), np.concatenate(edge_colours))
         self._show_material(np.concatenate(material or [np.empty((0, 3))]), np.array(plane.normal))
         for clip in self.clips:
             clip.plane = coin.SbPlane(coin.SbVec3f(*(-float(part) for part in plane.normal)), -float(plane.offset))
@@ -116,11 +111,8 @@ class SectionNodes:
 
     def _show_edges(self, points, colours):
         fill_points(self._edge_points.point, points)
-        red, green, blue = colours.reshape(-1, 3).T
-        fill_numbers(self._edge_colours.orderedRGBA, red << 24 | green << 16 | blue << 8 | 255, np.uint32)
-        rows = np.full((len(points) // 2, 3), -1, dtype=np.int32)
-        rows[:, :2] = np.arange(len(points)).reshape(-1, 2)
-        fill_numbers(self._edges.coordIndex, rows.ravel())
+        fill_colours(self._edge_colours.orderedRGBA, colours)
+        fill_rows(self._edges.coordIndex, np.arange(len(points)).reshape(-1, 2))
 
     def _show_material(self, points, normal):
         across = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
@@ -132,9 +124,7 @@ class SectionNodes:
         self._places.point.setNum(0)
         if len(places):
             self._places.point.setValues(0, len(places), places.tolist())
-        rows = np.full((len(points) // 4, 5), -1, dtype=np.int32)
-        rows[:, :4] = np.arange(len(points)).reshape(-1, 4)
-        fill_numbers(self._pieces.coordIndex, rows.ravel())
+        fill_rows(self._pieces.coordIndex, np.arange(len(points)).reshape(-1, 4))
 
 
 def _hatch():

@@ -6,7 +6,8 @@ from ...core.maps.map_section import SectionPlane, section_extent
 from ...freecad_adapter.objects.thickness_probes import moved_matrix
 from ..application.length_unit import length_unit
 from ..application.qt import QtCore, disconnect
-from ..scene.camera_flight import look_direction, view_of
+from ..scene.camera_flight import look_direction
+from ..scene.document_views import view_of
 from .section_box import AXES, FROM_VIEW
 
 

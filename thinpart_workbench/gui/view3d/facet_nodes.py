@@ -6,7 +6,8 @@ from pivy import coin
 from ...core.maps.level_cuts import cut_at_levels
 from ...core.mesh.thinned_facets import thinned_facets
 from ...core.rigid_transform import rigid_transform, rotation, transform_points
-from ..scene.coin_arrays import fill_numbers, fill_points, set_matrix
+from ..scene.coin_arrays import fill_colours, fill_points, fill_rows, set_matrix
+from ..scene.coin_nodes import add_children, colour_per_vertex, flat_colours, painted, unpickable
 from .soft_light import SoftLight
 
 EDGE_COLOUR, CONTEXT_COLOUR = (0.12, 0.12, 0.14), (0.5, 0.5, 0.52)
@@ -54,28 +55,20 @@ class FacetNodes:
         self._cut = []  # `_CutFacets` of each part
         self._isolated = None  # faces that alone are drawn
         self._current_colours = None
-        light = coin.SoLightModel()
-        light.model = coin.SoLightModel.BASE_COLOR  # the same colours as in the colour bar, before `SoftLight`
+        light = flat_colours()  # the same colours as in the colour bar, before `SoftLight`
         self._light = SoftLight()
         behind = coin.SoPolygonOffset()
         behind.factor, behind.units = offset, offset
-        binding = coin.SoMaterialBinding()
-        binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
-        self._edge_colour = dark = coin.SoBaseColor()
-        dark.rgb = EDGE_COLOUR
+        self._edge_colour = painted(EDGE_COLOUR)
         style = coin.SoDrawStyle()
         style.lineWidth = 1.5
-        unpicked = coin.SoPickStyle()
-        unpicked.style = coin.SoPickStyle.UNPICKABLE
         self._content = []
-        for root, nodes in ((self.facets, (light, self._light.root, behind, binding)),
-                            (self.edges, (light, unpicked, dark, style))):
-            for node in (*nodes, self._moved):
-                root.addChild(node)
+        for root, nodes in ((self.facets, (light, self._light.root, behind, colour_per_vertex())),
+                            (self.edges, (light, unpickable(), self._edge_colour, style))):
             content = coin.SoSwitch()
             content.whichChild = coin.SO_SWITCH_ALL
             self._content.append(content)
-            root.addChild(self._content[-1])
+            add_children(root, *nodes, self._moved, content)
 
     def show(self, parts):
         """Show the maps of parts instead of the current ones; call `colour` afterwards.
@@ -112,8 +105,7 @@ class FacetNodes:
                     separator = coin.SoSeparator()
                     transform = coin.SoMatrixTransform()
                     set_matrix(transform, placed)
-                    separator.addChild(transform)
-                    separator.addChild(node)
+                    add_children(separator, transform, node)
                     group.addChild(separator)
 
     def withhold(self):
@@ -146,21 +138,18 @@ class FacetNodes:
         if (colours, opacity) == self._current_colours:
             return  # FreeCAD reports properties even when their value did not change
         self._current_colours = colours, opacity
-        alpha = np.uint32(round(255 * opacity))
         for number, (shown, node) in enumerate(self._parts):
-            red, green, blue = colours.of_corners(number, shown).reshape(-1, 3).astype(np.uint32).T
-            packed = red << 24 | green << 16 | blue << 8 | alpha
-            fill_numbers(node.orderedRGBA, packed, np.uint32)
+            of_corners = colours.of_corners(number, shown)
+            fill_colours(node.orderedRGBA, of_corners, opacity)
             if self._few:
                 kept, few = self._few[number]
-                fill_numbers(few.orderedRGBA, packed.reshape(-1, 3)[kept].ravel(), np.uint32)
+                fill_colours(few.orderedRGBA, of_corners[kept], opacity)
             cut = self._cut[number]
             before = cut.facets
             if cut.show(shown, colours.levels):
                 self._draw_facets(number, np.concatenate([before, cut.facets]))
             if len(cut.facets):
-                red, green, blue = colours.of_corners(number, shown, cut.cuts).reshape(-1, 3).astype(np.uint32).T
-                fill_numbers(cut.colour.orderedRGBA, red << 24 | green << 16 | blue << 8 | alpha, np.uint32)
+                fill_colours(cut.colour.orderedRGBA, colours.of_corners(number, shown, cut.cuts), opacity)
 
     def shade(self, is_shaded):
         """Light the facets, or show flat colours."""
@@ -189,7 +178,7 @@ class FacetNodes:
         drawn[cut.facets] = False
         for chunk in np.unique(changed // _CHUNK):
             first = chunk * _CHUNK
-            fill_numbers(nodes[chunk].coordIndex, _indices(first + np.flatnonzero(drawn[first:first + _CHUNK])))
+            _fill_facets(nodes[chunk], first + np.flatnonzero(drawn[first:first + _CHUNK]))
 
     def prepare_to_coarsen(self):
         """Make the few facets that are drawn while the view moves, if there are many."""
@@ -254,8 +243,7 @@ class _CutFacets:
         self._normals_of_facets = normals
         self.root, self.colour = coin.SoSeparator(), coin.SoPackedColor()
         self._points, self._normals, self._pieces = coin.SoCoordinate3(), coin.SoNormal(), coin.SoIndexedFaceSet()
-        for node in (self.colour, self._points, self._normals, self._pieces):
-            self.root.addChild(node)
+        add_children(self.root, self.colour, self._points, self._normals, self._pieces)
         self.facets, self.cuts = np.empty(0, dtype=np.int64), None
         self._levels = ()
         self._pieces.coordIndex.setNum(0)
@@ -276,7 +264,7 @@ class _CutFacets:
     def draw(self, drawn):
         """Draw the pieces of some facets: ndarray of shape (m,), bool."""
         if self.cuts is not None:
-            fill_numbers(self._pieces.coordIndex, _indices(np.flatnonzero(drawn[self.cuts.facet])))
+            _fill_facets(self._pieces, np.flatnonzero(drawn[self.cuts.facet]))
 
 
 def _few_facets(shown, normals, most):
@@ -293,22 +281,19 @@ def _drawn_facets(places, corners, normals_of_corners):
     fill_points(points.point, np.take(places, corners.ravel(), axis=0, mode="clip"))
     normals = coin.SoNormal()
     fill_points(normals.vector, normals_of_corners.reshape(-1, 3))
-    for node in (colour, points, normals):
-        group.addChild(node)
+    add_children(group, colour, points, normals)
     nodes = []
     for first in range(0, len(corners), _CHUNK):
         facets = coin.SoIndexedFaceSet()
-        fill_numbers(facets.coordIndex, _indices(np.arange(first, min(first + _CHUNK, len(corners)))))
+        _fill_facets(facets, np.arange(first, min(first + _CHUNK, len(corners))))
         group.addChild(facets)
         nodes.append(facets)
     return colour, group, nodes
 
 
-def _indices(facets):
-    """The vertices of facets, and -1 after each: ndarray of shape (4 k,), int32."""
-    rows = np.full((len(facets), 4), -1, dtype=np.int32)
-    rows[:, :3] = 3 * facets[:, None] + np.arange(3)
-    return rows.ravel()
+def _fill_facets(node, facets):
+    """Draw facets by their numbers, each with three vertices of its own."""
+    fill_rows(node.coordIndex, 3 * facets[:, None] + np.arange(3))
 
 
 def corner_normals(shown):
@@ -335,12 +320,8 @@ def corner_normals(shown):
 
 def _lines(shown):
     group, points, lines = coin.SoGroup(), coin.SoCoordinate3(), coin.SoIndexedLineSet()
-    sides = shown.outline
-    used, rows = np.unique(sides, return_inverse=True)
+    used, rows = np.unique(shown.outline, return_inverse=True)
     fill_points(points.point, shown.points[used])
-    indices = np.full((len(sides), 3), -1, dtype=np.int32)
-    indices[:, :2] = rows.reshape(-1, 2)
-    fill_numbers(lines.coordIndex, indices.ravel())
-    group.addChild(points)
-    group.addChild(lines)
+    fill_rows(lines.coordIndex, rows.reshape(-1, 2))
+    add_children(group, points, lines)
     return group

@@ -3,7 +3,6 @@
 from dataclasses import replace
 
 import FreeCAD as App
-import FreeCADGui as Gui
 from pivy import coin
 
 from ...api.window.open_parts import SourcesState
@@ -16,6 +15,8 @@ from ..application import lifelong
 from ..application.length_unit import length_unit
 from ..colour_bar.colour_bar import BarContent
 from ..colour_bar.colours import ThicknessColours
+from ..scene.coin_nodes import add_children, put_into, take_out_of, unpickable
+from ..scene.document_views import views_of
 from .facet_nodes import FacetNodes
 
 _IN_FRONT = 0.5
@@ -46,9 +47,7 @@ class FirstColours:
         self._stands_for = None if like is None else like.Name
         self._is_giving_way = False
         self._parts, self._nodes, self._root = {}, {}, coin.SoSeparator()
-        unpicked = coin.SoPickStyle()
-        unpicked.style = coin.SoPickStyle.UNPICKABLE
-        self._root.addChild(unpicked)
+        self._root.addChild(unpickable())
         names = sorted(set().union(*sources.values()))
         self._objects = [document.getObject(name) for name in names]
         self._state = SourcesState(self._objects)
@@ -85,8 +84,7 @@ class FirstColours:
         self._parts[part.record["name"]] = part
         nodes.show([part])
         nodes.shade(self._is_shaded)
-        for node in (nodes.facets, nodes.edges):
-            self._root.addChild(node)
+        add_children(self._root, nodes.facets, nodes.edges)
         colours = self.colours
         for shown in self._nodes.values():
             shown.colour(colours)
@@ -101,10 +99,8 @@ class FirstColours:
         """Take the colours out of the views; without effect where they are not shown."""
         if lifelong.map_events.first_colours.get(self._name) is self:
             del lifelong.map_events.first_colours[self._name]
-        for view in _views(self._name):
-            root = view.getSceneGraph()
-            if root.findChild(self._root) >= 0:
-                root.removeChild(self._root)
+        for view in views_of(self._name):
+            take_out_of(view.getSceneGraph(), self._root)
         lifelong.map_events.refresh_soon()
 
     def refresh(self):
@@ -112,10 +108,8 @@ class FirstColours:
         if self._is_over():
             self.end()
             return
-        for view in _views(self._name):
-            root = view.getSceneGraph()
-            if root.findChild(self._root) < 0:
-                root.addChild(self._root)
+        for view in views_of(self._name):
+            put_into(view.getSceneGraph(), self._root)
 
     @property
     def colours(self):
@@ -155,11 +149,3 @@ class FirstColours:
             return not self._state.is_unchanged
         except ReferenceError:
             return True  # an object was deleted
-
-
-def _views(name):
-    """The 3D views of a document; none while it is being closed, or afterwards."""
-    try:
-        return Gui.getDocument(name).mdiViewsOfType("Gui::View3DInventor")
-    except NameError:
-        return []

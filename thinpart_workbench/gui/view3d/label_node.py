@@ -7,6 +7,7 @@ from pivy import coin
 
 from ...core.rendering.label_places import label_places
 from ..application.qt import QtCore, QtGui
+from ..scene.coin_nodes import add_children, flat_colours, skipped_by_fit_all, take_out_of, unpickable
 from ..scene.view_pixels import free_pixels, is_size_of, pixels_drawn, place_on_screen, projected, set_image
 
 _INK, _PLATE, _LINE = (25, 25, 25), (255, 255, 255, 235), (217, 0, 89)
@@ -60,19 +61,13 @@ class LabelNode:
         self._widget = view.graphicsView().viewport()
         self._content, self._drawn_for, self._chosen, self._images = None, None, {}, []
         self._covered_by_others, self._drawn_at, self._is_waiting = {}, 0.0, False
-        self.node = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
-        self.node.set("mode EXCLUDE_BBOX")
-        self._annotation, unpicked = coin.SoAnnotation(), coin.SoPickStyle()
+        self.node, self._annotation = skipped_by_fit_all(), coin.SoAnnotation()
         self._annotation.renderCaching = coin.SoSeparator.OFF
-        unpicked.style = coin.SoPickStyle.UNPICKABLE
         prepare = coin.SoCallback()
         self._prepare = self._draw  # pivy does not hold a reference to it
         prepare.setCallback(self._prepare)
-        light = coin.SoLightModel()
-        light.model = coin.SoLightModel.BASE_COLOR
         self._labels = coin.SoGroup()
-        for node in (unpicked, prepare, light, self._labels):
-            self._annotation.addChild(node)
+        add_children(self._annotation, unpickable(), prepare, flat_colours(), self._labels)
         self.node.addChild(self._annotation)
         self._root.insertChild(self.node, self._index)  # before FreeCAD's clipping plane, which cuts all that follows
 
@@ -95,8 +90,7 @@ class LabelNode:
 
     def remove(self):
         """Take the labels out of the view."""
-        if self._root.findChild(self.node) >= 0:
-            self._root.removeChild(self.node)
+        take_out_of(self._root, self.node)
         try:
             self._widget.setProperty(self._kind, None)
         except RuntimeError:
@@ -306,8 +300,7 @@ class _Image:
         self._image.vertAlignment, self._image.horAlignment = coin.SoImage.BOTTOM, coin.SoImage.LEFT
         # Coin finds out whether an image is transparent when it is told of a change.
         self._image.image.setValue(coin.SbVec2s(1, 1), 4, bytes(4))
-        for node in (self._translation, self._image):
-            separator.addChild(node)
+        add_children(separator, self._translation, self._image)
         self.switch.addChild(separator)
         for node in (self.switch, self._translation, self._image):
             node.enableNotify(False)  # set during rendering, which must not trigger another rendering

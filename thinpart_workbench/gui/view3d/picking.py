@@ -15,6 +15,8 @@ from ..application.qt import QtCore, QtWidgets, Signal, call_later, mouse_positi
 from ..colour_bar.bar_handle import is_on_bar
 from ..document.transaction import transaction
 from ..record.measure_text import here_sentence
+from ..scene.coin_nodes import put_into, take_out_of
+from ..scene.document_views import views_of
 from ..scene.view_ray import first_object, line_of_sight
 from .probe_nodes import ProbeNodes
 
@@ -104,7 +106,7 @@ class ThicknessPicker(QtCore.QObject):
         """
         self.stop()
         self._pins = pins
-        for view in Gui.getDocument(self._names[0]).mdiViewsOfType("Gui::View3DInventor"):
+        for view in views_of(self._names[0]):
             widget = view.graphicsView().viewport()
             widget.installEventFilter(self)
             tracked = widget.hasMouseTracking()
@@ -203,12 +205,10 @@ class ThicknessPicker(QtCore.QObject):
         has_value = wall is not None and wall["thickness"] is not None
         root = view.getSceneGraph() if has_value else None
         if self._root is not None and self._root is not root:
-            if self._root.findChild(self._line.root) >= 0:
-                self._root.removeChild(self._line.root)
+            take_out_of(self._root, self._line.root)
         if root is not None:
             self._line.show([Probe(tuple(wall["point"]), tuple(wall["opposite"]), wall["thickness"])])
-            if root.findChild(self._line.root) < 0:
-                root.addChild(self._line.root)
+            put_into(root, self._line.root)
         self._root = root
         bar = Gui.getMainWindow().statusBar()
         if has_value:

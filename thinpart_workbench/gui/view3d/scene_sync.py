@@ -8,6 +8,7 @@ from ...freecad_adapter.preferences import preference
 from ..application import lifelong
 from ..application.qt import QtWidgets
 from ..colour_bar.colour_bar_node import ColourBarNode
+from ..scene.document_views import views_of
 from .covered_sources import CoveredSources
 from .label_node import LabelNode
 from .navigation_watch import NavigationWatch
@@ -87,7 +88,7 @@ class SceneSync:
         for document in App.listDocuments():
             first, name = lifelong.map_events.first_colours.get(document), last.get(document)
             shown = None if document in lifelong.map_events.set_aside else first or _proxy(document, name)
-            for view in Gui.getDocument(document).mdiViewsOfType("Gui::View3DInventor"):
+            for view in views_of(document):
                 root = view.getSceneGraph()
                 bar = self._show_bar(view, root, shown)
                 node = self._show_labels(view, root, None if first else shown, bar)

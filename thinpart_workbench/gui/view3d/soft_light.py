@@ -5,6 +5,8 @@ import re
 import numpy as np
 from pivy import coin
 
+from ..scene.coin_nodes import add_children
+
 DARKEST = 0.7
 """Brightness of surface that is seen from the side, away from the light."""
 
@@ -42,8 +44,7 @@ class SoftLight:
         self.root = coin.SoSwitch()
         # Nodes made in Python live as long as Python references them.
         self._nodes = _cube_nodes() if _coin_version() >= CUBE_FROM else _sphere_nodes()
-        for node in self._nodes:
-            self.root.addChild(node)
+        add_children(self.root, *self._nodes)
         self.switch(True)
 
     def switch(self, is_on):

@@ -16,6 +16,7 @@ from ..application.qt import QtCore
 from ..application.sentences import translated
 from ..colour_bar.colour_bar import BarContent
 from ..colour_bar.colours import ThicknessColours
+from ..scene.coin_nodes import add_children
 from ..section.section_nodes import SectionNodes
 from .facet_nodes import FacetNodes
 from .map_labels import WallsFoundLater
@@ -78,8 +79,7 @@ class ThicknessView:
             nodes.insertChild(clip, 0)
         for mode, nodes in zip(MODES, ((facets, edges), (facets,), (edges,))):
             group = coin.SoGroup()
-            for node in (*nodes, self._cut.root):
-                group.addChild(node)
+            add_children(group, *nodes, self._cut.root)
             view.addDisplayMode(group, mode)
         self.refresh()
 

@@ -6,7 +6,8 @@ import numpy as np
 
 from ...core.rays.line_of_sight import Scene, best_sight
 from ..application.qt import translate
-from ..scene.camera_flight import fly_to, look_direction, view_of, visible_height
+from ..scene.camera_flight import fly_to, look_direction, visible_height
+from ..scene.document_views import view_of
 from ..scene.drawn_triangles import drawn_triangles
 from .label_node import MARK, LabelNode
 from .map_labels import LabelContent, MapLabel
