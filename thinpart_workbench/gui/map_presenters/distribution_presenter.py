@@ -4,32 +4,24 @@ from ...api.window.limits import offered_limits
 from ...api.window.map_values import thickness_bars
 from ...core.maps.map_summary import share_between
 from ...freecad_adapter.objects.thickness_object import OWN_CHECK
-from ..application.qt import QtCore, disconnect
 from ..colour_bar.colours import ThicknessColours
 from .map_check import band_texts, checked_limits, map_check_text
+from .map_presenter import MapPresenter
 from .map_properties import SCALE, THIN, change
 
 
-class DistributionPresenter(QtCore.QObject):
-    """Connects the box of the distribution with a map; see `ThicknessPresenter` for the parameters."""
+class DistributionPresenter(MapPresenter):
+    """Connects the box of the distribution with a map."""
 
     def __init__(self, thickness, shown, highlight, box, parent):
-        super().__init__(parent)
-        self._thickness, self._shown, self._highlight, self._box = thickness, shown, highlight, box
+        super().__init__(thickness, shown, box, parent)
+        self._highlight = highlight
         self._before_dragging = None  # the previous threshold, while its line is dragged
-        self._connections = [
+        self._connect(
             (box.range_chosen, self._choose_range), (box.threshold_changed, self._set_threshold),
             (box.thin_only_changed, lambda on: change(thickness, {"ThinOnly": on})),
             (box.check.chosen, self._choose_check), (box.check.limit_typed, self._check_own_limit),
-            (shown.chosen, self.show),
-        ]
-        for signal, slot in self._connections:
-            signal.connect(slot)
-
-    def leave(self):
-        """Disconnect everything."""
-        for signal, slot in self._connections:
-            disconnect(signal, slot)
+            (shown.chosen, self.show))
 
     def show(self):
         """Show everything; no bar is selected."""

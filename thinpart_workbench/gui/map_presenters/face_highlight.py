@@ -4,7 +4,7 @@ import numpy as np
 
 from ...api.window.map_values import faces_between
 from ...freecad_adapter.objects.thickness_probes import moved_matrix
-from ..application.qt import QtCore, Signal, disconnect
+from ..application.qt import QtCore, Signal
 from ..view3d.face_selection import FaceSelection, face_near
 
 _ON_FACE = 1e-3
@@ -32,16 +32,12 @@ class FaceHighlight(QtCore.QObject):
         super().__init__(parent)
         self._thickness, self._shown = thickness, shown
         self._selection = FaceSelection(thickness, shown.names, self)
-        self._connections = [(self._selection.face_selected, self._on_face), (self._selection.map_selected, self._on_map)]
-        for signal, slot in self._connections:
-            signal.connect(slot)
+        self._selection.face_selected.connect(self._on_face)
+        self._selection.map_selected.connect(self._on_map)
 
     def leave(self, is_gone):
         """Observe no more, and highlight nothing; the map may be gone."""
-        # Remove the observer first: FreeCAD calls it even after Qt has deleted its C++ object.
         self._selection.end()
-        for signal, slot in self._connections:
-            disconnect(signal, slot)
         try:
             if not is_gone:
                 self._view.highlight(None)

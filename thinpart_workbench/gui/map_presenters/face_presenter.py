@@ -1,31 +1,30 @@
 """Presents the faces of the part that is shown."""
 
 from ...core.maps.map_summary import face_summaries
-from ..application.qt import QtCore, disconnect
+from ..application.qt import QtCore
+from .map_presenter import MapPresenter
 from .map_properties import THIN
 
 _DELAY = 200
 """Milliseconds after the last threshold change before the table is updated."""
 
 
-class FacePresenter(QtCore.QObject):
-    """Connects the box of faces with a map; see `ThicknessPresenter` for the parameters."""
+class FacePresenter(MapPresenter):
+    """Connects the box of faces with a map."""
 
     def __init__(self, thickness, shown, highlight, tour, box, parent):
-        super().__init__(parent)
-        self._thickness, self._shown, self._highlight, self._box = thickness, shown, highlight, box
+        super().__init__(thickness, shown, box, parent)
+        self._highlight = highlight
         self._timer = QtCore.QTimer(self, singleShot=True, interval=_DELAY)
         self._timer.timeout.connect(self.show)
-        self._connections = [(box.face_chosen, lambda face: highlight.choose_faces([face])), (box.visited, tour.to_face),
-                             (highlight.face_selected, lambda face: box.table.select_face(face)), (shown.chosen, self.show)]
-        for signal, slot in self._connections:
-            signal.connect(slot)
+        self._connect(
+            (box.face_chosen, lambda face: highlight.choose_faces([face])), (box.visited, tour.to_face),
+            (highlight.face_selected, lambda face: box.table.select_face(face)), (shown.chosen, self.show))
 
     def leave(self):
         """Disconnect everything."""
         self._timer.stop()
-        for signal, slot in self._connections:
-            disconnect(signal, slot)
+        super().leave()
 
     def show(self):
         """Show everything."""

@@ -1,25 +1,22 @@
 """Presents the probes of a map, and picks further ones in the view."""
 
 from ...freecad_adapter.objects.thickness_probes import probes_of
-from ..application.qt import QtCore, disconnect, translate
+from ..application.qt import translate
 from ..document.transaction import transaction
 from ..view3d.picking import ThicknessPicker, probe_ends, remove_probe
+from .map_presenter import MapPresenter
 from .map_properties import PROBES, THIN
 
 
-class ProbePresenter(QtCore.QObject):
-    """Connects the box of probes with a map; see `ThicknessPresenter` for the parameters."""
+class ProbePresenter(MapPresenter):
+    """Connects the box of probes with a map."""
 
     def __init__(self, thickness, shown, tour, box, parent):
-        super().__init__(parent)
-        self._thickness, self._shown, self._tour, self._box = thickness, shown, tour, box
-        self._picker = ThicknessPicker(thickness)
-        self._connections = [
+        super().__init__(thickness, shown, box, parent)
+        self._tour, self._picker = tour, ThicknessPicker(thickness)
+        self._connect(
             (box.picking_toggled, self._toggle), (box.removed, self._remove), (box.cleared, self._clear),
-            (box.visited, self._visit), (self._picker.hovered, lambda found: box.show_hovered(found)),
-        ]
-        for signal, slot in self._connections:
-            signal.connect(slot)
+            (box.visited, self._visit), (self._picker.hovered, lambda found: box.show_hovered(found)))
 
     def start(self):
         """Show the thickness under the mouse."""
@@ -27,8 +24,7 @@ class ProbePresenter(QtCore.QObject):
 
     def leave(self):
         """Disconnect everything."""
-        for signal, slot in self._connections:
-            disconnect(signal, slot)
+        super().leave()
         self._picker.stop()
         self._picker.deleteLater()
 

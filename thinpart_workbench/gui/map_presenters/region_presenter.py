@@ -1,33 +1,26 @@
 """Presents the wall regions of a map: what the mouse is over, what is isolated, and what people say of them."""
 
 from ..application import lifelong
-from ..application.qt import QtCore, disconnect, translate
+from ..application.qt import translate
+from .map_presenter import MapPresenter
 
 
-class RegionPresenter(QtCore.QObject):
-    """Connects the box of wall regions with the view of the map and with the info file; see `ThicknessPresenter`."""
+class RegionPresenter(MapPresenter):
+    """Connects the box of wall regions with the view of the map and with the info file."""
 
     def __init__(self, thickness, shown, highlight, tour, box, parent):
-        super().__init__(parent)
-        self._thickness, self._shown, self._highlight, self._box = thickness, shown, highlight, box
+        super().__init__(thickness, shown, box, parent)
+        self._highlight = highlight
         # By part name; None while there is no info file.
         self._notes = lifelong.region_notes.known(thickness.Document.FileName)
         self._former = None  # what was highlighted before the mouse was over a region
-        self._connections = [
+        self._connect(
             (box.hovered, self._hover), (box.isolated, self._isolate), (box.said, self._keep),
             (box.faces_chosen, self._choose), (box.visited, tour.to_region), (shown.chosen, self.show),
-            (lifelong.region_notes.answered, self._on_answered),
-        ]
-        for signal, slot in self._connections:
-            signal.connect(slot)
+            (lifelong.region_notes.answered, self._on_answered))
         box.show_isolated(False)
         box.show_message("")
         self.read_notes()
-
-    def leave(self):
-        """Disconnect everything."""
-        for signal, slot in self._connections:
-            disconnect(signal, slot)  # FreeCAD may already have deleted the box
 
     def show(self):
         """Show everything."""
@@ -47,10 +40,6 @@ class RegionPresenter(QtCore.QObject):
         """Read what people say of regions, in another process."""
         if self._thickness.Document.FileName:
             lifelong.region_notes.read(self._thickness.Document.FileName)
-
-    @property
-    def _view(self):
-        return self._thickness.ViewObject.Proxy
 
     def _hover(self, group):
         """Highlight what the mouse is over; afterwards the former highlight is back."""

@@ -2,23 +2,24 @@
 
 from ...core.errors import ThinPartError
 from ..application import lifelong
-from ..application.qt import QtCore, Signal, disconnect
+from ..application.qt import QtCore, Signal
 from ..application.sentences import translated
 from ..document.object_observer import ObjectObserver
 from ..map_export.export_dialog import export_map
 from ..map_presenters.distribution_presenter import DistributionPresenter
 from ..map_presenters.face_highlight import FaceHighlight
 from ..map_presenters.face_presenter import FacePresenter
+from ..map_presenters.map_presenter import MapPresenter
 from ..map_presenters.probe_presenter import ProbePresenter
 from ..map_presenters.region_presenter import RegionPresenter
 from ..map_presenters.scale_presenter import ScalePresenter
+from ..map_presenters.section_presenter import SectionPresenter
 from ..map_presenters.shown_parts import ShownParts
 from ..map_presenters.wall_tour import WallTour
 from ..record.parts_table import PartsTableRow
-from ..section.section_presenter import SectionPresenter
 
 
-class ThicknessPresenter(QtCore.QObject):
+class ThicknessPresenter(MapPresenter):
     """Gives each box of the panel its presenter, tells these what has changed, and presents the head itself.
 
     Parameters
@@ -51,49 +52,51 @@ class ThicknessPresenter(QtCore.QObject):
     removed = Signal()
 
     def __init__(self, thickness, boxes, profile):
-        super().__init__(boxes)
-        self.thickness, self._head, self._profile = thickness, boxes.head, profile
+        shown = ShownParts(thickness, boxes)
+        super().__init__(thickness, shown, boxes.head, boxes)
+        self.thickness, self._profile = thickness, profile
         self._is_gone, self._changed = False, set()  # properties changed since the last update of the boxes
-        self._shown = shown = ShownParts(thickness, self)
         self._observer = ObjectObserver(thickness, self)
         self._tour = tour = WallTour(thickness, shown, self)
-        shown.chosen.connect(self._show_head)
         self._highlight = highlight = FaceHighlight(thickness, shown, self)
         distribution = DistributionPresenter(thickness, shown, highlight, boxes.distribution, self)
         self.regions = RegionPresenter(thickness, shown, highlight, tour, boxes.regions, self)
         self._faces = FacePresenter(thickness, shown, highlight, tour, boxes.faces, self)
         probes = ProbePresenter(thickness, shown, tour, boxes.probes, self)
-        self._presenters = [distribution, ScalePresenter(thickness, shown, boxes.scale, self), self._faces, probes]
-        self._section = SectionPresenter(thickness, shown.all, boxes.section, self)
+        section = SectionPresenter(thickness, shown, boxes.section, self)
+        self._presenters = [distribution, ScalePresenter(thickness, shown, boxes.scale, self), self._faces, probes,
+                            self.regions, section]
         self._refresh_timer = QtCore.QTimer(self, singleShot=True, interval=0)
         self._refresh_timer.timeout.connect(self._refresh)
-        self._connections = [
+        self._connect(
             (self._observer.changed, self._on_changed), (self._observer.removed, self._on_removed),
-            (tour.started, distribution.show_whole), (tour.reached, self._section.uncover),
-            (tour.told, self._show_flight), (self._head.part_chosen, self._choose_part),
-            (self._head.all_requested, self._choose_all), (self._head.fly_requested, tour.to_thinnest),
-            (self._head.step_requested, tour.step), (self._head.export_requested, self._export),
-            (lifelong.units.changed, self._show_unit),
-        ]
-        for signal, slot in self._connections:
-            signal.connect(slot)
-        self._show_all()
+            (tour.started, distribution.show_whole), (tour.reached, section.uncover),
+            (tour.told, self._show_flight), (self._box.part_chosen, self._choose_part),
+            (self._box.all_requested, self._choose_all), (self._box.fly_requested, tour.to_thinnest),
+            (self._box.step_requested, tour.step), (self._box.export_requested, self._export),
+            (shown.chosen, self._show_head), (lifelong.units.changed, self._show_unit))
+        self.show()
         probes.start()
 
     def leave(self):
         """Disconnect everything and remove the panel's highlights from the view."""
         # Remove the observer first: FreeCAD calls it even after Qt has deleted its C++ object.
         self._observer.end()
-        for signal, slot in self._connections:
-            disconnect(signal, slot)  # FreeCAD may already have deleted the box
+        super().leave()
         self._refresh_timer.stop()
-        for each in (self._tour, *self._presenters, self.regions, self._section):
+        for each in (self._tour, *self._presenters):
             each.leave()
         self._highlight.leave(self._is_gone)
 
+    def show(self):
+        """Show everything."""
+        self._show_head()
+        for presenter in self._presenters:
+            presenter.show()
+
     def _show_flight(self, text):
         # Not a slot of the box: Qt 6 fails to disconnect what FreeCAD has already deleted.
-        self._head.show_flight(text)
+        self._box.show_flight(text)
 
     def _on_removed(self):
         self._is_gone = True
@@ -112,40 +115,33 @@ class ThicknessPresenter(QtCore.QObject):
         for presenter in self._presenters:
             presenter.refresh(changed)
         if "Stale" in changed:
-            self._head.show_stale(self.thickness.Stale)
+            self._box.show_stale(self.thickness.Stale)
 
     def _show_again(self):
         """The map was replaced."""
         try:
             self._shown.read_again()
         except ThinPartError as error:
-            self._head.show_message(translated(error), can_repeat=True)
+            self._box.show_message(translated(error), can_repeat=True)
             return
         self._tour.end()
         self.regions.show_whole()
-        self._section.show_parts(self._shown.all)
         self._highlight.show_again()
-        self._show_all()
-
-    def _show_all(self):
-        self._show_head()
-        for presenter in (*self._presenters, self.regions):
-            presenter.show()
+        self.show()
 
     def _show_unit(self):
         """Update the boxes after a change of the unit; bar widths change with it, which clears their selection."""
         self._tour.end()  # its mark has the former unit
-        self._show_all()
-        self._section.show()
+        self.show()
         self._faces.highlight_again()
 
     def _show_head(self):
         rows = [PartsTableRow(part.record["name"], part.record["label"], len(part.matrices), part.record)
                 for part in self._shown.all]
         shown = None if self._shown.part is None else self._shown.part.record["name"]
-        self._head.show_parts(rows, self._profile, shown, self._shown.unit, self.thickness.Document.FileName)
-        self._head.show_measure(self.thickness.Measure)
-        self._head.show_stale(self.thickness.Stale)
+        self._box.show_parts(rows, self._profile, shown, self._shown.unit, self.thickness.Document.FileName)
+        self._box.show_measure(self.thickness.Measure)
+        self._box.show_stale(self.thickness.Stale)
 
     def _choose_part(self, name):
         self._show_part(self._shown.names.index(name))
@@ -159,4 +155,4 @@ class ThicknessPresenter(QtCore.QObject):
         self._highlight.select_part()
 
     def _export(self):
-        self._head.show_export(export_map(self.thickness, self._head))
+        self._box.show_export(export_map(self.thickness, self._box))

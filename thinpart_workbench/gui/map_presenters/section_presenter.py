@@ -4,50 +4,28 @@ import numpy as np
 
 from ...core.maps.map_section import SectionPlane, section_extent
 from ...freecad_adapter.objects.thickness_probes import moved_matrix
-from ..application.length_unit import length_unit
-from ..application.qt import QtCore, disconnect
 from ..scene.camera_flight import look_direction
 from ..scene.document_views import view_of
-from .section_box import AXES, FROM_VIEW
+from ..section.section_box import AXES, FROM_VIEW
+from .map_presenter import MapPresenter
 
 
-class SectionPresenter(QtCore.QObject):
-    """Cuts a map where the user wants it; nothing of it is saved or undone.
+class SectionPresenter(MapPresenter):
+    """Cuts a map where the user wants it; nothing of it is saved or undone. The map stays cut without the panel."""
 
-    Parameters
-    ----------
-    thickness : FreeCAD.DocumentObject
-    parts : list of MappedPart
-    box : SectionBox
-    """
-
-    def __init__(self, thickness, parts, box, parent=None):
-        super().__init__(parent)
-        self._thickness, self._parts, self._box = thickness, parts, box
-        self._connections = [(box.switched, self._switch), (box.direction_chosen, self._choose), (box.moved, self._move),
-                             (box.flipped, self._flip)]
-        for signal, slot in self._connections:
-            signal.connect(slot)
-        self.show()
-
-    def leave(self):
-        """Disconnect the fields; the map stays cut."""
-        for signal, slot in self._connections:
-            disconnect(signal, slot)
-
-    def show_parts(self, parts):
-        """The map was measured again."""
-        self._parts = parts
-        self.show()
+    def __init__(self, thickness, shown, box, parent):
+        super().__init__(thickness, shown, box, parent)
+        self._connect((box.switched, self._switch), (box.direction_chosen, self._choose), (box.moved, self._move),
+                      (box.flipped, self._flip))
 
     def show(self):
         """Show the section of the map in its fields."""
-        plane, unit = self._view.section, length_unit(self._thickness.Document)
+        plane, unit = self._view.section, self._shown.unit
         if plane is None:
             self._box.show_section(None, (0.0, 1.0), 0.0, unit)
             return
         direction, forward = _direction(plane)
-        low, high = section_extent(self._parts, moved_matrix(self._thickness), forward)
+        low, high = section_extent(self._shown.all, moved_matrix(self._thickness), forward)
         place = plane.offset if forward == plane.normal else -plane.offset
         self._box.show_section(direction, (min(low, place), max(high, place)), place, unit)
 
@@ -56,10 +34,6 @@ class SectionPresenter(QtCore.QObject):
         plane = self._view.section
         if plane is not None and plane.heights(point) > 0.0:
             self._switch(False)
-
-    @property
-    def _view(self):
-        return self._thickness.ViewObject.Proxy
 
     def _switch(self, is_on):
         if is_on:
@@ -74,7 +48,7 @@ class SectionPresenter(QtCore.QObject):
         normal = tuple(map(float, -look)) if direction == FROM_VIEW else AXES[direction]
         if np.dot(normal, look) > 0.0:  # what faces the camera is cut off
             normal = tuple(-part for part in normal)
-        low, high = section_extent(self._parts, moved_matrix(self._thickness), normal)
+        low, high = section_extent(self._shown.all, moved_matrix(self._thickness), normal)
         self._cut(SectionPlane(normal, 0.5 * (low + high)))
 
     def _move(self, place):
