@@ -2,6 +2,7 @@
 
 from ..application.length_unit import MILLIMETRE
 from ..application.qt import QtCore, QtWidgets, Signal, translate
+from ..widgets.narrow_fields import new_form
 
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 FROM_VIEW = "view"
@@ -31,10 +32,7 @@ class SectionBox(QtWidgets.QWidget):
         super().__init__(parent)
         self.setObjectName("ThinPart_SectionBox")
         self._unit, self._ends, self._is_updating = MILLIMETRE, (0.0, 1.0), False
-        form = QtWidgets.QFormLayout(self)
-        form.setContentsMargins(6, 6, 6, 6)
-        form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
-        form.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
+        form = new_form(self)
         self._on = QtWidgets.QCheckBox(translate("ThinPart", "Cut open"), self)
         self._on.setObjectName("ThinPart_SectionOn")
         self._on.setToolTip(translate(

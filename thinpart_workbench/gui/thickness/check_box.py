@@ -1,12 +1,11 @@
 """The choice of a process whose limits a thickness map is checked against, and the result."""
 
 from ...freecad_adapter.objects.thickness_object import OWN_CHECK
-from ..application.length_unit import MILLIMETRE
 from ..application.qt import QtCore, QtWidgets, Signal, translate
 from ..application.sentences import translated
 from ..record.record_view import show_text, text_line
+from ..widgets.narrow_fields import LengthField, narrow_combo
 from ..widgets.process_field import offered_limits
-from .scale_box import LengthSpinBox, narrow_combo
 
 
 class CheckBox(QtWidgets.QWidget):
@@ -25,7 +24,7 @@ class CheckBox(QtWidgets.QWidget):
 
     def __init__(self, parent=None):
         super().__init__(parent)
-        self._is_updating, self._length = False, MILLIMETRE
+        self._is_updating = False
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         row = QtWidgets.QHBoxLayout()
@@ -43,10 +42,9 @@ class CheckBox(QtWidgets.QWidget):
         self._combo.currentIndexChanged.connect(
             lambda _: self._is_updating or self.chosen.emit(self._combo.currentData()))
         row.addWidget(self._combo, 1)
-        self._limit = LengthSpinBox(self)
-        self._limit.setObjectName("ThinPart_CheckLimit")
+        self._limit = LengthField("ThinPart_CheckLimit", self)
         self._limit.setToolTip(translate("ThinPart", "The least wall; another one is a limit of your own"))
-        self._limit.valueChanged.connect(self._emit_limit)
+        self._limit.changed.connect(lambda: self.limit_typed.emit(self._limit.exact()))
         row.addWidget(self._limit)
         column.addLayout(row)
         self._shares = text_line(self, column, "ThinPart_CheckShares")
@@ -67,22 +65,16 @@ class CheckBox(QtWidgets.QWidget):
             Colours, red, green and blue from 0 to 255, and what each says.
         text : str
         """
-        self._is_updating, self._length = True, unit
+        self._is_updating = True
         try:
             if self._combo.findData(name) < 0:
                 self._combo.addItem(name, name)  # a process that was known when the map was saved
             self._combo.setCurrentIndex(self._combo.findData(name))
-            self._limit.setVisible(bool(name))
-            self._limit.setDecimals(unit.decimals)
-            self._limit.setSuffix(f"\u00a0{unit.symbol}")
-            self._limit.setValue(unit.value(least))
         finally:
             self._is_updating = False
+        self._limit.setVisible(bool(name))
+        self._limit.show_length(least, unit.millimetres, unit.decimals, f"\u00a0{unit.symbol}")
         show_text(self._shares, " &nbsp;".join(
             '<span style="color: #{:02x}{:02x}{:02x}">\u25a0</span>&nbsp;{}'.format(*rgb, words.replace(" ", "&nbsp;"))
             for rgb, words in shares))
         show_text(self._result, text)
-
-    def _emit_limit(self, value):
-        if not self._is_updating:
-            self.limit_typed.emit(value * self._length.millimetres)

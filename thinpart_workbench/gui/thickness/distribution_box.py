@@ -7,9 +7,9 @@ from ..application.qt import QtCore, QtWidgets, Signal, translate
 from ..record.measure_text import share_sentence
 from ..record.record_view import show_text, text_line
 from ..widgets.flow_layout import FlowLayout
+from ..widgets.narrow_fields import LengthField
 from .check_box import CheckBox
 from .histogram import ThicknessHistogram
-from .scale_box import LengthSpinBox
 
 _UPDATE_INTERVAL = 30
 """Minimum interval in milliseconds between colour updates while the threshold line is dragged."""
@@ -34,7 +34,7 @@ class DistributionBox(QtWidgets.QWidget):
     def __init__(self, parent=None):
         super().__init__(parent)
         self.setObjectName("ThinPart_DistributionBox")
-        self._is_updating, self._diagonal, self._length = False, 1.0, MILLIMETRE
+        self._diagonal, self._length = 1.0, MILLIMETRE
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(6, 6, 6, 6)
         self.chart = ThicknessHistogram(self)
@@ -47,7 +47,7 @@ class DistributionBox(QtWidgets.QWidget):
         self._under = text_line(self, column, "ThinPart_ThinShare")
         self._thin_only = QtWidgets.QCheckBox(translate("ThinPart", "&Only thin walls in colour"), self)
         self._thin_only.setObjectName("ThinPart_ThinOnly")
-        self._thin_only.toggled.connect(lambda on: self._is_updating or self.thin_only_changed.emit(on))
+        self._thin_only.toggled.connect(self.thin_only_changed)
         column.addWidget(self._thin_only)
         self.check = CheckBox(self)
         column.addWidget(self.check)
@@ -64,13 +64,11 @@ class DistributionBox(QtWidgets.QWidget):
 
     def show_threshold(self, threshold, share, thin_only):
         """Show a threshold in mm, the share of the area below it, and whether only that area is coloured."""
-        self._is_updating = True
-        try:
-            self.chart.show_threshold(threshold)
-            self._show_field()
-            self._thin_only.setChecked(thin_only)
-        finally:
-            self._is_updating = False
+        self.chart.show_threshold(threshold)
+        self._show_field()
+        was_blocked = self._thin_only.blockSignals(True)
+        self._thin_only.setChecked(thin_only)
+        self._thin_only.blockSignals(was_blocked)
         show_text(self._under, share_sentence(self.chart.measure, percent(share), self._length.text(threshold)))
 
     def show_choice(self, chosen, share, faces):
@@ -101,9 +99,8 @@ class DistributionBox(QtWidgets.QWidget):
         flow = FlowLayout(row)
         label = QtWidgets.QLabel(translate("ThinPart", "&Thin below"), row)
         flow.addWidget(label)
-        self._field = LengthSpinBox(row)
-        self._field.setObjectName("ThinPart_Threshold")
-        self._field.valueChanged.connect(self._field_changed)
+        self._field = LengthField("ThinPart_Threshold", row)
+        self._field.changed.connect(lambda: self.threshold_changed.emit(self._field.exact(), True))
         label.setBuddy(self._field)
         flow.addWidget(self._field)
         self._unit = QtWidgets.QComboBox(row)
@@ -115,20 +112,11 @@ class DistributionBox(QtWidgets.QWidget):
         flow.addWidget(self._unit)
         column.addWidget(row)
 
-    @property
-    def _unit_length(self):
-        """Length in mm that 1 in the field stands for."""
-        return self._diagonal if self._unit.currentData() == SHARE else self._length.millimetres
-
     def _show_field(self):
-        was_updating, self._is_updating = self._is_updating, True
-        self._field.setDecimals(4 if self._unit.currentData() == SHARE else self._length.decimals)
-        self._field.setValue(self.chart.threshold / self._unit_length)
-        self._is_updating = was_updating
-
-    def _field_changed(self, value):
-        if not self._is_updating:
-            self.threshold_changed.emit(value * self._unit_length, True)
+        if self._unit.currentData() == SHARE:
+            self._field.show_length(self.chart.threshold, self._diagonal, 4)
+        else:
+            self._field.show_length(self.chart.threshold, self._length.millimetres, self._length.decimals)
 
     def _line_moved(self, _threshold):
         if not self._update_timer.isActive():

@@ -6,6 +6,7 @@ from ...freecad_adapter.preferences import PREFERENCES
 from ..application.length_unit import MILLIMETRE
 from ..application.qt import QtCore, QtGui, QtWidgets, Signal, colour, translate, translated_mark
 from ..widgets.flow_layout import FlowLayout
+from ..widgets.narrow_fields import LengthField, narrow_combo, new_form
 
 
 class ScaleBox(QtWidgets.QWidget):
@@ -28,7 +29,7 @@ class ScaleBox(QtWidgets.QWidget):
     def __init__(self, parent=None):
         super().__init__(parent)
         self.setObjectName("ThinPart_ScaleBox")
-        self._is_updating, self._length = False, MILLIMETRE
+        self._is_updating = False
         form = new_form(self)
         self._add_range(form)
         self._add_colours(form)
@@ -54,16 +55,16 @@ class ScaleBox(QtWidgets.QWidget):
         unit : LengthUnit
             Unit of Low and High if they are lengths; the properties are in mm.
         """
-        self._is_updating, self._length = True, unit
+        self._is_updating = True
         try:
             self._automatic.setChecked(values["AutomaticRange"])
             self._unit.setItemText(self._unit.findData(MILLIMETRES), unit.symbol)
             self._unit.setCurrentIndex(max(0, self._unit.findData(values["RangeUnit"])))
             for field, name in ((self._low, "Low"), (self._high, "High")):
-                value = values[name] / self._unit_length
-                field.setDecimals(4 if values["RangeUnit"] == SHARE else unit.decimals)
-                if not field.hasFocus() or abs(field.value() - value) > 10.0 ** -field.decimals():
-                    field.setValue(value)
+                if values["RangeUnit"] == SHARE:
+                    field.show_length(values[name], 1.0, 4)
+                else:
+                    field.show_length(values[name], unit.millimetres, unit.decimals)
                 field.setEnabled(not values["AutomaticRange"])
             self._map.setCurrentIndex(self._map.findData(values["ColourMap"]))
             self._reversed.setChecked(values["Reversed"])
@@ -88,23 +89,18 @@ class ScaleBox(QtWidgets.QWidget):
         self._typical.clicked.connect(lambda: self.typical_requested.emit())
         form.addRow(self._automatic, self._typical)
         row = QtWidgets.QHBoxLayout()
-        self._low, self._high = (self._length_field(f"ThinPart_{end}") for end in ("Low", "High"))
-        self._low.valueChanged.connect(lambda value: self._emit_changed(Low=value * self._unit_length))
-        self._high.valueChanged.connect(lambda value: self._emit_changed(High=value * self._unit_length))
+        self._low, self._high = (LengthField(f"ThinPart_{end}", self) for end in ("Low", "High"))
+        self._low.changed.connect(lambda: self._emit_changed(Low=self._low.exact()))
+        self._high.changed.connect(lambda: self._emit_changed(High=self._high.exact()))
         row.addWidget(self._low, 1)
         row.addWidget(QtWidgets.QLabel("\u2013", self))
         row.addWidget(self._high, 1)
         form.addRow(translate("ThinPart", "Range"), row)
         self._unit = narrow_combo(self, "ThinPart_RangeUnit")
-        self._unit.addItem(self._length.symbol, MILLIMETRES)
+        self._unit.addItem(MILLIMETRE.symbol, MILLIMETRES)
         self._unit.addItem(translate("ThinPart", "share of the diagonal"), SHARE)
         self._unit.currentIndexChanged.connect(lambda _: self._emit_changed(RangeUnit=self._unit.currentData()))
         form.addRow(translate("ThinPart", "in"), self._unit)
-
-    @property
-    def _unit_length(self):
-        """Value of the property, in mm or as a share, that 1 in the field stands for."""
-        return 1.0 if self._unit.currentData() == SHARE else self._length.millimetres
 
     def _add_colours(self, form):
         self._map = narrow_combo(self, "ThinPart_ColourMap")
@@ -113,10 +109,7 @@ class ScaleBox(QtWidgets.QWidget):
             self._map.addItem(_colour_map_icon(name), translated_mark(title), name)
         self._map.currentIndexChanged.connect(lambda _: self._emit_changed(ColourMap=self._map.currentData()))
         form.addRow(translate("ThinPart", "Colours"), self._map)
-        self._reversed = QtWidgets.QCheckBox(translate("ThinPart", "Reversed"), self)
-        self._reversed.setObjectName("ThinPart_Reversed")
-        self._reversed.toggled.connect(lambda on: self._emit_changed(Reversed=on))
-        form.addRow("", self._reversed)
+        self._reversed = self._check(form, "Reversed", translate("ThinPart", "Reversed"))
         self._logarithmic = self._check(form, "Logarithmic", translate("ThinPart", "&Logarithmic"), translate(
             "ThinPart", "Equal ratios of thickness are equally far apart, so that thin walls get more of the colours"))
         self._shaded = self._check(form, "Shaded", translate("ThinPart", "&Shaded"), translate(
@@ -149,7 +142,7 @@ class ScaleBox(QtWidgets.QWidget):
             flow.addWidget(box)
         form.addRow(translate("ThinPart", "In the view"), row)
 
-    def _check(self, form, name, title, meaning):
+    def _check(self, form, name, title, meaning=""):
         """A check box for a property of this name, in a row of its own."""
         box = QtWidgets.QCheckBox(title, self)
         box.setObjectName(f"ThinPart_{name}")
@@ -157,11 +150,6 @@ class ScaleBox(QtWidgets.QWidget):
         box.toggled.connect(lambda on: self._emit_changed(**{name: on}))
         form.addRow("", box)
         return box
-
-    def _length_field(self, name):
-        field = LengthSpinBox(self)
-        field.setObjectName(name)
-        return field
 
     def _ask_colour(self):
         chosen = QtWidgets.QColorDialog.getColor(
@@ -178,50 +166,6 @@ class ScaleBox(QtWidgets.QWidget):
     def _emit_changed(self, **values):
         if not self._is_updating:
             self.changed.emit(values)
-
-
-class LengthSpinBox(QtWidgets.QDoubleSpinBox):
-    """A compact spin box that reports a typed number only when editing is finished."""
-
-    def __init__(self, parent=None):
-        super().__init__(parent)
-        self.setRange(0.0, 1e6)
-        self.setDecimals(3)
-        self.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
-        self.setKeyboardTracking(False)
-
-    def minimumSizeHint(self):
-        """Width for a few digits instead of the maximum with all decimals."""
-        hint = super().minimumSizeHint()
-        return QtCore.QSize(min(hint.width(), 11 * self.fontMetrics().averageCharWidth() + 20), hint.height())
-
-    def sizeHint(self):
-        """See `minimumSizeHint`."""
-        return self.minimumSizeHint()
-
-    def textFromValue(self, value):
-        """Format a value without trailing zeros."""
-        text = super().textFromValue(value)
-        point = self.locale().decimalPoint()
-        return text.rstrip("0").rstrip(point) if point in text else text
-
-
-def new_form(parent):
-    """A form that wraps fields below their titles if it is narrow."""
-    form = QtWidgets.QFormLayout(parent)
-    form.setContentsMargins(6, 6, 6, 6)
-    form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
-    form.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
-    return form
-
-
-def narrow_combo(parent, name):
-    """A combo box that may be narrower than its longest text."""
-    combo = QtWidgets.QComboBox(parent)
-    combo.setObjectName(name)
-    combo.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
-    combo.setMinimumContentsLength(6)
-    return combo
 
 
 def _colour_map_icon(name):
