@@ -40,7 +40,7 @@ _SCHEME = re.compile(r"[A-Za-z][A-Za-z0-9+.-]+:")
 
 
 def annotate_part(path, part=None, info_folder=None, **values):
-    """Set annotations of a part; see `storage/info/annotations.set_annotation`.
+    """Set annotations of a part, or remove those whose value is empty.
 
     Parameters
     ----------
@@ -49,8 +49,9 @@ def annotate_part(path, part=None, info_folder=None, **values):
     part : str, optional
         Name or label; optional if the document has only one part.
     info_folder : str or Path, optional
+        See `info_file_of`.
     values
-        ``notes``, ``mesh``, ``link``.
+        ``notes``, ``mesh``, ``link``; None leaves one unchanged.
 
     Returns
     -------
@@ -66,10 +67,7 @@ def annotate_part(path, part=None, info_folder=None, **values):
     >>> annotate_part(plate, notes="of the cover")["notes"]
     'of the cover'
     """
-    def change(content):
-        return set_annotation(select_record(content["parts"], part, path), **values)
-
-    return select_record(change_info(info_file_of(path, info_folder), change)["parts"], part, path)
+    return _changed(path, part, info_folder, lambda record, _: set_annotation(record, **values))
 
 
 def label_part(path, category, person="", is_sure=True, part=None, info_folder=None):
@@ -77,16 +75,13 @@ def label_part(path, category, person="", is_sure=True, part=None, info_folder=N
 
     Parameters
     ----------
-    path : str or Path
-        Document or info file.
+    path, part, info_folder
+        See `annotate_part`.
     category : str
         A category of the profile by which the part was judged, or ``normal``. Empty removes the person's answer.
     person : str, optional
         By default the name of the user on this computer.
     is_sure : bool, optional
-    part : str, optional
-        Name or label; optional if the document has only one part.
-    info_folder : str or Path, optional
 
     Returns
     -------
@@ -104,14 +99,14 @@ def label_part(path, category, person="", is_sure=True, part=None, info_folder=N
     """
     person = _checked_person(person)
 
-    def change(content):
-        known = [*(each["name"] for each in content["profile"]["categories"]), NORMAL]
+    def change(record, profile):
+        known = [*(each["name"] for each in profile["categories"]), NORMAL]
         if category and category not in known:
             raise ThinPartError(message("{category!r} is no category: there are {known}.",
                                         category=category, known=", ".join(known)), "usage")
-        return set_label(select_record(content["parts"], part, path), person, category, is_sure)
+        return set_label(record, person, category, is_sure)
 
-    return select_record(change_info(info_file_of(path, info_folder), change)["parts"], part, path)
+    return _changed(path, part, info_folder, change)
 
 
 def note_regions(path, regions, person="", part=None, info_folder=None, excluded=None, mesh_size_mm=None):
@@ -119,15 +114,12 @@ def note_regions(path, regions, person="", part=None, info_folder=None, excluded
 
     Parameters
     ----------
-    path : str or Path
-        Document or info file.
+    path, part, info_folder
+        See `annotate_part`.
     regions : list of dict
         As in a part record; they are found again by place and faces.
     person : str, optional
         By default the name of the user on this computer.
-    part : str, optional
-        Name or label; optional if the document has only one part.
-    info_folder : str or Path, optional
     excluded : str, optional
         Why they are left out; empty includes them again, None changes nothing.
     mesh_size_mm : float, optional
@@ -149,11 +141,8 @@ def note_regions(path, regions, person="", part=None, info_folder=None, excluded
     0.5
     """
     person = _checked_person(person)
-
-    def change(content):
-        return set_region_note(select_record(content["parts"], part, path), regions, person, excluded, mesh_size_mm)
-
-    return select_record(change_info(info_file_of(path, info_folder), change)["parts"], part, path)
+    return _changed(path, part, info_folder,
+                    lambda record, _: set_region_note(record, regions, person, excluded, mesh_size_mm))
 
 
 def region_notes(path):
@@ -178,13 +167,10 @@ def keep_mesh_settings(path, part, settings, global_size, diagonal, rows, figure
 
     Parameters
     ----------
-    path : str or Path
-        Document or info file.
-    part : str or None
-        Name or label; None if the document has only one part.
+    path, part, info_folder
+        See `annotate_part`.
     settings, global_size, diagonal, rows, figures
         See `core.record.mesh_settings.worked_settings`.
-    info_folder : str or Path, optional
 
     Returns
     -------
@@ -205,9 +191,15 @@ def keep_mesh_settings(path, part, settings, global_size, diagonal, rows, figure
     """
     kept = worked_settings(settings, global_size, diagonal, rows, figures,
                            datetime.now(timezone.utc).isoformat(timespec="seconds"), __version__)
-    change_info(info_file_of(path, info_folder),
-                lambda content: set_annotation(select_record(content["parts"], part, path), meshed=kept))
+    _changed(path, part, info_folder, lambda record, _: set_annotation(record, meshed=kept))
     return kept
+
+
+def _changed(path, part, info_folder, change):
+    """The record of a part after `change`, which is given it and the content of the profile, and says whether it did."""
+    content = change_info(info_file_of(path, info_folder),
+                          lambda content: change(select_record(content["parts"], part, path), content["profile"]))
+    return select_record(content["parts"], part, path)
 
 
 def settings_that_worked(record, roots, info_file=None, report=None):

@@ -1,7 +1,7 @@
 """Find, analyse and map documents in worker processes or on a cluster, for both the command line and the Python API."""
 
 import os
-from contextlib import closing, contextmanager
+from contextlib import closing
 from typing import Optional
 
 from ..core.analysis_limits import Limits
@@ -11,7 +11,7 @@ from ..core.judging.criteria import given_profile
 from ..core.kinds.file_marks import MAPS
 from ..core.message import message
 from ..core.run_control import RunControl
-from ..storage.output_file import check_output, write_output
+from ..storage.output_file import check_output, write_output, writing
 from ..workflow.analysis.analyse_file import FileTask
 from ..workflow.analysis.analysis_outcome import failure
 from ..workflow.analysis.find_documents import NameFilter, find_documents
@@ -200,7 +200,7 @@ def write_map(path, files, *, part=None, look=None, measure=RAY, profile=DEFAULT
         raise ThinPartError(message("{file} is no file: name a CAD file with one part.", file=path), "missing")
     inputs = [path, *inputs]
     for file, ending in endings.items():
-        with _writing(file):
+        with writing(file):
             check_output(file, MAPS[ending], overwrite, inputs)
     found = map_of_part(MapTask(path, part, given_profile(profile).content, tuple(sorted(set(endings.values()))),
                                 look or MapLook(), measure, settings or AnalysisSettings()), limits or Limits(), control)
@@ -208,15 +208,6 @@ def write_map(path, files, *, part=None, look=None, measure=RAY, profile=DEFAULT
         raise ThinPartError(found["error"]["message"], found["error"]["kind"])
     contents = found.pop("contents")
     for file, ending in endings.items():
-        with _writing(file):
+        with writing(file):
             write_output(file, contents[ending], MAPS[ending], overwrite, inputs)
     return found
-
-
-@contextmanager
-def _writing(file):
-    try:
-        yield
-    except OSError as error:
-        raise ThinPartError(message("{file} cannot be written ({problem}): name another place.", file=file,
-                                    problem=error.strerror), "failed") from None

@@ -26,7 +26,7 @@ from ..storage.exchange.geo_file import write_geo
 from ..storage.exchange.gmsh_shape import OPTIONS, gmsh_ending, is_opened_as_shape, stem_for_gmsh
 from ..storage.exchange.shell_files import SHELL_FORMATS, write_shell
 from ..storage.new_file import write_new
-from ..storage.output_file import check_output
+from ..storage.output_file import check_output, writing
 from ..system.file_paths import relative_path
 from ..workflow.analysis.run_progress import RunProgress
 from ..workflow.meshing.gmsh_program import gmsh_program
@@ -226,14 +226,11 @@ def write_size_script(path, part, file, solids=1, overwrite=False, inputs=()):
     low, high = part["box"]
     inner = np.asarray(part["inner"], dtype=np.float64).reshape(-1, 3)
     boxes = size_boxes(field, low, high, inner) if field.least < part["global_size"] else None
-    try:
+    with writing(path):
         check_output(path, SCRIPT, overwrite, [file, *inputs])  # before a copy is made beside it
         opened, copy = _opened_by_script(path, os.path.abspath(file), part.get("mended_shape"), solids)
         write_geo(path, part["global_size"], boxes, opened, part["order"],
                   [(each["name"], each["value"]) for each in part["gmsh_options"]], overwrite, [file, *inputs])
-    except OSError as error:
-        raise ThinPartError(message("{file} cannot be written ({problem}): name another place.", file=path,
-                                    problem=error.strerror), "failed") from None
     return copy
 
 
@@ -297,11 +294,8 @@ def write_shell_file(path, part, overwrite=False, inputs=()):
     if not shell["elements"]:
         raise ThinPartError(message("{file} was not written. {reason}", file=os.fspath(path), reason=shell["reason"]),
                             "no_shell")
-    try:
+    with writing(path):
         write_shell(path, mesh_of_record(shell), part["label"], overwrite, inputs)
-    except OSError as error:
-        raise ThinPartError(message("{file} cannot be written ({problem}): name another place.", file=os.fspath(path),
-                                    problem=error.strerror), "failed") from None
 
 
 def shell_of(part, measurement, settings=None, seconds=MESH_SECONDS):

@@ -92,9 +92,5 @@ def check_columns(limits, checks_of):
 
 def check_remarks(checks, is_brief):
     """Sentences on the checks of a part for a terminal: list of str; where `is_brief`, none on those that plainly passed."""
-    return [_plain(check["sentence"]) for check in checks
+    return [check["sentence"] for check in checks
             if not is_brief or check["within_tolerance"] or not check["passes"]]
-
-
-def _plain(sentence):
-    return sentence.replace("\u00a0", " ")

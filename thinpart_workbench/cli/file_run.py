@@ -1,9 +1,32 @@
 """Analyse the documents of a run and report on it."""
 
-from contextlib import closing
+from contextlib import closing, contextmanager
 
+from ..core.run_control import RunControl
 from ..system.process_limits import MEMORY_CAN_BE_LIMITED
+from .control_input import listen
+from .run_report import new_report
+from .stop_signals import stop_signals
 from .terminal_table import prepare_tables
+
+
+@contextmanager
+def controlled_run(options):
+    """Context manager of a run that signals stop, and standard input with --control; see `add_control_options`.
+
+    Yields
+    ------
+    report : RunReport
+    control : RunControl
+    undisturbed : callable
+        See `stop_signals`.
+    """
+    report = new_report(options.json, options.control)
+    control = RunControl(report.state)
+    with stop_signals(control) as undisturbed, report:
+        if options.control:
+            listen(control)
+        yield report, control, undisturbed
 
 
 def analyse_and_report(run, report, add, *, checks=None, cluster=None, **how):

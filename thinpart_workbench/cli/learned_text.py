@@ -3,7 +3,7 @@
 import sys
 
 from ..core.foreign_text import printable
-from .terminal_table import CATEGORY_STYLES, OTHER_CATEGORY, TableColumn, print_table
+from .terminal_table import TableColumn, category_style, print_table
 
 MOST_ROWS = 20
 """Most parts in the printed table of those that people disagree about; --json lists all."""
@@ -46,7 +46,7 @@ def _print_labels(learned):
 def _print_changes(learned):
     print()
     print_table(sys.stdout, (
-        TableColumn("Category", lambda row: row.category, style=_style(lambda row: row.category)),
+        TableColumn("Category", lambda row: row.category, style=lambda row: category_style(row.category)),
         TableColumn("Criterion", lambda row: row.criterion),
         TableColumn(f"In {learned.start}", lambda row: row.before),
         TableColumn("Learned", lambda row: "left out" if row.after is None else
@@ -68,7 +68,7 @@ def _print_scores(learned):
         verdicts = list(next(iter(scores.confusion.values())))
         print()
         print_table(sys.stdout, (
-            TableColumn(f"Label, and verdict of {title}", lambda row: row[0], style=_style(lambda row: row[0])),
+            TableColumn(f"Label, and verdict of {title}", lambda row: row[0], style=lambda row: category_style(row[0])),
             *(TableColumn(verdict, lambda row, verdict=verdict: row[1][verdict], True) for verdict in verdicts),
         ), lambda scores=scores: scores.confusion.items())
 
@@ -89,7 +89,3 @@ def _share(share):
         return "none"
     return (f"{share.count} of {share.total}, {100 * share.count / share.total:.0f} % "
             f"({100 * share.low:.0f} to {100 * share.high:.0f})")
-
-
-def _style(category):
-    return lambda row: CATEGORY_STYLES.get(category(row), OTHER_CATEGORY)

@@ -5,7 +5,7 @@ from collections import Counter
 from contextlib import contextmanager
 
 from ..core.foreign_text import printable
-from .terminal_table import CATEGORY_STYLES, OTHER_CATEGORY, TableColumn, print_table
+from .terminal_table import TableColumn, category_style, print_table
 
 MOST_REASONS = 10
 """Most rows of the table of parts without a mesh; --json lists all."""
@@ -56,8 +56,7 @@ def _print_unmeshed(unmeshed):
     if unmeshed:
         print()
         print_table(sys.stdout, (
-            TableColumn("No mesh", lambda result: result.file, style=lambda result: CATEGORY_STYLES.get(
-                result.category, OTHER_CATEGORY)),
+            TableColumn("No mesh", lambda result: result.file, style=lambda result: category_style(result.category)),
             TableColumn("Part", lambda result: result.part),
             TableColumn("Why", lambda result: result.reason),
         ), lambda: unmeshed[:MOST_REASONS])

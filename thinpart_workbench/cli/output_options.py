@@ -4,7 +4,7 @@ import os
 
 from ..core.errors import ThinPartError
 from ..core.message import message
-from ..storage.output_file import check_output
+from ..storage.output_file import check_output, writing
 
 FOLDER = object()
 """Stands for the mark of a folder of files, each of which is checked when it is written; see `ReportFolder`."""
@@ -48,11 +48,8 @@ def check_outputs(options):
             mark = mark.get(os.path.splitext(file)[1].lower())
             if mark is None:
                 continue  # the command says which endings there are
-        try:
+        with writing(file):
             check_output(file, mark, **replacing(options))
-        except OSError as error:
-            raise ThinPartError(message("{file} cannot be written ({problem}): name another place.", file=file,
-                                        problem=error.strerror), "failed") from None
         if files.setdefault(os.path.normcase(os.path.realpath(file)), name) != name:
             raise ThinPartError(message("{file} is named for two outputs: name another file for one of them.", file=file),
                                 "usage")

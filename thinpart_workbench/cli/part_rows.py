@@ -8,14 +8,7 @@ from ..core.errors import ThinPartError
 from ..core.number_text import percent
 from ..storage.part_table import checked_row, failed_row, part_table, write_table
 from .check_options import check_columns, check_remarks
-from .terminal_table import (
-    CATEGORY_STYLES,
-    FAILURE,
-    OTHER_CATEGORY,
-    TableColumn,
-    print_remark,
-    print_table,
-)
+from .terminal_table import FAILURE, TableColumn, category_style, print_remark, print_table
 
 
 def _box(part):
@@ -103,9 +96,7 @@ class PartRows:
         print_table(stream, columns, self._loaded_rows)
         for row in self._loaded_rows():
             prefix = f"{row['path']}: {row['cells'][0]}" if several else row["cells"][0]
-            for text in [*row["remarks"], *check_remarks(row.get("checks") or (), several)]:
-                print_remark(stream, f"{prefix}: {text}")
-            for text in row.get("regions", []):
+            for text in [*row["remarks"], *check_remarks(row.get("checks") or (), several), *row.get("regions", ())]:
                 print_remark(stream, f"{prefix}: {text}")
 
     def _loaded_rows(self):
@@ -134,7 +125,7 @@ def _table_rows(outcome, path, with_regions=False):
     for part in outcome.get("parts", ()):
         rows.append({
             "path": path, "cells": [value(part) for _, value, _ in TABLE], "failed": False,
-            "style": CATEGORY_STYLES.get(part["category"], OTHER_CATEGORY),
+            "style": category_style(part["category"]),
             "remarks": [text for text in [part["reason"], *part["warnings"]] if text],
             "regions": list(_region_lines(part)) if with_regions else [],
             "checks": part.get("checks"),
@@ -157,10 +148,10 @@ def _region_lines(part):
         excluded = f" (excluded: {group.excluded})" if group.excluded else ""
         more = f" and {len(group.faces) - _MOST_FACES} more" if len(group.faces) > _MOST_FACES else ""
         yield (f"{times}{group.kind}, {group.least:.3g}{to} mm thick, {group.length:.4g} mm long, {group.width:.4g} mm wide"
-               f"{volume}: {faces}{more}{excluded}").replace("\u00a0", " ")
+               f"{volume}: {faces}{more}{excluded}")
     if part.get("regions", {}).get("others"):
         others, share = part["regions"]["others"], part["regions"]["others_share"]
-        yield f"{others} smaller regions, {percent(share)} of the surface".replace("\u00a0", " ")
+        yield f"{others} smaller regions, {percent(share)} of the surface"
 
 
 def _columns(several):

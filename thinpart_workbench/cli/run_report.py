@@ -49,16 +49,20 @@ class RunReport:
 
     def started(self, progress):
         """Report that all documents are found and the analysis starts."""
+        self._show_progress(progress)
 
     def ended(self, outcome, progress):
         """Report the outcome of one file."""
         self.failures(outcome)
+        self.counted(outcome, progress)
 
     def counted(self, outcome, progress):
         """Report that one more file is done; its outcome is reported elsewhere."""
+        self._show_progress(progress, outcome["file"])
 
     def step(self, progress, step):
         """Report what is done with a part of a file at the moment; see `mesh_sizes`."""
+        self._show_progress(progress, step=step)
 
     def note(self, sentence):
         """Report a sentence about the whole run."""
@@ -70,8 +74,10 @@ class RunReport:
         for error in errors:
             option = _OPTION_FOR.get(error["kind"])
             hint = f" See {option}." if option and "--" not in error["message"] else ""
-            _write_line(f"thinpart: {printable(outcome['file'])}: {printable(error['message'])}{hint} "
-                 f"[{error['kind']}]")
+            _write_line(f"thinpart: {printable(outcome['file'])}: {printable(error['message'])}{hint} [{error['kind']}]")
+
+    def _show_progress(self, progress, file=None, step=None):
+        """Show how far the run is, after a file that has just ended or before a step."""
 
 
 class JsonReport(RunReport):
@@ -89,19 +95,6 @@ class JsonReport(RunReport):
     def state(self, name):
         _write_line(json.dumps({"state": name}))
 
-    def started(self, progress):
-        self._progress(progress, None)
-
-    def ended(self, outcome, progress):
-        self.failures(outcome)
-        self.counted(outcome, progress)
-
-    def counted(self, outcome, progress):
-        self._progress(progress, outcome["file"])
-
-    def step(self, progress, step):
-        _write_line(json.dumps({"progress": {**progress.content(), **step}}))
-
     def failures(self, outcome):
         super().failures(outcome)
         with standard_output() as stream:
@@ -109,9 +102,8 @@ class JsonReport(RunReport):
                 # One write per line, so that a reader always finds complete lines.
                 stream.write(json_text(self._with_templates(line)) + "\n")
 
-    @staticmethod
-    def _progress(progress, file):
-        _write_line(json.dumps({"progress": progress.content(file)}))
+    def _show_progress(self, progress, file=None, step=None):
+        _write_line(json.dumps({"progress": {**progress.content(file), **(step or {})}}))
 
 
 class BarReport(RunReport):
@@ -139,20 +131,7 @@ class BarReport(RunReport):
     def found(self, count):
         self._bar.update(self._task, status=f"{count:,} parts")
 
-    def started(self, progress):
-        self._show(progress)
-
-    def ended(self, outcome, progress):
-        self.failures(outcome)
-        self._show(progress)
-
-    def counted(self, outcome, progress):
-        self._show(progress)
-
-    def step(self, progress, step):
-        self._show(progress, step)
-
-    def _show(self, progress, step=None):
+    def _show_progress(self, progress, file=None, step=None):
         is_over = progress.done == progress.total
         self._bar.update(self._task, total=progress.total, completed=progress.done,
                          status=_progress_text(progress.content(), step), description="Done" if is_over else self._name)
@@ -175,19 +154,6 @@ class LineReport(RunReport):
     def found(self, count):
         self._show(f"{self._name} {count:,} parts")
 
-    def started(self, progress):
-        self._show_progress(progress)
-
-    def ended(self, outcome, progress):
-        self.failures(outcome)
-        self._show_progress(progress)
-
-    def counted(self, outcome, progress):
-        self._show_progress(progress)
-
-    def step(self, progress, step):
-        self._show_progress(progress, step)
-
     def failures(self, outcome):
         self._show("")
         super().failures(outcome)
@@ -196,7 +162,7 @@ class LineReport(RunReport):
         self._show("")
         super().note(sentence)
 
-    def _show_progress(self, progress, step=None):
+    def _show_progress(self, progress, file=None, step=None):
         name = "Done" if progress.done == progress.total else self._name
         self._show(f"{name} {_progress_text(progress.content(), step)}")
 

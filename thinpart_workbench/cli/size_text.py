@@ -4,7 +4,7 @@ import os
 
 from ..core.foreign_text import printable
 from ..storage.part_table import SUBJECT, TableForm
-from .terminal_table import CATEGORY_STYLES, OTHER_CATEGORY, TableColumn, print_table
+from .terminal_table import TableColumn, category_style, print_table
 
 _MESH_KEYS = ("elements", "gamma_least", "gamma_1_percent", "gamma_mean", "sicn_least", "sicn_1_percent",
               "sicn_mean", "poor_share", "layers_share", "seconds", "reason")
@@ -164,8 +164,7 @@ _MESH_COLUMNS = (
 
 _PART_COLUMNS = (
     TableColumn("Part", lambda row: f"{os.path.basename(row[0])}: {row[1]['label']}"),
-    TableColumn("Category", lambda row: row[1]["category"], style=lambda row: CATEGORY_STYLES.get(
-        row[1]["category"], OTHER_CATEGORY)),
+    TableColumn("Category", lambda row: row[1]["category"], style=lambda row: category_style(row[1]["category"])),
     TableColumn("Element mm", lambda row: f"{row[1]['least_size']:.3g} to {row[1]['global_size']:.3g}", True),
     TableColumn("Layers", lambda row: _number(row[1]["layers"], 2) if row[1]["layers"] else "-", True),
     TableColumn("Elements", lambda row: f"{row[1]['elements']:,}", True),

@@ -4,7 +4,7 @@ import json
 import os
 
 from ..storage.record_columns import labels_text
-from .terminal_table import CATEGORY_STYLES, FAILURE, OTHER_CATEGORY, TableColumn, print_table
+from .terminal_table import FAILURE, TableColumn, category_style, print_table
 
 
 def print_stored(parts, stream, folder, more_columns=()):
@@ -31,7 +31,7 @@ def _category(part):
 
 
 def _style(part):
-    return FAILURE if part.error_kind else CATEGORY_STYLES.get(part.category, OTHER_CATEGORY)
+    return FAILURE if part.error_kind else category_style(part.category)
 
 
 def _number(name, digits):

@@ -27,6 +27,11 @@ TableColumn = namedtuple("TableColumn", "title value is_right style", defaults=(
 or None."""
 
 
+def category_style(category):
+    """The rich style of a category."""
+    return CATEGORY_STYLES.get(category, OTHER_CATEGORY)
+
+
 def has_rich():
     """Whether rich, the library for colours, is installed."""
     return importlib.util.find_spec("rich") is not None
@@ -46,10 +51,11 @@ def prepare_tables():
 
 def print_remark(stream, text):
     """Print a dimmed line."""
+    text = printable(text.replace("\u00a0", " "))  # terminals that cannot show the space before a unit print its code
     if _shows_colours(stream):
-        _console(stream).print(printable(text), style="dim", markup=False)
+        _console(stream).print(text, style="dim", markup=False)
     else:
-        stream.write(printable(text) + "\n")
+        stream.write(text + "\n")
 
 
 def _console(stream):

@@ -7,6 +7,7 @@ run, and what a link leads to unless it bears the mark.
 
 import errno
 import os
+from contextlib import contextmanager
 from typing import NamedTuple, Optional
 
 from ..core.errors import ThinPartError
@@ -95,6 +96,16 @@ def write_output(path, content, mark, overwrite=False, inputs=(), durable=True):
     except FileExistsError:
         raise ForeignFile(message("{file} was written by another program meanwhile and was not changed: name another file.",
                                   file=os.fspath(path)), "usage") from None
+
+
+@contextmanager
+def writing(path):
+    """Context manager that checks or writes an output: an OSError becomes a ThinPartError of the kind ``failed``."""
+    try:
+        yield
+    except OSError as error:
+        raise ThinPartError(message("{file} cannot be written ({problem}): name another place.", file=os.fspath(path),
+                                    problem=error.strerror), "failed") from None
 
 
 def bears_mark(path, mark):

@@ -10,13 +10,11 @@ from ...core.errors import ThinPartError
 from ...core.judging.criteria import load_profile
 from ...core.kinds.file_marks import TABLE
 from ...core.message import message
-from ...core.run_control import RunControl
 from ...storage.common_folder import common_folder
 from ...storage.info.info_file import info_path_getter
 from ...system.file_paths import is_below
 from ..check_options import PartChecks, add_check_options, checked_limits
-from ..control_input import listen
-from ..file_run import analyse_and_report
+from ..file_run import analyse_and_report, controlled_run
 from ..output_options import add_output_option, replacing
 from ..part_rows import PartRows
 from ..run_options import (
@@ -30,8 +28,7 @@ from ..run_options import (
     new_file_run,
     settings_of,
 )
-from ..run_report import new_report, standard_output
-from ..stop_signals import stop_signals
+from ..run_report import standard_output
 
 _LARGEST_LIST = 256 << 20
 """Bytes of a list of files: a million long paths."""
@@ -63,15 +60,11 @@ def add_arguments(parser):
 
 def run(options):
     """Classify and return the exit status."""
-    report = new_report(options.json, options.control)
-    control = RunControl(report.state)
     checks = PartChecks(checked_limits(options))
     rows = PartRows(common_folder(options.paths), table=not options.json, csv=bool(options.csv),
                     regions=options.regions, limits=checks.limits)
     try:
-        with stop_signals(control) as undisturbed, report:
-            if options.control:
-                listen(control)
+        with controlled_run(options) as (report, control, undisturbed):
             try:
                 failed = _classify(options, control, report, rows, checks)
             finally:

@@ -8,7 +8,7 @@ from ...core.foreign_text import json_text
 from ...storage.index.written_query import SORTABLE, moment, part_query
 from ..check_options import PartChecks, add_check_options, check_columns, checked_limits, named_limits
 from ..stored_rows import print_stored
-from .library import libraries
+from .library import count_from_one, libraries
 
 
 def add_arguments(parser):
@@ -47,7 +47,7 @@ def add_arguments(parser):
     parser.add_argument("--sort", choices=SORTABLE, metavar="QUANTITY", default="file",
                         help=f"one of {', '.join(SORTABLE)}")
     parser.add_argument("--reverse", action="store_true", help="largest first")
-    parser.add_argument("-n", "--limit", type=_count, metavar="N", help="no more than N parts")
+    parser.add_argument("-n", "--limit", type=count_from_one, metavar="N", help="no more than N parts")
     parser.add_argument("--json", action="store_true", help="print one JSON record per part")
 
 
@@ -96,9 +96,3 @@ def _moment(text):
         return moment(text)
     except ThinPartError as error:
         raise argparse.ArgumentTypeError(str(error)) from None
-
-
-def _count(text):
-    if not text.isdecimal() or int(text) < 1:
-        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number from 1 on")
-    return int(text)

@@ -74,11 +74,7 @@ def _mesh(options):
         if learned is not None:
             print()
             print_learned(learned, options.output)
-    return SOME_FAILED if meshing.failures else 0
-
-
-SOME_FAILED = 1
-"""Exit status where parts could not be given to Gmsh."""
+    return 1 if meshing.failures else 0
 
 
 def _export(options):

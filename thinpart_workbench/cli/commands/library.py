@@ -1,5 +1,6 @@
-"""Open and refresh the libraries that a command names, and print their problems."""
+"""What commands share that search libraries: opening and refreshing them, printing their problems, and a count."""
 
+import argparse
 import sys
 from contextlib import contextmanager
 from itertools import groupby
@@ -32,6 +33,13 @@ def libraries(roots):
         for _, problems in groupby(opened.problems, lambda problem: problem.root):
             _print_problems(list(problems))
         yield opened, int(any(problem.kind == "folder" for problem in opened.problems))
+
+
+def count_from_one(text):
+    """A whole number from 1 on, as the value of an option."""
+    if not text.isdecimal() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number from 1 on")
+    return int(text)
 
 
 def _print_problems(problems):

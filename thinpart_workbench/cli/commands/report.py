@@ -6,12 +6,10 @@ from ...api.report_folder import LANGUAGES, ReportFolder
 from ...core.foreign_text import printable
 from ...core.judging.criteria import load_profile
 from ...core.length_unit import MILLIMETRE, UNITS
-from ...core.run_control import RunControl
 from ...storage.common_folder import common_folder
 from ...storage.info.info_file import info_path_getter
 from ..check_options import PartChecks, add_check_options, checked_limits
-from ..control_input import listen
-from ..file_run import analyse_and_report
+from ..file_run import analyse_and_report, controlled_run
 from ..output_options import FOLDER, add_output_option, replacing
 from ..run_options import (
     add_control_options,
@@ -25,8 +23,7 @@ from ..run_options import (
     settings_of,
     shown_measure_of,
 )
-from ..run_report import new_report, standard_output
-from ..stop_signals import stop_signals
+from ..run_report import standard_output
 
 
 def add_arguments(parser):
@@ -49,13 +46,9 @@ def add_arguments(parser):
 
 def run(options):
     """Make the report and return the exit status."""
-    report = new_report(options.json, options.control)
-    control = RunControl(report.state)
     profile = load_profile(options.profile).content
     checks = PartChecks(checked_limits(options))
-    with stop_signals(control) as undisturbed, report:
-        if options.control:
-            listen(control)
+    with controlled_run(options) as (report, control, undisturbed):
         file_run = new_file_run(options, control, report)
         tree = common_folder(options.paths)
         folder = ReportFolder(options.output, tree, profile, info_path_getter(options.info_dir, info_tree(options)),

@@ -7,7 +7,7 @@ from ...api.libraries import reference_part
 from ...core.foreign_text import json_text
 from ..stored_rows import print_stored
 from ..terminal_table import TableColumn
-from .library import libraries
+from .library import count_from_one, libraries
 
 
 def add_arguments(parser):
@@ -17,7 +17,7 @@ def add_arguments(parser):
     parser.add_argument("roots", nargs="+", metavar="ROOT", help="folders to look in, with all below them")
     parser.add_argument("--part", metavar="NAME",
                         help="name or label of the part, where the document has several")
-    parser.add_argument("-n", type=_count, default=10, metavar="N", help="how many (default: %(default)s)")
+    parser.add_argument("-n", type=count_from_one, default=10, metavar="N", help="how many (default: %(default)s)")
     parser.add_argument("--same-size", type=_factor, nargs="?", const=1.25, metavar="FACTOR",
                         help="only parts whose diagonal differs by no more than this factor (1.25)")
     parser.add_argument("--json", action="store_true",
@@ -43,12 +43,6 @@ def run(options):
         else:
             print("There is no other part in these folders.", file=sys.stderr)
     return status
-
-
-def _count(text):
-    if not text.isdecimal() or int(text) < 1:
-        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number from 1 on")
-    return int(text)
 
 
 def _factor(text):

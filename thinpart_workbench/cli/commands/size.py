@@ -22,12 +22,12 @@ from ...core.errors import ThinPartError
 from ...core.foreign_text import printable
 from ...core.kinds.file_marks import SCRIPT, SHELLS, TABLE
 from ...core.message import message
-from ...core.run_control import RunControl
 from ...core.shells.shell_settings import ShellSettings
 from ...core.sizing.sizing_settings import LAYERS_OF_ORDER, SizingSettings
 from ...storage.info.info_location import info_location
+from ...storage.output_file import writing
 from ...storage.part_table import write_table
-from ..control_input import listen
+from ..file_run import controlled_run
 from ..output_options import add_output_option, check_with_documents, replacing
 from ..run_options import (
     add_control_options,
@@ -37,9 +37,8 @@ from ..run_options import (
     limits_of,
     settings_of,
 )
-from ..run_report import new_report, standard_output
+from ..run_report import standard_output
 from ..size_text import SIZES, print_part, print_sizes
-from ..stop_signals import stop_signals
 
 
 def add_arguments(parser):
@@ -103,12 +102,9 @@ def run(options):
     request = MeshRequest(settings, tuple(sizes.items()), options.all_walls, options.check, shell, options.mesh_timeout,
                           has_sources=options.geo is not None,
                           part=None if options.geo is None and options.shell is None else options.part or "")
-    report, found, failed, refused = new_report(options.json, options.control), [], 0, None
-    control = RunControl(report.state)
+    found, failed, refused = [], 0, None
     try:
-        with stop_signals(control), report:
-            if options.control:
-                listen(control)
+        with controlled_run(options) as (report, control, _):
             for outcome in mesh_sizes(
                     options.paths, request, options.profile, analysis=settings_of(options), limits=limits_of(options),
                     files=FileChoice(options.include, options.exclude, options.force,
@@ -123,7 +119,8 @@ def run(options):
     finally:
         parts = [(outcome["file"], part) for outcome in found for part in outcome.get("parts", ())]
         if options.csv and parts:
-            _write_csv(options, parts)
+            with writing(options.csv):
+                write_table(options.csv, SIZES, [SIZES.text(parts)], **replacing(options))
         if parts and not options.json:
             with standard_output() as stream:
                 if len(parts) == 1:
@@ -198,14 +195,6 @@ def _without_places(part):
         shown["shell"] = {key: value for key, value in shown["shell"].items()
                           if key not in ("points", "triangles", "wall", "thickness")}
     return shown
-
-
-def _write_csv(options, parts):
-    try:
-        write_table(options.csv, SIZES, [SIZES.text(parts)], **replacing(options))
-    except OSError as error:
-        raise ThinPartError(message("{file} cannot be written ({problem}): name another place.", file=options.csv,
-                                    problem=error.strerror), "failed") from None
 
 
 def _chosen(options, found, path):
