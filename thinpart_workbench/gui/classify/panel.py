@@ -1,14 +1,11 @@
 """The panel of a classification: progress, a result or a message, and the info file."""
 
-from pathlib import Path
-
-from ..application.qt import QtGui, QtWidgets, Signal, translate
+from ..application.icons import icon
+from ..application.qt import QtWidgets, Signal, translate
 from ..record.measuring_progress import MeasuringProgress
 from ..record.parts_table import PartsTable
 from ..record.record_view import RecordView, show_text, text_line
 from ..widgets.push_button import add_button
-
-ICON = Path(__file__).resolve().parents[3] / "resources" / "icons" / "ThinPart_Classify.svg"
 
 
 class ClassifyPanel(QtWidgets.QWidget):
@@ -28,7 +25,7 @@ class ClassifyPanel(QtWidgets.QWidget):
         super().__init__()
         self.setObjectName("ThinPart_Panel")
         self.setWindowTitle(translate("ThinPart", "Classify part"))
-        self.setWindowIcon(QtGui.QIcon(str(ICON)))
+        self.setWindowIcon(icon("ThinPart_Classify"))
         column = QtWidgets.QVBoxLayout(self)
         # The task view is narrow and has its own margins.
         column.setContentsMargins(6, 6, 6, 6)

@@ -2,7 +2,6 @@
 
 import os
 from dataclasses import replace
-from pathlib import Path
 
 import FreeCADGui as Gui
 
@@ -10,7 +9,8 @@ from ...core.errors import ThinPartError
 from ...core.judging.criteria import load_profile
 from ...freecad_adapter.preferences import preference_list, set_preference_list
 from ..application import lifelong
-from ..application.qt import QtCore, QtGui, QtWidgets, execute, translate
+from ..application.icons import icon
+from ..application.qt import QtCore, QtWidgets, execute, translate
 from ..application.sentences import translated
 from ..guide.command import help_button
 from ..processes.command_line_run import DONE, STOPPED, CommandLineRun
@@ -22,7 +22,6 @@ from .progress_bar import RunProgressBar
 from .results_panel import ResultsPanel
 from .settings import store_settings, stored_settings
 
-ICON = Path(__file__).resolve().parents[3] / "resources" / "icons" / "ThinPart_ClassifyFolder.svg"
 IDLE, SEARCHING, RUNNING, PAUSING, PAUSED, STOPPING = range(6)
 
 
@@ -33,7 +32,7 @@ class FolderDialog(QtWidgets.QDialog):
         super().__init__(parent)
         self.setObjectName("ThinPart_FolderDialog")
         self.setWindowTitle(translate("ThinPart", "Classify folder"))
-        self.setWindowIcon(QtGui.QIcon(str(ICON)))
+        self.setWindowIcon(icon("ThinPart_ClassifyFolder"))
         self.setWindowFlags(QtCore.Qt.Window)
         self._state = IDLE
         self._settings = None

@@ -4,10 +4,12 @@ from dataclasses import replace
 
 from ...core.file_formats import CHOICES
 from ..application.qt import QtCore, QtWidgets, translate
+from ..widgets.file_dialogs import choose_folder
 from ..widgets.flow_layout import FlowLayout
 from ..widgets.folder_field import absolute
 from ..widgets.process_field import ProcessField
 from ..widgets.profile_combo import ProfileCombo
+from ..widgets.push_button import push_button
 from .settings import FolderSettings, folder_history
 
 
@@ -81,9 +83,8 @@ class FolderForm(QtWidgets.QWidget):
         self._folder.setMinimumContentsLength(20)
         self._folder.lineEdit().setPlaceholderText(
             translate("ThinPart", "The folder with your parts; its subfolders are included"))
-        choose = self._button("ChooseFolder", translate("ThinPart", "C&hoose\u2026"))
-        choose.clicked.connect(lambda: self._ask_for_folder(
-            self._folder.currentText(), self._folder.setCurrentText))
+        choose = self._button("ChooseFolder", translate("ThinPart", "C&hoose\u2026"), lambda: choose_folder(
+            self, self._folder.currentText(), self._folder.setCurrentText))
         self._row(0, translate("ThinPart", "&Folder"), self._folder, choose)
 
     def _add_names(self):
@@ -121,9 +122,8 @@ class FolderForm(QtWidgets.QWidget):
         row.addWidget(self._beside)
         row.addWidget(self._in_folder)
         row.addWidget(self._info_folder, 1)
-        choose = self._button("ChooseInfoFolder", translate("ThinPart", "Choose\u2026"))
-        choose.clicked.connect(lambda: self._ask_for_folder(
-            self._info_folder.text(), self._info_folder.setText))
+        choose = self._button("ChooseInfoFolder", translate("ThinPart", "Choose\u2026"), lambda: choose_folder(
+            self, self._info_folder.text(), self._info_folder.setText))
         for widget in (self._info_folder, choose):
             widget.setEnabled(False)
             self._in_folder.toggled.connect(widget.setEnabled)
@@ -137,8 +137,7 @@ class FolderForm(QtWidgets.QWidget):
 
     def _add_profile(self):
         self._profile = self._named(ProfileCombo(self), "Profile")
-        choose = self._button("ChooseProfile", translate("ThinPart", "From file\u2026"))
-        choose.clicked.connect(lambda *_: self._profile.ask_for_file())
+        choose = self._button("ChooseProfile", translate("ThinPart", "From file\u2026"), self._profile.ask_for_file)
         self._row(4, translate("ThinPart", "&Thresholds"), self._profile, choose)
 
     def _add_limits(self):
@@ -173,13 +172,5 @@ class FolderForm(QtWidgets.QWidget):
         widget.setObjectName(f"ThinPart_Folder{name}" if name != "Folder" else "ThinPart_Folder")
         return widget
 
-    def _button(self, name, text):
-        button = self._named(QtWidgets.QPushButton(text, self), name)
-        button.setAutoDefault(False)
-        return button
-
-    def _ask_for_folder(self, current, callback):
-        folder = QtWidgets.QFileDialog.getExistingDirectory(
-            self, translate("ThinPart", "Choose a folder"), current)
-        if folder:
-            callback(folder)
+    def _button(self, name, text, callback):
+        return push_button(self, f"ThinPart_Folder{name}", text, callback, is_for_enter=False)

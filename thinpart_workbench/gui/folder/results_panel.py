@@ -13,6 +13,7 @@ from ..document.open_part import DANGEROUS, confirm_dangerous_open, open_part
 from ..processes.request_queue import LABEL
 from ..record.label_button import LabelButton
 from ..tables.table_view import TableView
+from ..widgets.push_button import push_button
 from .result_columns import Results, result_columns
 from .results_filter import ResultsFilter
 
@@ -48,16 +49,15 @@ class ResultsPanel(QtWidgets.QWidget):
         self.view.failed.connect(self.failed)
         self.view.doubleClicked.connect(lambda _: self.open_current())
         column.addWidget(self.view, 1)
-        self.open_button = self._button(
-            "ThinPart_FolderOpen", translate("ThinPart", "&Open part"), self.open_current)
+        self.open_button = push_button(self, "ThinPart_FolderOpen", translate("ThinPart", "&Open part"), self.open_current)
         self.label_button = LabelButton(self)
         self.label_button.setObjectName("ThinPart_FolderLabel")
         self.label_button.label_chosen.connect(self.label_current)
-        self.info_button = self._button(
-            "ThinPart_FolderShowInfo", translate("ThinPart", "Show info file\u2019s folder"),
+        self.info_button = push_button(
+            self, "ThinPart_FolderShowInfo", translate("ThinPart", "Show info file\u2019s folder"),
             self.show_info_folder)
-        self.export_button = self._button(
-            "ThinPart_FolderExport", translate("ThinPart", "&Export CSV\u2026"), self.view.save_csv)
+        self.export_button = push_button(
+            self, "ThinPart_FolderExport", translate("ThinPart", "&Export CSV\u2026"), self.view.save_csv)
         self.view.selectionModel().selectionChanged.connect(lambda *_: self._show_buttons())
         for signal in (self.table.modelReset, self.table.rowsInserted, self.table.layoutChanged, self.view.saving_changed):
             signal.connect(lambda *_: self._show_buttons())
@@ -159,12 +159,6 @@ class ResultsPanel(QtWidgets.QWidget):
         else:
             self.message.emit(translate(
                 "ThinPart", "No file manager was found: open the info file {} yourself.").format(path))
-
-    def _button(self, name, text, callback):
-        button = QtWidgets.QPushButton(text, self)
-        button.setObjectName(name)
-        button.clicked.connect(lambda *_: callback())
-        return button
 
     def _show_buttons(self):
         selected = self.view.selectionModel().hasSelection()

@@ -1,6 +1,7 @@
 """Shows the guide: from its command, from FreeCAD's What's This, and from F1 in ThinPart's panels."""
 
-from ..application.qt import QtCore, QtWidgets, translate
+from ..application.qt import QtCore, translate
+from ..widgets.push_button import push_button
 from ..widgets.single_dialog import show_single_dialog
 from .pages import CONTENTS, PAGE_OF
 
@@ -75,11 +76,9 @@ def help_button(parent, name):
     QPushButton
     """
     lead_to_guide(parent, name)
-    button = QtWidgets.QPushButton(translate("ThinPart", "Help"), parent)
-    button.setObjectName("ThinPart_Help")
+    button = push_button(
+        parent, "ThinPart_Help", translate("ThinPart", "Help"), lambda: show_guide(name), is_for_enter=False)
     button.setToolTip(translate("ThinPart", "Opens the page of the guide about this (F1)"))
-    button.setAutoDefault(False)
-    button.clicked.connect(lambda *_: show_guide(name))
     return button
 
 

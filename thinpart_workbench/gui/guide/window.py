@@ -27,15 +27,15 @@ class GuideWindow(QtWidgets.QDialog):
                 ("ThinPart_GuideContents", translate("ThinPart", "&Contents"), lambda: self.show_page(CONTENTS)),
                 ("ThinPart_GuideBack", translate("ThinPart", "&Back"), self._page.backward),
                 ("ThinPart_GuideForward", translate("ThinPart", "&Forward"), self._page.forward)):
-            button = add_button(row, self, name, text, callback)
-            button.setAutoDefault(False)
+            button = add_button(row, self, name, text, callback, is_for_enter=False)
             if name == "ThinPart_GuideBack":
                 self._page.backwardAvailable.connect(button.setEnabled)
             elif name == "ThinPart_GuideForward":
                 self._page.forwardAvailable.connect(button.setEnabled)
             button.setEnabled(name == "ThinPart_GuideContents")
         row.addStretch(1)
-        add_button(row, self, "ThinPart_GuideClose", translate("ThinPart", "Close"), self.close).setAutoDefault(False)
+        add_button(row, self, "ThinPart_GuideClose", translate("ThinPart", "Close"), self.close,
+                   is_for_enter=False)
         column.addWidget(self._page, 1)
         self.resize(840, 680)
 

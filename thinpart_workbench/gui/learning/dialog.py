@@ -1,20 +1,21 @@
 """The dialog that learns thresholds from labels."""
 
 import os
-from pathlib import Path
 
 from ...core.errors import ThinPartError
 from ...core.kinds.file_marks import PROFILE
 from ...freecad_adapter.additional_packages import has_package, install_folder
 from ...freecad_adapter.preferences import set_preference
 from ..application import lifelong
-from ..application.qt import QtCore, QtGui, QtWidgets, execute, grouped, translate
+from ..application.icons import icon
+from ..application.qt import QtCore, QtWidgets, grouped, translate
 from ..application.sentences import translated
 from ..guide.command import help_button
 from ..processes.package_installation import PackageInstallation
 from ..processes.request_queue import RequestQueue
 from ..record.record_view import show_text, text_line
 from ..widgets.confirmation import may_overwrite
+from ..widgets.file_dialogs import chosen_output
 from ..widgets.push_button import add_button
 from .form import LearnForm
 from .result_view import LearnedView
@@ -25,7 +26,6 @@ _PACKAGE, _MODULE = "scikit-learn", "sklearn"
 _LINES_WITH_RESULT = 50
 """Height of the dialog with a result, in lines of text."""
 
-ICON = Path(__file__).resolve().parents[3] / "resources" / "icons" / "ThinPart_LearnThresholds.svg"
 
 
 class LearnDialog(QtWidgets.QDialog):
@@ -35,7 +35,7 @@ class LearnDialog(QtWidgets.QDialog):
         super().__init__(parent)
         self.setObjectName("ThinPart_LearnDialog")
         self.setWindowTitle(translate("ThinPart", "Learn thresholds"))
-        self.setWindowIcon(QtGui.QIcon(str(ICON)))
+        self.setWindowIcon(icon("ThinPart_LearnThresholds"))
         self.setWindowFlags(QtCore.Qt.Window)
         self._learned = self._saved = None
         self._use_when_saved = False
@@ -97,20 +97,14 @@ class LearnDialog(QtWidgets.QDialog):
 
     def save(self):
         """Ask for a file and write the learned profile to it."""
-        dialog = QtWidgets.QFileDialog(
-            self, translate("ThinPart", "Save the learned profile"), self._form.arguments()["library"],
-            translate("ThinPart", "Thresholds (*.json)"))
-        dialog.setObjectName("ThinPart_LearnSaveDialog")
-        dialog.setAcceptMode(QtWidgets.QFileDialog.AcceptSave)
-        dialog.setDefaultSuffix("json")
-        dialog.selectFile("house.json")
-        chosen = dialog.selectedFiles() if execute(dialog) else []
-        dialog.deleteLater()
-        overwrite = self._may_overwrite(chosen[0]) if chosen else None
+        chosen = chosen_output(
+            self, "ThinPart_LearnSaveDialog", translate("ThinPart", "Save the learned profile"),
+            os.path.join(self._form.arguments()["library"], "house.json"), translate("ThinPart", "Thresholds (*.json)"))
+        overwrite = self._may_overwrite(chosen) if chosen else None
         if overwrite is None:
             self._use_when_saved = False
         else:
-            self.save_as(chosen[0], overwrite)
+            self.save_as(chosen, overwrite)
 
     def save_as(self, file, overwrite=False):
         """Write the learned profile to a file; `overwrite` says whether that may be no profile."""
@@ -232,13 +226,13 @@ class LearnDialog(QtWidgets.QDialog):
 
     def _add_last_row(self, column):
         row = QtWidgets.QHBoxLayout()
-        self._save = add_button(row, self, "ThinPart_LearnSave", translate("ThinPart", "&Save as\u2026"), self.save)
-        self._use = add_button(row, self, "ThinPart_LearnUse", translate("ThinPart", "&Use as my profile"), self.use)
+        self._save = add_button(
+            row, self, "ThinPart_LearnSave", translate("ThinPart", "&Save as\u2026"), self.save, is_for_enter=False)
+        self._use = add_button(
+            row, self, "ThinPart_LearnUse", translate("ThinPart", "&Use as my profile"), self.use, is_for_enter=False)
         row.addStretch(1)
         row.addWidget(help_button(self, "ThinPart_LearnThresholds"))
-        close = add_button(row, self, "ThinPart_LearnClose", translate("ThinPart", "Close"), self.close)
-        for button in (self._save, self._use, close):
-            button.setAutoDefault(False)
+        add_button(row, self, "ThinPart_LearnClose", translate("ThinPart", "Close"), self.close, is_for_enter=False)
         column.addLayout(row)
 
 

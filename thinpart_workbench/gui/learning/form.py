@@ -2,6 +2,7 @@
 
 from ...freecad_adapter.preferences import preference, preference_list
 from ..application.qt import QtCore, QtWidgets, translate
+from ..widgets.file_dialogs import choose_folder
 from ..widgets.folder_field import absolute
 from ..widgets.profile_combo import ProfileCombo
 from ..widgets.push_button import add_button
@@ -92,10 +93,7 @@ class LearnForm(QtWidgets.QWidget):
         grid.addWidget(field, row, 1)
 
     def _choose_folder(self):
-        folder = QtWidgets.QFileDialog.getExistingDirectory(
-            self, translate("ThinPart", "Choose a folder"), self._folder.currentText())
-        if folder:
-            self._folder.setCurrentText(folder)
+        choose_folder(self, self._folder.currentText(), self._folder.setCurrentText)
 
     def _choose_files(self):
         files, _ = QtWidgets.QFileDialog.getOpenFileNames(

@@ -1,11 +1,10 @@
 """The panel that prepares a mesh: settings, walls with their sizes, the estimate, and what Gmsh makes of them."""
 
-from pathlib import Path
-
 from ...core.sizing.sizing_settings import SizingSettings
+from ..application.icons import icon
 from ..application.length_unit import MILLIMETRE
 from ..application.numbers import marked, number, percent
-from ..application.qt import QtGui, QtWidgets, Signal, grouped, translate
+from ..application.qt import QtWidgets, Signal, grouped, translate
 from ..application.sentences import translated
 from ..record.measuring_progress import MeasuringProgress
 from ..record.record_view import show_text, text_line
@@ -15,8 +14,6 @@ from .quality_chart import QualityChart
 from .scale_bar import ScaleBar
 from .shell_box import ShellBox
 from .wall_table import WallSizesTable
-
-ICON = Path(__file__).resolve().parents[3] / "resources" / "icons" / "ThinPart_MeshSizes.svg"
 
 
 class MeshSizesPanel(QtWidgets.QWidget):
@@ -44,7 +41,7 @@ class MeshSizesPanel(QtWidgets.QWidget):
         super().__init__()
         self.setObjectName("ThinPart_MeshSizesPanel")
         self.setWindowTitle(translate("ThinPart", "Prepare mesh"))
-        self.setWindowIcon(QtGui.QIcon(str(ICON)))
+        self.setWindowIcon(icon("ThinPart_MeshSizes"))
         self._unit, self._global = MILLIMETRE, None
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(6, 6, 6, 6)

@@ -1,6 +1,7 @@
 """The widget that shows one part record."""
 
 from ...core.length_unit import MILLIMETRE
+from ...freecad_adapter.preferences import preference
 from ..application.numbers import number, percent
 from ..application.qt import QtCore, QtWidgets, Signal, colour, translate
 from ..application.sentences import translated
@@ -8,7 +9,6 @@ from .criteria_tree import CriteriaTree
 from .distribution_chart import DistributionChart
 from .label_button import LabelButton, labels_sentence, own_label
 from .regions_table import RegionsTable
-from .thin_faces import legend
 from .verdict_text import category_colour, category_title, confidence_text, paper_text, reason_text
 from .wall_checks import checks_text
 
@@ -155,7 +155,7 @@ class RecordView(QtWidgets.QWidget):
         rows = QtWidgets.QVBoxLayout(self._legend)
         rows.setContentsMargins(0, 0, 0, 0)
         rows.setSpacing(2)
-        for index, (rgb, meaning) in enumerate(legend()):
+        for index, (rgb, meaning) in enumerate(_legend()):
             row = QtWidgets.QHBoxLayout()
             square = swatch(self._legend, f"ThinPart_LegendSwatch{index}", 12)
             paint_swatch(square, rgb)
@@ -200,6 +200,14 @@ def paint_swatch(square, rgb):
     # A style sheet, because FreeCAD's themes would override a palette.
     square.setStyleSheet(
         f"QFrame {{ background-color: {colour(rgb).name()}; border: 1px solid #444; }}")
+
+
+def _legend():
+    """list of (colour, meaning) of thin faces, the most important first."""
+    return [
+        (preference("ThinColour"), translate("ThinPart", "thin on half of the face or more")),
+        (preference("PartlyThinColour"), translate("ThinPart", "thin in places")),
+    ]
 
 
 def _box(measured, unit):

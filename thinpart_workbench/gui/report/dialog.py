@@ -13,6 +13,7 @@ from ...core.errors import ThinPartError
 from ...freecad_adapter.additional_packages import has_package, install_folder
 from ...freecad_adapter.preferences import preference, preferred_analysis
 from ..application import lifelong
+from ..application.icons import icon
 from ..application.language import language_of
 from ..application.length_unit import length_unit
 from ..application.qt import QtCore, QtGui, QtWidgets, translate
@@ -22,13 +23,13 @@ from ..processes.document_analysis import DocumentAnalysis
 from ..processes.package_installation import PackageInstallation
 from ..processes.snapshot_job import SnapshotJob
 from ..record.record_view import show_text, text_line
+from ..widgets.file_dialogs import choose_folder
 from ..widgets.push_button import add_button
 from ..widgets.single_dialog import show_single_dialog, single_dialog
 
 _PACKAGE = "Jinja2"
 """Template engine of the report pages; FreeCAD bundles do not include it."""
 
-ICON = Path(__file__).resolve().parents[3] / "resources" / "icons" / "ThinPart_Report.svg"
 
 
 def proposed_folder(document):
@@ -56,7 +57,7 @@ class ReportDialog(QtWidgets.QDialog):
         super().__init__(parent)
         self.setObjectName("ThinPart_ReportDialog")
         self.setWindowTitle(translate("ThinPart", "Report"))
-        self.setWindowIcon(QtGui.QIcon(str(ICON)))
+        self.setWindowIcon(icon("ThinPart_Report"))
         self._document = None
         self._output = ""
         self._job = self._analysis = None
@@ -224,10 +225,8 @@ class ReportDialog(QtWidgets.QDialog):
         self._open_button.setEnabled(False)
 
     def _choose(self):
-        folder = QtWidgets.QFileDialog.getExistingDirectory(
-            self, translate("ThinPart", "Folder of the report"), os.path.dirname(self._folder.text()))
-        if folder:
-            self._folder.setText(folder)
+        choose_folder(self, os.path.dirname(self._folder.text()), self._folder.setText,
+                      translate("ThinPart", "Folder of the report"))
 
     def _add_folder(self, column):
         row = QtWidgets.QHBoxLayout()
@@ -246,9 +245,7 @@ class ReportDialog(QtWidgets.QDialog):
         row = QtWidgets.QHBoxLayout()
 
         def add(name, text, callback):
-            button = add_button(row, self, name, text, callback)
-            button.setAutoDefault(False)
-            return button
+            return add_button(row, self, name, text, callback, is_for_enter=False)
 
         self._install = add(
             "ThinPart_ReportInstall", translate("ThinPart", "&Install {}").format(_PACKAGE), self.install)

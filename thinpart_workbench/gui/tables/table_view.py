@@ -1,14 +1,13 @@
 """The view of a table: how it looks, which columns are shown, and what can be done with its rows."""
 
-import os
-
 from ...core.errors import ThinPartError
 from ...core.kinds.file_marks import TABLE
 from ...storage.part_table import SUBJECT, TableForm, write_table
-from ..application.qt import QtCore, QtGui, QtWidgets, Signal, execute, translate
+from ..application.qt import QtCore, QtGui, QtWidgets, Signal, translate
 from ..application.sentences import translated
 from ..application.thread_work import work_in_thread
 from ..widgets.confirmation import may_overwrite
+from ..widgets.file_dialogs import chosen_output
 from ..widgets.row_table import show_whole_rows
 
 
@@ -138,16 +137,10 @@ class TableView(QtWidgets.QTableView):
     def save_csv(self):
         """Ask for a file and write the shown rows to it."""
         proposed = self.csv_file or "".join(self.subject[:1])
-        dialog = QtWidgets.QFileDialog(self, translate("ThinPart", "Export the rows that are shown"),
-                                       os.path.dirname(proposed), translate("ThinPart", "Tables (*.csv)"))
-        dialog.setObjectName(self.csv_dialog)
-        dialog.setAcceptMode(QtWidgets.QFileDialog.AcceptSave)
-        dialog.setDefaultSuffix("csv")
-        dialog.selectFile(os.path.basename(proposed) + ".csv")
-        chosen = dialog.selectedFiles() if execute(dialog) else []
-        dialog.deleteLater()
+        chosen = chosen_output(self, self.csv_dialog, translate("ThinPart", "Export the rows that are shown"),
+                               f"{proposed}.csv", translate("ThinPart", "Tables (*.csv)"))
         if chosen:
-            self.write_csv(chosen[0])
+            self.write_csv(chosen)
 
     def write_csv(self, path):
         """Write the shown rows to a file; one that ThinPart did not write is replaced only where the user says so."""

@@ -1,10 +1,9 @@
 """The task boxes of one thickness map in FreeCAD's task view."""
 
-from pathlib import Path
-
 from ...api.window.profiles import profile_for_titles
 from ...core.errors import ThinPartError
-from ..application.qt import QtCore, QtGui, QtWidgets, call_later, translate
+from ..application.icons import icon
+from ..application.qt import QtCore, QtWidgets, call_later, translate
 from ..application.sentences import translated
 from ..document.task_dialog import TaskDialog
 from ..section.section_box import SectionBox
@@ -15,8 +14,6 @@ from .probe_box import ProbeBox
 from .region_box import RegionBox
 from .scale_box import ScaleBox
 from .summary_box import SummaryBox
-
-ICON = Path(__file__).resolve().parents[3] / "resources" / "icons" / "ThinPart_ShowThickness.svg"
 
 
 class ThicknessPanel(QtCore.QObject):
@@ -47,7 +44,7 @@ class ThicknessPanel(QtCore.QObject):
             "faces": (_new_container(translate("ThinPart", "Faces")), FaceBox),
             "probes": (_new_container(translate("ThinPart", "Probes")), ProbeBox),
         }
-        self.head.setWindowIcon(QtGui.QIcon(str(ICON)))
+        self.head.setWindowIcon(icon("ThinPart_ShowThickness"))
         self.panel = TaskDialog(
             [self.head, *(container for container, _ in self._containers.values())], "ThinPart_ShowThickness")
         self._presenter = None
@@ -125,7 +122,7 @@ def _new_container(title):
     """Empty container with a title, for a box of the task view."""
     container = QtWidgets.QWidget()
     container.setWindowTitle(title)
-    container.setWindowIcon(QtGui.QIcon(str(ICON)))
+    container.setWindowIcon(icon("ThinPart_ShowThickness"))
     QtWidgets.QVBoxLayout(container).setContentsMargins(0, 0, 0, 0)
     return container
 

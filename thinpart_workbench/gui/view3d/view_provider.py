@@ -1,7 +1,5 @@
 """View provider of thickness maps: the 3D view and the tree."""
 
-from pathlib import Path
-
 import FreeCAD as App
 from pivy import coin
 
@@ -11,6 +9,7 @@ from ...freecad_adapter.guard import guarded_methods
 from ...freecad_adapter.objects.thickness_object import SHARE
 from ...freecad_adapter.objects.thickness_probes import moved_matrix, probes_of
 from ..application import lifelong
+from ..application.icons import ICONS
 from ..application.length_unit import length_unit
 from ..application.qt import QtCore
 from ..application.sentences import translated
@@ -21,7 +20,6 @@ from ..section.section_nodes import SectionNodes
 from .facet_nodes import FacetNodes
 from .map_labels import WallsFoundLater
 
-_ICONS = Path(__file__).resolve().parents[3] / "resources" / "icons"
 QT_TRANSLATE_NOOP = App.Qt.QT_TRANSLATE_NOOP
 _BATCH_INTERVAL = 15
 """Milliseconds between two batches of facets, so that the view can draw the first one."""
@@ -98,7 +96,7 @@ class ThicknessView:
     def getIcon(self):
         """Icon in the tree; an outdated map has a different one."""
         stale = self._view is not None and getattr(self._view.Object, "Stale", False)
-        return str(_ICONS / ("ThinPart_ThicknessStale.svg" if stale else "ThinPart_Thickness.svg"))
+        return str(ICONS / ("ThinPart_ThicknessStale.svg" if stale else "ThinPart_Thickness.svg"))
 
     def updateData(self, thickness, name):
         """Handle a changed property of the object; while opening, FreeCAD reports each property in turn."""

@@ -1,11 +1,8 @@
 """The button that opens the profile editor, beside a choice of a profile."""
 
-from pathlib import Path
-
 from ..application import lifelong
-from ..application.qt import QtGui, QtWidgets, translate
-
-_ICON = Path(__file__).resolve().parents[3] / "resources" / "icons" / "ThinPart_EditProfile.svg"
+from ..application.icons import icon
+from ..application.qt import QtWidgets, translate
 
 
 def edit_profile_button(parent, name, chosen):
@@ -21,7 +18,7 @@ def edit_profile_button(parent, name, chosen):
     """
     button = QtWidgets.QToolButton(parent)
     button.setObjectName(name)
-    button.setIcon(QtGui.QIcon(str(_ICON)))
+    button.setIcon(icon("ThinPart_EditProfile"))
     button.setAccessibleName(translate("ThinPart", "Edit profile"))
     button.setToolTip(translate("ThinPart", "Shows the thresholds of this profile, to change and save them as your own"))
     button.clicked.connect(lambda *_: lifelong.profile_signals.edit_requested.emit(chosen()))

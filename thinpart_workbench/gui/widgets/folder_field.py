@@ -9,6 +9,7 @@ window's thread, which a server that does not answer would hold up.
 import os
 
 from ..application.qt import QtWidgets, Signal, translate
+from .file_dialogs import choose_folder
 from .push_button import add_button
 
 
@@ -52,10 +53,7 @@ class FolderField(QtWidgets.QWidget):
         self._line.setText(folder)
 
     def _choose(self):
-        folder = QtWidgets.QFileDialog.getExistingDirectory(
-            self, translate("ThinPart", "Choose a folder"), self._line.text())
-        if folder:
-            self._line.setText(folder)
+        choose_folder(self, self._line.text(), self.show_value)
 
 
 def absolute(text):

@@ -3,31 +3,30 @@
 from ..application.qt import QtWidgets
 
 
-def add_button(layout, parent, name, text, callback, *place, is_for_enter=True):
-    """Add a button to a layout.
+def push_button(parent, name, text, callback, is_for_enter=True):
+    """A QPushButton.
 
     Parameters
     ----------
-    layout : QLayout
     parent : QWidget
     name : str
-        The button's object name.
+        Object name.
     text : str
     callback : callable
         Called without arguments when the button is clicked.
-    *place : int
-        Row and column, where the layout is a grid.
-    is_for_enter : bool
+    is_for_enter : bool, optional
         Whether Enter presses it in a dialog while it has the focus; if not, Enter presses the default button.
-
-    Returns
-    -------
-    QPushButton
     """
     button = QtWidgets.QPushButton(text, parent)
     button.setObjectName(name)
     if not is_for_enter:
         button.setAutoDefault(False)
     button.clicked.connect(lambda *_: callback())
+    return button
+
+
+def add_button(layout, parent, name, text, callback, *place, is_for_enter=True):
+    """Add a `push_button` to a QLayout, at a row and column `place` where that is a grid, and return it."""
+    button = push_button(parent, name, text, callback, is_for_enter)
     layout.addWidget(button, *place)
     return button
