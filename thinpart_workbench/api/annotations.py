@@ -40,7 +40,7 @@ _SCHEME = re.compile(r"[A-Za-z][A-Za-z0-9+.-]+:")
 
 
 def annotate_part(path, part=None, info_folder=None, **values):
-    """Set annotations of a part, or remove those whose value is empty.
+    """Set annotations of a part, or remove those whose value is empty; returns its PartRecord.
 
     Parameters
     ----------
@@ -52,10 +52,6 @@ def annotate_part(path, part=None, info_folder=None, **values):
         See `info_file_of`.
     values
         ``notes``, ``mesh``, ``link``; None leaves one unchanged.
-
-    Returns
-    -------
-    PartRecord
 
     Raises
     ------
@@ -71,7 +67,7 @@ def annotate_part(path, part=None, info_folder=None, **values):
 
 
 def label_part(path, category, person="", is_sure=True, part=None, info_folder=None):
-    """Keep with a part what a person says it is; the answers of others stay.
+    """Keep with a part what a person says it is; the answers of others stay. Returns its PartRecord.
 
     Parameters
     ----------
@@ -82,10 +78,6 @@ def label_part(path, category, person="", is_sure=True, part=None, info_folder=N
     person : str, optional
         By default the name of the user on this computer.
     is_sure : bool, optional
-
-    Returns
-    -------
-    PartRecord
 
     Raises
     ------
@@ -110,7 +102,7 @@ def label_part(path, category, person="", is_sure=True, part=None, info_folder=N
 
 
 def note_regions(path, regions, person="", part=None, info_folder=None, excluded=None, mesh_size_mm=None):
-    """Keep with wall regions of a part what a person says of them; the verdict stays.
+    """Keep with wall regions of a part what a person says of them; the verdict stays. Returns its PartRecord.
 
     Parameters
     ----------
@@ -124,10 +116,6 @@ def note_regions(path, regions, person="", part=None, info_folder=None, excluded
         Why they are left out; empty includes them again, None changes nothing.
     mesh_size_mm : float, optional
         Wanted element size; 0 removes it, None changes nothing.
-
-    Returns
-    -------
-    PartRecord
 
     Raises
     ------
@@ -146,12 +134,7 @@ def note_regions(path, regions, person="", part=None, info_folder=None, excluded
 
 
 def region_notes(path):
-    """What people said of wall regions: dict of list by part name; None where there is no readable info file.
-
-    Parameters
-    ----------
-    path : str or Path
-        The info file.
+    """What people said of wall regions, by an info file: dict of list by part name; None where it cannot be read.
 
     Examples
     --------

@@ -206,12 +206,7 @@ def _texts(globs):
 
 
 def cluster_address(text):
-    """The complete address of a scheduler; also accepts ``HOST:PORT``.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``usage``.
+    """The complete address of a scheduler; also accepts ``HOST:PORT``. Raises a ThinPartError, kind ``usage``.
 
     Examples
     --------

@@ -37,7 +37,7 @@ class WrittenInfo:
 
 
 def write_document_info(document, stamp, records, failures, profile, settings, folder="", patience=PATIENCE):
-    """Write an info file.
+    """Write an info file: WrittenInfo.
 
     Parameters
     ----------
@@ -55,10 +55,6 @@ def write_document_info(document, stamp, records, failures, profile, settings, f
         See `info_location`.
     patience : float, optional
         Seconds to wait for the folder, which may be on another computer.
-
-    Returns
-    -------
-    WrittenInfo
 
     Raises
     ------
@@ -101,24 +97,7 @@ def file_stamp(path):
 
 
 def keep_label(path, part, category, is_sure, person=""):
-    """Keep what a person says a part is.
-
-    Parameters
-    ----------
-    path : str or Path
-        The info file.
-    part, category, is_sure, person
-        See `label_part`.
-
-    Returns
-    -------
-    list of PersonLabel
-        All labels of the part.
-
-    Raises
-    ------
-    ThinPartError
-        See `label_part`.
+    """Keep in an info file what a person says a part is; see `label_part`. Returns all its labels, list of PersonLabel.
 
     Examples
     --------
@@ -129,14 +108,7 @@ def keep_label(path, part, category, is_sure, person=""):
 
 
 def notes(document, folder=""):
-    """What people said of the wall regions of a document; see `region_notes`.
-
-    Parameters
-    ----------
-    document : str
-        Its path.
-    folder : str, optional
-        See `info_location`.
+    """What people said of the wall regions of a document, given by its path; see `region_notes` and `info_location`.
 
     Examples
     --------
@@ -147,24 +119,7 @@ def notes(document, folder=""):
 
 
 def keep_notes(document, part, regions, folder="", person="", **said):
-    """Keep what a person says of wall regions.
-
-    Parameters
-    ----------
-    document, folder
-        See `notes`.
-    part, regions, person, said
-        See `note_regions`.
-
-    Returns
-    -------
-    dict
-        As `notes`.
-
-    Raises
-    ------
-    ThinPartError
-        See `note_regions`.
+    """Keep what a person says of wall regions, and return what `notes` does; see `note_regions`.
 
     Examples
     --------
@@ -179,19 +134,7 @@ def keep_notes(document, part, regions, folder="", person="", **said):
 
 
 def keep_settings(document, folder="", **worked):
-    """Keep the settings with which a part was meshed, where its document has an info file.
-
-    Parameters
-    ----------
-    document, folder
-        See `notes`.
-    worked
-        See `keep_mesh_settings`.
-
-    Raises
-    ------
-    ThinPartError
-        See `keep_mesh_settings`.
+    """Keep the settings with which a part was meshed, where its document has an info file; see `keep_mesh_settings`.
 
     Examples
     --------
@@ -205,14 +148,7 @@ def keep_settings(document, folder="", **worked):
 def settings_for(record, document, folder="", roots=(), report=None):
     """Mesh settings that worked for a part or for one like it; see `settings_that_worked`.
 
-    Parameters
-    ----------
-    record : PartRecord
-    document, folder
-        See `notes`; the document is empty where it was never saved.
-    roots : list of str, optional
-        Folders of info files; those that are not there are left out.
-    report : callable, optional
+    The document is an empty text where it was never saved; roots that are not there are left out.
 
     Examples
     --------

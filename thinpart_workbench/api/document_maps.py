@@ -17,7 +17,7 @@ NAME = "Thickness"
 
 
 def new_thickness_object(document, sources, parts):
-    """Add maps of parts to a document.
+    """Add maps of parts to a document: FreeCAD.DocumentObject. Raises an OSError if there is no space for the file.
 
     Parameters
     ----------
@@ -25,15 +25,6 @@ def new_thickness_object(document, sources, parts):
     sources : list of FreeCAD.DocumentObject
         Objects whose change makes the maps stale.
     parts : list of MappedPart
-
-    Returns
-    -------
-    FreeCAD.DocumentObject
-
-    Raises
-    ------
-    OSError
-        If there is no space for the file.
 
     Examples
     --------
@@ -53,23 +44,14 @@ def new_thickness_object(document, sources, parts):
 def set_parts(thickness, sources, parts):
     """Replace the maps of an object after measuring again; threshold and scale stay.
 
-    By another measure, the range of the scale is chosen as that of a new object.
+    By another measure, the range of the scale is chosen as that of a new object. Returns how many probes were dropped, since
+    they no longer lie on the surface. Raises an OSError.
 
     Parameters
     ----------
     thickness : FreeCAD.DocumentObject
-    sources : list of FreeCAD.DocumentObject
+    sources, parts
         See `new_thickness_object`.
-    parts : list of MappedPart
-
-    Returns
-    -------
-    int
-        Number of probes that were dropped because they no longer lie on the surface.
-
-    Raises
-    ------
-    OSError
 
     Examples
     --------
@@ -88,12 +70,7 @@ def set_parts(thickness, sources, parts):
 
 
 def parts_of(thickness):
-    """The parts of an object with their maps, list of MappedPart.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``unreadable``.
+    """The parts of an object with their maps, list of MappedPart. Raises a ThinPartError, kind ``unreadable``.
 
     Examples
     --------

@@ -20,18 +20,9 @@ class PartVerdict(TypedDict):
 
 
 def document_verdicts(records: list[PartRecord], profile: dict) -> dict[str, PartVerdict]:
-    """Summaries of part records, small enough to be kept and compared for every open document.
+    """Summaries of part records, by name, small enough to be kept and compared for every open document.
 
-    Parameters
-    ----------
-    records : list of PartRecord
-    profile : dict
-        Content of the profile by which the parts were judged.
-
-    Returns
-    -------
-    dict of str to PartVerdict
-        By the part's name.
+    The content of the profile is that by which the parts were judged.
 
     Examples
     --------

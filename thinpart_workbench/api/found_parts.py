@@ -198,18 +198,9 @@ class SearchResult(Sequence):
 
 
 def record_and_profile(info_file, name) -> tuple[PartRecord, ProfileContent]:
-    """The record of a part in an info file, and the profile by which the part was judged.
+    """The record of a part in an info file, by name or label, and the profile by which the part was judged.
 
-    Parameters
-    ----------
-    info_file : str or Path
-    name : str
-        Name or label.
-
-    Raises
-    ------
-    ThinPartError
-        If the info file cannot be read or does not hold the part.
+    Raises a ThinPartError if the info file cannot be read or does not hold the part.
 
     Examples
     --------

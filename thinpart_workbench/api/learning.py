@@ -171,7 +171,7 @@ def _cell(value):
 
 
 def save_profile(content, output, overwrite=False):
-    """Write a learned profile.
+    """Write a learned profile; raises ThinPartError.
 
     Parameters
     ----------
@@ -181,10 +181,6 @@ def save_profile(content, output, overwrite=False):
         A shipped profile is not overwritten.
     overwrite : bool, optional
         Whether a file that is no profile may be overwritten.
-
-    Raises
-    ------
-    ThinPartError
 
     Examples
     --------

@@ -56,23 +56,13 @@ class Libraries:
         self._stack.close()
 
     def find(self, query, sort="file", descending=False, limit=None):
-        """Find the parts that match a `PartQuery`; see `LibrarySearch.find`.
-
-        Returns
-        -------
-        SearchResult
-        """
+        """Find the parts that match a `PartQuery`; see `LibrarySearch.find`. Returns a SearchResult."""
         found = LibrarySearch(self.indexes).find(query, sort, descending)
         parts = [FoundPart(part) for part in found.parts(0, limit) if part is not None]
         return SearchResult(parts, len(found), self.problems)
 
     def similar(self, record: PartRecord, count=10, same_size=None, excluding=None):
-        """Find the parts most similar to a record, best first; see `similar_parts`.
-
-        Returns
-        -------
-        SearchResult
-        """
+        """Find the parts most similar to a record, best first; see `similar_parts`. Returns a SearchResult."""
         found = similar_parts(self.indexes, record, count, same_size, excluding)
         return SearchResult([FoundPart(*match) for match in found], len(found), self.problems)
 

@@ -6,7 +6,7 @@ from ..core.errors import MeshError
 
 
 def checked_arrays(vertices, triangles, face_of_triangle=None):
-    """Check shapes and types of the arrays and convert them; `surface_mesh` checks their values.
+    """Check shapes and types of the arrays and convert them, to float64 and int64; None stays. `surface_mesh` checks values.
 
     Parameters
     ----------
@@ -15,12 +15,6 @@ def checked_arrays(vertices, triangles, face_of_triangle=None):
         Indices into `vertices`, counter-clockwise as seen from outside.
     face_of_triangle : array_like of shape (n,), int, optional
         The face that each triangle belongs to, from 0.
-
-    Returns
-    -------
-    vertices : ndarray of shape (v, 3), float64, mm
-    triangles : ndarray of shape (n, 3), int64
-    face_of_triangle : ndarray of shape (n,), int64, or None
 
     Raises
     ------

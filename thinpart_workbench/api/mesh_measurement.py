@@ -7,7 +7,7 @@ from .mesh_arrays import checked_arrays
 
 
 def measure(vertices, triangles, settings=None, face_of_triangle=None, report=None):
-    """Measure the walls, box, volume and area of a part given as triangles. FreeCAD is not needed.
+    """Measure the walls, box, volume and area of a part given as triangles: Measurement. FreeCAD is not needed.
 
     Parameters
     ----------
@@ -19,10 +19,6 @@ def measure(vertices, triangles, settings=None, face_of_triangle=None, report=No
         The face that each triangle belongs to, from 0; by default faces are smooth patches of the surface.
     report : callable, optional
         Called with the fraction done; may raise `Cancelled` to stop.
-
-    Returns
-    -------
-    Measurement
 
     Raises
     ------

@@ -87,12 +87,7 @@ class OpenLibraries:
         return list(self._states.values())
 
     def open(self, roots):
-        """Search these libraries from now on; those that are new are refreshed, others than these are closed.
-
-        Parameters
-        ----------
-        roots : list of str
-        """
+        """Search these libraries from now on, a list of str; new ones are refreshed, others than these are closed."""
         for root in roots:
             if root not in self._indexes:
                 self._indexes[root] = LibraryIndex(root)
@@ -115,30 +110,13 @@ class OpenLibraries:
         self._refresh.stop()
 
     def grown(self, root):
-        """Take over what a refresh has added to the index so far.
-
-        Returns
-        -------
-        bool
-            Whether it was taken over: not if the library was closed meanwhile.
-        """
+        """Take over what a refresh has added to the index so far: whether the library is still open."""
         if root in self._indexes:
             self._load()
         return root in self._indexes
 
     def refreshed(self, root, index, problems, stopped):
-        """Take over the result of a refresh.
-
-        Parameters
-        ----------
-        root, index, problems, stopped
-            As they were posted.
-
-        Returns
-        -------
-        bool
-            Whether it was taken over: not if the library was closed meanwhile.
-        """
+        """Take over the result of a refresh, as it was posted: whether the library is still open."""
         if root not in self._indexes:
             return False
         if index is not None and index.warning:
@@ -195,17 +173,7 @@ class OpenLibraries:
         return [self._found_part(part) for part in self._found.parts(start, end)]
 
     def position_of(self, root, info_file, name):
-        """Where a part is in the last search.
-
-        Parameters
-        ----------
-        root, info_file, name : str
-
-        Returns
-        -------
-        int or None
-            None if it is not there.
-        """
+        """Where a part is in the last search: int; None if it is not there."""
         index = self._indexes.get(root)
         if index is None:
             return None

@@ -46,7 +46,8 @@ class SavedVerdicts:
 
 def classify_saved(document, profile=DEFAULT_PROFILE, settings=None, *, folder="", seconds=Limits.seconds,
                    megabytes=Limits.megabytes, measure=True, patience=PATIENCE, control=None):
-    """Classify a document and store the result, or take the verdicts from an info file that is current.
+    """Classify a document and store the result, or take the verdicts from an info file that is current:
+    SavedVerdicts.
 
     Parameters
     ----------
@@ -61,10 +62,6 @@ def classify_saved(document, profile=DEFAULT_PROFILE, settings=None, *, folder="
     patience : float, optional
         Seconds to wait for the folder, which may be on another computer.
     control : RunControl, optional
-
-    Returns
-    -------
-    SavedVerdicts
 
     Raises
     ------

@@ -23,12 +23,8 @@ def add_check_options(parser, has_status=True):
 
 
 def checked_limits(options):
-    """The processes after --check: tuple of WallLimits.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``usage`` where one is not known, or the file after --limits cannot be used.
+    """The processes after --check: tuple of WallLimits. Raises a ThinPartError, kind ``usage``, where one is not known,
+    or the file after --limits cannot be used.
     """
     return named_limits(options.check, options.limits)
 
@@ -39,11 +35,7 @@ def named_limits(texts, file):
 
 
 class PartChecks:
-    """Checks the parts of a run.
-
-    Parameters
-    ----------
-    limits : tuple of WallLimits
+    """Checks the parts of a run against WallLimits.
 
     Attributes
     ----------
@@ -72,14 +64,7 @@ class PartChecks:
 
 
 def check_columns(limits, checks_of):
-    """Columns of a printed table.
-
-    Parameters
-    ----------
-    limits : tuple of WallLimits
-    checks_of : callable
-        From a row to what `PartChecks.of` returned, or None where there is nothing.
-    """
+    """Columns of a printed table for limits; `checks_of` gives what `PartChecks.of` returned for a row, or None."""
     def column(number, title):
         def passes(row):
             checks = checks_of(row)

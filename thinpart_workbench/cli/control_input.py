@@ -8,15 +8,11 @@ from ..system.pipe_input import is_readable
 
 
 def listen(control, handle=0):
-    """Read commands in a thread and apply them to a run.
+    """Read commands in a thread and apply them to a RunControl.
 
-    Parameters
-    ----------
-    control : RunControl
-        Paused by ``pause``, resumed by ``resume``, stopped by ``stop`` and by the end of the input, which means that
-        the program that started the run has ended.
-    handle : int
-        File descriptor to read. Not `sys.stdin`, whose lock this thread would still hold when the process ends.
+    It is paused by ``pause``, resumed by ``resume``, stopped by ``stop`` and by the end of the input, which means that the
+    program that started the run has ended. The handle is no `sys.stdin`, whose lock this thread would still hold when the
+    process ends.
     """
     commands = {b"pause": control.pause, b"resume": control.resume, b"stop": control.stop}
     pending = b""

@@ -10,14 +10,7 @@ MOST_ROWS = 20
 
 
 def print_learned(learned, output):
-    """Print labels, changes and scores.
-
-    Parameters
-    ----------
-    learned : LearnedProfile
-    output : str or None
-        Where the profile was written.
-    """
+    """Print labels, changes and scores of a LearnedProfile, and where it was written, if it was."""
     _print_labels(learned)
     _print_changes(learned)
     _print_scores(learned)

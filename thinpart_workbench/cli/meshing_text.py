@@ -29,13 +29,8 @@ def meshing_progress():
 
 
 def print_meshing(meshing, labels_file):
-    """Print how many parts are in trouble, why some have no mesh, and what foretells it.
-
-    Parameters
-    ----------
-    meshing : Meshing
-    labels_file : str or None
-        Where the labels were written.
+    """Print how many parts are in trouble, why some have no mesh, and what foretells it: of a Meshing, and the file
+    of its labels, if one was written.
     """
     counts = Counter(result.category for result in meshing.results)
     listed = ", ".join(f"{counts[category]} {category}" for category in ("thin", "thin_features", "normal"))

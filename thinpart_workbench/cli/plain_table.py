@@ -4,7 +4,7 @@ import unicodedata
 
 
 def plain_lines(widths, rights, rows):
-    """Lines of a table; cells that are wider than their column are folded.
+    """Yields lines of a table; cells that are wider than their column are folded.
 
     Parameters
     ----------
@@ -13,10 +13,6 @@ def plain_lines(widths, rights, rows):
     rights : list of bool
         Whether each column is right-aligned.
     rows : iterable of list of str
-
-    Yields
-    ------
-    str
     """
     for row in rows:
         cells = [_folded(cell, width) for cell, width in zip(row, widths)]

@@ -50,10 +50,7 @@ def add_info_folder_options(parser, meaning):
 def info_tree(options):
     """Top folder of the tree that the folder for info files mirrors, str.
 
-    Raises
-    ------
-    ThinPartError
-        kind ``usage`` if not all PATHs lie below it.
+    Raises a ThinPartError, kind ``usage``, if not all PATHs lie below it.
     """
     shared = common_folder(options.paths)
     if options.info_tree is None:
@@ -90,16 +87,7 @@ def add_measurement_options(parser, has_pictures=False):
 
 
 def add_limit_options(parser, limits=_LIMITS, when=""):
-    """Declare the options that limit processes, time and memory.
-
-    Parameters
-    ----------
-    parser : ArgumentParser
-    limits : Limits, optional
-        The defaults of time and memory.
-    when : str, optional
-        What the help begins with.
-    """
+    """Declare the options that limit processes, time and memory, with the defaults of `limits`; help begins with `when`."""
     default = {field.name: getattr(limits, field.name) for field in fields(Limits)}
     parser.add_argument("--jobs", metavar="N", default=os.cpu_count() or 1,
                         type=_number("--jobs", int, "a whole number", 1),
@@ -141,18 +129,7 @@ def limits_of(options):
 def new_file_run(options, control, report, only=None):
     """Find the documents that the options of `add_file_options` select, and return their `FileRun`.
 
-    Parameters
-    ----------
-    options : Namespace
-    control : RunControl
-    report : RunReport
-    only : list of str, optional
-        Paths to use instead of the given ones.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``empty`` if there are no documents; see also `check_outputs`.
+    `only` lists paths to use instead of the given ones. Raises as `FileRun` and `check_outputs`.
     """
     run = FileRun(options.paths, options.include, options.exclude, only, control, report.found)
     check_with_documents(options, (document.path for document in run.documents))

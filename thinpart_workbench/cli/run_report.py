@@ -81,13 +81,7 @@ class RunReport:
 
 
 class JsonReport(RunReport):
-    """Records on stdout and progress on stderr, one JSON object per line.
-
-    Parameters
-    ----------
-    translatable : bool
-        See `new_report`.
-    """
+    """Records on stdout and progress on stderr, one JSON object per line; see `new_report`."""
 
     def __init__(self, translatable=False):
         self._with_templates = with_messages if translatable else dict
@@ -232,10 +226,7 @@ def json_lines(outcome):
 def standard_output():
     """Context manager for the standard output, flushed at the end of the block.
 
-    Raises
-    ------
-    ThinPartError
-        If the output cannot be written. A closed pipe raises BrokenPipeError instead.
+    Raises a ThinPartError if it cannot be written, but a BrokenPipeError for a closed pipe.
     """
     try:
         yield sys.stdout

@@ -26,13 +26,9 @@ def interrupting_signals():
 def stop_signals(control):
     """Context manager in which Ctrl-C, a request to end (SIGTERM) and a closed terminal stop the run.
 
-    A run checks `control` between two files, so it prints no half lines. Where it does not come to that within `PATIENCE`,
-    it is interrupted wherever it is. A second signal interrupts at once, for example if the disk or the reader of a pipe
-    does not respond.
-
-    Parameters
-    ----------
-    control : RunControl
+    A run checks `control`, a RunControl, between two files, so it prints no half lines. Where it does not come to that
+    within `PATIENCE`, it is interrupted wherever it is. A second signal interrupts at once, for example if the disk or the
+    reader of a pipe does not respond.
 
     Yields
     ------

@@ -8,17 +8,7 @@ from .terminal_table import FAILURE, TableColumn, category_style, print_table
 
 
 def print_stored(parts, stream, folder, more_columns=()):
-    """Print a row per part or failure.
-
-    Parameters
-    ----------
-    parts : list of StoredPart
-    stream : text stream
-    folder : str or Path
-        Documents are named by their paths relative to it.
-    more_columns : sequence of TableColumn, optional
-        Columns before the others.
-    """
+    """Print a row per StoredPart, with paths relative to a folder; `more_columns` come before the others."""
     if parts:
         file_column = TableColumn("File", lambda part: os.path.relpath(part.file, folder))
         print_table(stream, [*more_columns, file_column, *_COLUMNS], lambda: parts)

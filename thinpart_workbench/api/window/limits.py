@@ -20,9 +20,7 @@ class CheckedPart(NamedTuple):
 def offered_limits():
     """Limits to choose from: those that are known, or the shipped ones where the user's file cannot be used.
 
-    Returns
-    -------
-    dict of str to WallLimits
+    A dict of WallLimits by their names.
 
     Examples
     --------
@@ -36,17 +34,13 @@ def offered_limits():
 
 
 def checked(record, limits):
-    """Check the walls of a part.
+    """Check the walls of a part: CheckedPart.
 
     Parameters
     ----------
     record : PartRecord
         May lack its faces.
     limits : WallLimits
-
-    Returns
-    -------
-    CheckedPart
 
     Examples
     --------
@@ -60,10 +54,7 @@ def checked(record, limits):
 def preferred_checks(record):
     """The walls of a part checked against what the preferences name: list of CheckedPart, empty where that is nothing.
 
-    Raises
-    ------
-    ThinPartError
-        kind ``usage`` if there is no such process, or the user's own limits cannot be used.
+    Raises a ThinPartError, kind ``usage``, if there is no such process, or the user's own limits cannot be used.
 
     Examples
     --------
@@ -74,17 +65,7 @@ def preferred_checks(record):
 
 
 def limits_of_map(thickness, own_title):
-    """The limits that a map is checked against.
-
-    Parameters
-    ----------
-    thickness : FreeCAD.DocumentObject
-    own_title : str
-        Of a limit that is none of a process.
-
-    Returns
-    -------
-    WallLimits or None
+    """The limits that a map is checked against: WallLimits or None; `own_title` is that of a limit of no process.
 
     Examples
     --------

@@ -4,7 +4,7 @@ import numpy as np
 
 from ...core.descriptors.distribution_bars import round_up
 from ...core.length_unit import MILLIMETRE
-from ...core.maps.map_summary import area_by_thickness, between, share_between, thickness_range, typical_range
+from ...core.maps.map_summary import area_by_thickness, between, thickness_range, typical_range
 from ...core.rigid_transform import transform_points
 from ...freecad_adapter.objects.thickness_probes import moved_matrix
 
@@ -77,27 +77,6 @@ def faces_between(part, low, high):
     2
     """
     return np.unique(part.map.face[between(part.map, low, high)]).tolist()
-
-
-def band_shares(parts, bands):
-    """The share of the surface of parts in each band of a check.
-
-    Parameters
-    ----------
-    parts : list of MappedPart
-    bands : list of LimitBand
-
-    Returns
-    -------
-    list of (str, float)
-        Name of the band and the share of all area.
-
-    Examples
-    --------
-    >>> band_shares(parts_of(thickness), [])
-    []
-    """
-    return [(band.name, share_between(parts, band.low, band.high)) for band in bands]
 
 
 def walls_between_faces(records):

@@ -14,10 +14,7 @@ from ...freecad_adapter.thin_colours import preferred_colours
 def content_of(document):
     """What a document consists of now: DocumentContent, with ``parts`` and ``broken`` ones.
 
-    Raises
-    ------
-    ThinPartError
-        kind ``empty`` or ``no_solid`` where it has no parts.
+    Raises a ThinPartError, kind ``empty`` or ``no_solid``, where it has no parts.
 
     Examples
     --------
@@ -28,7 +25,7 @@ def content_of(document):
 
 
 def parts_selected(document, selected, active=None, parts=None):
-    """The parts of a document that a selection means.
+    """The parts of a document that a selection means: list of SolidPart or MeshedPart. Raises as `content_of`.
 
     Parameters
     ----------
@@ -39,15 +36,6 @@ def parts_selected(document, selected, active=None, parts=None):
         The same of the active body or part.
     parts : list, optional
         The parts of the document, where they are known.
-
-    Returns
-    -------
-    list of SolidPart or MeshedPart
-
-    Raises
-    ------
-    ThinPartError
-        See `content_of`.
 
     Examples
     --------
@@ -80,12 +68,7 @@ def parts_as_measured(document, measured, is_whole=True):
 
 
 class SourcesState:
-    """Shapes and places of objects, to be compared later.
-
-    Parameters
-    ----------
-    objects : list of FreeCAD.DocumentObject
-    """
+    """Shapes and places of objects of a document, to be compared later."""
 
     def __init__(self, objects):
         self._objects, self._before = objects, self._now(objects)
@@ -104,11 +87,7 @@ class SourcesState:
 def colours_of_thin_faces(record, part):
     """Colours of the thin faces of a part, as the preferences have them: dict of (r, g, b) from 0 to 1 by face, from 0.
 
-    Parameters
-    ----------
-    record : PartRecord
-    part : SolidPart or MeshedPart
-        The faces of a mesh are shown as such.
+    The faces of a SolidPart are told apart, a MeshedPart is shown as one.
 
     Examples
     --------
@@ -121,10 +100,7 @@ def colours_of_thin_faces(record, part):
 def check_file(file):
     """Check that FreeCAD may open a file: that it runs nothing, and links to nothing outside its folder.
 
-    Raises
-    ------
-    ThinPartError
-        kind ``unsafe`` or ``unreadable``.
+    Raises a ThinPartError, kind ``unsafe`` or ``unreadable``.
 
     Examples
     --------

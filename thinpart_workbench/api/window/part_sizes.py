@@ -11,7 +11,7 @@ from ...core.judging.classification import classify
 from ...core.judging.criteria import profile_from
 from ...core.shells.shell_mesh import ALIKE
 from ...core.shells.shell_settings import ShellSettings
-from ...core.sizing.sizing_settings import SizingSettings, divisions_of
+from ...core.sizing.sizing_settings import SizingSettings
 from ...freecad_adapter.objects.snapshot import read_snapshot
 from ...workflow.analysis.analyse_part import analyse_part
 from ...workflow.meshing.gmsh_program import gmsh_program
@@ -133,17 +133,9 @@ class PartSizes:
 
 
 def shown_sizes(folder):
-    """The facets of a part and the element sizes at their corners, as proposed last.
+    """The facets of a part, ndarray of shape (n, 3, 3), and the element sizes at their corners, (n, 3), as proposed last.
 
-    Parameters
-    ----------
-    folder : str
-        Of the snapshot.
-
-    Returns
-    -------
-    corners : ndarray of shape (n, 3, 3), mm
-    sizes : ndarray of shape (n, 3), mm
+    All in mm; `folder` is that of the snapshot.
 
     Examples
     --------
@@ -168,12 +160,7 @@ def poor_elements(folder):
 
 
 def shown_shell(folder):
-    """The triangles of the shell that was made last, and the thickness of each.
-
-    Returns
-    -------
-    corners : ndarray of shape (m, 3, 3), float32, mm
-    thickness : ndarray of shape (m,), float32, mm
+    """The triangles of the last shell, ndarray of shape (m, 3, 3), and the thickness of each, (m,): float32, mm.
 
     Examples
     --------
@@ -208,17 +195,6 @@ def shown_thickness_range(thicknesses):
     """
     least, most = min(thicknesses), max(thicknesses)
     return (least, most) if most > ALIKE * least else (0.5 * least, 1.5 * most)
-
-
-def size_for_layers(thickness, layers):
-    """Element size, mm, with which a wall of a thickness, mm, gets so many layers.
-
-    Examples
-    --------
-    >>> size_for_layers(3.0, 1.0)
-    3.0
-    """
-    return thickness / divisions_of(layers)
 
 
 def rows_to_keep(meshed, sizes):

@@ -56,12 +56,7 @@ def shipped_file(name):
 
 
 def preferred_profile():
-    """The profile that the preferences name: Profile.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``profile`` if it cannot be used.
+    """The profile that the preferences name: Profile. Raises a ThinPartError, kind ``profile``, if it cannot be used.
 
     Examples
     --------

@@ -57,12 +57,7 @@ def grouped_walls(record, notes=None, features=()):
 def shown_record(record, thin_limit_mm, thin_shares):
     """A record as it is shown where the preferences have a thin limit of their own; it is never stored.
 
-    Parameters
-    ----------
-    record : PartRecord
-    thin_limit_mm : float, mm
-    thin_shares : list of float
-        By that limit, the thin share of each face.
+    The limit is in mm; by it, each face has one of the shares.
 
     Examples
     --------

@@ -19,10 +19,6 @@ MOST_MESSAGES = 5
 def libraries(roots):
     """Open and refresh the indexes of some folders.
 
-    Parameters
-    ----------
-    roots : list of str
-
     Yields
     ------
     opened : Libraries

@@ -17,18 +17,10 @@ PREFERENCES = "User parameter:BaseApp/Preferences/Units"
 
 
 def length_unit(document=None):
-    """The unit of lengths in the GUI.
+    """The LengthUnit of the GUI for a document, by default the active one.
 
-    Parameters
-    ----------
-    document : FreeCAD.Document, optional
-        The document that the lengths belong to; by default the active one.
-
-    Returns
-    -------
-    LengthUnit
-        Inches where FreeCAD writes lengths in inches or feet, fractions included. Otherwise millimetres, even where
-        FreeCAD writes small lengths in centimetres or metres: nobody gives a wall thickness in those.
+    Inches where FreeCAD writes lengths in inches or feet, fractions included. Otherwise millimetres, even where FreeCAD
+    writes small lengths in centimetres or metres: nobody gives a wall thickness in those.
     """
     _, millimetres, _ = App.Units.schemaTranslate(App.Units.Quantity("10 mm"), _schema(document or App.ActiveDocument))
     inches = millimetres / INCH.millimetres

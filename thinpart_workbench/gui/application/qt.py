@@ -15,25 +15,12 @@ Signal = QtCore.Signal
 
 
 def translate(context, text):
-    """The text in the user's language.
-
-    Parameters
-    ----------
-    context : str
-        Always ``"ThinPart"``.
-    text : str
-    """
+    """The text in the user's language; the context is always ``"ThinPart"``."""
     return QtCore.QCoreApplication.translate(context, text)
 
 
 def translated_mark(text):
-    """Like `translate`, for a text that is marked for translation where it is declared.
-
-    Parameters
-    ----------
-    text : str
-        From `PREFERENCES`.
-    """
+    """Like `translate`, for a text that is marked for translation where it is declared, as in `PREFERENCES`."""
     return QtCore.QCoreApplication.translate("ThinPart", text) if text else ""
 
 
@@ -83,11 +70,6 @@ def flipped_vertically(image):
 
 def call_later(owner, callback):
     """Call a function from the event loop, unless its owner is deleted before.
-
-    Parameters
-    ----------
-    owner : QObject
-    callback : callable
 
     Notes
     -----

@@ -11,10 +11,6 @@ from .qt import QtCore, Signal
 class UnitWatch(QtCore.QObject):
     """Watches the unit preference, the documents' own unit systems, and which document is active.
 
-    Parameters
-    ----------
-    observer : DocumentObserver
-
     Signals
     -------
     changed

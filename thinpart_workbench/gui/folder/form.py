@@ -52,10 +52,7 @@ class FolderForm(QtWidgets.QWidget):
     def apply_preferences(self, before, after):
         """Apply changed preferences to the fields that the user has not changed in this form.
 
-        Parameters
-        ----------
-        before, after : FolderSettings
-            Settings from the preferences before and after the change.
+        `before` and `after` are the FolderSettings of the preferences before and after the change.
         """
         chosen = self.settings()
         changes = {name: getattr(after, name) for name in ("profile", "jobs", "seconds", "checks")

@@ -23,15 +23,7 @@ class Results(KeptRows):
 
 
 def result_columns(profile, limits):
-    """Columns for PartRows: list of Column.
-
-    Parameters
-    ----------
-    profile : Profile
-        The one that parts are judged by; it has the titles of categories and criteria.
-    limits : tuple of WallLimits
-        What parts are checked against: a column for each.
-    """
+    """Columns for PartRows, one for each of the limits too: list of Column. The profile titles categories and criteria."""
     titles = criterion_titles(profile)
 
     def criteria(row):

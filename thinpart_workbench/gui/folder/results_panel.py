@@ -66,14 +66,7 @@ class ResultsPanel(QtWidgets.QWidget):
         self._show_buttons()
 
     def begin(self, settings, profile):
-        """Remove the results and prepare for a new run.
-
-        Parameters
-        ----------
-        settings : FolderSettings
-            Settings of the run.
-        profile : Profile
-        """
+        """Remove the results and prepare for a new run with FolderSettings and a Profile."""
         self._settings, self._profile, limits = settings, profile, settings.limits()
         self._fit_at = 1
         self.table.set_rows([])

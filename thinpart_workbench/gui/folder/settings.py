@@ -60,17 +60,7 @@ class FolderSettings:
     force: bool = False
 
     def check(self):
-        """Validate the settings.
-
-        Returns
-        -------
-        Profile
-
-        Raises
-        ------
-        ThinPartError
-            With a message for the user.
-        """
+        """Validate the settings: Profile. Raises a ThinPartError with a message for the user."""
         if not self.folder:
             raise _usage_error(translate("ThinPart", "Choose the folder that is to be classified."))
         if not os.path.isdir(self.folder):
@@ -90,13 +80,7 @@ class FolderSettings:
         return load_profile(self.profile)
 
     def limits(self):
-        """What is checked: tuple of WallLimits.
-
-        Raises
-        ------
-        ThinPartError
-            kind ``usage`` where a process is not known.
-        """
+        """What is checked: tuple of WallLimits. Raises a ThinPartError, kind ``usage``, where a process is not known."""
         return limits_named(self.checks.split(","))
 
     def arguments(self):

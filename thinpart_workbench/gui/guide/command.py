@@ -7,17 +7,7 @@ from .pages import CONTENTS, PAGE_OF
 
 
 def show_guide(name="ThinPart_Guide"):
-    """Bring the guide to the front, at the page of a command or panel.
-
-    Parameters
-    ----------
-    name : str
-        See `PAGE_OF`.
-
-    Returns
-    -------
-    GuideWindow
-    """
+    """Bring the guide to the front, at the page of a command or panel in `PAGE_OF`: GuideWindow."""
     # Imported late, since FreeCAD starts more often than the guide is read.
     from .window import GuideWindow
 
@@ -48,14 +38,7 @@ class WhatsThis(QtCore.QObject):
 
 
 def lead_to_guide(roots, name):
-    """Let What's This and F1 in a panel or dialog open its page of the guide.
-
-    Parameters
-    ----------
-    roots : QWidget or list of QWidget
-    name : str
-        See `PAGE_OF`.
-    """
+    """Let What's This and F1 in a panel or dialog open its page of the guide; `name` is one of `PAGE_OF`."""
     for root in roots if isinstance(roots, list) else [roots]:
         if not root.whatsThis():
             root.setWhatsThis(name)
@@ -63,18 +46,7 @@ def lead_to_guide(roots, name):
 
 
 def help_button(parent, name):
-    """A button that opens the page of a dialog, and F1 and What's This in it.
-
-    Parameters
-    ----------
-    parent : QWidget
-    name : str
-        See `PAGE_OF`.
-
-    Returns
-    -------
-    QPushButton
-    """
+    """A QPushButton that opens the page of a dialog, as F1 and What's This do in it; `name` is one of `PAGE_OF`."""
     lead_to_guide(parent, name)
     button = push_button(
         parent, "ThinPart_Help", translate("ThinPart", "Help"), lambda: show_guide(name), is_for_enter=False)

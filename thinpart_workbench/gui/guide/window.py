@@ -45,13 +45,7 @@ class GuideWindow(QtWidgets.QDialog):
         return self._page.source().toLocalFile()
 
     def show_page(self, page):
-        """Show a page.
-
-        Parameters
-        ----------
-        page : str
-            Name of a file of the guide, with ``#`` and a heading if it is to begin there.
-        """
+        """Show a page: the name of a file of the guide, with ``#`` and a heading if it is to begin there."""
         name, _, anchor = page.partition("#")
         url = QtCore.QUrl.fromLocalFile(os.path.join(FOLDER, name))
         if anchor:

@@ -32,13 +32,7 @@ class LearnedView(QtWidgets.QWidget):
         column.addWidget(self._tabs, 1)
 
     def show_learned(self, learned):
-        """Show what was learned.
-
-        Parameters
-        ----------
-        learned : dict
-            The attributes of a `LearnedProfile`.
-        """
+        """Show what was learned: a dict of the attributes of a `LearnedProfile`."""
         self._profile = profile_from(learned["content"])
         self._summary.setText(_summary(learned))
         show_text(self._figures, _figures_text(learned))

@@ -1,15 +1,24 @@
 """Asks where and as what a thickness map is to be written, and writes it."""
 
 import os
+from pathlib import Path
 
 import FreeCADGui as Gui
 
-from ...api.window.map_files import MARKS, PICTURE, map_titles, write_picture, write_triangles
+from ...api.document_maps import parts_of
 from ...core.errors import ThinPartError
+from ...core.kinds.file_marks import MAPS
+from ...storage.exchange.map_export import MAP_FORMATS, write_map_file
+from ...storage.output_file import write_output
+from ...storage.png import marked_png
+from ...storage.temporary_folder import temporary_folder
 from ..application.qt import QtWidgets, execute, translate
 from ..application.sentences import translated
 from ..colour_bar.colours import ThicknessColours
 from ..widgets.confirmation import may_overwrite
+
+PICTURE = ".png"
+"""Ending of pictures of the view."""
 
 WIDTH, HEIGHT = 1600, 1200
 """Size of a picture that is offered at first, pixels."""
@@ -36,7 +45,7 @@ class ExportDialog(QtWidgets.QFileDialog):
         self.setAcceptMode(QtWidgets.QFileDialog.AcceptSave)
         self._endings = {
             translate("ThinPart", "Picture of the view (*.png)"): PICTURE,
-            **{translated(title): ending for ending, title in map_titles().items()},
+            **{translated(each.title): ending for ending, each in MAP_FORMATS.items()},
         }
         self.setNameFilters(list(self._endings))
         self.filterSelected.connect(self._on_filter)
@@ -75,24 +84,28 @@ class ExportDialog(QtWidgets.QFileDialog):
             kind ``usage`` or ``failed``, with a sentence.
         """
         try:
-            overwrite = may_overwrite(self, path, MARKS[self.ending], [self._thickness.Document.FileName])
+            overwrite = may_overwrite(self, path, MAPS[self.ending], [self._thickness.Document.FileName])
             if overwrite is None:
                 return False
             if self.ending == PICTURE:
-                write_picture(path, self._draw, overwrite)
+                write_output(path, marked_png(self._picture()), MAPS[PICTURE], overwrite)
             else:
                 colours = ThicknessColours.of(self._thickness).of_values
-                write_triangles(path, self.ending, self._thickness, colours, overwrite)
+                write_map_file(path, self.ending, parts_of(self._thickness), colours, overwrite)
             return True
         except OSError as error:
             raise ThinPartError(translate("ThinPart", "{} cannot be written ({}): choose another place.").format(
                 path, error.strerror or error), "failed") from None
 
-    def _draw(self, path):
+    def _picture(self):
+        """What the view shows, as the bytes of a PNG file."""
         view = Gui.getDocument(self._thickness.Document.Name).activeView()
-        view.saveImage(path, self.width_field.value(), self.height_field.value(), "Current")
-        if not os.path.exists(path):
-            raise OSError(translate("ThinPart", "the view cannot be drawn at this size"))
+        with temporary_folder() as folder:
+            file = Path(folder) / f"view{PICTURE}"
+            view.saveImage(str(file), self.width_field.value(), self.height_field.value(), "Current")
+            if not file.exists():
+                raise OSError(translate("ThinPart", "the view cannot be drawn at this size"))
+            return file.read_bytes()
 
     def _pixels(self, row, name, value):
         field = QtWidgets.QSpinBox(self._size)

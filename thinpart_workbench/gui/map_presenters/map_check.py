@@ -1,9 +1,9 @@
 """The check of a thickness map: its limits, and the result for some of its parts in words."""
 
 from ...api.window.limits import checked, limits_of_map
-from ...api.window.map_values import band_shares
 from ...core.analysis_settings import RAY
 from ...core.judging.limit_bands import FAILS, JUST_ABOVE, PASSES
+from ...core.maps.map_summary import share_between
 from ...freecad_adapter.objects.thickness_object import OWN_CHECK
 from ..application.numbers import percent
 from ..application.qt import translate
@@ -65,7 +65,8 @@ def band_texts(parts, bands):
     list of (tuple, str)
         Colour of each band, red, green and blue from 0 to 255, and its share of all area in words.
     """
-    return [(BAND_COLOURS[name], _band_words(name).format(percent(share))) for name, share in band_shares(parts, bands)]
+    return [(BAND_COLOURS[band.name], _band_words(band.name).format(percent(share_between(parts, band.low, band.high))))
+            for band in bands]
 
 
 def _band_words(name):

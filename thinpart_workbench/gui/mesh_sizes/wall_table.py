@@ -1,6 +1,6 @@
 """Tables of walls with check marks: what is edited holds for all selected rows."""
 
-from ...api.window.part_sizes import size_for_layers
+from ...core.sizing.sizing_settings import divisions_of
 from ..application.numbers import marked
 from ..application.qt import QtWidgets, Signal, grouped, translate
 from ..record.regions_table import kind_word
@@ -108,7 +108,7 @@ class WallSizesTable(CheckedWalls):
         value = _number(value)
         if value is not None:
             self.edited.emit({wall["region"]: value * self.model().unit.millimetres if key == "size_mm"
-                              else size_for_layers(wall["thickness"], value) for wall in chosen})
+                              else wall["thickness"] / divisions_of(value) for wall in chosen})
 
 
 def _number(text):

@@ -52,17 +52,7 @@ class Field(NamedTuple):
 
 
 def new_field(declared, parent):
-    """Create the field of a preference.
-
-    Parameters
-    ----------
-    declared : Preference
-    parent : QWidget
-
-    Returns
-    -------
-    Field
-    """
+    """Create the Field of a Preference."""
     of_type = {tuple: _colour, bool: _switch, int: _whole_number, float: _number, str: _choice}[type(declared.default)]
     of_text = {"folder": _folder, "person": _text, "processes": _processes, "profile": _profile}
     field = of_text.get(declared.names, of_type)(declared, parent)
@@ -73,13 +63,7 @@ def new_field(declared, parent):
 
 
 class NumberField(ExactField):
-    """For a float, with as many decimals as the least value needs; a length is in the unit of the active document.
-
-    Parameters
-    ----------
-    declared : Preference
-    parent : QWidget
-    """
+    """For a float, with as many decimals as the least value needs; a length is in the unit of the active document."""
 
     def __init__(self, declared, parent):
         super().__init__(_PREFIX + declared.name, parent)

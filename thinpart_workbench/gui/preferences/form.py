@@ -21,12 +21,7 @@ _CHECK_DELAY = 300
 
 
 class PreferencesForm(QtWidgets.QWidget):
-    """Edits the preferences of a page; changes are stored only by `save`.
-
-    Parameters
-    ----------
-    page : str
-        One of `PAGES`.
+    """Edits the preferences of one of `PAGES`; changes are stored only by `save`.
 
     Attributes
     ----------

@@ -42,13 +42,7 @@ class CriteriaTree(QtWidgets.QTreeWidget):
         self.itemCollapsed.connect(self._fit)
 
     def show_evidence(self, evidence):
-        """Fill the table.
-
-        Parameters
-        ----------
-        evidence : list of dict
-            As in a part record.
-        """
+        """Fill the table with the evidence of a part record."""
         self._evidence = evidence
         self.clear()
         for row in evidence:

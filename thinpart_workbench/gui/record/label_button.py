@@ -37,15 +37,7 @@ class LabelButton(QtWidgets.QToolButton):
         return self.sizeHint()
 
     def show_labels(self, labels, profile):
-        """Show the user's own label, if it is among those of a part.
-
-        Parameters
-        ----------
-        labels : list of dict
-            As in a part record.
-        profile : Profile
-            The one that the part was judged by: its categories may be chosen.
-        """
+        """Show the user's own label, if a part has it, and offer the categories of the profile that has judged it."""
         own = own_label(labels)
         self.setText(translate("ThinPart", "Not right?") if own is None else
                      translate("ThinPart", "My label: {}").format(_short_words(own, profile)))

@@ -12,13 +12,7 @@ from .verdict_text import category_colour, category_title
 
 
 def category_column(profile, **more):
-    """What the part is, or how it failed.
-
-    Parameters
-    ----------
-    profile : Profile
-        Supplies the titles of its categories.
-    """
+    """What the part is, by the titles of a profile, or how it failed."""
     def text(row):
         if row.error_kind:
             return "\u2717 " + translate("ThinPart", "Failed: {}").format(
@@ -37,12 +31,8 @@ def measured(key, title, shown=length, **more):
 
 
 def quantity_columns(but, **more):
-    """Columns of the quantities that rows have, which the user may choose to see: list of Column.
-
-    Parameters
-    ----------
-    but : iterable of str
-        Names of quantities that have columns already.
+    """Columns of the quantities that rows have, which the user may choose to see, except those named in `but`: list of
+    Column.
     """
     columns = []
     for quantity in QUANTITIES:

@@ -51,17 +51,7 @@ class PartsTable(SmallTable):
         self.hide()
 
     def show_parts(self, rows, profile, unit, file=""):
-        """Show parts.
-
-        Parameters
-        ----------
-        rows : list of PartsTableRow
-        profile : Profile
-            Used for their classification.
-        unit : LengthUnit
-        file : str, optional
-            Path of their document.
-        """
+        """Show PartsTableRows in a LengthUnit, judged by a profile; `file` is the path of their document."""
         self.show_rows(rows, _columns(profile), unit, lambda one, other: one.name == other.name)
         self.csv_form, self.csv_file = TableForm(PartRow._fields, lambda row: _cells(file, row)), file
         self.setVisible(len(rows) > 1)

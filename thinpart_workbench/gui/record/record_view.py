@@ -69,16 +69,7 @@ class RecordView(QtWidgets.QWidget):
         self._warnings = text_line(self, column, "ThinPart_Warnings")
 
     def show_record(self, record, profile, unit):
-        """Show a part.
-
-        Parameters
-        ----------
-        record : dict
-            Part record.
-        profile : Profile
-            The one that it was classified with.
-        unit : LengthUnit
-        """
+        """Show the record of a part that was judged by a profile, in a LengthUnit."""
         self._unit, self._profile = unit, profile
         self.show_labels(record.get("labels", ()))
         self._headline.setText(category_title(record["category"], profile))
@@ -119,14 +110,7 @@ class RecordView(QtWidgets.QWidget):
         show_text(self._flight, sentence)
 
     def show_legend(self, shown, own_limit_mm=None):
-        """Show or hide the legend of the face colours.
-
-        Parameters
-        ----------
-        shown : bool
-        own_limit_mm : float, optional
-            The preferred limit for walls that are shown as thin, where it differs from the verdict's.
-        """
+        """Show or hide the legend of the face colours, and the preferred thin limit, mm, where the verdict has another."""
         self._legend.setVisible(shown)
         show_text(self._own_limit, "" if own_limit_mm is None else translate(
             "ThinPart", "Shown as thin: below {}, as the preferences say. The verdict does not "

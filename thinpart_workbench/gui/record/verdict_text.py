@@ -16,14 +16,7 @@ _OTHER_COLOUR, _UNKNOWN_COLOUR = (0.30, 0.42, 0.68), (0.55, 0.55, 0.55)
 
 
 def category_title(category, profile):
-    """The title of a category, for people.
-
-    Parameters
-    ----------
-    category : str
-    profile : Profile
-        Supplies the titles of its own categories.
-    """
+    """The title of a category, for people; the profile has those of its own categories."""
     titles = {known.name: known.title for known in profile.categories}
     return category_words(category, titles.get(category, category))
 

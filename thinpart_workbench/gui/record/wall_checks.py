@@ -9,14 +9,7 @@ SYMBOLS = {True: "\u2713", False: "\u2717", None: "?"}
 
 
 def checks_text(record, unit):
-    """A line for each process that the preferences name; empty where they name none.
-
-    Parameters
-    ----------
-    record : dict
-        Part record, which may lack its faces.
-    unit : LengthUnit
-    """
+    """A line for each process that the preferences name; empty where they name none. The record may lack its faces."""
     try:
         return "\n".join(check_line(check, unit) for check in preferred_checks(record))
     except ThinPartError as error:

@@ -120,13 +120,7 @@ def count(value, unit):
 
 
 def square(rgb):
-    """QPixmap of a small coloured square.
-
-    Parameters
-    ----------
-    rgb : tuple of float
-        Red, green and blue from 0 to 1.
-    """
+    """QPixmap of a small square; red, green and blue from 0 to 1."""
     pixmap = QtGui.QPixmap(12, 12)
     pixmap.fill(colour(rgb))
     return pixmap

@@ -7,11 +7,7 @@ FAILED_COLOUR = (0.80, 0.07, 0.07)
 
 
 class RowModel(QtCore.QAbstractTableModel):
-    """Table model whose columns are data; `KeptRows` and `FetchedRows` have the rows.
-
-    Parameters
-    ----------
-    columns : list of Column
+    """Table model whose columns, a list of Column, are data; `KeptRows` and `FetchedRows` have the rows.
 
     Attributes
     ----------

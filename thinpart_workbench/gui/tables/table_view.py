@@ -14,12 +14,6 @@ from ..widgets.row_table import show_whole_rows
 class TableView(QtWidgets.QTableView):
     """Shows a `RowModel`.
 
-    Parameters
-    ----------
-    name : str
-        Object name.
-    model : RowModel
-
     Attributes
     ----------
     csv_form : TableForm or None

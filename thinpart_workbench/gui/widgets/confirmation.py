@@ -5,18 +5,7 @@ from ..application.qt import QtCore, QtWidgets, execute, translate
 
 
 def is_confirmed(parent, name, icon, sentence, question, answer):
-    """Ask the user to confirm an action; Enter and Escape cancel.
-
-    Parameters
-    ----------
-    parent : QWidget
-    name : str
-        The box's object name.
-    icon : QMessageBox.Icon
-    sentence, question : str
-    answer : QMessageBox.StandardButton
-        The button that confirms; the other one is Cancel.
-    """
+    """Ask the user to confirm an action; Enter and Escape cancel. `answer` is the standard button that confirms."""
     box = QtWidgets.QMessageBox(icon, "", sentence, answer | QtWidgets.QMessageBox.Cancel, parent)
     box.setObjectName(name)
     box.setTextFormat(QtCore.Qt.PlainText)  # names and addresses come from untrusted files

@@ -6,16 +6,7 @@ from ..application.qt import QtWidgets, translate
 
 
 def edit_profile_button(parent, name, chosen):
-    """A QToolButton with the icon of the editor.
-
-    Parameters
-    ----------
-    parent : QWidget
-    name : str
-        Object name.
-    chosen : callable
-        Returns the profile to edit: name of a shipped one, or path of a file.
-    """
+    """A QToolButton with the icon of the editor; `chosen` returns the profile to edit, as a name or a path."""
     button = QtWidgets.QToolButton(parent)
     button.setObjectName(name)
     button.setIcon(icon("ThinPart_EditProfile"))

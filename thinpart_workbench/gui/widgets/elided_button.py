@@ -4,15 +4,7 @@ from ..application.qt import QtCore, QtWidgets
 
 
 class ElidedButton(QtWidgets.QToolButton):
-    """Shows as much of its text as fits; the caller sets the tool tip.
-
-    Parameters
-    ----------
-    name : str
-        The button's object name.
-    max_characters : int
-        Greatest width, in average characters.
-    """
+    """Shows as much of its text as fits, up to a number of average characters; the caller sets the tool tip."""
 
     def __init__(self, name, max_characters, parent=None):
         super().__init__(parent)

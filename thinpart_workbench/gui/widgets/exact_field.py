@@ -19,12 +19,6 @@ _MOST = 1e12
 class ExactField(QtWidgets.QDoubleSpinBox):
     """Shows a value times a factor, with a unit. Point and comma are both the decimal point, whatever the language.
 
-    Parameters
-    ----------
-    name : str
-        Object name.
-    parent : QWidget
-
     Signals
     -------
     changed

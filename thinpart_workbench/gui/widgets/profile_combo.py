@@ -18,13 +18,7 @@ class ProfileCombo(QtWidgets.QComboBox):
         lifelong.profile_signals.saved.connect(self._show_saved)
 
     def choose(self, name):
-        """Choose a profile.
-
-        Parameters
-        ----------
-        name : str
-            Name of a shipped profile, or path of a file.
-        """
+        """Choose a profile: the name of a shipped one, or the path of a file."""
         if self.findData(name) < 0:
             self._add(profile_choice(name))
         self.setCurrentIndex(self.findData(name))

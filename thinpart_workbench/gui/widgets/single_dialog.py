@@ -8,17 +8,7 @@ _dialogs = {}  # by the name of their class
 
 
 def single_dialog(dialog_class):
-    """The one dialog of a class: made where there is none.
-
-    Parameters
-    ----------
-    dialog_class : type
-        Of QDialog, with ``end()``.
-
-    Returns
-    -------
-    QDialog
-    """
+    """The one dialog of a class of QDialog with ``end()``: made where there is none."""
     name = dialog_class.__name__
     if name not in _dialogs:
         _dialogs[name] = dialog_class(Gui.getMainWindow())
@@ -26,12 +16,7 @@ def single_dialog(dialog_class):
 
 
 def show_single_dialog(dialog_class):
-    """Bring the one dialog of a class to the front, without interrupting its work.
-
-    Returns
-    -------
-    QDialog
-    """
+    """Bring the one dialog of a class to the front, without interrupting its work, and return it."""
     dialog = single_dialog(dialog_class)
     prepare_controls(dialog)
     dialog.show()

@@ -21,11 +21,6 @@ class _WheelGuard(QtCore.QObject):
 
 
 def ignore_wheel_unless_focused(field):
-    """Make a field within a scroll area handle wheel events only while it has the focus.
-
-    Parameters
-    ----------
-    field : QComboBox or QAbstractSpinBox
-    """
+    """Make a QComboBox or QAbstractSpinBox within a scroll area handle wheel events only while it has the focus."""
     field.setFocusPolicy(QtCore.Qt.StrongFocus)  # not WheelFocus, with which the wheel itself would focus the field
     field.installEventFilter(_WheelGuard(field))
