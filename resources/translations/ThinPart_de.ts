@@ -1623,10 +1623,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Netz vorbereiten</translation>
     </message>
     <message>
-        <source>Preview</source>
-        <translation>Vorschau</translation>
-    </message>
-    <message>
         <source>Previous wall</source>
         <translation>Vorige Wand</translation>
     </message>
@@ -1993,10 +1989,6 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Stop it, and go on here?</source>
         <translation>Dort abbrechen und hier weitermachen?</translation>
-    </message>
-    <message>
-        <source>Stopped after {} of {} info files.</source>
-        <translation>Nach {} von {} Infodateien abgebrochen.</translation>
     </message>
     <message>
         <source>Stopped on request before the end.</source>
@@ -3131,10 +3123,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{} von {} Bauteilen wechseln ihre Kategorie.</translation>
     </message>
     <message>
-        <source>{} of {} parts change their category; {} info files would be updated.</source>
-        <translation>{} von {} Bauteilen wechseln ihre Kategorie; {} Infodateien würden aktualisiert.</translation>
-    </message>
-    <message>
         <source>{} of {} parts fail</source>
         <translation>{} von {} Teilen fallen durch</translation>
     </message>
@@ -4266,10 +4254,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die Infodatei {info_file} kann nicht gelesen werden ({problem}).</translation>
     </message>
     <message>
-        <source>The info file {info_file} could not be judged ({problem}).</source>
-        <translation>Die Infodatei {info_file} konnte nicht beurteilt werden ({problem}).</translation>
-    </message>
-    <message>
         <source>The info file {info_file} could not be written ({problem}): make room or choose another place for it.</source>
         <translation>Die Infodatei {info_file} konnte nicht geschrieben werden ({problem}): Schaffen Sie Platz oder wählen Sie einen anderen Ort dafür.</translation>
     </message>
@@ -4278,20 +4262,12 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die Infodatei {info_file} konnte nicht geschrieben werden: Ein anderes Programm hält den Ordner {folder} gesperrt; beenden Sie dieses Programm, oder wählen Sie einen anderen Ort für Infodateien.</translation>
     </message>
     <message>
-        <source>The info file {info_file} crashed the process that read it.</source>
-        <translation>Die Infodatei {info_file} hat den lesenden Prozess zum Absturz gebracht.</translation>
-    </message>
-    <message>
         <source>The info file {info_file} is damaged ({problem}): move it away and classify its document again.</source>
         <translation>Die Infodatei {info_file} ist beschädigt ({problem}): Verschieben Sie sie und klassifizieren Sie ihr Dokument erneut.</translation>
     </message>
     <message>
         <source>The info file {info_file} needs more memory than the limit allows.</source>
         <translation>Die Infodatei {info_file} braucht mehr Speicher, als erlaubt ist.</translation>
-    </message>
-    <message>
-        <source>The info file {info_file} took longer than {seconds:g} s, the limit for one file.</source>
-        <translation>Die Infodatei {info_file} brauchte länger als {seconds:g} s, die Grenze für eine Datei.</translation>
     </message>
     <message>
         <source>The info file {info_file} was not written: {problem}.</source>

@@ -1623,10 +1623,6 @@ Son volume est inconnu.</translation>
         <translation>Préparer le maillage</translation>
     </message>
     <message>
-        <source>Preview</source>
-        <translation>Aperçu</translation>
-    </message>
-    <message>
         <source>Previous wall</source>
         <translation>Paroi précédente</translation>
     </message>
@@ -1993,10 +1989,6 @@ Son volume est inconnu.</translation>
     <message>
         <source>Stop it, and go on here?</source>
         <translation>L’arrêter et continuer ici ?</translation>
-    </message>
-    <message>
-        <source>Stopped after {} of {} info files.</source>
-        <translation>Arrêté après {} fichiers d’information sur {}.</translation>
     </message>
     <message>
         <source>Stopped on request before the end.</source>
@@ -3131,10 +3123,6 @@ Son volume est inconnu.</translation>
         <translation>{} pièces sur {} changent de catégorie.</translation>
     </message>
     <message>
-        <source>{} of {} parts change their category; {} info files would be updated.</source>
-        <translation>{} pièces sur {} changent de catégorie ; {} fichiers d’information seraient mis à jour.</translation>
-    </message>
-    <message>
         <source>{} of {} parts fail</source>
         <translation>{} pièces sur {} échouent</translation>
     </message>
@@ -4266,10 +4254,6 @@ Son volume est inconnu.</translation>
         <translation>Le fichier d’information {info_file} ne peut pas être lu ({problem}).</translation>
     </message>
     <message>
-        <source>The info file {info_file} could not be judged ({problem}).</source>
-        <translation>Le fichier d’information {info_file} n’a pas pu être évalué ({problem}).</translation>
-    </message>
-    <message>
         <source>The info file {info_file} could not be written ({problem}): make room or choose another place for it.</source>
         <translation>Le fichier d’information {info_file} n’a pas pu être écrit ({problem}) : faites de la place ou choisissez un autre emplacement.</translation>
     </message>
@@ -4278,20 +4262,12 @@ Son volume est inconnu.</translation>
         <translation>Le fichier d’information {info_file} n’a pas pu être écrit : un autre programme garde le dossier {folder} verrouillé ; arrêtez ce programme, ou choisissez un autre endroit pour les fichiers d’information.</translation>
     </message>
     <message>
-        <source>The info file {info_file} crashed the process that read it.</source>
-        <translation>Le fichier d’information {info_file} a fait planter le processus de lecture.</translation>
-    </message>
-    <message>
         <source>The info file {info_file} is damaged ({problem}): move it away and classify its document again.</source>
         <translation>Le fichier d’information {info_file} est endommagé ({problem}) : déplacez-le et classez de nouveau son document.</translation>
     </message>
     <message>
         <source>The info file {info_file} needs more memory than the limit allows.</source>
         <translation>Le fichier d’information {info_file} demande plus de mémoire que permis.</translation>
-    </message>
-    <message>
-        <source>The info file {info_file} took longer than {seconds:g} s, the limit for one file.</source>
-        <translation>Le fichier d’information {info_file} a pris plus de {seconds:g} s, la limite pour un fichier.</translation>
     </message>
     <message>
         <source>The info file {info_file} was not written: {problem}.</source>

@@ -10,7 +10,7 @@ import time_limit
 import thinpart_workbench as thinpart
 from thinpart_workbench.api.found_parts import record_and_profile
 from thinpart_workbench.api.open_libraries import OpenLibraries
-from thinpart_workbench.api.reclassification import ReclassificationCounts, reclassify_folders
+from thinpart_workbench.api.reclassification import reclassify_folders
 
 
 @pytest.fixture
@@ -104,10 +104,8 @@ def test_a_record_comes_with_the_profile_that_it_was_judged_by(library):
 def test_libraries_are_judged_again_also_where_one_is_gone(library, tmp_path):
     run = reclassify_folders([str(library), str(tmp_path / "gone")], "paper")
     assert "gone" in run.problems[0] and len(run.problems) == 1
-    counts = ReclassificationCounts(len(run))
-    for file in run:
-        counts.add(file)
-    stored = thinpart.find(library)
-    assert counts.done == counts.total == len(run) > 0 and counts.failed == len(counts.errors)
-    assert counts.before == counts.after and sum(counts.after.values()) == len(stored)
+    files = list(run)
+    parts = [part for file in files for part in file.parts]
+    assert len(files) == len(run) > 0 and not any(file.differs for file in files)
+    assert len(parts) == len(thinpart.find(library)) and not any(part.differs for part in parts)
     assert len(reclassify_folders([str(tmp_path)])) == 0

@@ -66,7 +66,7 @@ def no_libraries():
 
 def workers():
     """Processes of the panel that still run."""
-    return window.workers("library_worker", "reclassify_worker")
+    return window.workers("library_worker", "judging_worker")
 
 
 def opened(*roots):

@@ -3,9 +3,10 @@
 import pytest
 import window_actions as window
 
-from thinpart_workbench.api.reclassification import ReclassificationCounts, reclassify
+from thinpart_workbench.api.reclassification import reclassify
 from thinpart_workbench.freecad_adapter.preferences import set_preference, set_preference_list
 from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
+from thinpart_workbench.gui.library.command import end_find_parts
 from thinpart_workbench.gui.widgets.single_dialog import end_single_dialog
 
 
@@ -16,8 +17,9 @@ def own_files(tmp_path, monkeypatch):
     monkeypatch.setenv("THINPART_LIMITS", str(tmp_path / "wall_limits.json"))
     yield tmp_path
     end_single_dialog("ProfileDialog")
+    end_find_parts()
     set_preference("Profile", None)
-    window.wait_until(lambda: not window.workers("profile_worker"))
+    window.wait_until(lambda: not window.workers("judging_worker"))
 
 
 def opened(*libraries):
@@ -68,10 +70,9 @@ def changes():
 
 
 def expected(folder, profile):
-    counts = ReclassificationCounts(0)
-    for file in reclassify([folder], profile):
-        counts.add(file)
-    return counts
+    """How many parts change their category."""
+    return sum(part.before["category"] != part.after["category"]
+               for file in reclassify([folder], profile) for part in file.parts)
 
 
 def answer(button, act):

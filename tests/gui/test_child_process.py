@@ -187,7 +187,7 @@ def conversation(module, **job):
 
 @pytest.mark.parametrize("module, job", [
     ("request_worker", {"nothing": "foreseen"}),
-    ("reclassify_worker", {"nothing": "foreseen"}),
+    ("judging_worker", {"nothing": "foreseen"}),
     ("library_worker", {"ask": "nothing"}),
 ])
 def test_what_no_worker_has_foreseen_is_told_as_data(module, job):

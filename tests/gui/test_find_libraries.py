@@ -34,6 +34,7 @@ from find_panel import (  # noqa: F401 - fixtures among them
     workers,
     write,
 )
+from made_library import make_large_library
 
 from thinpart_workbench.core.judging.criteria import load_profile
 from thinpart_workbench.freecad_adapter.preferences import preference_list, set_preference_list
@@ -42,6 +43,7 @@ from thinpart_workbench.gui.application.qt import QtWidgets
 from thinpart_workbench.gui.library import command as find_parts
 from thinpart_workbench.gui.library.search_client import SearchClient
 from thinpart_workbench.gui.processes.conversation import Conversation
+from thinpart_workbench.gui.reclassify.reclassify_page import ReclassifyPage
 from thinpart_workbench.gui.tables.fetched_rows import WAITING
 from thinpart_workbench.gui.widgets.controls import plain
 from thinpart_workbench.storage.info.info_file import read_info
@@ -59,39 +61,67 @@ def other_profile(tmp_path):
     return path
 
 
-def test_reclassify_previews_and_writes(library, other_profile):
-    dock = opened(library)
+def reclassify_page(dock):
+    """The page that reclassifies, once it has counted."""
     choose(dock, 2)
-    window.widget("ThinPart_ReclassifyProfile").choose(str(other_profile))
+    page = dock.findChild(ReclassifyPage)
+    window.wait_until(lambda: not page.is_waiting)
+    window.settle(20)
+    return page
+
+
+def chosen(page, profile):
+    window.widget("ThinPart_ReclassifyProfile").choose(str(profile))
+    window.wait_until(lambda: not page.is_waiting)
+    window.settle(20)
+
+
+def test_reclassify_shows_what_would_change_and_writes_it(library, other_profile):
+    dock = opened(library)
+    page = reclassify_page(dock)
     before = {path.name: path.read_bytes() for path in library.glob("*.thinpart.json")}
-    window.click("ThinPart_ReclassifyPreview")
-    window.wait_until(lambda: "change their category" in window.text("ThinPart_ReclassifyMessage"))
-    assert "damaged.thinpart.json" in window.text("ThinPart_ReclassifyMessage")
-    counts = window.widget("ThinPart_ReclassifyTable")
-    rows = [[counts.item(row, column).text() for column in range(3)] for row in range(counts.rowCount())]
-    assert ["Thin part", "9"] in [[name, after] for name, _, after in rows]
-    assert sum(int(now) for _, now, _ in rows) == 9
+    chosen(page, other_profile)
+    assert "of 9 parts change their category" in window.text("ThinPart_ReclassifyChanges")
+    assert "damaged.thinpart.json" in window.text("ThinPart_ReclassifyCountMessage")
+    changes = window.widget("ThinPart_ReclassifyChangesTable")
+    assert {changes.item(row, 1).text() for row in range(changes.rowCount())} == {"Thin part"}
     assert before == {path.name: path.read_bytes() for path in library.glob("*.thinpart.json")}
-    window.wait_until(window.widget("ThinPart_ReclassifyWrite").isEnabled)
+    assert window.widget("ThinPart_ReclassifyWrite").isEnabled()
     said = []
     window.answer("ThinPart_ReclassifyQuestion", lambda box: (
         said.append(box.text()), box.button(QtWidgets.QMessageBox.Yes).click()))
     window.click("ThinPart_ReclassifyWrite")
     window.wait_until(lambda: "were updated" in window.text("ThinPart_ReclassifyMessage"))
     assert said[0].startswith("7 info files will be updated")
+    assert "damaged.thinpart.json" in window.text("ThinPart_ReclassifyMessage")
+    window.wait_until(lambda: not page.is_waiting)
+    assert window.text("ThinPart_ReclassifyChanges") == "0 of 9 parts change their category."
+    assert not window.widget("ThinPart_ReclassifyWrite").isEnabled()
     ready(dock)
     assert count_of("ThinPart_Category_thin") == 9
     assert read_info(library / "block.step.thinpart.json")["profile"]["name"] == "generous"
     assert (library / "damaged.thinpart.json").read_text() == "{"
 
 
+def test_a_part_that_changes_is_shown_in_the_list(library, other_profile):
+    dock = opened(library)
+    chosen(reclassify_page(dock), other_profile)
+    changes, parts = window.widget("ThinPart_ReclassifyChangesTable"), window.widget("ThinPart_ReclassifyParts")
+    changes.selectRow(0)
+    window.wait_until(lambda: parts.count())
+    parts.setCurrentRow(0)
+    window.click("ThinPart_ReclassifyFindPart")
+    window.wait_until(lambda: table().current_part is not None)
+    assert table().current_part.file == parts.item(0).toolTip()
+
+
 def test_a_profile_that_is_none_is_refused(library, tmp_path):
     dock = opened(library)
-    choose(dock, 2)
+    page = reclassify_page(dock)
     (tmp_path / "none.json").write_text("[]")
-    window.widget("ThinPart_ReclassifyProfile").choose(str(tmp_path / "none.json"))
-    window.click("ThinPart_ReclassifyPreview")
-    assert "is not a ThinPart profile" in window.text("ThinPart_ReclassifyMessage")
+    chosen(page, tmp_path / "none.json")
+    assert "is not a ThinPart profile" in window.text("ThinPart_ReclassifyChanges")
+    assert not window.widget("ThinPart_ReclassifyWrite").isEnabled()
 
 
 def test_adding_and_removing_libraries(library, tmp_path):
@@ -263,16 +293,21 @@ def test_the_answer_to_an_outdated_question_is_thrown_away(many_opened):
     assert cells(FILE) == [os.path.join("0000", "part 000012.step")]
 
 
-@uses_many
-def test_cancelling_a_preview(many_opened):
-    dock = many_opened
-    choose(dock, 2)
-    window.click("ThinPart_ReclassifyPreview")
-    window.wait_until(lambda: window.widget("ThinPart_ReclassifyBar").maximum() > 1
-                      or window.text("ThinPart_ReclassifyMessage"))
+@pytest.mark.timeout(120)
+def test_writing_is_named_in_the_status_bar_and_cancelled(classified, other_profile, tmp_path):
+    make_large_library(tmp_path / "own", sorted(classified.glob("*.step.thinpart.json")), 1500)
+    dock = opened(tmp_path / "own")
+    page = reclassify_page(dock)
+    chosen(page, other_profile)
+    window.answer("ThinPart_ReclassifyQuestion", lambda box: box.button(QtWidgets.QMessageBox.Yes).click())
+    window.click("ThinPart_ReclassifyWrite")
+    window.wait_until(lambda: window.widget("ThinPart_ReclassifyWriteBar").maximum() > 1)
+    assert window.widget("ThinPart_RunningJobs").text().startswith("Classifying again by another profile")
     window.click("ThinPart_ReclassifyCancel")
-    window.wait_until(lambda: "Stopped after" in window.text("ThinPart_ReclassifyMessage"))
-    window.wait_until(window.widget("ThinPart_ReclassifyPreview").isEnabled)
+    window.wait_until(lambda: "Stopped: " in window.text("ThinPart_ReclassifyMessage"))
+    assert window.widget("ThinPart_ReclassifyProfile").isEnabled()
+    window.wait_until(lambda: not page.is_waiting)
+    assert window.widget("ThinPart_ReclassifyWrite").isEnabled()
 
 
 @uses_many

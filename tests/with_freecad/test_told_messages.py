@@ -151,11 +151,16 @@ def test_the_process_that_searches_libraries(tmp_path, german, monkeypatch):
 def test_the_process_that_judges_again(tmp_path, german):
     damaged(tmp_path / "library")
     store(tmp_path / "library", "plate.step", [record_of("plate")])
-    with Worker("reclassify_worker") as worker:
-        worker.ask(roots=[str(tmp_path / "library")], profile=PAPER.content, write=False)
-        while (judged := worker.told("judged"))["done"] < judged["total"]:
+    with Worker("judging_worker") as worker:
+        worker.ask(ask="open", roots=[str(tmp_path / "library")])
+        worker.ask(ask="judge", serial=1, profile=PAPER.content)
+        while (counted := worker.told("counted"))["read"] < counted["total"]:
             pass
-        assert [german(each) for each in judged["errors"]] == [NOT_AN_INFO_FILE]
+        assert [german(each) for each in counted["problems"]] == [NOT_AN_INFO_FILE]
+        worker.ask(ask="write", profile=PAPER.content)
+        while not (written := worker.told("written"))["ended"]:
+            pass
+        assert [german(each) for each in written["problems"]] == [NOT_AN_INFO_FILE]
 
 
 @pytest.fixture

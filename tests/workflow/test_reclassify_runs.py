@@ -7,7 +7,6 @@ import signal
 import subprocess
 import sys
 import time
-from functools import partial
 from pathlib import Path
 
 import pytest
@@ -144,74 +143,54 @@ def test_a_worker_that_is_killed_costs_nothing(library):
 
 
 SLOW = "part 000000.step"
+JUDGED = reclassify._judged
 
 
-def instead_of_reclassify_file(do):
-    """In a worker, when it starts: have it do something else where it judges an info file."""
-    reclassify.reclassify_file = partial(do, reclassify.reclassify_file)
-
-
-def start_deadly():
-    instead_of_reclassify_file(deadly_reclassify_file)
-
-
-def deadly_reclassify_file(judge, info_file, *more):
+def deadly(batch):
     """As a worker judges, with files that end it or keep it busy."""
-    if info_file == "deadly":
-        os.kill(os.getpid(), signal.SIGKILL)
-    if info_file == "endless":
-        time.sleep(600)
-    return judge(info_file, *more)
+    for info_file in batch.info_files:
+        if info_file == "deadly":
+            os.kill(os.getpid(), signal.SIGKILL)
+        if info_file == "endless":
+            time.sleep(600)
+    return JUDGED(batch)
 
 
-def start_slow():
-    instead_of_reclassify_file(slow_reclassify_file)
-
-
-def slow_reclassify_file(judge, info_file, *more):
+def slow(batch):
     """As a worker judges; the first file of all takes long."""
-    if SLOW in info_file:
+    if SLOW in batch.info_files[0]:
         time.sleep(1)
-    return judge(info_file, *more)
-
-
-def workers_that(start, seconds, begun):
-    """Workers that start in another way and have other limits; the tasks that they are given are noted."""
-    class Noted(process_pool.ProcessPool):
-        def __init__(self, count, _seconds, folder, work, _start, _arguments):
-            super().__init__(count, seconds, folder, work, start)
-
-        def submit(self, task):
-            begun.append(task.first)
-            super().submit(task)
-
-    return Noted
+    return JUDGED(batch)
 
 
 @linux
 def test_files_that_kill_or_hold_up_their_reader_are_rows_and_the_rest_goes_on(library, monkeypatch):
-    monkeypatch.setattr(reclassify, "ProcessPool", workers_that(start_deadly, 2.0, []))
+    monkeypatch.setattr(reclassify, "_judged", deadly)
+    monkeypatch.setattr(reclassify, "_SECONDS", 2.0)
     monkeypatch.setattr(reclassify, "FILES_AT_ONCE", 8)
     files = info_files(library)[:30]
     files[3:3], files[20:20], files[29:29] = ["deadly"], ["endless"], ["gone" + SUFFIX]
     told = list(reclassify_files(files, PAPER.content, jobs=2))
     assert [each.info_file for each in told] == files
     assert {each.info_file: each.error for each in told if each.error} == {
-        "deadly": "The info file deadly crashed the process that read it.",
-        "endless": "The info file endless took longer than 300 s, the limit for one file.",
+        "deadly": "deadly crashed the process that read it: the file is probably damaged.",
+        "endless": "endless took longer than 2 s, the limit for one file.",
         "gone" + SUFFIX: "The info file gone.thinpart.json cannot be read (No such file or directory)."}
     assert all(each.parts for each in told if not each.error)
 
 
 def test_what_waits_for_its_turn_does_not_pile_up(library, monkeypatch):
     begun = []
-    monkeypatch.setattr(reclassify, "ProcessPool", workers_that(start_slow, 60.0, begun))
+    submit = process_pool.ProcessPool.submit
+    monkeypatch.setattr(process_pool.ProcessPool, "submit",
+                        lambda pool, batch: (begun.extend(batch.info_files), submit(pool, batch)))
+    monkeypatch.setattr(reclassify, "_judged", slow)
     monkeypatch.setattr(reclassify, "FILES_AT_ONCE", 1)
     files = info_files(library)[:200]
     assert SLOW in files[0]
     judged = reclassify_files(files, PAPER.content, jobs=2)
     first = next(judged)
-    assert max(begun) < 50
+    assert len(begun) < 50
     assert [first.info_file, *(each.info_file for each in judged)] == files
 
 
@@ -227,10 +206,11 @@ def test_it_stops_between_two_files(library, jobs):
 
 @linux
 def test_the_processes_behind_the_window_end_with_it(library):
-    run = subprocess.Popen([sys.executable, "-m", "thinpart_workbench.window_processes.reclassify_worker"],
+    run = subprocess.Popen([sys.executable, "-m", "thinpart_workbench.window_processes.judging_worker"],
                            env=environment(), stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
                            encoding="utf-8", start_new_session=True)
-    run.stdin.write(json.dumps({"roots": [str(library)], "profile": PROFILES["one"], "write": True}) + "\n")
+    for request in ({"ask": "open", "roots": [str(library)]}, {"ask": "write", "profile": PROFILES["one"]}):
+        run.stdin.write(json.dumps(request) + "\n")
     run.stdin.flush()
     time_limit.wait_until(lambda: worker_processes(run), "workers")
     run.kill()

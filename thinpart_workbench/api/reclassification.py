@@ -1,8 +1,6 @@
 """Judge stored parts again, without geometry."""
 
 import os
-from collections import Counter
-from dataclasses import dataclass, field
 
 from ..core.analysis_settings import DEFAULT_PROFILE
 from ..core.errors import ThinPartError
@@ -13,9 +11,6 @@ from ..storage.info.info_tree import scan
 from ..storage.info.stored_records import info_file_of
 from ..workflow.library.reclassify import reclassify_files
 from ..workflow.library.verdict_changes import VerdictChanges
-
-MOST_ERRORS = 20
-"""Sentences that `ReclassificationCounts` keeps; further failures are only counted."""
 
 
 class Reclassification:
@@ -46,47 +41,6 @@ class Reclassification:
 
     def __iter__(self):
         return reclassify_files(self.info_files, self.profile.content, self._write, self._jobs, self._control)
-
-
-@dataclass
-class ReclassificationCounts:
-    """Counts of what a reclassification has yielded so far.
-
-    Attributes
-    ----------
-    total, done, differing, failed : int
-        Info files: all of them; those judged so far; among these, those whose profile or verdicts differ, and those that
-        could not be judged.
-    before, after : dict of str to int
-        Parts by category, by the stored verdict and by the new one.
-    changed : int
-        Parts of another category than before.
-    errors : list of str
-        Why info files could not be judged: the first `MOST_ERRORS`.
-    """
-
-    total: int
-    done: int = 0
-    differing: int = 0
-    failed: int = 0
-    before: Counter[str] = field(default_factory=Counter)
-    after: Counter[str] = field(default_factory=Counter)
-    changed: int = 0
-    errors: list[str] = field(default_factory=list)
-
-    def add(self, file):
-        """Count a `ReclassifiedFile`."""
-        self.done += 1
-        self.differing += file.differs
-        if file.error:
-            self.failed += 1
-            if len(self.errors) < MOST_ERRORS:
-                self.errors.append(file.error)
-        for part in file.parts:
-            before, after = part.before["category"], part.after["category"]
-            self.before[before] += 1
-            self.after[after] += 1
-            self.changed += before != after
 
 
 def reclassify(paths, profile=DEFAULT_PROFILE, *, write=False, jobs=1, control=None):

@@ -13,6 +13,7 @@ from ..application.qt import QtCore, QtGui, QtWidgets, grouped, translate
 from ..application.sentences import translated
 from ..guide.command import help_button
 from ..processes.request_queue import LABEL
+from ..reclassify.reclassify_page import ReclassifyPage
 from ..record.record_view import show_text, text_line
 from ..widgets.flow_layout import FlowLayout
 from ..widgets.folder_field import contains
@@ -22,7 +23,6 @@ from .details import PartDetails
 from .filters_page import FiltersPage
 from .found_rows import FoundRows
 from .libraries_page import LibrariesPage
-from .reclassify_page import ReclassifyPage
 from .results_view import FoundPartsView
 from .search_client import SearchClient
 from .thumbnails import Thumbnails
@@ -226,7 +226,8 @@ class FindDock(QtWidgets.QDockWidget):
         self._libraries.refresh_requested.connect(self._refresh)
         self._libraries.stop_requested.connect(search.stop_refreshing)
         self._reclassify.written.connect(self._refresh)
-        self._reclassify.working_changed.connect(lambda is_working: self._show_job("reclassify", is_working))
+        self._reclassify.writing_changed.connect(lambda is_writing: self._show_job("reclassify", is_writing))
+        self._reclassify.view.find_requested.connect(self.show_part)
         self._table.rows_requested.connect(search.request_rows)
         self._table.sort_requested.connect(lambda key, descending: search.update_query(sort=key, descending=descending))
         view.current_changed.connect(self._show_part)

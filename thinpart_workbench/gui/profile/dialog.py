@@ -40,7 +40,7 @@ class ProfileDialog(QtWidgets.QDialog):
         self._thresholds = ThresholdsPage(self)
         self._thresholds.changed.connect(self._on_changed)
         self._changes = ChangesPanel(self)
-        self._changes.find_requested.connect(self._find_part)
+        self._changes.view.find_requested.connect(self._find_part)
         splitter = QtWidgets.QSplitter(QtCore.Qt.Horizontal, self)
         splitter.addWidget(self._thresholds)
         splitter.addWidget(self._changes)
@@ -72,7 +72,7 @@ class ProfileDialog(QtWidgets.QDialog):
     @property
     def is_waiting(self):
         """Whether the counts of changes are not complete yet."""
-        return self._check_timer.isActive() or self._changes.is_waiting
+        return self._check_timer.isActive() or self._changes.view.client.is_waiting
 
     @property
     def is_changed(self):
@@ -87,7 +87,7 @@ class ProfileDialog(QtWidgets.QDialog):
         name : str
             Name of a shipped profile, or path of a file.
         behind_modal : bool
-            See `ChangesPanel.begin`.
+            See `ChangesView.open`.
         """
         self._behind_modal = behind_modal
         self._limits.load()
@@ -182,14 +182,14 @@ class ProfileDialog(QtWidgets.QDialog):
     def end(self):
         """Stop counting and delete the dialog, without asking."""
         self._start = None
-        self._changes.end()
+        self._changes.view.client.end()
         self.hide()
         self.deleteLater()
 
     def reject(self):
         """Close, unless the user wants to keep unsaved changes; Qt calls this for Escape and the window's button too."""
         if self._may_leave() and self._may_leave_limits():
-            self._changes.end()
+            self._changes.view.client.end()
             self._start = None
             super().reject()
 
@@ -237,7 +237,7 @@ class ProfileDialog(QtWidgets.QDialog):
                 profile = usable_profile(self._thresholds.content())
             except ThinPartError as error:
                 self._problem = translated(error)
-        self._changes.show_profile(profile, self._problem)
+        self._changes.view.show_profile(profile, self._problem)
         self._show_state()
 
     def _show_state(self):

@@ -3,26 +3,20 @@
 import json
 import math
 import os
-import signal
-import time
-from collections import deque
-from concurrent.futures import TimeoutError as TaskTimeout
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, NamedTuple, Optional
 
+from ...core.analysis_limits import Limits
 from ...core.errors import ThinPartError
 from ...core.judging.classification import classify
 from ...core.judging.criteria import Profile, profile_from
 from ...core.message import message
-from ...core.problem import problem_of
+from ...core.problem import UNEXPECTED
 from ...core.record.part_record import descriptors_of, judge_again, verdict
 from ...core.record.record_types import VerdictRecord
 from ...core.run_control import RunControl
 from ...storage.info.info_file import change_info, read_info
-from ...system.process_limits import crash_quietly, limit_memory
-from ..workers.process_pool import ProcessPool
-from ..workers.task_run import worker_folder
-from ..workers.worker_thread import WorkerDied
+from ..workers.task_run import task_workers
 
 FILES_AT_ONCE = 64
 """Info files per batch that a worker process receives."""
@@ -36,11 +30,8 @@ _SECONDS = 300.0
 _MEGABYTES = 4096
 """Address space of a worker: enough for the largest info file, `storage/info/info_file.LARGEST`."""
 
-_MOST_DEATHS = 2
-"""Workers that may die with one info file before it counts as failed: somebody may have killed the first."""
-
-_SECONDS_TO_SETTLE = 1.0
-"""Seconds to wait for files that are being written when a run is stopped."""
+_ATTEMPTS = 3
+"""A file is judged in its batch, then alone, and once more if that crashed: somebody may have killed the worker."""
 
 
 class Verdict(NamedTuple):
@@ -117,10 +108,11 @@ def reclassify_files(info_files, profile_content, write=False, jobs=1, control=N
     Parameters
     ----------
     info_files : list of str
+        Each once.
     profile_content : dict
     write : bool
     jobs : int
-        Processes.
+        Processes that read and judge. What changes is written by this one, which judges it again while the folder is locked.
     control : RunControl, optional
         Stops the run, also while it is waiting.
 
@@ -136,147 +128,69 @@ def reclassify_files(info_files, profile_content, write=False, jobs=1, control=N
         written.
     ThinPartError
         If no worker can be started, or there is no space for temporary files.
-
-    Notes
-    -----
-    Judging is idempotent. So a batch that is lost with its worker is repeated file by file, and a file that kills
-    its reader is one failure. Files of such a batch that were already written are reported as read the second
-    time: with the new verdict as the previous one.
     """
     control = control or RunControl()
-    starts = range(0, len(info_files), FILES_AT_ONCE)
-    jobs = min(jobs, len(starts))
-    if jobs <= 1:
+    if min(jobs * FILES_AT_ONCE, len(info_files)) <= FILES_AT_ONCE:
         for info_file in info_files:
             control.check()
             yield reclassify_file(info_file, profile_content, write)
         return
-    with worker_folder() as folder:
-        stop = os.path.join(folder, "stop")
-        batches = deque(Batch(start, info_files[start:start + FILES_AT_ONCE], profile_content, write, stop)
-                        for start in starts)
-        workers = ProcessPool(jobs, _SECONDS, folder, _process_batch, _start_worker, (_MEGABYTES,))
-        try:
-            yield from _in_order(batches, workers, _BATCHES_AHEAD * FILES_AT_ONCE * jobs, control)
-        finally:
-            if write and workers.busy:
-                _wait_for_writes(workers, stop)
-            workers.stop()
+    batches = [Batch(info_files[start:start + FILES_AT_ONCE], profile_content)
+               for start in range(0, len(info_files), FILES_AT_ONCE)]
+    limits = Limits(_SECONDS, _MEGABYTES, min(jobs, len(batches)))
+    with task_workers(limits.jobs, _judged, _checked, limits) as run:
+        ahead = _BATCHES_AHEAD * limits.jobs
+        for first in range(0, len(batches), ahead):
+            for file in _in_order(batches[first:first + ahead], run, control):
+                control.check()
+                yield reclassify_file(file.info_file, profile_content, write) if write and file.differs else file
 
 
 @dataclass(frozen=True)
 class Batch:
-    """Info files that a worker judges together. Contains only plain values, so that it can be pickled.
+    """Info files that a worker judges together. Contains only plain values, so that it can be pickled."""
 
-    Attributes
-    ----------
-    first : int
-        Position of its first file among all info files.
-    info_files : list of str
-    profile : dict
-    write : bool
-    stop : str
-        Path of a file; once it exists, no further info file is started.
-    deaths : int
-        Workers that have died with it since it has been a single file.
-    """
-
-    first: int
     info_files: list
     profile: dict
-    write: bool
-    stop: str
-    deaths: int = 0
 
-    def split(self):
-        """The batch as a list of batches of one file each."""
-        return [replace(self, first=self.first + position, info_files=[info_file])
-                for position, info_file in enumerate(self.info_files)]
+    @property
+    def file(self):
+        """The file that failures name: they count only where it is alone."""
+        return self.info_files[0]
 
 
-def _in_order(pending, workers, ahead, control):
-    """Run all batches, and yield the results in the order of the info files.
-
-    Parameters
-    ----------
-    pending : deque of Batch
-    workers : ProcessPool
-    ahead : int
-        Files that may be started ahead of the one that is yielded next.
-    control : RunControl
-    """
-    results: dict[int, ReclassifiedFile] = {}
-    position = 0
-
-    def may_start(batch):
-        return batch.first < position + ahead
-
-    for future, batch in workers.run(pending, control, may_start):
-        files, retries = _outcome(future, batch)
-        pending.extendleft(reversed(retries))
-        results.update(enumerate(files, batch.first))
-        while position in results:
-            control.check()
-            yield results.pop(position)
-            position += 1
+def _in_order(batches, run, control):
+    """The results of batches in the order of their files. The files of one that failed are judged one by one, so that a file
+    which kills its reader is one failure."""
+    info_files = [info_file for batch in batches for info_file in batch.info_files]
+    results, position = {}, 0
+    for attempt in range(1, _ATTEMPTS + 1):
+        again = []
+        for done in run(batches, control):
+            alone = len(done.task.info_files) == 1
+            if done.failure is None:
+                results.update(done.result)
+            elif attempt < _ATTEMPTS and (not alone or done.failure["error"]["kind"] == "crash"):
+                again += [Batch([info_file], done.task.profile) for info_file in done.task.info_files]
+            else:
+                results[done.task.file] = _failure(done.task.file, done.failure["error"]["message"])
+            while position < len(info_files) and info_files[position] in results:
+                yield results.pop(info_files[position])
+                position += 1
+        batches = again
 
 
-def _wait_for_writes(workers, stop):
-    """Let workers finish the files that they are writing, so that no temporary files are left."""
-    end = time.monotonic() + _SECONDS_TO_SETTLE
-    open(stop, "wb").close()
-    while workers.busy and time.monotonic() < end:
-        workers.next_finished()
+def _judged(batch):
+    """In a worker: the results of a batch, as JSON values."""
+    return [list(reclassify_file(info_file, batch.profile)) for info_file in batch.info_files]
 
 
-def _outcome(future, batch):
-    """The results of a batch, and the batches to run instead if it failed."""
-    error = future.exception()
-    if error is None:
-        return [_from_json(*item) for item in zip(batch.info_files, future.result())], []
-    if len(batch.info_files) > 1:
-        return [], batch.split()
-    if isinstance(error, WorkerDied) and batch.deaths + 1 < _MOST_DEATHS:
-        return [], [replace(batch, deaths=batch.deaths + 1)]
-    info_file, = batch.info_files
-    return [_failure(info_file, _sentence(os.path.basename(info_file), error))], []
-
-
-def _sentence(name, error):
-    if isinstance(error, TaskTimeout):
-        return message("The info file {info_file} took longer than {seconds:g} s, the limit for one file.",
-                       info_file=name, seconds=_SECONDS)
-    if isinstance(error, WorkerDied):
-        return message("The info file {info_file} crashed the process that read it.", info_file=name)
-    return message("The info file {info_file} could not be judged ({problem}).", info_file=name, problem=problem_of(error))
-
-
-def _start_worker(megabytes):
-    """Initialize a worker: ignore Ctrl-C, which the parent handles, and limit memory."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    limit_memory(megabytes * 1024 * 1024)
-    crash_quietly()
-
-
-def _process_batch(batch):
-    """Judge the files of a batch until the run is stopped."""
-    results = []
-    for info_file in batch.info_files:
-        if os.path.exists(batch.stop):
-            break
-        results.append(_to_json(reclassify_file(info_file, batch.profile, batch.write)))
-    return results
-
-
-def _to_json(file):
-    """A `ReclassifiedFile` without its first field, as JSON values."""
-    _, document, parts, error, differs = file
-    return [document, [list(part) for part in parts], error, differs]
-
-
-def _from_json(info_file, content):
-    document, parts, error, differs = content
-    return ReclassifiedFile(info_file, document, [Verdict(*part) for part in parts], error, differs)
+def _checked(batch, answer):
+    """The results that a worker returned: dict of str to ReclassifiedFile."""
+    if len(answer) != len(batch.info_files):
+        raise ValueError(UNEXPECTED)
+    return {info_file: ReclassifiedFile(info_file, document, [Verdict(*part) for part in parts], error, differs)
+            for info_file, (_, document, parts, error, differs) in zip(batch.info_files, answer)}
 
 
 def _failure(info_file, sentence):

@@ -1,6 +1,8 @@
 """What one profile after another would change in a library; its info files are read once."""
 
+import json
 import os
+import sys
 import time
 from collections import Counter
 from typing import NamedTuple
@@ -41,13 +43,13 @@ class ChangeCounts(NamedTuple):
     changes : list of (str, str, int)
         The category in the record, the new one or `MEASURE_AGAIN`, and the number of parts; those that differ, most parts
         first.
-    after : dict of str to int
-        Parts of every category that some part would have.
+    files : int
+        Info files that differ: another profile has judged them, or one of their parts changes its category.
     """
 
     parts: int
     changes: list
-    after: dict
+    files: int
 
 
 class VerdictChanges:
@@ -72,6 +74,7 @@ class VerdictChanges:
         self.total, self.read, self.failed = len(self._info_files), 0, 0
         self._table = VerdictTable()
         self._parts: list[ChangedPart] = []
+        self._profiles: dict[str, str] = {}  # by info file
         self._before: list[str] = []
         self._missing: list[frozenset] = []
         self._judged: tuple = [], np.zeros(0, int)
@@ -113,8 +116,11 @@ class VerdictChanges:
         pairs = Counter(zip(self._before, numbers.tolist()))
         changes = [(before, names[number], count) for (before, number), count in pairs.most_common()
                    if before != names[number]]
-        after = Counter(numbers.tolist())
-        return ChangeCounts(len(numbers), changes, {names[number]: count for number, count in sorted(after.items())})
+        content = _told(profile.content)
+        files = {info_file for info_file, judged_by in self._profiles.items() if judged_by != content}
+        files.update(part.info_file for part, before, number in zip(self._parts, self._before, numbers)
+                     if before != names[number])
+        return ChangeCounts(len(numbers), changes, len(files))
 
     def parts(self, before, after, most):
         """The first parts of a change that was counted last: list of ChangedPart.
@@ -141,6 +147,7 @@ class VerdictChanges:
                                info_file=os.path.basename(info_file)))
             return
         document = described_document(info_file, content)
+        self._profiles[info_file] = _told(content["profile"])
         for part in content["parts"]:
             self._table.add([descriptors_of(part)])
             self._parts.append(ChangedPart(info_file, document, part["name"], part["label"]))
@@ -151,6 +158,11 @@ class VerdictChanges:
         self.failed += 1
         if self.failed <= MOST_ERRORS:
             self.problems.append(sentence)
+
+
+def _told(profile):
+    """The content of a profile as one text, of which all info files that have it share one."""
+    return sys.intern(json.dumps(profile, sort_keys=True))
 
 
 def _missing_quantities(keys):

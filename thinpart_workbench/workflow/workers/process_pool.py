@@ -97,17 +97,15 @@ class ProcessPool:
         self._started = self._failed_starts = 0
         self.confinement = UNCONFINED
 
-    def run(self, pending, control, may_start=lambda task: True, meanwhile=()):
+    def run(self, pending, control, meanwhile=()):
         """Do tasks until none are left.
 
         Parameters
         ----------
         pending : deque
-            Tasks in the order in which they are started. More may be added during the run.
+            Tasks in the order in which they are started.
         control : RunControl
             Pauses and stops the run.
-        may_start : callable, optional
-            Whether the first pending task may be started yet.
         meanwhile : iterable, optional
             Work for this process while all workers are busy: it is done by taking the items, one after the other.
 
@@ -130,7 +128,7 @@ class ProcessPool:
             control.check()
             self.set_paused(control.paused)
             control.set_state("paused" if control.paused else "running")
-            while pending and not control.paused and self.has_room and may_start(pending[0]):
+            while pending and not control.paused and self.has_room:
                 self.submit(pending.popleft())
             finished = self.next_finished()
             if finished is None:

@@ -1,16 +1,18 @@
-"""The process that counts what a profile would change."""
+"""The process that counts what a profile would change, writes it when asked to, and stops when told to."""
 
 import copy
 import json
 import subprocess
 import sys
+from collections import Counter
 
 import made_meshes
 import pytest
 from made_library import PAPER, make_large_library, make_library, measured_record, record_of, store
 
-from thinpart_workbench.api.reclassification import ReclassificationCounts, reclassify
+from thinpart_workbench.api.reclassification import reclassify
 from thinpart_workbench.core.judging.criteria import load_profile
+from thinpart_workbench.storage.info.info_file import read_info
 
 FILES = 300
 
@@ -37,7 +39,7 @@ class Worker:
 
     def __init__(self):
         self.process = subprocess.Popen(
-            [sys.executable, "-m", "thinpart_workbench.window_processes.profile_worker"],
+            [sys.executable, "-m", "thinpart_workbench.window_processes.judging_worker"],
             stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8")
 
     def ask(self, *requests):
@@ -74,23 +76,22 @@ def judge(serial, profile):
     return {"ask": "judge", "serial": serial, "profile": profile}
 
 
-def reclassified(library, profile):
-    counts = ReclassificationCounts(0)
-    for file in reclassify(library, profile):
-        counts.add(file)
-    return counts
+def expected(library, profile):
+    """The changes that reclassifying makes, and the number of info files that differ."""
+    files = list(reclassify(library, profile))
+    changes = Counter((part.before["category"], part.after["category"]) for file in files for part in file.parts)
+    return ({pair: count for pair, count in changes.items() if pair[0] != pair[1]}, sum(file.differs for file in files))
 
 
 def test_the_counts_are_those_of_reclassifying(library, worker):
     before = {path: path.read_bytes() for path in library.rglob("*.json")}
     worker.ask({"ask": "open", "roots": [str(library)]})
-    assert worker.answer("opened")["total"] == FILES + 1
     for serial, profile in enumerate((filled(0.7), filled(0.99), load_profile("calibrated").content)):
         worker.ask(judge(serial, profile))
-        counts, expected = worker.counted(serial), reclassified(library, profile)
-        assert counts["parts"] == FILES and counts["failed"] == 1
-        assert counts["after"] == dict(expected.after)
-        assert sum(count for *_, count in counts["changes"]) == expected.changed
+        counts = worker.counted(serial)
+        assert counts["parts"] == FILES and counts["failed"] == 1 and counts["total"] == FILES + 1
+        told = {(before, after): count for before, after, count in counts["changes"]}
+        assert (told, counts["files"]) == expected(library, profile)
         assert "broken.step.thinpart.json" in counts["problems"][0]
     assert before == {path: path.read_bytes() for path in library.rglob("*.json")}
 
@@ -118,7 +119,7 @@ def test_a_record_without_a_quantity_is_to_be_measured_again(tmp_path, worker):
     content["categories"][0]["criteria"][0]["conditions"] = [{"quantity": "plate_share", "comparison": ">", "value": 0.9}]
     worker.ask({"ask": "open", "roots": [str(tmp_path)]}, judge(1, content))
     counts = worker.counted(1)
-    assert counts["after"] == {"normal": 1, "unknown": 1, "measure_again": 1}
+    assert counts["changes"] == [["normal", "measure_again", 1], ["normal", "unknown", 1]]
     worker.ask({"ask": "parts", "serial": 1, "before": "normal", "after": "measure_again"})
     assert [row["label"] for row in worker.answer("parts")["rows"]] == ["old"]
 
@@ -129,13 +130,12 @@ def test_other_folders_are_counted_anew(library, tmp_path, worker):
     worker.counted(1)
     worker.ask({"ask": "open", "roots": [str(other)]}, judge(2, PAPER.content))
     counts = worker.counted(2)
-    assert counts["parts"] == 9 and counts["changes"] == [] and counts["after"]["unknown"] == 1
+    assert counts["parts"] == 9 and counts["changes"] == [] and counts["files"] == 0
 
 
 def test_a_request_ends_the_one_before(library, worker):
     worker.ask({"ask": "open", "roots": [str(library)]},
                *(judge(serial, filled(0.3 + serial / 1000)) for serial in range(200)))
-    worker.answer("opened")
     seen = []
     while not seen or seen[-1]["serial"] < 199 or seen[-1]["read"] < seen[-1]["total"]:
         seen.append(worker.answer("counted"))
@@ -146,3 +146,44 @@ def test_a_folder_that_is_not_there_is_a_problem(tmp_path, worker):
     worker.ask({"ask": "open", "roots": [str(tmp_path / "gone")]}, judge(1, PAPER.content))
     counts = worker.counted(1)
     assert counts["parts"] == 0 and "gone" in counts["problems"][0]
+
+
+def written(worker, profile):
+    """What is said of writing when it ends."""
+    worker.ask({"ask": "write", "profile": profile})
+    while not (told := worker.answer("written"))["ended"]:
+        pass
+    return told
+
+
+def test_what_was_written_is_counted_anew_and_does_not_differ_any_more(library, worker):
+    content = {**filled(0.01), "name": "generous"}
+    worker.ask({"ask": "open", "roots": [str(library)]}, judge(1, content))
+    assert worker.counted(1)["files"] == FILES
+    told = written(worker, content)
+    assert (told["done"], told["total"], told["changed"], told["failed"]) == (FILES + 1, FILES + 1, FILES, 1)
+    assert "broken.step.thinpart.json" in told["problems"][0]
+    info = read_info(next(library.rglob("part*.json")))
+    assert info["profile"]["name"] == "generous" and info["parts"][0]["category"] == "thin"
+    counts = worker.counted(1)
+    assert counts["changes"] == [] and counts["files"] == 0 and counts["parts"] == FILES
+
+
+def test_writing_stops_when_told_to_and_what_was_asked_then_is_answered(library, worker):
+    content = filled(0.01)
+    worker.ask({"ask": "open", "roots": [str(library)]}, {"ask": "write", "profile": content}, {"ask": "stop"},
+               judge(5, content))
+    while not (told := worker.answer("written"))["ended"]:
+        pass
+    assert told["done"] < FILES
+    assert worker.counted(5)["parts"] == FILES
+
+
+def test_writing_stops_when_nobody_listens_any_more(library):
+    worker = Worker()
+    worker.ask({"ask": "open", "roots": [str(library)]}, {"ask": "write", "profile": filled(0.01)})
+    worker.process.stdin.close()
+    told = [json.loads(line)["written"] for line in worker.process.stdout]
+    assert worker.process.wait(60) == 0 and told[-1]["ended"] and told[-1]["done"] < FILES
+    for stream in (worker.process.stdout, worker.process.stderr):
+        stream.close()

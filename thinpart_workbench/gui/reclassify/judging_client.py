@@ -1,4 +1,4 @@
-"""Client of the process that counts what an edited profile would change."""
+"""Client of the process that judges libraries again."""
 
 from ..application.qt import QtCore, Signal
 from ..processes.conversation import Conversation
@@ -7,8 +7,8 @@ _TYPING_DELAY = 250
 """Milliseconds after the last change before the profile is judged by."""
 
 
-class ChangesClient(QtCore.QObject):
-    """Sends profiles and folders to ``profile_worker``, and drops answers to outdated requests.
+class JudgingClient(QtCore.QObject):
+    """Sends profiles and folders to ``judging_worker``, and drops answers to outdated requests.
 
     Signals
     -------
@@ -16,18 +16,22 @@ class ChangesClient(QtCore.QObject):
         The ``counted`` answer to the last profile.
     parts_received(object)
         A ``parts`` answer.
+    written(object)
+        A ``written`` answer.
     failed(str)
-        The process could not be started or has failed; one sentence.
+        The process could not be started or has failed; one sentence. Empty where it has ended by itself.
     """
 
     counted = Signal(object)
     parts_received = Signal(object)
+    written = Signal(object)
     failed = Signal(str)
 
     def __init__(self, parent=None):
         super().__init__(parent)
         self._roots, self._profile, self._serial, self._is_complete = [], None, 0, True
-        self._process = Conversation("profile_worker", self)
+        self.is_writing = False
+        self._process = Conversation("judging_worker", self)
         self._process.received.connect(self._on_message)
         self._process.finished.connect(self._on_finished)
         self._typing_timer = QtCore.QTimer(self, singleShot=True, interval=_TYPING_DELAY)
@@ -59,11 +63,21 @@ class ChangesClient(QtCore.QObject):
         """Ask for the parts of a change of the last counts."""
         self._process.send(ask="parts", serial=self._serial, before=before, after=after)
 
+    def write(self):
+        """Write the verdicts by the profile that was counted last; the counts are made anew then."""
+        self.is_writing, self._is_complete = True, False
+        self._process.send(ask="write", profile=self._profile)
+
+    def stop_writing(self):
+        """Write no further info file."""
+        self._process.send(ask="stop")
+
     def end(self):
-        """End the process; it writes nothing."""
+        """End the process; an info file that is being written is finished."""
         self._typing_timer.stop()
         self._is_complete = True
-        self._process.detach(kill=True)
+        self._process.detach(kill=not self.is_writing)
+        self.is_writing = False
 
     def _send(self):
         if self._profile is None or not self._roots:
@@ -78,13 +92,16 @@ class ChangesClient(QtCore.QObject):
         self._process.send(ask="judge", serial=self._serial, profile=self._profile)
 
     def _on_message(self, content):
-        counted, parts = content.get("counted"), content.get("parts")
+        counted, parts, written = (content.get(key) for key in ("counted", "parts", "written"))
         if counted is not None and counted["serial"] == self._serial:
             self._is_complete = counted["read"] == counted["total"]
             self.counted.emit(counted)
         elif parts is not None and parts["serial"] == self._serial:
             self.parts_received.emit(parts)
+        elif written is not None:
+            self.is_writing = not written["ended"]
+            self.written.emit(written)
 
     def _on_finished(self, sentence):
-        self._is_complete = True
+        self._is_complete, self.is_writing = True, False
         self.failed.emit(sentence)

@@ -1,0 +1,1 @@
+"""What another profile would change in libraries, and writing it."""
