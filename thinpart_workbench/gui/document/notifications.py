@@ -6,7 +6,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from ..application.qt import QtWidgets, translate
-from ..widgets.elided_button import ElidedButton
+from ..widgets.elided_button import StatusBarButton
 
 _STATUS_MILLISECONDS = 15000
 _MAX_CHARACTERS = 60
@@ -33,7 +33,7 @@ class Notifications:
     """
 
     def __init__(self):
-        self._button = None
+        self._button = StatusBarButton("ThinPart_Notice", _MAX_CHARACTERS, self.clear)
         self._sentences = []
 
     def show_message(self, sentence):
@@ -85,21 +85,13 @@ class Notifications:
     def clear(self):
         """Remove the warnings of ThinPart's own button, and hide it."""
         self._sentences.clear()
-        if self._button is not None:
-            self._button.hide()
+        self._button.hide()
 
     def _show_button(self):
-        if self._button is None:
-            self._button = ElidedButton("ThinPart_Notice", _MAX_CHARACTERS)
-            self._button.clicked.connect(lambda *_: self.clear())
-            Gui.getMainWindow().statusBar().addPermanentWidget(self._button)
         last, count = self._sentences[-1], len(self._sentences)
         text = last if count == 1 else translate("ThinPart", "{} warnings; {}").format(count, last)
-        self._button.setText("\u26a0 " + text)
-        self._button.setToolTip("\n".join(
+        self._button.show("\u26a0 " + text, "\n".join(
             [*self._sentences[-_MAX_LINES:], translate("ThinPart", "Click to close this message.")]))
-        self._button.updateGeometry()
-        self._button.show()
 
 
 def _print(kind, sentence, source):

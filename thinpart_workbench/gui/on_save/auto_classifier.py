@@ -5,7 +5,8 @@ from dataclasses import dataclass
 
 import FreeCAD as App
 
-from ...freecad_adapter.guard import guarded_methods
+from ...core.hook import Hook
+from ...freecad_adapter.guard import guarded_methods, report_fault
 from ...freecad_adapter.preferences import GROUP, preference, preferred_analysis
 from ..application import lifelong
 from ..application.length_unit import length_unit
@@ -13,10 +14,12 @@ from ..application.qt import QtCore, call_later, translate
 from ..application.sentences import translated
 from ..document.active_task import open_session
 from ..processes.request_queue import RequestQueue
-from .status_button import StatusButton
+from ..widgets.elided_button import StatusBarButton
 from .verdict_changes_text import headline, reasons, warnings
 
 PREFERENCE = "AutomaticClassification"
+
+_MAX_CHARACTERS = 50
 
 _LOOKUP_DELAY = 200
 """Milliseconds for which a document has to be active before its info file is read."""
@@ -40,6 +43,11 @@ class AutoClassifier(QtCore.QObject):
     measurement_signals : MeasurementSignals
         Emitted by the panels.
 
+    Attributes
+    ----------
+    clicked : Hook
+        Called when the verdict in the status bar is clicked.
+
     Notes
     -----
     The document itself is never touched: a process reads the saved file. A panel that measures the same document
@@ -57,7 +65,8 @@ class AutoClassifier(QtCore.QObject):
         # One at a time: many documents may be saved at once, and each may use up to the memory limit.
         self._queue = RequestQueue("on-save", parent=self)
         self._queue.answered.connect(self._on_answer)
-        self._button = StatusButton()
+        self.clicked = Hook(report_fault)
+        self._button = StatusBarButton("ThinPart_StatusVerdict", _MAX_CHARACTERS, self.clicked)
         self._lookup_timer = QtCore.QTimer(self, singleShot=True, interval=_LOOKUP_DELAY)
         self._lookup_timer.timeout.connect(self._look_up)
         self._refresh_timer = QtCore.QTimer(self, singleShot=True, interval=0)
@@ -84,11 +93,6 @@ class AutoClassifier(QtCore.QObject):
         self._measurement_signals.not_written.connect(self._on_panel_failed)
         self._group.Attach(self)
         self._refresh_timer.start()
-
-    @property
-    def clicked(self):
-        """Hook: the verdict in the status bar was clicked."""
-        return self._button.clicked
 
     def onChange(self, _group, name):
         """Called by FreeCAD when a preference has changed."""
@@ -219,10 +223,11 @@ class AutoClassifier(QtCore.QObject):
         active = App.ActiveDocument
         state = self._states.get(active.Name) if active is not None else None
         if state is None:
-            self._button.show("\u2013")
+            state = _State("\u2013")
             self._lookup_timer.start()
-        else:
-            self._button.show(state.text, state.reason)
+        self._button.show(translate("ThinPart", "ThinPart: {}").format(state.text), "\n".join(filter(None, [
+            state.reason, translate("ThinPart", "The active document as it was saved. Click to classify it "
+                                    "in the panel.")])))
 
 
 def _display_name(name):

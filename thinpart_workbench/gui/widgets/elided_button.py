@@ -1,4 +1,6 @@
-"""A flat button for the status bar that elides its text instead of widening the window."""
+"""Flat buttons for the status bar that elide their text instead of widening the window."""
+
+import FreeCADGui as Gui
 
 from ..application.qt import QtCore, QtWidgets
 
@@ -36,3 +38,39 @@ class ElidedButton(QtWidgets.QToolButton):
 
     def _width(self, characters):
         return characters * self.fontMetrics().averageCharWidth()
+
+
+class StatusBarButton:
+    """An `ElidedButton` in FreeCAD's status bar, made when it is first shown.
+
+    Parameters
+    ----------
+    name : str
+    max_characters : int
+        See `ElidedButton`.
+    clicked : callable
+        Called without arguments.
+
+    Attributes
+    ----------
+    widget : ElidedButton or None
+    """
+
+    def __init__(self, name, max_characters, clicked):
+        self._form, self._clicked, self.widget = (name, max_characters), clicked, None
+
+    def show(self, text, tool_tip):
+        """Show the button, with another text."""
+        if self.widget is None:
+            self.widget = ElidedButton(*self._form)
+            self.widget.clicked.connect(lambda *_: self._clicked())
+            Gui.getMainWindow().statusBar().addPermanentWidget(self.widget)
+        self.widget.setText(text)
+        self.widget.setToolTip(tool_tip)
+        self.widget.updateGeometry()
+        self.widget.show()
+
+    def hide(self):
+        """Hide the button."""
+        if self.widget is not None:
+            self.widget.hide()
