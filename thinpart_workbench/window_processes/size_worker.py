@@ -3,9 +3,9 @@
 The first line on standard input is ``{"folder", "megabytes", "gmsh"}``: the folder of a snapshot with one part, the limit of
 the address space, a path of Gmsh to look at first. It prints ``{"progress": fraction}`` and ``{"measured": {"record",
 "gmsh", "shell_walls"}}``, where ``gmsh`` is a sentence if nothing can be meshed. Each further line is a request:
-``{"number", "settings", "sizes_wanted"}``, with ``"mesh": true`` to mesh, or ``{"number", "shell": settings}``; see
-`PartSizes`. It is answered by ``{"proposed": dict, "number"}``, ``{"meshed": dict, "number"}`` or ``{"shelled": dict,
-"number"}``, or where it cannot be done by ``{"refused": sentence, "number"}``.
+``{"settings", "sizes_wanted"}``, with ``"mesh": true`` to mesh, or ``{"shell": settings}``; see `PartSizes`. It is answered
+by ``{"proposed": dict}``, ``{"meshed": dict}`` or ``{"shelled": dict}``, or where it cannot be done by
+``{"refused": sentence}``.
 
 The parent stops it by killing it. The shapes may come from an untrusted file, so it can only write into the snapshot's
 folder.
@@ -47,19 +47,19 @@ def _serve(parent, job):
         _answer(parent.send, sizes, job["gmsh"], **request)
 
 
-def _answer(send, sizes, gmsh, number, settings=None, sizes_wanted=(), mesh=False, shell=None):
+def _answer(send, sizes, gmsh, settings=None, sizes_wanted=(), mesh=False, shell=None):
     try:
         if shell is not None:
-            send(shelled=sizes.shell(shell, gmsh), number=number)
+            send(shelled=sizes.shell(shell, gmsh))
         elif mesh:
-            send(meshed=sizes.mesh(settings, sizes_wanted, gmsh), number=number)
+            send(meshed=sizes.mesh(settings, sizes_wanted, gmsh))
         else:
-            send(proposed=sizes.proposed(settings, sizes_wanted), number=number)
+            send(proposed=sizes.proposed(settings, sizes_wanted))
     except ThinPartError as error:
-        send(refused=error.args[0], number=number)
+        send(refused=error.args[0])
     except OSError as error:
         send(refused=message("Temporary files cannot be written ({problem}): free some disk space. Nothing was meshed.",
-                             problem=problem_of(error)), number=number)
+                             problem=problem_of(error)))
 
 
 if __name__ == "__main__":

@@ -8,8 +8,8 @@ from ...api.window.part_to_mesh import PartToMesh
 from ...api.window.profiles import preferred_profile
 from ...core.errors import ThinPartError
 from ...core.rendering.colour_scale import ColourScale
-from ...freecad_adapter.objects.fem_mesh import missing_fem, preferred_gmsh
-from ...freecad_adapter.preferences import preference, preferred_analysis
+from ...freecad_adapter.objects.fem_mesh import missing_fem
+from ...freecad_adapter.preferences import preferred_analysis
 from ..application import lifelong
 from ..application.length_unit import length_unit
 from ..application.qt import QtCore, QtWidgets, flags_as_int, translate
@@ -46,14 +46,6 @@ class MeshDialog(TaskDialog):
         return False
 
 
-class MeshedDocument(SizeClient):
-    """The process of a document's part: what `active_task` asks for."""
-
-    def __init__(self, document, parent):
-        super().__init__(preference("MemoryMegabytes"), preferred_gmsh(), parent)
-        self.name = document.Name if document is not None else None
-
-
 class MeshSizesController(TaskController):
     """Proposes element sizes for one part, has it meshed, and makes its FEM mesh.
 
@@ -65,7 +57,7 @@ class MeshSizesController(TaskController):
     def __init__(self, document):
         super().__init__()
         self._document = document
-        self.measured = MeshedDocument(document, self)
+        self.measured = SizeClient(document, self)
         self._form = MeshSizesPanel()
         self.panel = MeshDialog(self._form, self._accept)
         self._part = self._record = self._view = None

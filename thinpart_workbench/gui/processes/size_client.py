@@ -3,7 +3,9 @@
 import shutil
 import tempfile
 
+from ...freecad_adapter.objects.fem_mesh import preferred_gmsh
 from ...freecad_adapter.objects.snapshot import write_snapshot
+from ...freecad_adapter.preferences import preference
 from ..application.qt import QtCore, Signal, translate
 from ..application.sentences import translated
 from .conversation import Conversation
@@ -13,8 +15,16 @@ from .snapshot_job import disk_full_error
 class SizeClient(QtCore.QObject):
     """One part, measured once; of several proposals that are asked for, only the last is answered.
 
+    Parameters
+    ----------
+    document : FreeCAD.Document or None
+        The one of the part.
+    parent : QObject, optional
+
     Attributes
     ----------
+    name : str or None
+        Of the document.
     folder : str or None
         With the files of `api.window.part_sizes`, until `end`.
 
@@ -39,16 +49,15 @@ class SizeClient(QtCore.QObject):
     refused = Signal(str)
     ended = Signal(str)
 
-    def __init__(self, megabytes, gmsh, parent=None):
+    def __init__(self, document, parent=None):
         super().__init__(parent)
-        self.folder = None
-        self._job = {"megabytes": megabytes, "gmsh": gmsh}
+        self.name, self.folder = document.Name if document is not None else None, None
+        self._job = {"megabytes": preference("MemoryMegabytes"), "gmsh": preferred_gmsh()}
         self._process = Conversation("size_worker", self)
         self._process.received.connect(self._on_answer)
         self._process.finished.connect(self._on_finished)
-        self._number = self._asked = 0
-        self._next = None
-        self._is_meshing = self._is_measured = False
+        self._next = None  # the request that is to be sent
+        self._is_asked = self._is_meshing = self._is_measured = False
 
     @property
     def is_running(self):
@@ -84,8 +93,8 @@ class SizeClient(QtCore.QObject):
     def restart(self):
         """Measure the part again, after its process was stopped."""
         self._process.end_now()
-        self._is_meshing = self._is_measured = False
-        self._asked, self._next = 0, None
+        self._is_asked = self._is_meshing = self._is_measured = False
+        self._next = None
         sentence = self._process.ensure_started()
         if sentence:
             self.ended.emit(sentence)
@@ -118,10 +127,9 @@ class SizeClient(QtCore.QObject):
             self.folder = None
 
     def _send_next(self):
-        if self._next is not None and not self._asked and self._is_measured:
-            self._number += 1
-            self._asked, request, self._next = self._number, self._next, None
-            self._process.send(number=self._number, **request)
+        if self._next is not None and not self._is_asked and self._is_measured:
+            self._is_asked, request, self._next = True, self._next, None
+            self._process.send(**request)
 
     def _on_answer(self, answer):
         if "progress" in answer:
@@ -130,18 +138,16 @@ class SizeClient(QtCore.QObject):
             self._is_measured = True
             self.measured.emit(answer["measured"])
             self._send_next()
-        elif answer.get("number") == self._asked:
-            self._asked = 0
-            is_outdated = self._next is not None
+        else:
+            self._is_asked, is_outdated = False, self._next is not None
             self._send_next()
-            if "meshed" in answer:
+            if "proposed" not in answer:
                 self._is_meshing = False
+            if "meshed" in answer:
                 self.meshed.emit(answer["meshed"])
             elif "shelled" in answer:
-                self._is_meshing = False
                 self.shelled.emit(answer["shelled"])
             elif "refused" in answer:
-                self._is_meshing = False
                 self.refused.emit(translated(answer["refused"]))
             elif not is_outdated:
                 self.proposed.emit(answer["proposed"])
