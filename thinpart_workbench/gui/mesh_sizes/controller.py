@@ -110,11 +110,6 @@ class MeshSizesController(TaskController):
             self._form.show_idle(False)
             self._form.show_message(translated(error))
 
-    def close(self):
-        """End the session and close the panel."""
-        self._leave()
-        self.panel.hide()
-
     @property
     def _label(self):
         return self._part.part.label

@@ -8,8 +8,8 @@ from ..application.qt import QtWidgets, Signal, grouped, translate
 from ..application.sentences import translated
 from ..record.measuring_progress import MeasuringProgress
 from ..record.record_view import show_text, text_line
-from ..widgets.exact_field import ExactField
 from ..widgets.push_button import add_button
+from .mesh_fields import number_field, order_combo
 from .quality_chart import QualityChart
 from .scale_bar import ScaleBar
 from .shell_box import ShellBox
@@ -42,7 +42,7 @@ class MeshSizesPanel(QtWidgets.QWidget):
         self.setObjectName("ThinPart_MeshSizesPanel")
         self.setWindowTitle(translate("ThinPart", "Prepare mesh"))
         self.setWindowIcon(icon("ThinPart_MeshSizes"))
-        self._unit, self._global = MILLIMETRE, None
+        self._unit = MILLIMETRE
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(6, 6, 6, 6)
         self._part = text_line(self, column, "ThinPart_MeshPart")
@@ -212,10 +212,7 @@ class MeshSizesPanel(QtWidgets.QWidget):
         form = QtWidgets.QFormLayout()
         form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
         rows.addLayout(form)
-        self._order = QtWidgets.QComboBox(self)
-        self._order.setObjectName("ThinPart_MeshOrder")
-        self._order.addItems([translate("ThinPart", "linear (first order)"),
-                              translate("ThinPart", "quadratic (second order)")])
+        self._order = order_combo("ThinPart_MeshOrder", self)
         self._layers = self._field("ThinPart_MeshLayers", 2.0, 0.1, 20.0)
         self._size = self._field("ThinPart_MeshSize", 0.0, 0.0, 1e6)
         self._growth = self._field("ThinPart_MeshGrowth", SizingSettings.growth, 1.05, 3.0)
@@ -240,10 +237,7 @@ class MeshSizesPanel(QtWidgets.QWidget):
         self.changed.emit()
 
     def _field(self, name, value, least, most):
-        field = ExactField(name, self)
-        field.set_form(least=least, most=most)
-        field.show_exact(value)
-        field.setKeyboardTracking(False)
+        field = number_field(name, self, value, least, most)
         field.changed.connect(self.changed)
         return field
 

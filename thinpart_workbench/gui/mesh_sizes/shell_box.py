@@ -10,8 +10,8 @@ from ..application.sentences import translated
 from ..record.record_view import show_text, text_line
 from ..record.regions_table import kind_word
 from ..tables.column import Column, area, figures, length, square
-from ..widgets.exact_field import ExactField
 from ..widgets.push_button import add_button
+from .mesh_fields import number_field, order_combo
 from .scale_bar import ScaleBar
 from .wall_table import CheckedWalls
 
@@ -56,17 +56,11 @@ class ShellBox(QtWidgets.QWidget):
         form = QtWidgets.QFormLayout()
         form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
         rows.addLayout(form)
-        self._order = QtWidgets.QComboBox(self)
-        self._order.setObjectName("ThinPart_ShellOrder")
-        self._order.addItems([translate("ThinPart", "linear (first order)"),
-                              translate("ThinPart", "quadratic (second order)")])
+        self._order = order_combo("ThinPart_ShellOrder", self)
         self._order.setCurrentIndex(ShellSettings.order - 1)
         self._order.setToolTip(translate("ThinPart", "Linear triangles are far too stiff in CalculiX."))
         self._order.currentIndexChanged.connect(lambda *_: self.changed.emit())
-        self._size = ExactField("ThinPart_ShellSize", self)
-        self._size.set_form(least=0.0, most=1e6)
-        self._size.show_exact(0.0)
-        self._size.setKeyboardTracking(False)
+        self._size = number_field("ThinPart_ShellSize", self, 0.0, 0.0, 1e6)
         self._size.changed.connect(self.changed)
         form.addRow(translate("ThinPart", "Elements"), self._order)
         form.addRow(translate("ThinPart", "Largest size"), self._size)

@@ -101,7 +101,7 @@ class CommandLineRun(QtCore.QObject):
             raise ThinPartError(translate(
                 "ThinPart", "Temporary files cannot be written ({}): free some disk space. Nothing was classified."
             ).format(error.strerror), "failed") from None
-        self._total = self._last_progress = self._refusal = None
+        self._last_progress = self._refusal = None
         self._stopping = False
         self._last_lines = deque(maxlen=_LAST_LINES)
         self._rows, self._messages, self._last_batch = [], [], 0.0

@@ -73,11 +73,6 @@ class ThicknessController(TaskController):
             return
         self._boxes.head.show_running(self._measuring.first_label)
 
-    def close(self):
-        """End the session and close the panel."""
-        self._leave()
-        self.panel.hide()
-
     def _cancel(self):
         self._measuring.stop()
         sentences = [translate("ThinPart", "Cancelled. Nothing was changed.")]

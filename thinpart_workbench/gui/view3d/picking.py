@@ -70,12 +70,9 @@ class ThicknessPicker(QtCore.QObject):
     hovered(object)
         None, or a dict: ``part``, ``face`` and ``placement`` (numbers from 0), ``thickness`` (mm, None
         where unmeasured), ``point`` and ``opposite`` (ndarray of shape (3,), mm, in the document).
-    probed()
-        A probe was pinned.
     """
 
     hovered = Signal(object)
-    probed = Signal()
 
     def __init__(self, thickness, parent=None):
         super().__init__(parent)
@@ -90,11 +87,6 @@ class ThicknessPicker(QtCore.QObject):
         self._timer = QtCore.QTimer(self)  # mouse moves arrive faster than they can be handled
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self._hover)
-
-    @property
-    def is_active(self):
-        """Whether the picker tracks the mouse."""
-        return bool(self._views)
 
     def start(self, pins=True):
         """Start tracking the mouse.
@@ -224,7 +216,6 @@ class ThicknessPicker(QtCore.QObject):
         if wall is None or wall["thickness"] is None:
             return
         add_probe(self._thickness, wall["point"], wall["opposite"], wall["thickness"])
-        self.probed.emit()
 
     def _is_hidden(self, view, position, wall, direction):
         """Whether another object, other than the map's sources, hides the map."""
