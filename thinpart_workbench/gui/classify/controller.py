@@ -23,16 +23,7 @@ from .panel import ClassifyPanel
 
 
 class ClassificationController(TaskController):
-    """Measures a document's parts, the chosen one first, and shows the results in a panel.
-
-    Parameters
-    ----------
-    document : FreeCAD.Document or None
-
-    Attributes
-    ----------
-    measured : DocumentMeasurement
-    """
+    """Measures a document's parts, the chosen one first, and shows the results in a panel."""
 
     def __init__(self, document):
         super().__init__()

@@ -86,18 +86,7 @@ def _band_text(band, unit):
 
 
 def bar_image(content, height):
-    """Draw a colour bar about half as high as the view.
-
-    Parameters
-    ----------
-    content : BarContent
-    height : int
-        Height of the view or of the saved image, in pixels.
-
-    Returns
-    -------
-    QImage
-    """
+    """QImage of a BarContent, about half as high as the view or the saved image, whose height is given in pixels."""
     return _Drawing(content, height).image
 
 

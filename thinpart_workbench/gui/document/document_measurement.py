@@ -37,11 +37,7 @@ class InfoFileState:
 
 
 class DocumentMeasurement(QtCore.QObject):
-    """Measures parts of a document and writes its info file.
-
-    Parameters
-    ----------
-    document : FreeCAD.Document or None
+    """Measures parts of a document, if there is one, and writes its info file.
 
     Attributes
     ----------

@@ -32,13 +32,7 @@ def active_path(document):
 
 
 def select_part(document, part):
-    """Replace the selection in a document by all occurrences of a part, so that the view shows where it is.
-
-    Parameters
-    ----------
-    document : FreeCAD.Document
-    part : SolidPart or MeshedPart
-    """
+    """Replace the selection in a document by all occurrences of a part, so that the view shows where it is."""
     Gui.Selection.clearSelection(document.Name)
     for occurrence in part.occurrences[:MAX_FACES]:
         top = occurrence.top(document)

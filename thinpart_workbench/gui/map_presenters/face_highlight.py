@@ -14,11 +14,7 @@ _ON_FACE = 1e-3
 class FaceHighlight(QtCore.QObject):
     """Highlights what is chosen in the panel, and tells what the user selects in the view.
 
-    Parameters
-    ----------
-    thickness : FreeCAD.DocumentObject
-    shown : ShownParts
-    parent : QObject
+    Its parameters are those of `MapPresenter`.
 
     Signals
     -------

@@ -12,11 +12,7 @@ from ..view3d.wall_flight import PlacedWall, WallFlight, hidden_sentence
 class WallTour(QtCore.QObject):
     """Flies to walls and marks the last one, until the map moves.
 
-    Parameters
-    ----------
-    thickness : FreeCAD.DocumentObject
-    shown : ShownParts
-    parent : QObject
+    Its parameters are those of `MapPresenter`.
 
     Signals
     -------

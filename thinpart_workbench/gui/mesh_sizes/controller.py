@@ -47,12 +47,7 @@ class MeshDialog(TaskDialog):
 
 
 class MeshSizesController(TaskController):
-    """Proposes element sizes for one part, has it meshed, and makes its FEM mesh.
-
-    Parameters
-    ----------
-    document : FreeCAD.Document
-    """
+    """Proposes element sizes for one part of a document, has it meshed, and makes its FEM mesh."""
 
     def __init__(self, document):
         super().__init__()

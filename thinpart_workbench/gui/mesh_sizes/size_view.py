@@ -11,13 +11,7 @@ from .size_nodes import SizeNodes
 
 
 class SizeView(QtCore.QObject):
-    """What is drawn, in views that are opened later too.
-
-    Parameters
-    ----------
-    part : PartToMesh
-    parent : QObject
-    """
+    """What is drawn of a PartToMesh, in views that are opened later too."""
 
     def __init__(self, part, parent):
         super().__init__(parent)

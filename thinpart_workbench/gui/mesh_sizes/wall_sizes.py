@@ -8,11 +8,6 @@ from ..application.qt import QtCore, Signal
 class WallSizes(QtCore.QObject):
     """Sizes that people noted in the panel of the thickness map, that worked for a part alike, and that are typed.
 
-    Parameters
-    ----------
-    document : FreeCAD.Document
-    parent : QObject
-
     Signals
     -------
     noted

@@ -8,12 +8,7 @@ from ..application.qt import QtCore, Signal, grouped, translate
 
 
 class WorkedSettings(QtCore.QObject):
-    """Looks for settings, and keeps those of a mesh.
-
-    Parameters
-    ----------
-    document : FreeCAD.Document
-    parent : QObject
+    """Looks for settings for a part of a document, and keeps those of a mesh.
 
     Signals
     -------

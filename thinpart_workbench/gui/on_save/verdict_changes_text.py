@@ -35,7 +35,7 @@ def reasons(verdicts, unit):
 
 
 def warnings(document, before, now, of_category, limit_mm, unit):
-    """One warning for each part with a change that the user wants to be warned about.
+    """One warning for each part with a change that the user wants to be warned about: list of str.
 
     Parameters
     ----------
@@ -49,10 +49,6 @@ def warnings(document, before, now, of_category, limit_mm, unit):
         Warn about walls thinner than this; 0 for never.
     unit : LengthUnit
         Unit of the wall thicknesses in the texts.
-
-    Returns
-    -------
-    list of str
     """
     changed = {id(new): old for old, new in category_changes(before, now)} if of_category else {}
     under = {id(verdict) for verdict in walls_newly_under(before, now, limit_mm)} if limit_mm else set()

@@ -101,16 +101,7 @@ class DocumentAnalysis:
         return (position + begin + (end - begin) * progress["fraction"]) / len(self.parts)
 
     def info_file_content(self, document):
-        """The arguments of `write_document_info`, for the current file of the document.
-
-        Parameters
-        ----------
-        document : str
-            Path of the document.
-
-        Returns
-        -------
-        dict
+        """The arguments of `write_document_info`, dict, for the current file of the document: its path.
 
         Raises
         ------

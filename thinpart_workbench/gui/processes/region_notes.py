@@ -6,11 +6,7 @@ _READ, _KEEP = "document_info.notes", "document_info.keep_notes"
 
 
 class RegionNotes(QtCore.QObject):
-    """Reads and keeps notes on wall regions.
-
-    Parameters
-    ----------
-    requests : RequestQueue
+    """Reads and keeps notes on wall regions through a RequestQueue.
 
     Signals
     -------

@@ -81,7 +81,7 @@ class RequestQueue(QtCore.QObject):
         return bool(self._waiting)
 
     def ask(self, function, **arguments):
-        """Ask for something; when FreeCAD quits, it is not asked any more.
+        """Ask for something, as a Request; when FreeCAD quits, it is not asked any more.
 
         Parameters
         ----------
@@ -89,10 +89,6 @@ class RequestQueue(QtCore.QObject):
             Module and name of a function of `api`.
         arguments
             JSON values. For its parameters ``folder``, ``person`` and ``roots`` the function gets the preferences.
-
-        Returns
-        -------
-        Request
         """
         return self._add(Request(function, arguments, False))
 

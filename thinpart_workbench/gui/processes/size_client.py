@@ -75,12 +75,7 @@ class SizeClient(QtCore.QObject):
         return self._process.is_running and self._is_measured
 
     def start(self, part, settings, profile):
-        """Write a part to a temporary folder and measure it.
-
-        Raises
-        ------
-        ThinPartError
-        """
+        """Write a part to a temporary folder and measure it; a ThinPartError says that the disk is full."""
         self.end()
         try:
             self.folder = tempfile.mkdtemp(prefix="thinpart-")

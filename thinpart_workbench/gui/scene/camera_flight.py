@@ -20,14 +20,7 @@ _flights = []
 def visible_height(thickness, diagonal):
     """Height of the visible area, mm, in which a wall can be seen and its place be recognised.
 
-    Parameters
-    ----------
-    thickness, diagonal : float, mm
-        Of the wall and of the part.
-
-    Returns
-    -------
-    float, mm
+    Its parameters are the thickness of the wall and the diagonal of the part, mm.
     """
     least = _HEIGHT_FACTOR * thickness
     return max(least, (least * _SURROUNDINGS * diagonal) ** 0.5 if least < _SURROUNDINGS * diagonal else 0.0,

@@ -9,13 +9,7 @@ _SLICE = 20_000
 
 
 def fill_points(field, points):
-    """Set the values of an SoMFVec3f.
-
-    Parameters
-    ----------
-    field : pivy.coin.SoMFVec3f
-    points : ndarray of shape (n, 3)
-    """
+    """Set the values of an SoMFVec3f: ndarray of shape (n, 3)."""
     points = np.ascontiguousarray(points, dtype=np.float32)
     _fill(field, points, lambda value: value.getValue(), lambda row: tuple(map(float, row)))
 

@@ -7,11 +7,7 @@ from .coin_arrays import numbers_of, points_of
 
 
 def drawn_triangles(root):
-    """Collect the triangles of a scene graph.
-
-    Parameters
-    ----------
-    root : pivy.coin.SoNode
+    """Collect the triangles of a scene graph below a node.
 
     Returns
     -------

@@ -60,21 +60,14 @@ class ThicknessMeasurement(QtCore.QObject):
     def start_selected(self, shown_measure=RAY):
         """Measure the selected parts, or all parts if nothing is selected, by one of `SHOWN_MEASURES`.
 
-        Raises
-        ------
-        ThinPartError
+        Raises a ThinPartError where there is nothing to measure.
         """
         document, content = self.measured.document, self.measured.content()
         parts = parts_selected(document, selected_paths(document), parts=content.parts)
         self._start(parts, content, None, shown_measure)
 
     def start_again(self, thickness, shown_measure=None):
-        """Measure the sources of a map again, by another of `SHOWN_MEASURES` if one is given.
-
-        Raises
-        ------
-        ThinPartError
-        """
+        """Measure the sources of a map again, by another of `SHOWN_MEASURES` if one is given; raises as `start_selected`."""
         document, content = self.measured.document, self.measured.content()
         sources = _names(thickness)
         parts = [part for part in content.parts

@@ -71,12 +71,7 @@ class FacetNodes:
             add_children(root, *nodes, self._moved, content)
 
     def show(self, parts):
-        """Show the maps of parts instead of the current ones; call `colour` afterwards.
-
-        Parameters
-        ----------
-        parts : list of MappedPart
-        """
+        """Show the maps of a list of MappedPart instead of the current ones; call `colour` afterwards."""
         for group in self._content:
             group.removeAllChildren()
         self._parts, self._cut, self._current_colours = [], [], None
@@ -297,11 +292,7 @@ def _fill_facets(node, facets):
 
 
 def corner_normals(shown):
-    """Normals of the corners of facets, smooth within each B-Rep face and sharp between faces.
-
-    Parameters
-    ----------
-    shown : ThicknessMap
+    """Normals of the corners of the facets of a ThicknessMap, smooth within each B-Rep face and sharp between faces.
 
     Returns
     -------

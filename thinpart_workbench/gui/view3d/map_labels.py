@@ -84,12 +84,7 @@ class LabelContent:
 
 
 class LabelledWalls:
-    """What labels need to know of a map, found once.
-
-    Parameters
-    ----------
-    parts : list of MappedPart
-    """
+    """What labels need to know of a list of MappedPart, found once."""
 
     def __init__(self, parts):
         self._sight = MapSight(parts)

@@ -32,12 +32,7 @@ _COLOURING = ("RangeUnit", "Low", "High", "ColourMap", "Reversed", "Bands", "Unm
 @guarded_methods("attach", "updateData", "onChanged", getIcon="", getDisplayModes=list(MODES),
                  getDefaultDisplayMode=MODES[0], doubleClicked=True)
 class ThicknessView:
-    """View provider of a thickness object.
-
-    Parameters
-    ----------
-    view : Gui.ViewProviderDocumentObject
-    """
+    """View provider of a thickness object, of a Gui.ViewProviderDocumentObject."""
 
     def __init__(self, view):
         self._reset()
