@@ -1,7 +1,7 @@
 """Qt as FreeCAD ships it: every other module of the GUI imports its Qt names from here."""
 
 import warnings
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 
 from PySide import QtCore, QtGui
 
@@ -22,6 +22,24 @@ def translate(context, text):
 def translated_mark(text):
     """Like `translate`, for a text that is marked for translation where it is declared, as in `PREFERENCES`."""
     return QtCore.QCoreApplication.translate("ThinPart", text) if text else ""
+
+
+def named(widget, name, tool_tip=""):
+    """A widget with an object name, by which tests and style sheets find it, and a tool tip."""
+    widget.setObjectName(name)
+    widget.setToolTip(tool_tip)
+    return widget
+
+
+@contextmanager
+def blocked(*objects):
+    """Context in which QObjects emit no signals, as while a panel shows what others have changed."""
+    before = [each.blockSignals(True) for each in objects]
+    try:
+        yield
+    finally:
+        for each, was_blocked in zip(objects, before):
+            each.blockSignals(was_blocked)
 
 
 def grouped(count):

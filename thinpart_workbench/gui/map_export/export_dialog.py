@@ -12,7 +12,7 @@ from ...storage.exchange.map_export import MAP_FORMATS, write_map_file
 from ...storage.output_file import write_output
 from ...storage.png import marked_png
 from ...storage.temporary_folder import temporary_folder
-from ..application.qt import QtWidgets, execute, translate
+from ..application.qt import QtWidgets, execute, named, translate
 from ..application.sentences import translated
 from ..colour_bar.colours import ThicknessColours
 from ..widgets.confirmation import may_overwrite
@@ -108,8 +108,7 @@ class ExportDialog(QtWidgets.QFileDialog):
             return file.read_bytes()
 
     def _pixels(self, row, name, value):
-        field = QtWidgets.QSpinBox(self._size)
-        field.setObjectName(name)
+        field = named(QtWidgets.QSpinBox(self._size), name)
         field.setRange(16, _MOST_PIXELS)
         field.setValue(value)
         row.addWidget(field)

@@ -1,13 +1,12 @@
 """Fields that solid meshes and shells have alike."""
 
-from ..application.qt import QtWidgets, translate
+from ..application.qt import QtWidgets, named, translate
 from ..widgets.exact_field import ExactField
 
 
 def order_combo(name, parent):
     """The order of elements, the first at index 0."""
-    combo = QtWidgets.QComboBox(parent)
-    combo.setObjectName(name)
+    combo = named(QtWidgets.QComboBox(parent), name)
     combo.addItems([translate("ThinPart", "linear (first order)"), translate("ThinPart", "quadratic (second order)")])
     return combo
 

@@ -4,7 +4,7 @@ from ...core.sizing.sizing_settings import SizingSettings
 from ..application.icons import icon
 from ..application.length_unit import MILLIMETRE
 from ..application.numbers import marked, number, percent
-from ..application.qt import QtWidgets, Signal, grouped, translate
+from ..application.qt import QtWidgets, Signal, blocked, grouped, named, translate
 from ..application.sentences import translated
 from ..record.measuring_progress import MeasuringProgress
 from ..record.record_view import show_text, text_line
@@ -100,14 +100,12 @@ class MeshSizesPanel(QtWidgets.QWidget):
 
     def show_settings(self, settings):
         """Show settings in the fields: as of `settings`."""
-        for field, show in ((self._order, lambda: self._order.setCurrentIndex(settings["order"] - 1)),
-                            (self._layers, lambda: self._layers.show_exact(settings["layers"])),
-                            (self._growth, lambda: self._growth.show_exact(settings["growth"])),
-                            (self._size, lambda: self._size.show_exact(settings["size"] or 0.0)),
-                            (self._budget, lambda: self._budget.setValue(settings["budget"] or 0))):
-            was_blocked = field.blockSignals(True)
-            show()
-            field.blockSignals(was_blocked)
+        with blocked(self):
+            self._order.setCurrentIndex(settings["order"] - 1)
+            self._layers.show_exact(settings["layers"])  # after the order, which changes them too
+            self._growth.show_exact(settings["growth"])
+            self._size.show_exact(settings["size"] or 0.0)
+            self._budget.setValue(settings["budget"] or 0)
         self.changed.emit()
 
     def show_offer(self, sentence):
@@ -193,8 +191,7 @@ class MeshSizesPanel(QtWidgets.QWidget):
     def _add_kind(self, rows):
         form = QtWidgets.QFormLayout()
         rows.addLayout(form)
-        self._kind = QtWidgets.QComboBox(self)
-        self._kind.setObjectName("ThinPart_MeshKind")
+        self._kind = named(QtWidgets.QComboBox(self), "ThinPart_MeshKind")
         self._kind.addItems([translate("ThinPart", "Solid"), translate("ThinPart", "Shell: its mid-surface")])
         form.addRow(translate("ThinPart", "Mesh as"), self._kind)
         self._advice = text_line(self, rows, "ThinPart_MeshAdvice")
@@ -216,8 +213,7 @@ class MeshSizesPanel(QtWidgets.QWidget):
         self._layers = self._field("ThinPart_MeshLayers", 2.0, 0.1, 20.0)
         self._size = self._field("ThinPart_MeshSize", 0.0, 0.0, 1e6)
         self._growth = self._field("ThinPart_MeshGrowth", SizingSettings.growth, 1.05, 3.0)
-        self._budget = QtWidgets.QSpinBox(self)
-        self._budget.setObjectName("ThinPart_MeshBudget")
+        self._budget = named(QtWidgets.QSpinBox(self), "ThinPart_MeshBudget")
         self._budget.setRange(0, 100_000_000)
         self._budget.setSingleStep(10_000)
         self._budget.setKeyboardTracking(False)
@@ -242,8 +238,7 @@ class MeshSizesPanel(QtWidgets.QWidget):
         return field
 
     def _check(self, rows, name, text, is_on):
-        box = QtWidgets.QCheckBox(text, self)
-        box.setObjectName(name)
+        box = named(QtWidgets.QCheckBox(text, self), name)
         box.setChecked(is_on)
         box.toggled.connect(lambda *_: self.shown_changed.emit())
         rows.addWidget(box)

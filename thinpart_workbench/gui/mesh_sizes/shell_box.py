@@ -5,7 +5,7 @@ from typing import NamedTuple, Optional
 from ...core.shells.shell_settings import ShellSettings
 from ..application.length_unit import MILLIMETRE
 from ..application.numbers import percent
-from ..application.qt import QtWidgets, Signal, grouped, translate
+from ..application.qt import QtWidgets, Signal, grouped, named, translate
 from ..application.sentences import translated
 from ..record.record_view import show_text, text_line
 from ..record.regions_table import kind_word
@@ -73,8 +73,8 @@ class ShellBox(QtWidgets.QWidget):
         self.walls.faces_chosen.connect(self.faces_chosen)
         self.walls.model().edited.connect(self._on_edited)
         rows.addWidget(self.walls)
-        self.preview = QtWidgets.QCheckBox(translate("ThinPart", "Show the shell by its thickness"), self)
-        self.preview.setObjectName("ThinPart_ShellPreview")
+        self.preview = named(
+            QtWidgets.QCheckBox(translate("ThinPart", "Show the shell by its thickness"), self), "ThinPart_ShellPreview")
         self.preview.setChecked(True)
         self.preview.toggled.connect(lambda *_: self.shown_changed.emit())
         rows.addWidget(self.preview)

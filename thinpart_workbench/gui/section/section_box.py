@@ -1,7 +1,7 @@
 """The fields of the section plane."""
 
 from ..application.length_unit import MILLIMETRE
-from ..application.qt import QtCore, QtWidgets, Signal, translate
+from ..application.qt import QtCore, QtWidgets, Signal, blocked, named, translate
 from ..widgets.narrow_fields import new_form
 
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
@@ -31,38 +31,32 @@ class SectionBox(QtWidgets.QWidget):
     def __init__(self, parent=None):
         super().__init__(parent)
         self.setObjectName("ThinPart_SectionBox")
-        self._unit, self._ends, self._is_updating = MILLIMETRE, (0.0, 1.0), False
+        self._unit, self._ends = MILLIMETRE, (0.0, 1.0)
         form = new_form(self)
-        self._on = QtWidgets.QCheckBox(translate("ThinPart", "Cut open"), self)
-        self._on.setObjectName("ThinPart_SectionOn")
-        self._on.setToolTip(translate(
+        self._on = named(QtWidgets.QCheckBox(translate("ThinPart", "Cut open"), self), "ThinPart_SectionOn", translate(
             "ThinPart", "Cuts the map and the part; the edge of the cut has the colours of the walls"))
-        self._on.toggled.connect(lambda on: self._is_updating or self.switched.emit(on))
+        self._on.toggled.connect(self.switched)
         form.addRow(self._on)
-        self._direction = QtWidgets.QComboBox(self)
-        self._direction.setObjectName("ThinPart_SectionDirection")
+        self._direction = named(QtWidgets.QComboBox(self), "ThinPart_SectionDirection", translate(
+            "ThinPart", "What faces you is cut off. Choose the current view again after turning the part"))
         for name in AXES:
             self._direction.addItem(name.upper(), name)
         self._direction.addItem(translate("ThinPart", "the current view"), FROM_VIEW)
-        self._direction.setToolTip(translate(
-            "ThinPart", "What faces you is cut off. Choose the current view again after turning the part"))
         self._direction.activated.connect(lambda _: self.direction_chosen.emit(self._direction.currentData()))
         form.addRow(translate("ThinPart", "Across"), self._direction)
         row = QtWidgets.QHBoxLayout()
-        self._slider = QtWidgets.QSlider(QtCore.Qt.Horizontal, self)
-        self._slider.setObjectName("ThinPart_SectionSlider")
+        self._slider = named(QtWidgets.QSlider(QtCore.Qt.Horizontal, self), "ThinPart_SectionSlider")
         self._slider.setRange(0, _STEPS)
-        self._slider.valueChanged.connect(self._on_slider)
+        self._slider.valueChanged.connect(
+            lambda step: self.moved.emit(self._ends[0] + step / _STEPS * (self._ends[1] - self._ends[0])))
         row.addWidget(self._slider, 2)
-        self._place = QtWidgets.QDoubleSpinBox(self)
-        self._place.setObjectName("ThinPart_SectionPlace")
+        self._place = named(QtWidgets.QDoubleSpinBox(self), "ThinPart_SectionPlace")
         self._place.setKeyboardTracking(False)
-        self._place.valueChanged.connect(self._on_place)
+        self._place.valueChanged.connect(lambda value: self.moved.emit(value * self._unit.millimetres))
         row.addWidget(self._place, 1)
         form.addRow(translate("ThinPart", "Position"), row)
-        self._flip = QtWidgets.QPushButton(translate("ThinPart", "Other side"), self)
-        self._flip.setObjectName("ThinPart_SectionFlip")
-        self._flip.setToolTip(translate("ThinPart", "Shows the half that is cut off now"))
+        self._flip = named(QtWidgets.QPushButton(translate("ThinPart", "Other side"), self), "ThinPart_SectionFlip",
+                           translate("ThinPart", "Shows the half that is cut off now"))
         self._flip.clicked.connect(lambda: self.flipped.emit())
         form.addRow("", self._flip)
         self.show_section(None, (0.0, 1.0), 0.0, MILLIMETRE)
@@ -79,8 +73,8 @@ class SectionBox(QtWidgets.QWidget):
         place : float, mm
         unit : LengthUnit
         """
-        self._is_updating, self._unit, self._ends = True, unit, ends
-        try:
+        self._unit, self._ends = unit, ends
+        with blocked(self):
             self._on.setChecked(direction is not None)
             if direction is not None:
                 self._direction.setCurrentIndex(self._direction.findData(direction))
@@ -92,13 +86,3 @@ class SectionBox(QtWidgets.QWidget):
             self._slider.setValue(round(_STEPS * (place - ends[0]) / max(ends[1] - ends[0], 1e-12)))
             for field in (self._direction, self._slider, self._place, self._flip):
                 field.setEnabled(direction is not None)
-        finally:
-            self._is_updating = False
-
-    def _on_slider(self, step):
-        if not self._is_updating:
-            self.moved.emit(self._ends[0] + step / _STEPS * (self._ends[1] - self._ends[0]))
-
-    def _on_place(self, value):
-        if not self._is_updating:
-            self.moved.emit(value * self._unit.millimetres)

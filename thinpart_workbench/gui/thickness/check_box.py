@@ -1,7 +1,7 @@
 """The choice of a process whose limits a thickness map is checked against, and the result."""
 
 from ...freecad_adapter.objects.thickness_object import OWN_CHECK
-from ..application.qt import QtCore, QtWidgets, Signal, translate
+from ..application.qt import QtCore, QtWidgets, Signal, blocked, translate
 from ..application.sentences import translated
 from ..record.record_view import show_text, text_line
 from ..widgets.narrow_fields import LengthField, narrow_combo
@@ -24,7 +24,6 @@ class CheckBox(QtWidgets.QWidget):
 
     def __init__(self, parent=None):
         super().__init__(parent)
-        self._is_updating = False
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         row = QtWidgets.QHBoxLayout()
@@ -39,8 +38,7 @@ class CheckBox(QtWidgets.QWidget):
         self._combo.addItem(translate("ThinPart", "own limit"), OWN_CHECK)
         for name, limits in offered_limits().items():
             self._combo.addItem(translated(limits.full_title), name)
-        self._combo.currentIndexChanged.connect(
-            lambda _: self._is_updating or self.chosen.emit(self._combo.currentData()))
+        self._combo.currentIndexChanged.connect(lambda _: self.chosen.emit(self._combo.currentData()))
         row.addWidget(self._combo, 1)
         self._limit = LengthField("ThinPart_CheckLimit", self)
         self._limit.setToolTip(translate("ThinPart", "The least wall; another one is a limit of your own"))
@@ -65,13 +63,10 @@ class CheckBox(QtWidgets.QWidget):
             Colours, red, green and blue from 0 to 255, and what each says.
         text : str
         """
-        self._is_updating = True
-        try:
+        with blocked(self):
             if self._combo.findData(name) < 0:
                 self._combo.addItem(name, name)  # a process that was known when the map was saved
             self._combo.setCurrentIndex(self._combo.findData(name))
-        finally:
-            self._is_updating = False
         self._limit.setVisible(bool(name))
         self._limit.show_length(least, unit.millimetres, unit.decimals, f"\u00a0{unit.symbol}")
         show_text(self._shares, " &nbsp;".join(

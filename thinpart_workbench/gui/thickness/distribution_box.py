@@ -3,7 +3,7 @@
 from ...freecad_adapter.objects.thickness_object import MILLIMETRES, SHARE
 from ..application.length_unit import MILLIMETRE
 from ..application.numbers import percent
-from ..application.qt import QtCore, QtWidgets, Signal, translate
+from ..application.qt import QtCore, QtWidgets, Signal, blocked, named, translate
 from ..record.measure_text import share_sentence
 from ..record.record_view import show_text, text_line
 from ..widgets.flow_layout import FlowLayout
@@ -45,8 +45,8 @@ class DistributionBox(QtWidgets.QWidget):
         self._chosen = text_line(self, column, "ThinPart_ChosenShare")
         self._add_threshold(column)
         self._under = text_line(self, column, "ThinPart_ThinShare")
-        self._thin_only = QtWidgets.QCheckBox(translate("ThinPart", "&Only thin walls in colour"), self)
-        self._thin_only.setObjectName("ThinPart_ThinOnly")
+        self._thin_only = named(
+            QtWidgets.QCheckBox(translate("ThinPart", "&Only thin walls in colour"), self), "ThinPart_ThinOnly")
         self._thin_only.toggled.connect(self.thin_only_changed)
         column.addWidget(self._thin_only)
         self.check = CheckBox(self)
@@ -66,9 +66,8 @@ class DistributionBox(QtWidgets.QWidget):
         """Show a threshold in mm, the share of the area below it, and whether only that area is coloured."""
         self.chart.show_threshold(threshold)
         self._show_field()
-        was_blocked = self._thin_only.blockSignals(True)
-        self._thin_only.setChecked(thin_only)
-        self._thin_only.blockSignals(was_blocked)
+        with blocked(self):
+            self._thin_only.setChecked(thin_only)
         show_text(self._under, share_sentence(self.chart.measure, percent(share), self._length.text(threshold)))
 
     def show_choice(self, chosen, share, faces):
@@ -103,8 +102,7 @@ class DistributionBox(QtWidgets.QWidget):
         self._field.changed.connect(lambda: self.threshold_changed.emit(self._field.exact(), True))
         label.setBuddy(self._field)
         flow.addWidget(self._field)
-        self._unit = QtWidgets.QComboBox(row)
-        self._unit.setObjectName("ThinPart_ThresholdUnit")
+        self._unit = named(QtWidgets.QComboBox(row), "ThinPart_ThresholdUnit")
         self._unit.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToContents)  # the row wraps if it is too wide
         self._unit.addItem(self._length.symbol, MILLIMETRES)
         self._unit.addItem(translate("ThinPart", "of the diagonal"), SHARE)

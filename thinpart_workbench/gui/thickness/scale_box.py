@@ -4,7 +4,7 @@ from ...core.rendering.colour_scale import colour_table
 from ...freecad_adapter.objects.thickness_object import MILLIMETRES, SHARE
 from ...freecad_adapter.preferences import PREFERENCES
 from ..application.length_unit import MILLIMETRE
-from ..application.qt import QtCore, QtGui, QtWidgets, Signal, colour, translate, translated_mark
+from ..application.qt import QtCore, QtGui, QtWidgets, Signal, blocked, colour, named, translate, translated_mark
 from ..widgets.flow_layout import FlowLayout
 from ..widgets.narrow_fields import LengthField, narrow_combo, new_form
 
@@ -29,7 +29,6 @@ class ScaleBox(QtWidgets.QWidget):
     def __init__(self, parent=None):
         super().__init__(parent)
         self.setObjectName("ThinPart_ScaleBox")
-        self._is_updating = False
         form = new_form(self)
         self._add_range(form)
         self._add_colours(form)
@@ -37,12 +36,9 @@ class ScaleBox(QtWidgets.QWidget):
 
     def show_in_view(self, states):
         """Show what is shown in the view: dict of bool by the name of the preference."""
-        self._is_updating = True
-        try:
+        with blocked(self):
             for name, is_on in states.items():
                 self._in_view[name].setChecked(is_on)
-        finally:
-            self._is_updating = False
 
     def show_properties(self, values, unit):
         """Show properties of a map.
@@ -55,8 +51,7 @@ class ScaleBox(QtWidgets.QWidget):
         unit : LengthUnit
             Unit of Low and High if they are lengths; the properties are in mm.
         """
-        self._is_updating = True
-        try:
+        with blocked(self):
             self._automatic.setChecked(values["AutomaticRange"])
             self._unit.setItemText(self._unit.findData(MILLIMETRES), unit.symbol)
             self._unit.setCurrentIndex(max(0, self._unit.findData(values["RangeUnit"])))
@@ -73,25 +68,20 @@ class ScaleBox(QtWidgets.QWidget):
             self._shaded.setChecked(values["Shaded"])
             self._unmeasured = tuple(values["UnmeasuredColour"][:3])
             self._paint_button()
-        finally:
-            self._is_updating = False
 
     def _add_range(self, form):
-        self._automatic = QtWidgets.QCheckBox(translate("ThinPart", "&Whole range"), self)
-        self._automatic.setObjectName("ThinPart_AutomaticRange")
-        self._automatic.setToolTip(translate("ThinPart", "From the thinnest to the thickest wall"))
-        self._automatic.toggled.connect(lambda on: self._emit_changed(AutomaticRange=on))
-        self._typical = QtWidgets.QPushButton(translate("ThinPart", "Range of &most walls"), self)
-        self._typical.setObjectName("ThinPart_TypicalRange")
-        self._typical.setToolTip(translate(
-            "ThinPart", "From the thinnest confirmed wall to the thickness below which 98\u00a0% of the surface lies, "
-            "without rims, whose rays run along the wall"))
-        self._typical.clicked.connect(lambda: self.typical_requested.emit())
-        form.addRow(self._automatic, self._typical)
+        self._automatic = named(QtWidgets.QCheckBox(translate("ThinPart", "&Whole range"), self), "ThinPart_AutomaticRange",
+                                translate("ThinPart", "From the thinnest to the thickest wall"))
+        self._automatic.toggled.connect(lambda on: self.changed.emit({"AutomaticRange": on}))
+        typical = named(QtWidgets.QPushButton(translate("ThinPart", "Range of &most walls"), self), "ThinPart_TypicalRange",
+                        translate("ThinPart", "From the thinnest confirmed wall to the thickness below which 98\u00a0% of "
+                                  "the surface lies, without rims, whose rays run along the wall"))
+        typical.clicked.connect(lambda: self.typical_requested.emit())
+        form.addRow(self._automatic, typical)
         row = QtWidgets.QHBoxLayout()
         self._low, self._high = (LengthField(f"ThinPart_{end}", self) for end in ("Low", "High"))
-        self._low.changed.connect(lambda: self._emit_changed(Low=self._low.exact()))
-        self._high.changed.connect(lambda: self._emit_changed(High=self._high.exact()))
+        self._low.changed.connect(lambda: self.changed.emit({"Low": self._low.exact()}))
+        self._high.changed.connect(lambda: self.changed.emit({"High": self._high.exact()}))
         row.addWidget(self._low, 1)
         row.addWidget(QtWidgets.QLabel("\u2013", self))
         row.addWidget(self._high, 1)
@@ -99,7 +89,7 @@ class ScaleBox(QtWidgets.QWidget):
         self._unit = narrow_combo(self, "ThinPart_RangeUnit")
         self._unit.addItem(MILLIMETRE.symbol, MILLIMETRES)
         self._unit.addItem(translate("ThinPart", "share of the diagonal"), SHARE)
-        self._unit.currentIndexChanged.connect(lambda _: self._emit_changed(RangeUnit=self._unit.currentData()))
+        self._unit.currentIndexChanged.connect(lambda _: self.changed.emit({"RangeUnit": self._unit.currentData()}))
         form.addRow(translate("ThinPart", "in"), self._unit)
 
     def _add_colours(self, form):
@@ -107,7 +97,7 @@ class ScaleBox(QtWidgets.QWidget):
         self._map.setIconSize(QtCore.QSize(48, 12))
         for name, title in PREFERENCES["HeatMapColours"].choices:
             self._map.addItem(_colour_map_icon(name), translated_mark(title), name)
-        self._map.currentIndexChanged.connect(lambda _: self._emit_changed(ColourMap=self._map.currentData()))
+        self._map.currentIndexChanged.connect(lambda _: self.changed.emit({"ColourMap": self._map.currentData()}))
         form.addRow(translate("ThinPart", "Colours"), self._map)
         self._reversed = self._check(form, "Reversed", translate("ThinPart", "Reversed"))
         self._logarithmic = self._check(form, "Logarithmic", translate("ThinPart", "&Logarithmic"), translate(
@@ -115,15 +105,13 @@ class ScaleBox(QtWidgets.QWidget):
         self._shaded = self._check(form, "Shaded", translate("ThinPart", "&Shaded"), translate(
             "ThinPart", "The map is lit, so that its shape is seen: colours get darker away from the light. Off: flat "
             "colours, exactly those of the colour bar"))
-        self._bands = QtWidgets.QSpinBox(self)
-        self._bands.setObjectName("ThinPart_Bands")
+        self._bands = named(QtWidgets.QSpinBox(self), "ThinPart_Bands")
         self._bands.setRange(0, PREFERENCES["HeatMapBands"].range[1])
         self._bands.setSpecialValueText(translate("ThinPart", "smooth"))
-        self._bands.valueChanged.connect(lambda value: self._emit_changed(Bands=value))
+        self._bands.valueChanged.connect(lambda value: self.changed.emit({"Bands": value}))
         form.addRow(translate("ThinPart", "Bands"), self._bands)
-        self._button = QtWidgets.QPushButton(self)
-        self._button.setObjectName("ThinPart_UnmeasuredColour")
-        self._button.setToolTip(translate("ThinPart", "Colour where no wall could be measured"))
+        self._button = named(QtWidgets.QPushButton(self), "ThinPart_UnmeasuredColour",
+                             translate("ThinPart", "Colour where no wall could be measured"))
         self._button.clicked.connect(self._ask_colour)
         form.addRow(translate("ThinPart", "Unmeasured"), self._button)
 
@@ -135,19 +123,15 @@ class ScaleBox(QtWidgets.QWidget):
                     "ThinPart", "Drag it in the view to move it, a corner of it to size it; a right click has more")),
                 ("MapLabels", translate("ThinPart", "Thickness labels"), translate(
                     "ThinPart", "The thinnest wall, the thickest one and pinned ones; those behind the part are hidden"))):
-            box = self._in_view[name] = QtWidgets.QCheckBox(title, self)
-            box.setObjectName(f"ThinPart_{name}")
-            box.setToolTip(meaning)
-            box.toggled.connect(lambda on, name=name: self._is_updating or self.switched.emit(name, on))
+            box = self._in_view[name] = named(QtWidgets.QCheckBox(title, self), f"ThinPart_{name}", meaning)
+            box.toggled.connect(lambda on, name=name: self.switched.emit(name, on))
             flow.addWidget(box)
         form.addRow(translate("ThinPart", "In the view"), row)
 
     def _check(self, form, name, title, meaning=""):
         """A check box for a property of this name, in a row of its own."""
-        box = QtWidgets.QCheckBox(title, self)
-        box.setObjectName(f"ThinPart_{name}")
-        box.setToolTip(meaning)
-        box.toggled.connect(lambda on: self._emit_changed(**{name: on}))
+        box = named(QtWidgets.QCheckBox(title, self), f"ThinPart_{name}", meaning)
+        box.toggled.connect(lambda on: self.changed.emit({name: on}))
         form.addRow("", box)
         return box
 
@@ -155,17 +139,13 @@ class ScaleBox(QtWidgets.QWidget):
         chosen = QtWidgets.QColorDialog.getColor(
             colour(self._unmeasured), self, translate("ThinPart", "Unmeasured"))
         if chosen.isValid():
-            self._emit_changed(UnmeasuredColour=chosen.getRgbF()[:3])
+            self.changed.emit({"UnmeasuredColour": chosen.getRgbF()[:3]})
 
     def _paint_button(self):
         square = QtGui.QPixmap(32, 12)
         square.fill(colour(self._unmeasured))
         self._button.setIcon(QtGui.QIcon(square))
         self._button.setIconSize(square.size())
-
-    def _emit_changed(self, **values):
-        if not self._is_updating:
-            self.changed.emit(values)
 
 
 def _colour_map_icon(name):

@@ -1,7 +1,7 @@
 """Summary of a thickness map: verdict, thinnest wall, and its parts."""
 
 from ..application.numbers import percent
-from ..application.qt import QtCore, QtWidgets, Signal, translate
+from ..application.qt import QtCore, QtWidgets, Signal, blocked, named, translate
 from ..record.measure_text import measure_choices
 from ..record.measuring_progress import MeasuringProgress
 from ..record.parts_table import PartsTable
@@ -53,8 +53,7 @@ class SummaryBox(QtWidgets.QWidget):
         column.addWidget(self._progress)
         self._stale = text_line(self, column, "ThinPart_Stale")
         show_text(self._stale, "")
-        self._verdict = QtWidgets.QWidget(self)
-        self._verdict.setObjectName("ThinPart_ThicknessVerdict")
+        self._verdict = named(QtWidgets.QWidget(self), "ThinPart_ThicknessVerdict")
         self._add_verdict(QtWidgets.QVBoxLayout(self._verdict))
         column.addWidget(self._verdict)
         self._info = text_line(self, column, "ThinPart_InfoText")
@@ -130,11 +129,8 @@ class SummaryBox(QtWidgets.QWidget):
 
     def show_measure(self, measure):
         """Show how the map was measured: one of `SHOWN_MEASURES`."""
-        number = max(0, self._measure.findData(measure))
-        was_blocked = self._measure.blockSignals(True)
-        self._measure.setCurrentIndex(number)
-        self._measure.blockSignals(was_blocked)
-        self._show_measure_tip()
+        with blocked(self):
+            self._measure.setCurrentIndex(max(0, self._measure.findData(measure)))
 
     def show_stale(self, is_stale):
         """Show or hide the warning that the sources have changed, and the button to measure again."""

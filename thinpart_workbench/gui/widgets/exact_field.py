@@ -11,7 +11,7 @@ of inches, where `length_unit` does not.
 
 import math
 
-from ..application.qt import QtCore, QtGui, QtWidgets, Signal
+from ..application.qt import QtCore, QtGui, QtWidgets, Signal, blocked
 
 _MOST = 1e12
 
@@ -53,12 +53,11 @@ class ExactField(QtWidgets.QDoubleSpinBox):
             The change by an arrow, as shown, where the value is 0; elsewhere it is the second digit.
         """
         value = None if self._shown is None else self.exact()
-        blocked = self.blockSignals(True)
         self._factor, self._first_step = factor, first_step
-        self.setDecimals(decimals)
-        self.setSuffix(suffix)
-        self.setRange(max(least * factor, -_MOST), min(most * factor, _MOST))
-        self.blockSignals(blocked)
+        with blocked(self):
+            self.setDecimals(decimals)
+            self.setSuffix(suffix)
+            self.setRange(max(least * factor, -_MOST), min(most * factor, _MOST))
         if value is not None:
             self.show_exact(value)
 
@@ -69,9 +68,8 @@ class ExactField(QtWidgets.QDoubleSpinBox):
 
     def show_exact(self, value):
         """Show a value."""
-        blocked = self.blockSignals(True)
-        self.setValue(value * self._factor)
-        self.blockSignals(blocked)
+        with blocked(self):
+            self.setValue(value * self._factor)
         self._shown = value, self.value()
 
     def stepBy(self, steps):

@@ -1,6 +1,6 @@
 """Forms and fields for FreeCAD's task view, which is narrow."""
 
-from ..application.qt import QtCore, QtWidgets
+from ..application.qt import QtCore, QtWidgets, named
 from .exact_field import ExactField
 
 
@@ -37,8 +37,7 @@ def new_form(parent):
 
 def narrow_combo(parent, name):
     """A combo box that may be narrower than its longest text."""
-    combo = QtWidgets.QComboBox(parent)
-    combo.setObjectName(name)
+    combo = named(QtWidgets.QComboBox(parent), name)
     combo.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
     combo.setMinimumContentsLength(6)
     return combo
