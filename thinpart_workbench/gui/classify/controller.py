@@ -28,7 +28,6 @@ class ClassificationController(TaskController):
     def __init__(self, document):
         super().__init__()
         self.measured = DocumentMeasurement(document, self)
-        self.measured.progressed.connect(self._show_progress)
         self.measured.measured.connect(self._show_measured)
         self.measured.ended.connect(self._show_end)
         self.measured.info_file_changed.connect(self._show_info_file)
@@ -38,6 +37,7 @@ class ClassificationController(TaskController):
         self._form = ClassifyPanel()
         self.panel = TaskDialog(self._form, "ThinPart_Classify")
         self._form.cancelled.connect(self.cancel)
+        self.measured.progressed.connect(self._form.progress.show_progress)
         self._form.save_requested.connect(self.measured.save)
         self._form.repeat_requested.connect(self._repeat)
         self._form.parts.part_chosen.connect(self._show_part)
@@ -129,9 +129,6 @@ class ClassificationController(TaskController):
             self._form.show_message(translated(error))
             return
         self._show_list()
-
-    def _show_progress(self, fraction, stage):
-        self._form.show_progress(fraction, stage)
 
     def _show_measured(self, name):
         self._show_list()

@@ -11,6 +11,10 @@ from ..widgets.push_button import add_button
 class ClassifyPanel(QtWidgets.QWidget):
     """The widgets of the panel, without logic: the controller fills them and handles their signals.
 
+    Attributes
+    ----------
+    progress : MeasuringProgress
+
     Signals
     -------
     cancelled, save_requested, repeat_requested
@@ -30,9 +34,9 @@ class ClassifyPanel(QtWidgets.QWidget):
         # The task view is narrow and has its own margins.
         column.setContentsMargins(6, 6, 6, 6)
         self.message = text_line(self, column, "ThinPart_Message")
-        self._progress = MeasuringProgress(self)
-        self._progress.cancelled.connect(self.cancelled)
-        column.addWidget(self._progress)
+        self.progress = MeasuringProgress(self)
+        self.progress.cancelled.connect(self.cancelled)
+        column.addWidget(self.progress)
         self.parts = PartsTable(self)
         column.addWidget(self.parts)
         self.result = RecordView(self)
@@ -48,7 +52,7 @@ class ClassifyPanel(QtWidgets.QWidget):
     def show_message(self, sentence):
         """Show only a message."""
         show_text(self.message, sentence)
-        self._progress.hide()
+        self.progress.hide()
         self.parts.hide()
         self.result.hide()
         self.show_info("")
@@ -56,11 +60,7 @@ class ClassifyPanel(QtWidgets.QWidget):
     def show_running(self, label):
         """Show that a part is being measured."""
         self.show_message("")
-        self._progress.begin(label)
-
-    def show_progress(self, fraction, stage):
-        """Show the completed fraction and the current stage."""
-        self._progress.show_progress(fraction, stage)
+        self.progress.begin(label)
 
     def show_result(self, record, profile, unit):
         """Show a part record, with lengths in a unit; progress stays visible while other parts are measured."""
@@ -77,7 +77,7 @@ class ClassifyPanel(QtWidgets.QWidget):
 
     def show_ended(self, sentence=""):
         """Hide the progress; show a message if measuring did not end normally."""
-        self._progress.hide()
+        self.progress.hide()
         show_text(self.message, sentence)
 
     def show_info(self, sentence, can_save=False, can_repeat=False, tool_tip=""):

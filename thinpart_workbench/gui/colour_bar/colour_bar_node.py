@@ -21,6 +21,8 @@ class ColourBarNode:
     ----------
     rect : QRect
         Where it was drawn last, in pixels of the window or of the picture.
+    window_rect : QRect
+        Where it is in the window, in device pixels.
     place : BarPlace
 
     Notes
@@ -34,7 +36,7 @@ class ColourBarNode:
         self._widget = view.graphicsView().viewport()
         self._content = self._drawn_for = None
         self._image_size = 1, 1
-        self.place, self.rect, self._window_rect = BarPlace.kept(), QtCore.QRect(), QtCore.QRect()
+        self.place, self.rect, self.window_rect = BarPlace.kept(), QtCore.QRect(), QtCore.QRect()
         self.node, annotation = skipped_by_fit_all(), coin.SoAnnotation()
         fit = coin.SoCallback()
         self._fit = self._fit_to_view  # pivy does not hold a reference to it
@@ -70,11 +72,6 @@ class ColourBarNode:
         self._handle.end()
         self._root.removeChild(self.node)
 
-    @property
-    def window_rect(self):
-        """QRect of the bar in the window, in device pixels."""
-        return self._window_rect
-
     def layout(self, place):
         """Where the bar would stand in the window: the free QRect, the size of the bar and its margin, in device pixels."""
         ratio = self._widget.devicePixelRatioF()
@@ -99,7 +96,7 @@ class ColourBarNode:
         corner = self.place.corner(free, *self._image_size, _margin(height))
         self.rect = QtCore.QRect(corner, QtCore.QSize(*self._image_size))
         if is_size_of(self._widget, width, height):
-            self._window_rect = self.rect
+            self.window_rect = self.rect
             self._handle.cover()
         self._translation.translation = place_on_screen(
             coin.SoViewVolumeElement.get(action.getState()), corner.x() + 0.5,

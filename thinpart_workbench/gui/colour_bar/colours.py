@@ -88,7 +88,7 @@ class ThicknessColours:
             found += self.between
         return tuple(sorted({float(each) for each in found if 0.0 < each < np.inf}))
 
-    def of_corners(self, number, shown, cuts=None):
+    def of_corners(self, number, shown, cut=None):
         """Colours of the corners of the facets of a part's map: ndarray of shape (m, 3, 3), uint8.
 
         Parameters
@@ -96,27 +96,12 @@ class ThicknessColours:
         number : int
             Of the part.
         shown : ThicknessMap
-        cuts : LevelCuts, optional
-            The pieces at `levels`, which are coloured instead of the facets.
+        cut : LevelCuts or MapSection, optional
+            Pieces of the facets, or lines on them, cut at `levels`: their corners or ends, ndarray of shape (k, 2, 3) for
+            lines, are coloured instead.
         """
-        if cuts is None:
-            return self._of_ends(number, shown.corner_thickness, shown.face)
-        return self._of_ends(number, cuts.thickness, shown.face[cuts.facet])
-
-    def of_section(self, number, shown, cut):
-        """Colours of the ends of the lines where a plane cuts a part's map: ndarray of shape (k, 2, 3), uint8.
-
-        Parameters
-        ----------
-        number : int
-            Of the part.
-        shown : ThicknessMap
-        cut : MapSection
-            Cut at `levels`.
-        """
-        return self._of_ends(number, cut.thickness, shown.face[cut.facet])
-
-    def _of_ends(self, number, thickness, face):
+        thickness, face = ((shown.corner_thickness, shown.face) if cut is None
+                           else (cut.thickness, shown.face[cut.facet]))
         levels = self.levels
         values = within_steps(thickness, levels) if levels else thickness
         colours = self.of_values(values.ravel()).reshape(*values.shape, 3)

@@ -314,7 +314,7 @@ class MeshSizesController(TaskController):
         else:
             self._view.hide()
         shows_poor = self._check is not None and form.poor.isChecked() and not form.is_shell
-        self._view.show_poor(poor_elements(folder) if shows_poor else None)
+        self._view.show_poor(poor_elements(folder) if shows_poor else ())
 
 
 def _has_sizes(proposal):

@@ -77,8 +77,9 @@ class SizeNodes:
         self._facets = None
 
     def show_poor(self, corners):
-        """Show tetrahedra through the surface: ndarray of shape (k, 4, 3), mm."""
-        self.hide_poor()
+        """Show tetrahedra through the surface: ndarray of shape (k, 4, 3), mm; an empty sequence for none."""
+        self._remove(self._poor)
+        self._poor = None
         if not len(corners):
             return
         node = self._poor = coin.SoAnnotation()
@@ -90,11 +91,6 @@ class SizeNodes:
         node.addChild(style)
         _add_triangles(node, corners.reshape(-1, 3), triangles)
         self._root.addChild(node)
-
-    def hide_poor(self):
-        """Remove them."""
-        self._remove(self._poor)
-        self._poor = None
 
     def _remove(self, node):
         if node is not None:

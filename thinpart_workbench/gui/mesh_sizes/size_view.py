@@ -36,11 +36,8 @@ class SizeView(QtCore.QObject):
         self._set_aside(None)
 
     def show_poor(self, corners):
-        """Draw poor elements: see `poor_elements`; None for none."""
-        if corners is None:
-            self._shown().hide_poor()
-        else:
-            self._shown().show_poor(corners)
+        """Draw poor elements: see `poor_elements`; an empty sequence for none."""
+        self._shown().show_poor(corners)
 
     def leave(self):
         """Draw nothing any more."""

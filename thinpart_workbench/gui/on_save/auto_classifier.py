@@ -1,7 +1,6 @@
 """Classifies documents in the background whenever they are saved."""
 
 import os
-from dataclasses import dataclass
 
 import FreeCAD as App
 
@@ -23,14 +22,6 @@ _MAX_CHARACTERS = 50
 
 _LOOKUP_DELAY = 200
 """Milliseconds for which a document has to be active before its info file is read."""
-
-
-@dataclass
-class _State:
-    """Text and tool tip of the status button for a document."""
-
-    text: str
-    reason: str = ""
 
 
 @guarded_methods("onChange")
@@ -58,7 +49,7 @@ class AutoClassifier(QtCore.QObject):
     def __init__(self, observer, measurement_signals):
         super().__init__()
         self._observer, self._measurement_signals = observer, measurement_signals
-        self._states = {}
+        self._states = {}  # text and reason of the status button, by document name
         self._requests = {}  # what is asked for, by document name
         self._delegated = set()  # names of documents that the panel measures
         self._group = App.ParamGet(GROUP)  # it drops its observers once Python no longer references it
@@ -210,7 +201,7 @@ class AutoClassifier(QtCore.QObject):
             lifelong.notifications.warn(sentence, App.getDocument(name).Label)
 
     def _set_state(self, name, text, reason=""):
-        self._states[name] = _State(text, reason)
+        self._states[name] = text, reason
         self._refresh()
 
     def _refresh(self):
@@ -223,11 +214,11 @@ class AutoClassifier(QtCore.QObject):
         active = App.ActiveDocument
         state = self._states.get(active.Name) if active is not None else None
         if state is None:
-            state = _State("\u2013")
             self._lookup_timer.start()
-        self._button.show(translate("ThinPart", "ThinPart: {}").format(state.text), "\n".join(filter(None, [
-            state.reason, translate("ThinPart", "The active document as it was saved. Click to classify it "
-                                    "in the panel.")])))
+        text, reason = state or ("\u2013", "")
+        self._button.show(translate("ThinPart", "ThinPart: {}").format(text), "\n".join(filter(None, [
+            reason, translate("ThinPart", "The active document as it was saved. Click to classify it "
+                              "in the panel.")])))
 
 
 def _display_name(name):

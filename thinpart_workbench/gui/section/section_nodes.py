@@ -85,7 +85,7 @@ class SectionNodes:
                 cut = map_section(part.map, plane.moved(inverse(stands)), drawn)
                 cut = section_at_levels(cut, colours.levels)
                 ends.append(transform_points(stands, cut.ends.reshape(-1, 3)))
-                edge_colours.append(colours.of_section(number, part.map, cut).reshape(-1, 3))
+                edge_colours.append(colours.of_corners(number, part.map, cut).reshape(-1, 3))
                 if faces is None:
                     material.append(transform_points(stands, cut.material.reshape(-1, 3)))
         self._show_edges(np.concatenate(ends), np.concatenate(edge_colours))

@@ -35,7 +35,7 @@ class ThicknessController(TaskController):
         self.panel = self._boxes.panel
         head = self._boxes.head
         measured.progressed.connect(self._show_progress)
-        measured.first_mapped.connect(lambda *_: head.show_first_colours(self._measuring.shows_first_colours))
+        measured.first_mapped.connect(lambda *_: head.progress.show_first_colours(self._measuring.shows_first_colours))
         head.cancelled.connect(self._cancel)
         head.save_requested.connect(measured.save)
         head.repeat_requested.connect(self.measure)
@@ -82,8 +82,9 @@ class ThicknessController(TaskController):
         self._show_measure()
 
     def _show_progress(self, fraction, stage):
-        self._boxes.head.show_first_colours(self._measuring.shows_first_colours)
-        self._boxes.head.show_progress(fraction, stage)
+        progress = self._boxes.head.progress
+        progress.show_first_colours(self._measuring.shows_first_colours)
+        progress.show_progress(fraction, stage)
 
     def _show_measure(self):
         """Show how the shown map was measured, also where another measure was chosen and nothing came of it."""

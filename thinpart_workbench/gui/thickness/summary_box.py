@@ -15,6 +15,10 @@ from ..widgets.push_button import add_button
 class SummaryBox(QtWidgets.QWidget):
     """A message or the progress while there is no map, otherwise the summary of the map.
 
+    Attributes
+    ----------
+    progress : MeasuringProgress
+
     Signals
     -------
     cancelled, repeat_requested, save_requested, fly_requested
@@ -48,9 +52,9 @@ class SummaryBox(QtWidgets.QWidget):
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(6, 6, 6, 6)
         self._message = text_line(self, column, "ThinPart_Message")
-        self._progress = MeasuringProgress(self)
-        self._progress.cancelled.connect(self.cancelled)
-        column.addWidget(self._progress)
+        self.progress = MeasuringProgress(self)
+        self.progress.cancelled.connect(self.cancelled)
+        column.addWidget(self.progress)
         self._stale = text_line(self, column, "ThinPart_Stale")
         show_text(self._stale, "")
         self._verdict = named(QtWidgets.QWidget(self), "ThinPart_ThicknessVerdict")
@@ -68,7 +72,7 @@ class SummaryBox(QtWidgets.QWidget):
     def show_message(self, sentence, can_repeat=False):
         """Show a message; a summary that is already shown stays visible."""
         show_text(self._message, sentence)
-        self._progress.hide()
+        self.progress.hide()
         self._can_repeat = can_repeat
         self._again.setVisible(can_repeat)
 
@@ -76,15 +80,7 @@ class SummaryBox(QtWidgets.QWidget):
         """Show that measuring has started, with the label of the first part."""
         self.show_message("")
         self.show_info_file("")
-        self._progress.begin(label)
-
-    def show_progress(self, fraction, stage):
-        """See `MeasuringProgress`."""
-        self._progress.show_progress(fraction, stage)
-
-    def show_first_colours(self, are_shown):
-        """Say that the colours in the view are coarse, and when finer ones come."""
-        self._progress.show_first_colours(are_shown)
+        self.progress.begin(label)
 
     def show_info_file(self, sentence, can_save=False, tool_tip=""):
         """Show the state of the info file."""

@@ -89,12 +89,19 @@ class SceneSync:
             first, name = lifelong.map_events.first_colours.get(document), last.get(document)
             shown = None if document in lifelong.map_events.set_aside else first or _proxy(document, name)
             for view in views_of(document):
-                root = view.getSceneGraph()
-                bar = self._show_bar(view, root, shown)
-                node = self._show_labels(view, root, None if first else shown, bar)
-                bars += [] if bar is None else [bar]
-                labels += [] if node is None else [node]
+                content = shown.bar if shown is not None and preference("ColourBarShown") else None
+                bar = _node_in(view, self._bars, ColourBarNode, content)
+                if bar is not None:
+                    bar.show(content)
+                    bars.append(bar)
+                content = shown.labels if shown is not None and first is None and preference("MapLabels") else None
+                node = _node_in(view, self._labels, LabelNode, content)
+                if node is not None:
+                    node.obstacles = [] if bar is None else [bar]
+                    node.show(content)
+                    labels.append(node)
                 if first is not None or name is not None:
+                    root = view.getSceneGraph()
                     watch = next((watch for watch in self._watches if watch.is_in(root)), None)
                     watches.append(watch or NavigationWatch(view, document))
         for watch in self._watches:
@@ -102,30 +109,15 @@ class SceneSync:
                 watch.end()
         self._bars, self._labels, self._watches = bars, labels, watches
 
-    def _show_bar(self, view, root, colours):
-        """The ColourBarNode of a view; None where it is hidden or there are no colours."""
-        bar = next((bar for bar in self._bars if bar.is_in(root)), None)
-        content = None if colours is None or not preference("ColourBarShown") else colours.bar
-        if content is None:
-            if bar is not None:
-                bar.remove()
-            return None
-        bar = bar or ColourBarNode(view)
-        bar.show(content)
-        return bar
 
-    def _show_labels(self, view, root, colours, bar):
-        """The LabelNode of a view; None where nothing is labelled."""
-        node = next((node for node in self._labels if node.is_in(root)), None)
-        content = None if colours is None or not preference("MapLabels") else colours.labels
-        if content is None:
-            if node is not None:
-                node.remove()
-            return None
-        node = node or LabelNode(view)
-        node.obstacles = [] if bar is None else [bar]
-        node.show(content)
-        return node
+def _node_in(view, nodes, kind, content):
+    """The one of some nodes that is in a view, or a new one of a kind; None, and none is there, without content."""
+    node = next((node for node in nodes if node.is_in(view.getSceneGraph())), None)
+    if content is not None:
+        return node or kind(view)
+    if node is not None:
+        node.remove()
+    return None
 
 
 def _proxy(document, name):
