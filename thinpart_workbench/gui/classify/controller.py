@@ -56,24 +56,16 @@ class ClassificationController(TaskController):
         return self._analysis.records.get(part_name)
 
     def start(self):
-        """Determine which part to classify, open the panel and start to measure.
-
-        Returns
-        -------
-        bool
-            False if the user was asked for a part and chose none.
-        """
+        """Determine which part to classify, open the panel and start to measure."""
         try:
             analysis = self._new_analysis()
         except ThinPartError as error:
             self.panel.show()
             self._form.show_message(translated(error))
-            return True
-        if analysis is None:
-            return False
-        self.panel.show()
-        self._measure(analysis)
-        return True
+            return
+        if analysis is not None:
+            self.panel.show()
+            self._measure(analysis)
 
     def cancel(self):
         """Stop measuring on request; existing results stay."""

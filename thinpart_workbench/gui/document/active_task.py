@@ -88,11 +88,9 @@ def begin_session(kind, controller, document, *subject):
 
     Parameters
     ----------
-    kind : str
     controller : type
         Called with the document and the subject, it makes the session, with ``panel``, ``document_name``, ``start`` and
         ``close``.
-    document : FreeCAD.Document or None
     *subject : object
         What in the document it is about.
     """

@@ -106,30 +106,18 @@ class DocumentMeasurement(QtCore.QObject):
         return content_of(self.document)
 
     def analysis_of(self, parts, chosen, broken=(), maps=None, first_maps=False):
-        """A `DocumentAnalysis` with the settings of the preferences; see there for the parameters.
-
-        Raises
-        ------
-        ThinPartError
-            When the profile cannot be read.
-        """
+        """A `DocumentAnalysis` with the settings of the preferences; raises a ThinPartError if the profile is unreadable."""
         profile = preferred_profile()
         return DocumentAnalysis(parts, chosen, preferred_analysis(), profile.content, broken,
                                 preferred_thin_limit(), maps, first_maps)
 
     def measure(self, analysis, is_whole=True):
-        """Start measuring.
+        """Start measuring; raises like `SnapshotJob.start`.
 
         Parameters
         ----------
-        analysis : DocumentAnalysis
         is_whole : bool
             Whether it covers all parts of the document; otherwise no info file is written.
-
-        Raises
-        ------
-        ThinPartError
-            See `SnapshotJob.start`.
         """
         self._stop_job()
         self._info_request = None

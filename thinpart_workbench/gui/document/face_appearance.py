@@ -31,7 +31,6 @@ def paint(view, count, colours):
 
     Parameters
     ----------
-    view : Gui.ViewProviderDocumentObject
     count : int
         Number of faces of the object.
     colours : dict

@@ -12,18 +12,7 @@ _MIN_SHARE = 0.3
 
 
 def free_area(widget):
-    """The area of a view that no overlay covers.
-
-    Parameters
-    ----------
-    widget : QWidget
-        The view, or its viewport.
-
-    Returns
-    -------
-    QRect
-        In pixels of the widget.
-    """
+    """QRect of a view, or of its viewport, that no overlay covers, in pixels of the widget."""
     rect = widget.rect()
     left, top, right, bottom = 0, 0, rect.width(), rect.height()
     for name, covered in _overlays(widget):

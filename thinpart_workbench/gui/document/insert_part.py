@@ -16,18 +16,7 @@ from .transaction import transaction
 
 
 def insert_part(file, name=None):
-    """Insert a file into the active document.
-
-    Parameters
-    ----------
-    file : str
-    name : str, optional
-        The part's unique name in a FreeCAD document.
-
-    Returns
-    -------
-    str
-        One sentence about what was inserted, and how.
+    """Insert a file, or the part of this unique name in it, into the active document; returns one sentence about it: str.
 
     Raises
     ------

@@ -20,13 +20,7 @@ _imported = {}  # document name by imported file
 
 
 def open_part(file, name=None):
-    """Open a file, or activate its document where it is open already, and select a part.
-
-    Parameters
-    ----------
-    file : str
-    name : str, optional
-        The part's unique name.
+    """Open a file, or activate its document where it is open already, and select the part of this unique name.
 
     Raises
     ------
@@ -65,14 +59,7 @@ def check_to_open(file):
 
 
 def confirm_dangerous_open(sentence, parent):
-    """Ask the user whether to open a file that failed in one of the `DANGEROUS` ways.
-
-    Parameters
-    ----------
-    sentence : str
-        What happened when it was classified.
-    parent : QWidget
-    """
+    """Ask whether to open a file that failed in one of the `DANGEROUS` ways; the sentence says what happened then."""
     return is_confirmed(
         parent, "ThinPart_FolderDare", QtWidgets.QMessageBox.Warning, sentence,
         translate("ThinPart", "FreeCAD may crash in the same way when it opens the file: save your documents first. "

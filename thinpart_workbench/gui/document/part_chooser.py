@@ -39,14 +39,7 @@ class PartChooser(QtWidgets.QDialog):
 
 
 def ask_for_part(parts, parent):
-    """The part that the user picks from a list, or None.
-
-    Parameters
-    ----------
-    parts : list
-        With ``label`` and ``instances``.
-    parent : QWidget
-    """
+    """The part that the user picks from a list of those with ``label`` and ``instances``, or None."""
     dialog = PartChooser(parts, parent)
     try:
         return parts[dialog.index] if execute(dialog) else None

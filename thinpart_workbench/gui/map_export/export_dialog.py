@@ -27,14 +27,7 @@ _MOST_PIXELS = 16_000
 
 
 class ExportDialog(QtWidgets.QFileDialog):
-    """File dialog with the formats, and the size of a picture.
-
-    Parameters
-    ----------
-    thickness : FreeCAD.DocumentObject
-        The map.
-    parent : QWidget, optional
-    """
+    """File dialog with the formats for a map, and the size of a picture."""
 
     def __init__(self, thickness, parent=None):
         super().__init__(parent, translate("ThinPart", "Export thickness map"))
@@ -71,12 +64,7 @@ class ExportDialog(QtWidgets.QFileDialog):
         return self._endings.get(self.selectedNameFilter(), PICTURE)
 
     def write(self, path):
-        """Write the map to a file; the user is asked before one is replaced that ThinPart did not write.
-
-        Returns
-        -------
-        bool
-            Whether it was written.
+        """Write the map to a file; the user is asked before one is replaced that ThinPart did not write: whether it was.
 
         Raises
         ------

@@ -17,21 +17,10 @@ def checked_limits(thickness):
 
 
 def map_check_text(records, limits, unit, measure):
-    """The result of a check of parts.
+    """The result of a check of a list of PartRecord: str.
 
-    Parameters
-    ----------
-    records : list of PartRecord
-    limits : WallLimits or None
-    unit : LengthUnit
-    measure : str
-        One of `SHOWN_MEASURES`: what the colours of the map show.
-
-    Returns
-    -------
-    str
-        A sentence for one part, how many fail for several; empty without limits. Checks are always by rays, so where
-        the colours show something else, another sentence says so.
+    A sentence for one part, how many fail for several; empty without limits. Checks are always by rays, so where the colours
+    show something else, by the one of `SHOWN_MEASURES`, another sentence says so.
     """
     if limits is None:
         return ""
@@ -53,17 +42,9 @@ def map_check_text(records, limits, unit, measure):
 
 
 def band_texts(parts, bands):
-    """The share of the surface in each colour of a check.
+    """The share of the surface of a list of MappedPart in each colour of a check: list of (tuple, str).
 
-    Parameters
-    ----------
-    parts : list of MappedPart
-    bands : list of LimitBand
-
-    Returns
-    -------
-    list of (tuple, str)
-        Colour of each band, red, green and blue from 0 to 255, and its share of all area in words.
+    Colour of each LimitBand, red, green and blue from 0 to 255, and its share of all area in words.
     """
     return [(BAND_COLOURS[band.name], _band_words(band.name).format(percent(share_between(parts, band.low, band.high))))
             for band in bands]

@@ -8,11 +8,6 @@ from ..application.qt import QtCore, Signal
 class ShownParts(QtCore.QObject):
     """All parts, or one of them; a single part is always shown as one.
 
-    Parameters
-    ----------
-    thickness : FreeCAD.DocumentObject
-    parent : QObject
-
     Attributes
     ----------
     all : list of MappedPart

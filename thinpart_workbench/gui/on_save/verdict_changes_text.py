@@ -11,13 +11,7 @@ _MOST_REASONS = 12
 
 
 def headline(verdicts):
-    """A short summary of the categories of a document's parts.
-
-    Parameters
-    ----------
-    verdicts : dict
-        From `document_verdicts`.
-    """
+    """A short summary of the categories of a document's parts, from `document_verdicts`."""
     counts = Counter(_category_text(verdict) for verdict in verdicts.values())
     if len(verdicts) == 1:
         return next(iter(counts))
@@ -39,16 +33,12 @@ def warnings(document, before, now, of_category, limit_mm, unit):
 
     Parameters
     ----------
-    document : str
-        Name to show for it.
     before, now : dict
         See `category_changes`.
     of_category : bool
         Whether to warn about a changed category.
     limit_mm : float, mm
         Warn about walls thinner than this; 0 for never.
-    unit : LengthUnit
-        Unit of the wall thicknesses in the texts.
     """
     changed = {id(new): old for old, new in category_changes(before, now)} if of_category else {}
     under = {id(verdict) for verdict in walls_newly_under(before, now, limit_mm)} if limit_mm else set()

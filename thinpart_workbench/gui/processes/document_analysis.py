@@ -63,12 +63,9 @@ class DocumentAnalysis:
         return len(self.records) + len(self.failures) == len(self.parts)
 
     def on_message(self, response):
-        """Store a message of the worker.
+        """Store a message of the worker; returns its kind.
 
-        Returns
-        -------
-        str
-            Kind of the message: ``record``, ``failure``, ``map``, ``first_map``, ``progress`` or ``done``.
+        It is ``record``, ``failure``, ``map``, ``first_map``, ``progress`` or ``done``.
         """
         if "record" in response:
             record = response["record"]
@@ -87,13 +84,7 @@ class DocumentAnalysis:
                 records[name]["labels"] = labels
 
     def share_done(self, progress):
-        """The completed fraction of the total work.
-
-        Parameters
-        ----------
-        progress : dict
-            ``part``, ``stage``, ``fraction`` from the worker.
-        """
+        """The completed fraction of the total work, by ``part``, ``stage`` and ``fraction`` from the worker: dict."""
         position = [part.name for part in self.measuring_order].index(progress["part"])
         # Measuring takes most of the time; tessellation before it does not report a fraction.
         measured = _MEASURING_SHARE if self.maps else 1.0

@@ -49,17 +49,9 @@ class PackageInstallation(QtCore.QObject):
         return self._process.is_running
 
     def start(self, package):
-        """Install a package and its dependencies.
+        """Install a package, by its name in the index, and its dependencies.
 
-        Parameters
-        ----------
-        package : str
-            Its name in the index.
-
-        Returns
-        -------
-        str
-            What to show: that it is being installed, or why it cannot be, such as where there is no Python.
+        Returns what to show: that it is being installed, or why it cannot be, such as where there is no Python.
         """
         try:
             self._start(package)

@@ -14,17 +14,9 @@ class RunningJobs:
         self._button = StatusBarButton("ThinPart_RunningJobs", _MAX_CHARACTERS, self._on_clicked)
 
     def show(self, name, text, window, show_page=lambda: None):
-        """Show a job, or how far it is.
+        """Show a job, or how far it is, by the name of its kind, of which there is one at a time.
 
-        Parameters
-        ----------
-        name : str
-            Of the kind of job, of which there is one at a time.
-        text : str
-        window : QWidget
-            Shown when the button is clicked.
-        show_page : callable, optional
-            Shows the page of the window that the job belongs to.
+        A click shows the window, and calls `show_page`, which shows the page that the job belongs to.
         """
         self._jobs[name] = text, window, show_page
         self._show()

@@ -61,17 +61,9 @@ class StandbyWorker:
         return self._process.process_id if self._process is not None else None
 
     def take(self):
-        """Hand over a process that waits for a job on its standard input.
+        """Hand over a MeasuringProcess that waits for a job on its standard input, with no signals connected.
 
-        Returns
-        -------
-        MeasuringProcess
-            Started, with no signals connected. The caller becomes its owner.
-
-        Raises
-        ------
-        ThinPartError
-            Where there is no Python.
+        The caller becomes its owner. Raises a ThinPartError where there is no Python.
         """
         if self._delay is not None:
             self._delay.stop()

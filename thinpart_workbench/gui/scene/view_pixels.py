@@ -40,12 +40,7 @@ def free_pixels(widget, width, height):
 def place_on_screen(volume, left, bottom, width, height):
     """SbVec3f of a pixel, from the left and from the bottom, where nothing of the scene is cut off.
 
-    Parameters
-    ----------
-    volume : pivy.coin.SbViewVolume
-    left, bottom : float
-    width, height : int
-        Pixels of the view.
+    The volume is an SbViewVolume, width and height those of the view, in pixels.
     """
     depth = volume.getNearDist() + 0.5 * volume.getDepth()
     return volume.getPlanePoint(depth, coin.SbVec2f(left / width, bottom / height))

@@ -4,13 +4,7 @@ import numpy as np
 
 
 def line_of_sight(view, position):
-    """The line of sight through a position in a view.
-
-    Parameters
-    ----------
-    view : View3DInventorPy
-    position : QPoint
-        In the view's widget.
+    """The line of sight through a QPoint of a view's widget.
 
     Returns
     -------
@@ -22,12 +16,7 @@ def line_of_sight(view, position):
 
 
 def first_object(view, position):
-    """The front object at a position in a view.
-
-    Parameters
-    ----------
-    view : View3DInventorPy
-    position : QPoint
+    """The front object at a QPoint of a view's widget.
 
     Returns
     -------

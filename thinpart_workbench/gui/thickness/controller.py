@@ -11,11 +11,7 @@ from .panel import ThicknessPanel
 class ThicknessController(TaskController):
     """Measures parts and shows their map in a panel, or shows an existing map.
 
-    Parameters
-    ----------
-    document : FreeCAD.Document or None
-    thickness : FreeCAD.DocumentObject, optional
-        The map to show; without it, parts are measured.
+    Without a map to show, parts are measured.
     """
 
     def __init__(self, document, thickness=None):

@@ -45,8 +45,6 @@ class FaceTable(WallTable):
         summaries : list of FaceSummary
         features : list of str
             The feature that made each face, by face number; empty if unknown.
-        unit : LengthUnit
-        record : PartRecord
         file : str, optional
             Path of the part's document.
         """

@@ -9,7 +9,6 @@ class RegionMenu(QtWidgets.QMenu):
     Parameters
     ----------
     group : RegionGroup
-    unit : LengthUnit
     refusal : str
         Why nothing can be kept of the regions; empty if it can.
     is_isolated : bool

@@ -48,17 +48,9 @@ class FaceSelection(QtCore.QObject):
         Gui.Selection.removeObserver(self)
 
     def select(self, faces):
-        """Replace the selection by faces, in the first occurrence of each part.
+        """Replace the selection by faces, in the first occurrence of each part: dict of face numbers by part number.
 
-        Parameters
-        ----------
-        faces : dict
-            Face numbers by part number.
-
-        Returns
-        -------
-        int
-            Number of selected faces; a mesh has none.
+        Returns the number of selected faces; a mesh has none.
         """
         document, count = App.getDocument(self._document), 0
         with self._own_changes():
@@ -120,21 +112,15 @@ class FaceSelection(QtCore.QObject):
 
 
 def face_near(parts, moved, point, reach):
-    """The B-Rep face of mapped parts at a point of the 3D view.
+    """The B-Rep face of a list of MappedPart at a point: part number and face number, from 0, or None.
 
     Parameters
     ----------
-    parts : list of MappedPart
     moved : ndarray of shape (4, 4)
         Transform from the measured position to the current one.
     point : ndarray of shape (3,), mm
     reach : float, mm
         Maximum distance from the point.
-
-    Returns
-    -------
-    tuple of int or None
-        Part number and face number, from 0.
     """
     for number, part in enumerate(parts):
         search = MapSearch(part.map)

@@ -103,12 +103,9 @@ class LabelledWalls:
             See LabelContent.
         moved : ndarray of shape (4, 4)
             From where the parts were measured to where they are.
-        probes : list of Probe
-        unit : LengthUnit
         colour_of : callable
             Red, green and blue from 0 to 255 for a thickness in mm.
-        section : SectionPlane or None
-        has_others : bool
+        section, has_others
             See LabelContent.
         """
         labels = []

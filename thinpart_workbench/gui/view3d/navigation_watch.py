@@ -12,13 +12,7 @@ _STILL = 250
 
 @guarded_methods(eventFilter=False)
 class NavigationWatch(QtCore.QObject):
-    """Watches the mouse over one 3D view.
-
-    Parameters
-    ----------
-    view : View3DInventorPy
-    name : str
-        Name of the document.
+    """Watches the mouse over one 3D view of a document, by the name of that.
 
     Notes
     -----

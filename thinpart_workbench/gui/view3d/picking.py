@@ -25,15 +25,7 @@ _CLICK_DISTANCE = 3
 
 
 def add_probe(thickness, point, opposite, value):
-    """Pin a probe; can be undone.
-
-    Parameters
-    ----------
-    thickness : FreeCAD.DocumentObject
-    point, opposite : array_like of shape (3,), mm
-        In current document coordinates.
-    value : float, mm
-    """
+    """Pin a probe, in mm, its ends array_like of shape (3,) in current document coordinates; can be undone."""
     ends = map(tuple, transform_points(inverse(moved_matrix(thickness)), (point, opposite)))
     _set(thickness, [*probes_of(thickness), Probe(*ends, float(value))],
          translate("ThinPart", "Pin thickness"))
@@ -61,10 +53,6 @@ def _set(thickness, probes, name):
 class ThicknessPicker(QtCore.QObject):
     """Tracks the mouse over the 3D views of one thickness map, from `start` to `stop`.
 
-    Parameters
-    ----------
-    thickness : FreeCAD.DocumentObject
-
     Signals
     -------
     hovered(object)
@@ -89,13 +77,7 @@ class ThicknessPicker(QtCore.QObject):
         self._timer.timeout.connect(self._hover)
 
     def start(self, pins=True):
-        """Start tracking the mouse.
-
-        Parameters
-        ----------
-        pins : bool
-            Whether clicks pin probes, which disables FreeCAD's selection in these views.
-        """
+        """Start tracking the mouse; clicks may pin probes, which disables FreeCAD's selection in these views."""
         self.stop()
         self._pins = pins
         for view in views_of(self._names[0]):

@@ -46,15 +46,7 @@ class WallFlight:
         self._mark = self.target = None
 
     def fly(self, document, wall, diagonal, unit):
-        """Fly to a wall and mark it.
-
-        Parameters
-        ----------
-        document : FreeCAD.Document
-        wall : PlacedWall
-        diagonal : float, mm
-            Of the part.
-        unit : LengthUnit
+        """Fly to a PlacedWall of a part, whose diagonal is in mm, and mark it.
 
         Returns
         -------
