@@ -5534,10 +5534,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{file} ist kein FreeCAD-Dokument.</translation>
     </message>
     <message>
-        <source>{file} is too large for a file of labels.</source>
-        <translation>{file} ist zu groß für eine Datei von Einordnungen.</translation>
-    </message>
-    <message>
         <source>{file} is truncated or not an STL file: its header says {announced} triangles, it holds {held}.</source>
         <translation>{file} ist abgeschnitten oder keine STL-Datei: Der Kopf nennt {announced} Dreiecke, enthalten sind {held}.</translation>
     </message>

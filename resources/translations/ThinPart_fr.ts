@@ -5534,10 +5534,6 @@ Son volume est inconnu.</translation>
         <translation>{file} n’est pas un document FreeCAD.</translation>
     </message>
     <message>
-        <source>{file} is too large for a file of labels.</source>
-        <translation>{file} est trop grand pour un fichier d’étiquettes.</translation>
-    </message>
-    <message>
         <source>{file} is truncated or not an STL file: its header says {announced} triangles, it holds {held}.</source>
         <translation>{file} est tronqué ou n’est pas un fichier STL : l’en-tête annonce {announced} triangles, il en contient {held}.</translation>
     </message>

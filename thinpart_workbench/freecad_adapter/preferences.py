@@ -236,6 +236,10 @@ PREFERENCES = {declared.name: declared for declared in (
 )}
 
 
+_STORED_AS = {bool: "Bool", int: "Int", float: "Float", str: "String"}
+"""How FreeCAD's parameters call the types of values; a colour is an unsigned number."""
+
+
 def preference(name):
     """Value of a preference; its default if it is not set or its stored value is invalid.
 
@@ -248,15 +252,8 @@ def preference(name):
     default = declared.default
     if isinstance(default, tuple):
         return _colour(group.GetUnsigned(name, _packed(default)))
-    if isinstance(default, bool):
-        return group.GetBool(name, default)
-    if isinstance(default, int):
-        value = group.GetInt(name, default)
-    elif isinstance(default, float):
-        value = group.GetFloat(name, default)
-    else:
-        value = group.GetString(name, default) or default
-    return value if declared.allows(value) else default
+    value = getattr(group, f"Get{_STORED_AS[type(default)]}")(name, default)
+    return default if value == "" or not declared.allows(value) else value
 
 
 def set_preference(name, value):
@@ -275,14 +272,8 @@ def set_preference(name, value):
         raise ThinPartError(f"{declared.title or name} cannot be {value!r}.", "usage")
     if isinstance(value, tuple):
         group.SetUnsigned(name, _packed(value))
-    elif isinstance(value, bool):
-        group.SetBool(name, value)
-    elif isinstance(value, int):
-        group.SetInt(name, value)
-    elif isinstance(value, float):
-        group.SetFloat(name, value)
     else:
-        group.SetString(name, value)
+        getattr(group, f"Set{_STORED_AS[type(value)]}")(name, value)
 
 
 def preferred_analysis():

@@ -10,7 +10,7 @@ from ..core.errors import ThinPartError
 from ..core.foreign_text import csv_text, csv_value
 from ..core.kinds.file_marks import LABELS
 from ..core.message import message
-from ..core.regular_file import open_regular
+from ..core.regular_file import read_regular
 from .output_file import check_output, write_output
 
 REQUIRED, OPTIONAL = ("file", "category"), ("part", "person", "sure", "second", "group")
@@ -101,15 +101,12 @@ def read_labels(path, categories):
 
 def _text(path, name):
     try:
-        with open_regular(path) as file:
-            data = file.read(LARGEST + 1)
+        data = read_regular(path, LARGEST)
     except FileNotFoundError:
         raise ThinPartError(message("There is no file of labels {file}.", file=path), "missing") from None
     except OSError as error:
         raise ThinPartError(message("The file of labels {file} cannot be read ({problem}).",
                                     file=name, problem=error.strerror), "unreadable") from None
-    if len(data) > LARGEST:
-        raise ThinPartError(message("{file} is too large for a file of labels.", file=name), "unreadable")
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:

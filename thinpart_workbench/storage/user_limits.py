@@ -28,18 +28,18 @@ def new_user_limits():
         kind ``failed`` if it cannot be written.
     """
     file = user_limits_file()
-    try:
-        if not os.path.lexists(file):
-            os.makedirs(file.parent, exist_ok=True)
-            write_output(file, SHIPPED.read_bytes(), LIMITS)
-    except OSError as error:
-        raise _not_written(file, error) from None
+    if not os.path.lexists(file):
+        _write(file, SHIPPED.read_bytes())
     return file
 
 
-def _not_written(file, error):
-    return ThinPartError(message("Your own limits {file} cannot be written ({problem}): make room, or name another file "
-                                 "in THINPART_LIMITS.", file=file, problem=error.strerror), "failed")
+def _write(file, content):
+    try:
+        os.makedirs(file.parent, exist_ok=True)
+        write_output(file, content, LIMITS)
+    except OSError as error:
+        raise ThinPartError(message("Your own limits {file} cannot be written ({problem}): make room, or name another file "
+                                    "in THINPART_LIMITS.", file=file, problem=error.strerror), "failed") from None
 
 
 def user_limits():
@@ -70,11 +70,7 @@ def write_user_limits(processes):
     """
     file = user_limits_file()
     content = {**limits_content(file if os.path.lexists(file) else SHIPPED), "processes": processes}
-    try:
-        os.makedirs(file.parent, exist_ok=True)
-        write_output(file, (json_text(content, indent=2) + "\n").encode(), LIMITS)
-    except OSError as error:
-        raise _not_written(file, error) from None
+    _write(file, (json_text(content, indent=2) + "\n").encode())
     return file
 
 

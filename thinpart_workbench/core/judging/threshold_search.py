@@ -216,8 +216,7 @@ def _measured(condition, descriptors, area_floor):
             found = [quantity.evaluate(part, area_floor) for part in descriptors]
             values[quantity.symbol] = np.array([quantity.absent_means if value is None else value for value in found], float)
     value = np.array([values[each.quantity.symbol] for each in conditions])
-    threshold = np.array([[max(each.value, area_floor) if each.quantity.is_area_share else each.value]
-                          for each in conditions])
+    threshold = np.array([[each.threshold(area_floor)] for each in conditions])
     with np.errstate(invalid="ignore"):
         holds = value > threshold if condition.comparison == ">" else value < threshold
     return _Candidates(list(conditions), np.array(steps, float), holds, holds | np.isnan(value))

@@ -6,6 +6,7 @@ from typing import Optional
 import numpy as np
 
 from ..descriptors.region_kinds import PLATE, TUBE
+from .shell_settings import SHARE_OF_DIAGONAL
 
 SHELL_VOLUME = 0.85
 """Share of the volume in plates and tubes from which on a part is a shell."""
@@ -85,6 +86,8 @@ def idealisation(measurement, solid_elements, shell_size, no_shell=""):
                         max(1, round(elements)) if walls else 0, why)
 
 
-def idealisation_values(found):
-    """An `Idealisation` as plain values, dict; numbers with six digits."""
+def idealisation_values(measurement, solid_elements, no_shell):
+    """The `Idealisation` of a part, with shells of the default size, as plain values, dict; numbers with six digits."""
+    size = SHARE_OF_DIAGONAL * measurement.descriptors.box.diagonal
+    found = idealisation(measurement, solid_elements, size, no_shell)
     return {name: float(f"{value:.6g}") if isinstance(value, float) else value for name, value in asdict(found).items()}

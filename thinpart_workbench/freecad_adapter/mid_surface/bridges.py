@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from ..shapes.same_shapes import same_shapes
+
 ON_SURFACE = 0.1
 """Distance from a mid-surface by the thickness up to which a face lies on it: facets of a round one are off a little."""
 
@@ -90,16 +92,14 @@ def connected_faces(faces, numbers):
 
 def _meets(faces, numbers):
     """Which faces share an edge with which: dict of set."""
-    edges = {}
-    for number in numbers:
-        for edge in faces[number].Edges:
-            edges.setdefault(edge.hashCode(), []).append((edge, number))
+    edges = [(edge, number) for number in numbers for edge in faces[number].Edges]
+    sharing = {}
+    for edge, (_, number) in zip(same_shapes(edge for edge, _ in edges), edges):
+        sharing.setdefault(edge, set()).add(number)
     meets = {number: set() for number in numbers}
-    for sharing in edges.values():
-        for one, first in sharing:
-            for other, second in sharing:
-                if first != second and one.isSame(other):
-                    meets[first].add(second)
+    for together in sharing.values():
+        for number in together:
+            meets[number] |= together - {number}
     return meets
 
 

@@ -12,6 +12,7 @@ from ...core.errors import ThinPartError
 from ...core.message import message
 from ..bootstrap import load_freecad
 from ..python_beside_freecad import run_module_limited
+from ..shapes.brep_file import read_brep, write_brep
 
 FEW = 40
 """Faces up to which they are cut within this process: that takes less than to start another one."""
@@ -63,9 +64,7 @@ def faces_cut(faces, tolerance, seconds=SECONDS):
         return faces[0].generalFuse(faces[1:], tolerance)[0].Faces
     with tempfile.TemporaryDirectory(prefix="thinpart-cut-") as folder:
         given, found = os.path.join(folder, "faces.brep"), os.path.join(folder, "cut.brep")
-        # FreeCAD's exception does not say that a disk is full; Python's does.
-        with open(given, "w", encoding="utf-8") as file:
-            file.write(Part.makeCompound(faces).exportBrepToString())
+        write_brep(Part.makeCompound(faces), given)
         end = run_module_limited(__spec__.name, [given, found, repr(tolerance)], seconds, folder)
         if end is None:
             return faces[0].generalFuse(faces[1:], tolerance)[0].Faces
@@ -74,22 +73,15 @@ def faces_cut(faces, tolerance, seconds=SECONDS):
         if end.code or not os.path.exists(found):
             raise ThinPartError(message("The mid-faces of the walls could not be cut to each other: mesh it as a solid."),
                                 "no_shell")
-        shape = Part.Shape()
-        shape.read(found)
-        return shape.Faces
+        return read_brep(found).Faces
 
 
 def main():
     """Read the faces of a file, and write the pieces."""
     given, found, tolerance = sys.argv[1:]
     load_freecad()
-    import Part
-
-    shape = Part.Shape()
-    shape.read(given)
-    first, *others = shape.Faces
-    with open(found, "w", encoding="utf-8") as file:
-        file.write(first.generalFuse(others, float(tolerance))[0].exportBrepToString())
+    first, *others = read_brep(given).Faces
+    write_brep(first.generalFuse(others, float(tolerance))[0], found)
 
 
 if __name__ == "__main__":

@@ -157,13 +157,7 @@ class MidRound:
 
         if self.middle is not None:
             away = profile - self.middle
-            low, high = _arc(np.arctan2(away[:, 1], away[:, 0]))
-            beyond = min(margin / self.radius, math.radians(60.0))
-            low, high = low - beyond, high + beyond
-            if high - low >= WHOLE:
-                high = low + 2.0 * math.pi
-            pieces = max(1, math.ceil((high - low) / WIDEST_PIECE - 1e-9))
-            ends = np.linspace(low, high, pieces + 1)
+            ends = _ends_of_pieces(np.arctan2(away[:, 1], away[:, 0]), margin / self.radius)
             edges = []
             for begin, end in zip(ends, ends[1:]):
                 places = [self.middle + self.radius * np.array([math.cos(angle), math.sin(angle)])
@@ -178,13 +172,7 @@ class MidRound:
                 apex = -self.start[0] / self.along[0]
                 low, high = (max(low, apex), high) if self.along[0] > 0.0 else (low, min(high, apex))
             edges = [Part.makeLine(at(*(self.start + low * self.along)), at(*(self.start + high * self.along)))]
-        low, high = _arc(self._angles(points))
-        beyond = min(margin / max(float(np.median(profile[:, 0])), 1e-9), math.radians(60.0))
-        low, high = low - beyond, high + beyond
-        if high - low >= WHOLE:
-            high = low + 2.0 * math.pi
-        pieces = max(1, math.ceil((high - low) / WIDEST_PIECE - 1e-9))
-        ends = np.degrees(np.linspace(low, high, pieces + 1))
+        ends = np.degrees(_ends_of_pieces(self._angles(points), margin / max(float(np.median(profile[:, 0])), 1e-9)))
         centre, axis = _vector(self.point), _vector(self.axis)
         found = []
         for edge in edges:
@@ -202,6 +190,17 @@ def _arc(angles):
     widest = int(np.argmax(gaps))
     low = angles[(widest + 1) % len(angles)]
     return float(low), float(low + 2.0 * math.pi - gaps[widest])
+
+
+def _ends_of_pieces(angles, beyond):
+    """The angles between which an arc is divided that has all angles, and up to 60 degrees beyond them."""
+    low, high = _arc(angles)
+    beyond = min(beyond, math.radians(60.0))
+    low, high = low - beyond, high + beyond
+    if high - low >= WHOLE:
+        high = low + 2.0 * math.pi
+    pieces = max(1, math.ceil((high - low) / WIDEST_PIECE - 1e-9))
+    return np.linspace(low, high, pieces + 1)
 
 
 def mid_shape(first, second, pair):

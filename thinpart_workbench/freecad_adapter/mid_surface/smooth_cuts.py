@@ -4,6 +4,8 @@ import math
 
 import numpy as np
 
+from ..shapes.same_shapes import same_shapes
+
 SMOOTH = math.cos(math.radians(5.0))
 """Cosine of the greatest angle between two faces that meet smoothly."""
 
@@ -43,20 +45,14 @@ def smooth_cuts(shape, walls):
 
 def _edges_between(faces):
     """Edges by the two faces that they lie between, the lower first."""
+    edges = [(edge, number) for number, face in enumerate(faces) for edge in face.Edges]
     owners = {}
-    for number, face in enumerate(faces):
-        for edge in face.Edges:
-            for known, numbers in owners.setdefault(edge.hashCode(), []):
-                if known.isSame(edge):
-                    numbers.append(number)
-                    break
-            else:
-                owners[edge.hashCode()].append((edge, [number]))
+    for edge, own in zip(same_shapes(edge for edge, _ in edges), edges):
+        owners.setdefault(edge, []).append(own)
     found = {}
-    for each in owners.values():
-        for edge, numbers in each:
-            if len(numbers) == 2 and numbers[0] != numbers[1]:
-                found.setdefault((min(numbers), max(numbers)), []).append(edge)
+    for (edge, first), *others in owners.values():
+        if len(others) == 1 and others[0][1] != first:
+            found.setdefault((first, others[0][1]), []).append(edge)
     return found
 
 

@@ -1,11 +1,11 @@
 """Shells for FreeCAD's FEM workbench: a mid-surface, its mesh of triangles, and the thickness of its faces."""
 
 import json
-import os
 
 from ...core.errors import ThinPartError
 from ...core.message import message
 from ...core.problem import problem_of
+from ..shapes.brep_file import read_brep
 from .fem_mesh import SETTINGS, SHELL_OF, join_analysis, part_property, read_mesh
 
 _GROUP = "ThinPart"
@@ -117,12 +117,8 @@ def _set_thicknesses(document, middle, old, thicknesses):
 
 
 def _read_shape(path):
-    import Part
-
-    shape = Part.Shape()
     try:
-        shape.read(os.fspath(path))
+        return read_brep(path)
     except Exception as error:  # FreeCAD raises its own exception classes
         raise ThinPartError(message("The mid-surface cannot be read ({problem}): free some disk space and try again.",
                                     problem=problem_of(error, message("FreeCAD cannot read it"))), "unreadable") from None
-    return shape

@@ -3,10 +3,9 @@
 import re
 from dataclasses import dataclass, field
 
-import numpy as np
-
 from ...core.rigid_transform import transform_points
 from ..bootstrap import load_freecad
+from ..mesh_arrays import mesh_arrays
 from ..occurrence import Occurrence, matrix_at, object_at, shape_at
 from ..shapes.equal_solids import equal_part
 from ..shapes.part import MeshedPart, SolidPart
@@ -251,14 +250,13 @@ def _add_solids(parts, root, path, leaf):
 
 
 def _add_mesh(parts, root, path, leaf, source):
-    points, triangles = source.Mesh.Topology
-    if not triangles:
+    points, triangles = mesh_arrays(source.Mesh)
+    if not len(triangles):
         return mesh_defect(leaf)
     # The points include the placement of the mesh object; only those of containers and links are missing.
     matrix = matrix_at(root, path) * source.Placement.toMatrix().inverse()
-    points = transform_points(matrix_array(matrix), [(p.x, p.y, p.z) for p in points])
-    part = MeshedPart(_unique_name(parts, leaf.Name), telling_label(root, path, leaf), points=points,
-                      triangles=np.array(triangles))
+    points = transform_points(matrix_array(matrix), points)
+    part = MeshedPart(_unique_name(parts, leaf.Name), telling_label(root, path, leaf), points=points, triangles=triangles)
     part.occurrences.append(Occurrence(root.Name, path, 0, root.Document.Name))
     parts.append(part)
     return None

@@ -1,9 +1,8 @@
 """The parts of a FreeCAD shape, mesh, object or document that a program passes in."""
 
-import numpy as np
-
 from ...core.errors import ThinPartError
 from ..bootstrap import load_freecad
+from ..mesh_arrays import mesh_arrays
 from ..shapes.part import MeshedPart
 from .document_parts import DocumentContent, document_content, object_content
 from .shape_parts import shape_parts
@@ -52,8 +51,7 @@ def held_content(source):
 
 
 def _meshed_part(mesh):
-    points, triangles = mesh.Topology
-    if not triangles:
+    points, triangles = mesh_arrays(mesh)
+    if not len(triangles):
         raise ThinPartError("The mesh has no triangles.", "empty")
-    return MeshedPart("Mesh", "mesh", points=np.array([(p.x, p.y, p.z) for p in points], dtype=np.float64),
-                      triangles=np.array(triangles, dtype=np.int64))
+    return MeshedPart("Mesh", "mesh", points=points, triangles=triangles)

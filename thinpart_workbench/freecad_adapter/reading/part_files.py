@@ -8,14 +8,13 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from xml.etree import ElementTree
 
-import numpy as np
-
 from ...core.errors import ThinPartError
 from ...core.file_formats import DOCUMENT, ENDINGS, MESH, SHAPE, format_of
 from ...core.message import message
 from ...core.problem import NOT_READ_BY_FREECAD, problem_of
 from ...system.exit_cause import is_out_of_memory
 from ..bootstrap import load_freecad
+from ..mesh_arrays import mesh_arrays
 from ..shapes.part import MeshedPart
 from .closed_links import closed_links_warning, keep_closed, special_links
 from .damaged_archive import DAMAGED_ARCHIVE
@@ -170,20 +169,17 @@ def _read_mesh(path):
     check_mesh_file(path)
     try:
         with _readable_path(path) as name:
-            mesh = Mesh.Mesh(name)
-        points, triangles = mesh.Topology
+            points, triangles = mesh_arrays(Mesh.Mesh(name))
     except MemoryError:
         raise
     except Exception as error:  # as above
         kind = "unsupported" if format_of(path).is_recent else "unreadable"
         raise ThinPartError(message("FreeCAD cannot read {file} ({problem}).",
                                     file=path.name, problem=_problem(error)), kind) from None
-    if not triangles:
+    if not len(triangles):
         raise ThinPartError(message("{file} is damaged, or its faces are not triangles: triangulate it first.",
                                     file=path.name), "unreadable")
-    points = np.array([(p.x, p.y, p.z) for p in points], dtype=np.float64)
-    return DocumentContent([MeshedPart("Mesh", path.stem, points=points,
-                                       triangles=np.array(triangles, dtype=np.int64))])
+    return DocumentContent([MeshedPart("Mesh", path.stem, points=points, triangles=triangles)])
 
 
 def _problem(error):

@@ -5,9 +5,12 @@
 
 import os
 import sys
+from collections import Counter
 
 from ..bootstrap import load_freecad
 from ..python_beside_freecad import run_module_limited
+from .brep_file import read_brep
+from .same_shapes import same_shapes
 
 MOST_FACES = 500
 """Of a solid, above which cutting its faces with each other takes too long."""
@@ -21,20 +24,8 @@ SAME_VOLUME = 1e-3
 
 def edges_of_many_faces(file):
     """How many edges of the shape in a BREP file join more than two faces: int."""
-    import Part
-
-    shape = Part.Shape()
-    shape.read(os.fspath(file))
-    uses: dict = {}
-    for face in shape.Faces:
-        for edge in face.Edges:
-            same = uses.setdefault(edge.hashCode(), [])
-            own = next((each for each in same if each[0].isSame(edge)), None)
-            if own is None:
-                same.append([edge, 1])
-            else:
-                own[1] += 1
-    return sum(count > 2 for same in uses.values() for _, count in same)
+    edges = [edge for face in read_brep(file).Faces for edge in face.Edges]
+    return sum(count > 2 for count in Counter(same_shapes(edges)).values())
 
 
 def write_mended(file, output, seconds=SECONDS):
@@ -70,8 +61,7 @@ def write_mended(file, output, seconds=SECONDS):
 def _write(file, output):
     import Part
 
-    whole = Part.Shape()
-    whole.read(os.fspath(file))
+    whole = read_brep(file)
     if len(whole.Solids) != 1 or not 2 <= len(whole.Faces) <= MOST_FACES:
         return False
     solid = whole.Solids[0]
@@ -94,18 +84,12 @@ def _write(file, output):
 def _kept_pieces(faces):
     """Pieces that come of an odd number of faces; None where all do."""
     _, images = faces[0].generalFuse(faces[1:])
-    by_code: dict = {}
-    for piece in (piece for image in images for shape in image for piece in shape.Faces):
-        by_code.setdefault(piece.hashCode(), []).append(piece)
-    kept, dropped = [], False
-    for pieces in by_code.values():
-        while pieces:
-            same = [piece for piece in pieces if piece.isSame(pieces[0])]
-            pieces = [piece for piece in pieces if not piece.isSame(same[0])]
-            dropped |= len(same) > 1
-            if len(same) % 2:
-                kept.append(same[0])
-    return kept if dropped else None
+    pieces = [piece for image in images for shape in image for piece in shape.Faces]
+    numbers = same_shapes(pieces)
+    counts = Counter(numbers)
+    if len(counts) == len(pieces):
+        return None
+    return [pieces[numbers.index(number)] for number, count in counts.items() if count % 2]
 
 
 def main():

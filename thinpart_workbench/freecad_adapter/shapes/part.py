@@ -10,6 +10,7 @@ from ...core.errors import ThinPartError
 from ...core.mesh.surface_mesh import surface_mesh, unchecked_mesh
 from ...core.mesh.thinned_facets import thinned_facets
 from ...core.message import message
+from .brep_file import write_brep
 from .exact_wall import exact_wall
 from .solid_measures import SolidMeasures
 from .solid_mesher import SolidMesher, missing_faces
@@ -92,9 +93,7 @@ class SolidPart(Part):
 
     def write_brep(self, path):
         """Write the solid to a BREP file; an OSError where that cannot be done."""
-        # FreeCAD's exception does not say that a disk is full; Python's does.
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self.shape.exportBrepToString())
+        write_brep(self.shape, path)
 
     def missing_faces(self, mesh):
         """Names of the faces that have no triangles in a mesh."""

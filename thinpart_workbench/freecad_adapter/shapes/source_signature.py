@@ -4,6 +4,7 @@ import numpy as np
 
 from ...core.rigid_transform import transform_directions, transform_points
 from ..bootstrap import load_freecad
+from ..mesh_arrays import mesh_arrays
 from .placements import placement_matrix
 from .tolerances import SHAPE_TOLERANCES
 
@@ -94,8 +95,7 @@ def _piece_measures(key, piece):
 
 def _mesh_measures(source):
     """Measures of a mesh. Its points include the object's placement, which is removed first."""
-    points = np.array([(p.x, p.y, p.z) for p in source.Mesh.Topology[0]])
-    points = transform_points(placement_matrix(source.Placement.inverse()), points)
+    points = transform_points(placement_matrix(source.Placement.inverse()), mesh_arrays(source.Mesh)[0])
     size = float(np.ptp(points, axis=0).sum()) or 1.0
     order = np.sin(np.arange(1.0, len(points) + 1.0)) / len(points)
     # A mesh is stored in single precision, so moving it back and forth changes its points.

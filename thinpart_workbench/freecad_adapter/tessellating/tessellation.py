@@ -13,6 +13,7 @@ from ...core.message import message
 from ...core.problem import problem_of
 from ...system.exit_cause import is_out_of_memory
 from ..bootstrap import load_freecad
+from ..mesh_arrays import mesh_arrays
 from .geometry_normals import geometry_normals
 
 COMFORTABLE_TRIANGLES = 100_000
@@ -117,7 +118,7 @@ def tessellate(shape, linear_deflection, angular_deflection):
             "look in FreeCAD what 'Check geometry' says about it")))) from None
     if mesh.CountFacets == 0:
         raise MeshError(message("FreeCAD could not tessellate any of its faces."))
-    points, triangles = _arrays(mesh)
+    points, triangles = mesh_arrays(mesh)
     points += (centre.x, centre.y, centre.z)
     faces = local.Faces
     normals = geometry_normals(
@@ -173,17 +174,6 @@ def _node_parameters(face):
         return face.getUVNodes()
     except RuntimeError:  # it has no triangulation
         return []
-
-
-def _arrays(mesh):
-    """Points and triangles of a Mesh.Mesh.
-
-    `Mesh.write` to a stream would need no Python object for each point, but loses bytes that are no text; FreeCAD 1.1
-    refuses to write to a file in memory. A file in a folder takes as long as this with few triangles.
-    """
-    points, triangles = mesh.Topology
-    return (np.fromiter(chain.from_iterable(points), np.float64, 3 * len(points)).reshape(-1, 3),
-            np.fromiter(chain.from_iterable(triangles), np.int64, 3 * len(triangles)).reshape(-1, 3))
 
 
 def _face_of_triangle(mesh, faces):

@@ -5,7 +5,7 @@ import numpy as np
 from ...core.errors import ThinPartError
 from ...core.message import message
 from ...core.problem import problem_of
-from ...core.regular_file import open_regular
+from ...core.regular_file import read_regular
 
 LARGEST = 2 << 30
 """Bytes of a file above which it is not read."""
@@ -76,9 +76,7 @@ def read_triangles(path, order=1):
 
 def _read(path):
     try:
-        with open_regular(path) as file:
-            content = file.read(LARGEST)
-        return _elements(content)
+        return _elements(read_regular(path, LARGEST))
     except (OSError, ValueError, IndexError, KeyError) as error:
         raise ThinPartError(message(
             "The mesh {file} cannot be read ({problem}).", file=path,

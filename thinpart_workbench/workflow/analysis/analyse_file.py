@@ -40,14 +40,12 @@ class FileTask:
     pages: Optional[ReportPages] = None
 
 
-def analyse_file(task, report=None, before_reading=None):
+def analyse_file(task, before_reading=None):
     """Analyse every part of a file, or take the results from a current info file.
 
     Parameters
     ----------
     task : FileTask
-    report : callable, optional
-        See `analyse_part`.
     before_reading : callable, optional
         Called where the info file is not current, so that the file has to be read.
 
@@ -78,7 +76,7 @@ def analyse_file(task, report=None, before_reading=None):
     found = read_parts(task.file)
     read_seconds = time.perf_counter() - started
     pages = task.pages and PageMaker(task.pages, source, task.settings.content(), task.profile)
-    records, failures, drawn = _analyse_parts(found.parts, task, read_seconds, pages, report)
+    records, failures, drawn = _analyse_parts(found.parts, task, read_seconds, pages)
     failures += [broken.failure() for broken in found.broken]
     if not records and len(failures) == 1:
         raise ThinPartError(failures[0]["message"], failures[0]["kind"])
@@ -89,7 +87,7 @@ def analyse_file(task, report=None, before_reading=None):
     return outcome
 
 
-def _analyse_parts(parts, task, read_seconds, pages, report):
+def _analyse_parts(parts, task, read_seconds, pages):
     from .analyse_part import analyse_parts
 
     drawn = {}
@@ -102,7 +100,7 @@ def _analyse_parts(parts, task, read_seconds, pages, report):
             pictures.page, pictures.picture = pages.make(part, measurement, record)
         drawn[record["name"]] = pictures.content()
 
-    records, failures = analyse_parts(parts, task.settings, profile_from(task.profile), read_seconds, report, on_part)
+    records, failures = analyse_parts(parts, task.settings, profile_from(task.profile), read_seconds, on_result=on_part)
     return records, failures, drawn
 
 

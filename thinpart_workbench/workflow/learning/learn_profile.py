@@ -188,11 +188,7 @@ def _check_counts(counts, categories):
 
 
 def _change(criterion, before, after):
-    return Change(criterion.category, str(criterion.id), _text(before), None if after is None else _text(after))
-
-
-def _text(condition):
-    return f"{condition.quantity.symbol} {condition.comparison} {condition.value:g}"
+    return Change(criterion.category, str(criterion.id), before.text, None if after is None else after.text)
 
 
 def _source(parts, people, start):

@@ -7,6 +7,7 @@ from functools import partial
 import numpy as np
 
 from ...core.errors import ThinPartError
+from ...core.mesh.sampling import even_samples
 from ...core.mesh.tetrahedra import POOR, inverse_condition_numbers, layers_through, radius_ratios
 from ...core.message import message
 from ...core.sizing.size_boxes import size_boxes
@@ -187,11 +188,8 @@ def thin_places(measurement, proposal):
     """
     field = measurement.field
     thin = np.flatnonzero((field.area > 0.0) & field.parallel & (field.distance < proposal.thin_limit))
-    # Evenly spread samples, each for the same share of the area of all.
     if len(thin):
-        reached = np.cumsum(field.area[thin])
-        asked = (np.arange(LAYERS_ASKED) + 0.5) / LAYERS_ASKED * reached[-1]
-        thin = thin[np.unique(np.searchsorted(reached, asked))]
+        thin = thin[np.unique(even_samples(field.area[thin], LAYERS_ASKED))]
     here = field.samples.points[thin] + field.mesh.origin
     there = here - field.distance[thin, None] * field.normals[thin]
     return here, there, field.area[thin], max(1, int(np.floor(proposal.layers + 1e-6)))

@@ -5,6 +5,7 @@ import os
 import numpy as np
 
 from ...core.shells.shell_mesh import ALIKE
+from ...freecad_adapter.shapes.brep_file import write_brep
 from ...storage.exchange.shell_files import write_shell
 
 SHELL_SHAPE, SHELL_MESH, SHELL_FACETS, SHELL_THICKNESS = "middle.brep", "shell.unv", "shell.npy", "shell_thickness.npy"
@@ -29,9 +30,7 @@ def write_part_shell(folder, shell, label):
         and ``faces`` of the mid-surface, from 0: walls of about one thickness share one.
     """
     mesh = shell.mesh
-    # FreeCAD's exception does not say that a disk is full; Python's does.
-    with open(os.path.join(folder, SHELL_SHAPE), "w", encoding="utf-8") as file:
-        file.write(shell.shape.exportBrepToString())
+    write_brep(shell.shape, os.path.join(folder, SHELL_SHAPE))
     write_shell(os.path.join(folder, SHELL_MESH), mesh, label)
     save_whole(os.path.join(folder, SHELL_FACETS), mesh.points[mesh.triangles[:, :3]].astype(np.float32))
     save_whole(os.path.join(folder, SHELL_THICKNESS), mesh.thickness.astype(np.float32))

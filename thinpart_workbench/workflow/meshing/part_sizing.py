@@ -8,8 +8,7 @@ import numpy as np
 from ...core.maps.facet_refinement import cut_sides, side_lengths
 from ...core.mesh.tetrahedra import POOR, radius_ratios
 from ...core.message import message
-from ...core.shells.shell_or_solid import idealisation, idealisation_values
-from ...core.shells.shell_settings import SHARE_OF_DIAGONAL
+from ...core.shells.shell_or_solid import idealisation_values
 from ...core.sizing.size_proposal import propose_sizes
 from ...core.sizing.size_sources import size_sources
 from .gmsh_program import convert_mesh
@@ -64,9 +63,7 @@ class PartSizing:
             "least_size": proposal.least_size, "order": settings.order, "growth": settings.growth,
             "unbounded_elements": None if unbounded is None else unbounded.elements,
             "regions": self._rows(proposal, settings), "left_out": proposal.left_out,
-            "idealisation": idealisation_values(idealisation(
-                self._measurement, proposal.elements, SHARE_OF_DIAGONAL * self._measurement.descriptors.box.diagonal,
-                self.no_shell)),
+            "idealisation": idealisation_values(self._measurement, proposal.elements, self.no_shell),
         }
 
     def facets(self):

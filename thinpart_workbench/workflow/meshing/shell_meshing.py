@@ -14,6 +14,7 @@ from ...core.shells.facing_faces import facing_faces
 from ...core.shells.open_ends import open_ends
 from ...core.shells.shell_mesh import ShellMesh, shell_mesh
 from ...core.shells.shell_settings import SHARE_OF_DIAGONAL, ShellSettings
+from ...freecad_adapter.shapes.brep_file import write_brep
 from ...storage.exchange.msh_file import read_triangles
 from .gmsh_program import INCOMPLETE, mesh_surface
 
@@ -151,9 +152,7 @@ def shell_of_part(part, measurement, program, seconds, settings=None, report=Non
     size, order = settings.size or _default_size(middle, measurement), settings.order
     with tempfile.TemporaryDirectory(prefix="thinpart-shell-") as folder:
         file, output = os.path.join(folder, "middle.brep"), os.path.join(folder, "middle.msh")
-        # FreeCAD's exception does not say that a disk is full; Python's does.
-        with open(file, "w", encoding="utf-8") as stream:
-            stream.write(middle.shape.exportBrepToString())
+        write_brep(middle.shape, file)
         reason, _ = mesh_surface(program, file, output, seconds, folder, size, AROUND, order)
         if reason:
             raise ThinPartError(message("The mid-surface of {part} could not be meshed ({problem}): name another element "

@@ -16,8 +16,8 @@ from ...core.file_formats import is_shape
 from ...core.judging.classification import classify
 from ...core.judging.criteria import profile_from
 from ...core.message import message
-from ...core.shells.shell_or_solid import idealisation, idealisation_values
-from ...core.shells.shell_settings import SHARE_OF_DIAGONAL, ShellSettings
+from ...core.shells.shell_or_solid import idealisation_values
+from ...core.shells.shell_settings import ShellSettings
 from ...core.sizing.size_proposal import propose_sizes
 from ...core.sizing.sizing_settings import SizingSettings
 from ...storage.exchange.gmsh_shape import gmsh_ending
@@ -71,13 +71,13 @@ class SizeTask:
     part: Optional[str] = None
 
 
-def propose_for_document(task, note=None):
+def propose_for_document(task, note):
     """Propose sizes for every part of a document.
 
     Parameters
     ----------
     task : SizeTask
-    note : StepNote, optional
+    note : StepNote
         Is told what is done with which part.
 
     Returns
@@ -103,8 +103,7 @@ def propose_for_document(task, note=None):
                                     file=Path(task.file).name, count=len(parts), example=parts[0].name), "usage")
     records, failures = [], [each.failure() for each in broken]
     for number, part in enumerate(parts, 1):
-        if note is not None:
-            note.part(part.label, number, len(parts))
+        note.part(part.label, number, len(parts))
         try:
             records.append(_proposed(part, profile, task, len(content.parts) == 1, note))
         except ThinPartError as error:
@@ -113,8 +112,7 @@ def propose_for_document(task, note=None):
 
 
 def _proposed(part, profile, task, is_alone, note):
-    begin = _no_note if note is None else note.begin
-    begin(MEASURE)
+    note.begin(MEASURE)
     measurement, judged = analyse_part(part, task.analysis, profile)
     diagonal = measurement.descriptors.box.diagonal
     limit = classify(measurement.descriptors, profile).thin_limit_x * diagonal
@@ -131,12 +129,12 @@ def _proposed(part, profile, task, is_alone, note):
                 shape = os.path.join(folder, f"document{gmsh_ending(task.file)}")
                 shutil.copyfile(task.file, shape)
             check, tried = checked_sizes(task.program, shape, measurement, proposal, task.seconds, folder, solid=solid,
-                                         on_step=begin)
+                                         on_step=note.begin)
             proposal = tried.proposal
             if tried.mended and task.has_sources:
                 mended = Path(tried.mended).read_text(encoding="utf-8")
     if task.shell is not None:
-        begin(SHELL)
+        note.begin(SHELL)
     shell = None if task.shell is None else _shell(part, measurement, task)
     record = size_record(part, judged, measurement, proposal, check, task.has_sources, tried,
                          shell_obstacle(part, measurement) if shell is None else shell["reason"])
@@ -147,10 +145,6 @@ def _proposed(part, profile, task, is_alone, note):
     return record
 
 
-def _no_note(step, attempt=1):
-    """Nobody is told."""
-
-
 def _shell(part, measurement, task):
     """The shell of a part as plain values, or why there is none: its sizes are proposed all the same."""
     try:
@@ -159,7 +153,7 @@ def _shell(part, measurement, task):
         return no_shell_record(error)
 
 
-def size_record(part, record, measurement, proposal, check, has_sources, tried=None, no_shell=""):
+def size_record(part, record, measurement, proposal, check, has_sources, tried, no_shell):
     """What is proposed for a part, of plain values: dict, all lengths in mm.
 
     Parameters
@@ -173,7 +167,7 @@ def size_record(part, record, measurement, proposal, check, has_sources, tried=N
     has_sources : bool
         With ``sources``: rows of x, y, z, size and radius, mm; ``inner``: points within the part; and ``box``: the least and
         greatest coordinates.
-    tried : MeshTry, optional
+    tried : MeshTry or None
         What was meshed.
     no_shell : str
         Why a shell cannot be made; see `idealisation`.
@@ -192,7 +186,7 @@ def size_record(part, record, measurement, proposal, check, has_sources, tried=N
             "layers": _rounded(unbounded.layers), "least_size": _rounded(unbounded.least_size),
             "elements": unbounded.elements},
         "regions": [_region_row(each) for each in proposal.regions],
-        "check": check, "idealisation": _idealisation(measurement, proposal, no_shell),
+        "check": check, "idealisation": idealisation_values(measurement, proposal.elements, no_shell),
         "left_out": proposal.left_out,
         "gmsh_options": [{"name": name, "value": value} for name, value in options.items()],
         "is_mended": bool(tried and tried.mended),
@@ -203,11 +197,6 @@ def size_record(part, record, measurement, proposal, check, has_sources, tried=N
         found["sources"] = np.column_stack([sources.points, sources.sizes, sources.radius]).tolist()
         found["box"] = [(end(vertices, axis=0) + measurement.field.mesh.origin).tolist() for end in (np.min, np.max)]
     return found
-
-
-def _idealisation(measurement, proposal, no_shell):
-    return idealisation_values(idealisation(measurement, proposal.elements,
-                                            SHARE_OF_DIAGONAL * measurement.descriptors.box.diagonal, no_shell))
 
 
 def _region_row(each):
