@@ -76,14 +76,9 @@ def head_text(text):
 
 
 def csv_text(rows):
-    """Rows as lines of a CSV file, which no spreadsheet computes and no terminal obeys: str.
+    """Rows, tuples of str, numbers and None, as lines of a CSV file that no spreadsheet computes and no terminal obeys: str.
 
     Without characters that UTF-8 cannot hold.
-
-    Parameters
-    ----------
-    rows : iterable of tuple
-        Of str, numbers and None.
     """
     text = io.StringIO(newline="")
     csv.writer(text).writerows(map(_csv_cell, row) for row in rows)

@@ -69,12 +69,7 @@ def message(template, /, **fields):
 
 
 def joined(sentences):
-    """Join sentences, with spaces between, into one text: str, or a Message where one of them is.
-
-    Parameters
-    ----------
-    sentences : iterable of str
-    """
+    """Join sentences, with spaces between, into one text: str, or a Message where one of them is."""
     text = None
     for sentence in sentences:
         text = sentence if text is None else message("{first} {next}", first=text, next=sentence)
@@ -105,13 +100,9 @@ def in_other_words(text, look_up, unit):
 
 
 def to_data(sentence):
-    """Convert a message to JSON data: dict.
+    """Convert a Message to JSON data: dict.
 
     ``template``, and ``fields`` by name, with nested messages in the same form, and figures as `figures.Figure.data`.
-
-    Parameters
-    ----------
-    sentence : Message
     """
     return {"template": sentence.template, "fields": {name: _field_data(value) for name, value in sentence.fields.items()}}
 
@@ -129,14 +120,9 @@ def from_data(data):
 
 
 def with_messages(content):
-    """Add the templates and fields of its messages to an object, for a line of JSON: dict.
+    """Add the templates and fields of its messages, at any depth, to a dict, for a line of JSON: dict.
 
     The same, with a list under `MESSAGES_KEY` if it contains messages. In JSON, messages are their text.
-
-    Parameters
-    ----------
-    content : dict
-        Its values may contain messages at any depth.
     """
     found: dict[Message, Message] = {}
     _collect(content, found)

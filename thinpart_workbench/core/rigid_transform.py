@@ -59,14 +59,10 @@ def inverse(matrix):
 
 
 def nearest_motion(points, others):
-    """Find the rigid transform that brings points nearest to others, by least squares: ndarray of shape (4, 4).
+    """Rigid transform that brings points nearest to others, both of shape (n, 3), mm, by least squares: shape (4, 4).
 
     Kabsch 1976, doi:10.1107/S0567739476001873. Mirrored points are not brought onto the others: the result is
     always a rotation.
-
-    Parameters
-    ----------
-    points, others : ndarray of shape (n, 3), mm
     """
     middle, other_middle = points.mean(axis=0), others.mean(axis=0)
     left, _, right = np.linalg.svd((points - middle).T @ (others - other_middle))

@@ -7,12 +7,7 @@ DOCUMENT_XML = "Document.xml"
 
 
 def is_fcstd(file):
-    """Whether an open file is a FreeCAD document: a ZIP archive that contains Document.xml, whatever its name.
-
-    Parameters
-    ----------
-    file : binary file
-        Its position afterwards is undefined.
+    """Whether an open binary file, whatever its name, is a FreeCAD document: a ZIP archive that contains Document.xml.
 
     Raises
     ------

@@ -61,13 +61,7 @@ def _said(part, measured):
 
 
 def labels_text(labels):
-    """What people say of a part, in a line: "thin (Anna); normal (Bert, unsure)".
-
-    Parameters
-    ----------
-    labels : list of dict
-        As in a part record.
-    """
+    """What people say of a part, ``labels`` of its record, in a line: "thin (Anna); normal (Bert, unsure)"."""
     return "; ".join(f"{label['category']} ({label['person']}{'' if label['sure'] else ', unsure'})" for label in labels)
 
 

@@ -11,14 +11,9 @@ _SECONDS_TO_TRY = 10
 
 
 def bubblewrap(folder=None):
-    """The prefix of a command that confines it to writing into one folder and takes away its network: list of str.
+    """The prefix of a command that confines it to writing into one existing folder, or none, without network: list of str.
 
     The confined process is not a child of the caller, but still ends with the bwrap process.
-
-    Parameters
-    ----------
-    folder : str, optional
-        An existing folder; nothing can be written by default.
     """
     writable = [] if folder is None else ["--bind", folder, folder]
     # Mount /dev before the folder, which may lie in /dev/shm.

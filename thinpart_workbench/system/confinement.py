@@ -44,13 +44,7 @@ def confined_command(command, confinement, folder):
 
 
 def confine_writing(confinement, folder):
-    """Restrict this process to writing into one folder, for good, where `confine` would; it may still do all else.
-
-    Parameters
-    ----------
-    confinement, folder
-        The same as for the command that started the process.
-    """
+    """Restrict this process to writing into one folder, for good, where `confine` would; it may still do all else."""
     if confinement == LANDLOCK:
         with suppress(OSError):  # `confine` reports it
             write_only_below([folder])

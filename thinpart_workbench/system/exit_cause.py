@@ -77,24 +77,14 @@ KILLED_END = ProcessEnd(_TERMINATED_BY_QT if sys.platform == "win32" else -signa
 
 
 def mentions_lack_of_memory(words):
-    """Whether the output of a process, or the text of an exception, reports a lack of memory.
-
-    Parameters
-    ----------
-    words : bytes or str
-    """
+    """Whether the output of a process, bytes, or the text of an exception reports a lack of memory."""
     if isinstance(words, str):
         words = words.encode("utf-8", "replace")
     return any(sign in words for sign in _MEMORY_SIGNS)
 
 
 def is_out_of_memory(error):
-    """Whether an exception was caused by lack of memory; FreeCAD and OCCT have their own exception classes for it.
-
-    Parameters
-    ----------
-    error : Exception
-    """
+    """Whether an exception was caused by lack of memory; FreeCAD and OCCT have their own exception classes for it."""
     return isinstance(error, MemoryError) or mentions_lack_of_memory(f"{type(error).__name__}: {error}")
 
 

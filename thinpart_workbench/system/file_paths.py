@@ -9,10 +9,6 @@ def relative_path(path, start):
     """A path relative to a folder, with ``/`` as separator, which every system reads: str.
 
     The unchanged path if there is no relative one, because the drives differ.
-
-    Parameters
-    ----------
-    path, start : str or Path
     """
     try:
         relative = _path.relpath(path, start)
@@ -22,12 +18,7 @@ def relative_path(path, start):
 
 
 def path_in_tree(folder, top):
-    """The path of a folder in the tree below another one, str; a folder on another drive is below that drive's letter.
-
-    Parameters
-    ----------
-    folder, top : str or Path
-    """
+    """The path of a folder in the tree below another one, str; a folder on another drive is below that drive's letter."""
     folder = _path.abspath(folder)
     try:
         return _path.relpath(folder, _path.abspath(top))
@@ -37,13 +28,7 @@ def path_in_tree(folder, top):
 
 
 def is_below(folder, top):
-    """Whether a folder equals another one or lies in it. All drives lie below `os.sep`, which names no drive.
-
-    Parameters
-    ----------
-    folder, top : str
-        Absolute paths; `top` may be `os.sep`.
-    """
+    """Whether an absolute folder equals another one, or lies in it; all drives lie below `os.sep`, which names no drive."""
     if top == _path.sep:
         return True
     top = _path.abspath(top)

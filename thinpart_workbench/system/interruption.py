@@ -27,13 +27,7 @@ def without_ctrl_c():
 
 
 def interrupt_main_thread(number):
-    """Have the main thread handle a signal soon, even where it waits for the system; for another thread.
-
-    Parameters
-    ----------
-    number : int
-        One of `STOP_SIGNALS`.
-    """
+    """Have the main thread handle one of `STOP_SIGNALS` soon, even where it waits for the system; for another thread."""
     if hasattr(signal, "pthread_kill"):
         signal.pthread_kill(threading.main_thread().ident, number)  # system calls end early
     else:

@@ -48,14 +48,9 @@ def landlock_version():
 
 
 def write_only_below(folders):
-    """Restrict this process and its children to writing below some folders and to /dev/null.
+    """Restrict this process and its children to writing below some existing folders and to /dev/null.
 
     Reading is not restricted. The restriction cannot be undone.
-
-    Parameters
-    ----------
-    folders : list of str
-        Folders that exist.
 
     Raises
     ------

@@ -17,16 +17,11 @@ _TICK = 1.0
 
 
 def end_with_parent(parent):
-    """Make the system end this process when its parent ends.
+    """Make the system end this process when its parent, by process id, ends, or now if it has ended already.
 
     A reader of CAD files may hold Python's lock for minutes, so code in this process could not check whether the
     parent still runs. Linux and Windows end the process nevertheless. On macOS, and on systems without such a
     service, a thread waits for the parent's end, and a process inside such foreign code goes on until that returns.
-
-    Parameters
-    ----------
-    parent : int
-        Process id of the parent, which may have ended before this call.
 
     Notes
     -----

@@ -7,12 +7,7 @@ from . import windows
 
 
 def lower_priority(process):
-    """Lower the priority of a process, so that others go first if there are few processors.
-
-    Parameters
-    ----------
-    process : int
-        Process id.
+    """Lower the priority of a process, by its id, so that others go first if there are few processors.
 
     Raises
     ------

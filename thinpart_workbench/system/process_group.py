@@ -9,13 +9,7 @@ OWN_GROUP = sys.platform != "win32"
 
 
 def kill_group(process):
-    """Kill a process, and on Unix all processes that it has started, unless they have left its group.
-
-    Parameters
-    ----------
-    process : subprocess.Popen
-        Started with `OWN_GROUP`. It may have ended.
-    """
+    """Kill a Popen started with `OWN_GROUP`, ended or not, and on Unix all it started that is still in its group."""
     if not OWN_GROUP:
         process.kill()
         return

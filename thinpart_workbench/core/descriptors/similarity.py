@@ -201,14 +201,9 @@ def score(distance):
 
 
 def reasons(terms):
-    """Describe the similarity of two parts in words: str.
+    """Describe the similarity of two parts, a row of `Similarity.terms`, in words: str.
 
     Such as "same wall distribution, same fill, longer box, less flat box".
-
-    Parameters
-    ----------
-    terms : ndarray of shape (len(TERMS),)
-        A row of `Similarity.terms`.
     """
     return ", ".join(filter(None, map(_words, TERMS, terms)))
 

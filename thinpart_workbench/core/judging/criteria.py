@@ -208,13 +208,7 @@ class Profile:
 
 
 def load_profile(name_or_file=DEFAULT_PROFILE):
-    """Read a profile; raises ProfileError.
-
-    Parameters
-    ----------
-    name_or_file : str or Path
-        A shipped profile's name, or a JSON file.
-    """
+    """Read a profile by a shipped one's name, or from a JSON file; raises ProfileError."""
     path = PROFILES / f"{name_or_file}.json"
     if not os.path.isfile(path):  # Path.is_file raises an error for a name that is too long
         path = Path(name_or_file)
@@ -233,13 +227,7 @@ def load_profile(name_or_file=DEFAULT_PROFILE):
 
 
 def given_profile(profile=DEFAULT_PROFILE):
-    """Get a profile from any of the forms in which a caller may give it: Profile; raises ProfileError.
-
-    Parameters
-    ----------
-    profile : str, Path, dict or Profile
-        A shipped profile's name, a JSON file, the content of one, or the profile itself.
-    """
+    """The Profile that a shipped one's name, a JSON file, its content, or a Profile stands for; raises ProfileError."""
     if isinstance(profile, Profile):
         return profile
     return usable_profile(profile) if isinstance(profile, dict) else load_profile(profile)

@@ -76,11 +76,7 @@ def foretellings(descriptors, has_trouble, more=()):
 
 
 def area_under_curve(yes, no):
-    """The probability that a value of one group exceeds one of the other, ties counting half: float.
-
-    Parameters
-    ----------
-    yes, no : ndarray of shape (m,) and (n,)
+    """The probability that a value of one group, an ndarray, exceeds one of the other, ties counting half: float.
 
     Notes
     -----

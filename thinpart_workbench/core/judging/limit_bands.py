@@ -32,13 +32,7 @@ class LimitBand:
 
 
 def limit_bands(least, most):
-    """Divide all thicknesses by limits: list of LimitBand, the thinnest first.
-
-    Parameters
-    ----------
-    least, most : float, mm
-        0 for no such limit.
-    """
+    """Divide all thicknesses by limits, float, mm, 0 for none: list of LimitBand, the thinnest first."""
     end = most * (1.0 + AT_LIMIT) if most > 0.0 else float("inf")
     bands, low = [], 0.0
     if least > 0.0:

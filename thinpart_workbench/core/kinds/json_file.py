@@ -37,13 +37,7 @@ def read_json(path, most=LARGEST_WRITTEN):
 
 
 def parsed_json(data):
-    """The value that JSON text stands for: object; raises UnreadableJson.
-
-    Parameters
-    ----------
-    data : bytes
-        In any of the encodings of Unicode.
-    """
+    """The value that JSON text stands for, bytes in any of the encodings of Unicode: object; raises UnreadableJson."""
     try:
         return _DECODE(str(data, json.detect_encoding(data)))
     except UnicodeDecodeError as error:

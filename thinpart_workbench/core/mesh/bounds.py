@@ -56,11 +56,7 @@ class OrientedBox:
 
 
 def principal_box(points):
-    """Compute the box along the principal axes of the vertices, as in the paper: OrientedBox.
-
-    Parameters
-    ----------
-    points : ndarray of shape (v, 3), mm
+    """Compute the box along the principal axes of vertices, ndarray of shape (v, 3), mm, as in the paper: OrientedBox.
 
     Notes
     -----

@@ -7,11 +7,7 @@ _RADIX = 1 << 16
 
 
 def edge_balance(triangles):
-    """Count the uses of each undirected edge.
-
-    Parameters
-    ----------
-    triangles : ndarray of shape (n, 3), int64
+    """Count the uses of each undirected edge of triangles, ndarray of shape (n, 3), int64.
 
     Returns
     -------
@@ -27,11 +23,7 @@ def edge_balance(triangles):
 
 
 def shared_sides(triangles):
-    """Find pairs of sides of triangles that share an edge.
-
-    Parameters
-    ----------
-    triangles : ndarray of shape (n, 3), int64
+    """Find pairs of sides of triangles, ndarray of shape (n, 3), int64, that share an edge.
 
     Returns
     -------
@@ -47,10 +39,6 @@ def paired_sides(triangles):
     """The `shared_sides` if each side has exactly one counterpart, which runs the other way; otherwise None.
 
     Such a surface is closed, no triangle is repeated, and none has twice the same corner.
-
-    Parameters
-    ----------
-    triangles : ndarray of shape (n, 3), int64
     """
     order, low, high = _by_edge(triangles)
     if len(order) % 2:

@@ -90,11 +90,7 @@ def box_tree(corners, normals, areas, gap=0.0):
 
 
 def children_of_nodes(values):
-    """Arrange values in curve order like the last level: row is child, column is node.
-
-    Parameters
-    ----------
-    values : ndarray of shape (n,)
+    """Arrange values, ndarray of shape (n,), in curve order like the last level: row is child, column is node.
 
     Returns
     -------

@@ -30,11 +30,7 @@ def coherent_order(origins, directions):
 
 
 def side_of_cube(directions):
-    """Number of the side of a cube that each direction points to, in the bits above those of `hilbert_index`.
-
-    Parameters
-    ----------
-    directions : ndarray of shape (3, m)
+    """Side of a cube that each direction, shape (3, m), points to, in the bits above `hilbert_index`: shape (m,), uint64.
 
     Returns
     -------

@@ -9,12 +9,7 @@ BITS = 10
 
 
 def hilbert_order(points):
-    """ndarray of shape (n,), int64: indices that sort points along a Hilbert curve.
-
-    Parameters
-    ----------
-    points : ndarray of shape (3, n)
-    """
+    """ndarray of shape (n,), int64: indices that sort points, ndarray of shape (3, n), along a Hilbert curve."""
     return np.argsort(hilbert_index(points), kind="stable")
 
 

@@ -39,13 +39,9 @@ class Camera:
     height: int
 
     def project(self, points):
-        """Project points into the picture: ndarray of shape (..., 3).
+        """Project points, ndarray of shape (..., 3), mm, into the picture: ndarray of the same shape.
 
         To the right and downwards from the upper left corner, and towards the viewer, in pixels.
-
-        Parameters
-        ----------
-        points : ndarray of shape (..., 3), mm
         """
         projected = (points - self.centre) @ self.axes.T
         projected *= np.array([self.scale, -self.scale, self.scale])
@@ -73,13 +69,7 @@ def framing(points, axes, width, height):
 
 
 def looking_from(towards):
-    """Compute the axes of a camera, with z upwards as far as possible.
-
-    Parameters
-    ----------
-    towards : ndarray of shape (3,)
-        Direction from the part to the viewer.
-    """
+    """Compute the axes of a camera from the direction to the viewer, shape (3,), with z upwards as far as possible."""
     towards = towards / np.linalg.norm(towards)
     up = np.array([0.0, 0.0, 1.0]) if abs(towards[2]) < 0.99 else np.array([0.0, 1.0, 0.0])
     right = np.cross(up, towards)

@@ -45,13 +45,7 @@ class ColourScale:
         return self.logarithmic and 0.0 < self.low < self.high
 
     def colours(self, thickness):
-        """Compute the colours of values: ndarray of shape (m, 3), uint8.
-
-        Parameters
-        ----------
-        thickness : array_like of shape (m,), mm
-            nan where nothing was measured.
-        """
+        """Colours of thicknesses, array_like of shape (m,), mm, nan where unmeasured: ndarray of shape (m, 3), uint8."""
         thickness = np.asarray(thickness, dtype=np.float64)
         measured = np.isfinite(thickness)
         colours = self.bar(self.positions(np.where(measured, thickness, self.low)))

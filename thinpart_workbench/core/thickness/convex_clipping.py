@@ -37,12 +37,7 @@ def clip(points, value):
 
 
 def areas(points):
-    """ndarray of shape (m,): areas of convex polygons.
-
-    Parameters
-    ----------
-    points : ndarray of shape (m, k, 2)
-    """
+    """ndarray of shape (m,): areas of convex polygons, ndarray of shape (m, k, 2)."""
     ahead = np.roll(points, -1, axis=1)
     doubled = points[..., 0] * ahead[..., 1] - points[..., 1] * ahead[..., 0]
     return 0.5 * np.abs(doubled.sum(axis=1))

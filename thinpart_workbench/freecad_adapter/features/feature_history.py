@@ -40,13 +40,9 @@ class Feature:
 
 
 def feature_history(part):
-    """The objects that a part of an open document was made with: list of Feature.
+    """The objects that a SolidPart or MeshedPart of an open document was made with: list of Feature.
 
     The last one first. Empty if nothing is known: for meshes, files of other programs and imported shapes.
-
-    Parameters
-    ----------
-    part : SolidPart or MeshedPart
 
     Notes
     -----

@@ -71,11 +71,7 @@ def mesh_defect(leaf):
 
 
 def recompute_warning(leaf):
-    """Why the shape of an object may be older than its parameters; None if it is not.
-
-    Parameters
-    ----------
-    leaf : FreeCAD.DocumentObject
+    """Why the shape of a FreeCAD.DocumentObject may be older than its parameters; None if it is not.
 
     Returns
     -------

@@ -12,22 +12,12 @@ _MOST_NAMED = 5
 
 
 def special_links(document):
-    """Files that a document links to, directly or through others, and that must not be opened: list of Path.
-
-    Parameters
-    ----------
-    document : str or Path
-    """
+    """Files that the document at a path links to, directly or through others, and that must not be opened: list of Path."""
     return [file for file in linked_files(document) if is_special(file)]
 
 
 def check_links(document):
-    """Reject a document if opening it would open a pipe, a device or a socket; raises ThinPartError of kind ``unsafe``.
-
-    Parameters
-    ----------
-    document : str or Path
-    """
+    """Reject a file if opening it would open a pipe, a device or a socket; raises ThinPartError of kind ``unsafe``."""
     found = special_links(document)
     if found:
         raise ThinPartError(message("{file} was not opened: it links to {links}, which is a pipe, a device or a socket, and "
@@ -36,12 +26,7 @@ def check_links(document):
 
 
 def keep_closed(files):
-    """Keep FreeCAD from opening files for the links to them: to each leads a link as to a missing one.
-
-    Parameters
-    ----------
-    files : list of Path
-        From `special_links`.
+    """Keep FreeCAD from opening what `special_links` found for the links to it: to each leads a link as to a missing file.
 
     Notes
     -----

@@ -42,13 +42,9 @@ def document_parts(document):
 
 
 def document_content(document):
-    """Distinct solids and meshes of a document, each with its occurrences: DocumentContent.
+    """Distinct solids and meshes of a FreeCAD.Document, each with its occurrences: DocumentContent.
 
     In the order of the document. Placements of containers and links are applied.
-
-    Parameters
-    ----------
-    document : FreeCAD.Document
 
     Notes
     -----
@@ -67,13 +63,9 @@ def document_content(document):
 
 
 def object_content(candidate):
-    """The parts that one object is or holds, even if it is hidden or consumed by another object: DocumentContent.
+    """What one FreeCAD.DocumentObject is or holds, even if it is hidden or consumed by another object: DocumentContent.
 
     Placed in the object's own container. Empty if the object has neither solids nor triangles.
-
-    Parameters
-    ----------
-    candidate : FreeCAD.DocumentObject
     """
     load_freecad()
     return _content_under([candidate], with_hidden=True)

@@ -97,12 +97,7 @@ def named_modules(path):
 
 @contextmanager
 def without_modules(names):
-    """Context manager that hides some modules from FreeCAD while it opens a document, even if they are loaded.
-
-    Parameters
-    ----------
-    names : iterable of str
-    """
+    """Context manager that hides modules of some names from FreeCAD while it opens a document, even if they are loaded."""
     missing = object()
     before = {name: sys.modules.get(name, missing) for name in names}
     for name in before:

@@ -12,11 +12,7 @@ _LABEL = "shape"
 
 
 def held_content(source):
-    """Distinct parts of a FreeCAD shape, mesh, object or document: DocumentContent, at least one part or broken part.
-
-    Parameters
-    ----------
-    source : Part.Shape, Mesh.Mesh, FreeCAD.DocumentObject or FreeCAD.Document
+    """Distinct parts of a Part.Shape, Mesh.Mesh, DocumentObject or Document: DocumentContent, not empty.
 
     Raises
     ------

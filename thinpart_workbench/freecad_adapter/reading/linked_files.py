@@ -15,11 +15,7 @@ _TOKEN = re.compile(r'<XLink\b|>|\bfile="([^"]+)"')
 
 
 def linked_files(document):
-    """Files that a document links to, directly or through other files.
-
-    Parameters
-    ----------
-    document : str or Path
+    """Files that the document at a path links to, directly or through other files.
 
     Returns
     -------

@@ -240,12 +240,7 @@ def missing_faces(shape, mesh):
 
 
 def named(faces):
-    """Faces as part of a sentence: str.
-
-    Parameters
-    ----------
-    faces : list of str
-    """
+    """Faces, list of str, as part of a sentence: str."""
     first = ", ".join(faces[:_MOST_NAMED])
     if len(faces) <= _MOST_NAMED:
         return first

@@ -21,13 +21,9 @@ _cache = {}  # document, object, number of the piece -> (shape, its measures)
 
 
 def signature(sources):
-    """Measures of the shapes of objects in their own coordinates, so that moving a part does not change them: str.
+    """Measures of the shapes of DocumentObjects in their own coordinates, so that moving a part does not change them: str.
 
     One group of numbers per source; compare them with `same_signature`.
-
-    Parameters
-    ----------
-    sources : list of FreeCAD.DocumentObject
     """
     return ";".join(" ".join(f"{value:.{_DIGITS}g}" for value in _measures_of(source)) for source in sources)
 

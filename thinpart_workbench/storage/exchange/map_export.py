@@ -40,12 +40,7 @@ def write_map_file(path, ending, parts, colours, overwrite=False):
 
 
 def vtp_bytes(parts, _colours=None):
-    """Maps as VTK PolyData, with the thickness at points and cells, face and part of each cell: bytes.
-
-    Parameters
-    ----------
-    parts : list of MappedPart
-        In all of their occurrences, in mm, in the coordinates of the document.
+    """Maps, list of MappedPart, as VTK PolyData: bytes, with the thickness at points and cells, face and part of each cell.
 
     Notes
     -----

@@ -16,12 +16,7 @@ _IMPORT = re.compile(rb"^ *from (\.+)([\w.]*) import", re.MULTILINE)
 
 
 def index_version(statements):
-    """A text that changes whenever the index would be built differently.
-
-    Parameters
-    ----------
-    statements : iterable of str
-        SQL that creates its tables.
+    """A text that changes whenever the index would be built differently, by SQL statements that create its tables.
 
     Returns
     -------

@@ -108,12 +108,7 @@ class ForkedProcess:
                 return
 
     def end(self, patience=_PATIENCE):
-        """End the copy and all of its descendants; call it again as you like.
-
-        Parameters
-        ----------
-        patience : float, optional
-            Seconds that the copy has to exit by itself.
+        """End the copy and all of its descendants, after some seconds to exit by itself; call it again as you like.
 
         Returns
         -------

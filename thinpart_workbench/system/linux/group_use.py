@@ -13,10 +13,6 @@ def is_too_much(group):
     """Whether a process group has more than `MOST_PROCESSES`, or uses more than twice the memory that one of them may: bool.
 
     Not counting what another system or a container hides.
-
-    Parameters
-    ----------
-    group : int
     """
     import resource  # not on other systems, where nothing is forked
 

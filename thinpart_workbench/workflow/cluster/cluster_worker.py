@@ -81,13 +81,7 @@ class AnalysisServers(WorkerPlugin):
             return self.versions
 
     def analyse(self, task):
-        """Analyse one file: JSON text of ``software``, and ``outcome``, a line of JSON or None if the process died.
-
-        Parameters
-        ----------
-        task : str
-            A line of JSON.
-        """
+        """Analyse one file by a line of JSON: JSON of ``software``, and ``outcome``, JSON or None if the process died."""
         versions = self.software()
         if "lacks" in versions:
             return json.dumps({"software": versions, "outcome": None})

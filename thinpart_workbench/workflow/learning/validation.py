@@ -56,11 +56,7 @@ class Scores:
 
 
 def share_of(flags):
-    """Of how many flags are true, with the interval of Wilson: CountedShare.
-
-    Parameters
-    ----------
-    flags : sequence of bool
+    """How many of some flags, sequence of bool, are true, with the interval of Wilson: CountedShare.
 
     Notes
     -----
@@ -137,11 +133,7 @@ def reliability(stated, right, bins=10):
 
 
 def calibration_error(stated, right):
-    """Expected calibration error: the mean difference of stated and found shares, over bins of equal width, float.
-
-    Parameters
-    ----------
-    stated, right : ndarray of shape (n,)
+    """Expected calibration error: mean difference of stated and found shares, shape (n,), over bins of equal width, float.
 
     Notes
     -----
@@ -151,14 +143,9 @@ def calibration_error(stated, right):
 
 
 def folds(groups):
-    """Divide parts such that groups stay together: list of ndarray of bool, shape (n,).
+    """Divide n parts such that groups, sequence of str, stay together: list of ndarray of bool, shape (n,).
 
     At most `MOST_FOLDS`, of like size: whether a part is left out.
-
-    Parameters
-    ----------
-    groups : sequence of str
-        Of n parts.
     """
     names, counts = np.unique(np.asarray(groups), return_counts=True)
     sizes = [0] * min(MOST_FOLDS, len(names))

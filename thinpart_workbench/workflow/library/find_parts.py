@@ -87,11 +87,7 @@ def find_parts(index, query=PartQuery(), order="files.path, parts.id"):
 
 
 def read_records(parts):
-    """Part records of found parts from their info files, as ``--json`` prints them.
-
-    Parameters
-    ----------
-    parts : iterable of StoredPart
+    """Part records of found StoredParts from their info files, as ``--json`` prints them.
 
     Yields
     ------

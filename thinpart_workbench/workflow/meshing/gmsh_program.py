@@ -22,22 +22,7 @@ _ERROR_LINE = re.compile(r"^Error *: *(\S.*)$", re.MULTILINE)
 
 
 def gmsh_program(preferred=""):
-    """Path of Gmsh and its version.
-
-    Parameters
-    ----------
-    preferred : str, optional
-        A path that is looked at first.
-
-    Returns
-    -------
-    program, version : str
-
-    Raises
-    ------
-    ThinPartError
-        kind ``unsupported`` if it is not installed.
-    """
+    """Path of Gmsh, at a preferred path first, and its version, str; raises ThinPartError ``unsupported`` without it."""
     # Beside Python too, as in FreeCAD's bundles.
     program = (preferred and shutil.which(preferred) or shutil.which(PROGRAM)
                or shutil.which(PROGRAM, path=os.path.dirname(sys.executable)))
