@@ -109,21 +109,6 @@ STORED_PARTS = TableForm(PartRow._fields, _stored_cells)
 
 
 def write_table(path, form, blocks, overwrite=False, inputs=()):
-    """Write a CSV file atomically: a line of titles, then the rows.
-
-    Parameters
-    ----------
-    path : str or Path
-    form : TableForm
-    blocks : iterable of str
-        From `TableForm.text`.
-    overwrite, inputs
-        See `check_output`.
-
-    Raises
-    ------
-    ThinPartError, OSError
-        See `write_output`.
-    """
+    """Write a CSV file as `write_output` does: a line of titles, then blocks, iterable of str, from `TableForm.text`."""
     text = csv_text([form.titles]) + "".join(blocks)
     write_output(path, text.encode(), TABLE, overwrite, inputs)

@@ -28,14 +28,7 @@ def user_profiles():
 
 
 def check_profile_file(file, overwrite=False, inputs=()):
-    """Check that a profile may be written to a file.
-
-    Parameters
-    ----------
-    file : str or Path
-        The folder of the user's own profiles is made where it is missing.
-    overwrite, inputs
-        See `check_output`.
+    """Check that a profile may be written to a file, as `check_output`; makes a missing folder of the user's own profiles.
 
     Raises
     ------
@@ -56,19 +49,7 @@ def check_profile_file(file, overwrite=False, inputs=()):
 
 
 def write_profile(content, file, overwrite=False, inputs=()):
-    """Write a profile atomically.
-
-    Parameters
-    ----------
-    content : dict
-    file, overwrite, inputs
-        See `check_profile_file`.
-
-    Raises
-    ------
-    ThinPartError
-        See `check_profile_file`.
-    """
+    """Write the content of a profile, dict, atomically, where `check_profile_file` lets it; raises the same."""
     check_profile_file(file, overwrite, inputs)
     text = json_text(content, indent=2) + "\n"
     with _writing(file):

@@ -113,21 +113,10 @@ def minimal_box(points, flat_directions=(), report=None):
 
 
 def _completed_boxes(corners, directions, facets):
-    """The boxes with one side along each direction, apart from those that are certainly far larger than the smallest.
+    """List of OrientedBox with one side along each direction, without those certainly far larger than the smallest.
 
-    Parameters
-    ----------
-    corners : ndarray of shape (v, 3), mm
-    directions : ndarray of shape (k, 3)
-    facets : ndarray of shape (f, 3, 3), mm
-        Of the convex hull.
+    The facets are those of the convex hull, shape (f, 3, 3), mm.
 
-    Returns
-    -------
-    list of OrientedBox
-
-    Notes
-    -----
     A box is as large at least as its height times the area of the hull's shadow (Cauchy 1832), which takes no rectangle.
     """
     doubled = np.cross(facets[:, 1] - facets[:, 0], facets[:, 2] - facets[:, 0])

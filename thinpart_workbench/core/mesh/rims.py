@@ -92,12 +92,9 @@ class _Arcs:
 
 
 def _sides_of_curves(mesh, near):
-    """Sides of triangles along curves between faces.
+    """Sides of triangles along curves between faces: two ndarray of shape (k, 2), int64.
 
-    Returns
-    -------
-    ends, beyond : ndarray of shape (k, 2), int64
-        Vertices at both ends of each side, and the next ones of the curve beyond them; -1 where it does not go on.
+    Vertices at both ends of each side, and the next ones of the curve beyond them; -1 where it does not go on.
     """
     chosen = np.zeros(mesh.count, dtype=bool)
     chosen[near] = True

@@ -148,13 +148,7 @@ def _take_known(mesh, which, mean):
 
 
 def _vertex_of_face(mesh):
-    """Number the corners of the triangles so that those at one vertex of one face have the same number.
-
-    Returns
-    -------
-    ndarray of shape (3 n,), int64
-        The first corners, then the second and the third ones.
-    """
+    """ndarray of shape (3 n,), int64: one number for corners at one vertex of one face; first corners, second, third."""
     vertex = mesh.triangles.T.ravel()
     face = np.tile(mesh.face_of_triangle, 3)
     count = len(mesh.vertices)

@@ -75,13 +75,7 @@ def _likeness(ratio):
 def _variance_ratio(wall, probed):
     """Least variance along a wall by the variance through it, of its points around each middle: ndarray of shape (m,).
 
-    0 where there are too few points.
-
-    Parameters
-    ----------
-    wall : WallPoints, n of them
-    probed : WallPoints, m of them
-        Places of the same wall.
+    0 where there are too few points. Both are WallPoints of the same wall.
     """
     reach = np.maximum(REACH * probed.thickness, LEAST_REACH * probed.spacing)
     # On a plate, so many points are within reach of half of the places.

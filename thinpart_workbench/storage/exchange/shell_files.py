@@ -14,22 +14,9 @@ _UNV_ORDER = {3: (0, 1, 2), 6: (0, 3, 1, 4, 2, 5)}
 
 
 def write_shell(path, shell, label, overwrite=False, inputs=()):
-    """Write a shell, in the format that the ending of the path says.
+    """Write a ShellMesh as `write_output` does, in the format of `SHELL_FORMATS` that the ending of the path says.
 
-    Parameters
-    ----------
-    path : str or Path
-        With one of the endings of `SHELL_FORMATS`.
-    shell : ShellMesh
-    label : str
-        Of the part, for the head of the file.
-    overwrite, inputs
-        See `check_output`.
-
-    Raises
-    ------
-    ThinPartError, OSError
-        See `write_output`.
+    The label of the part, str, stands in the head of the file.
     """
     about = f"Mid-surface of {head_text(label)} with the thickness of its walls, by ThinPart"
     ending = os.path.splitext(os.fspath(path))[1].lower()

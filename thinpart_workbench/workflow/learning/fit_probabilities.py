@@ -71,14 +71,7 @@ class ProbabilityFit:
 
 
 def _fitted(values, yes, no):
-    """Intercept and weights of a logistic regression.
-
-    Parameters
-    ----------
-    values : ndarray of shape (n, terms)
-    yes, no : ndarray of shape (n,)
-        Weights of each row as an example for the category, and against it.
-    """
+    """Intercept and weights of a logistic regression, by weights of each row as an example for and against the category."""
     centre, scale = values.mean(axis=0), values.std(axis=0)
     scale = np.where(scale > 1e-9, scale, 1.0)
     scaled = (values - centre) / scale
