@@ -5,7 +5,7 @@ from ..application.qt import QtWidgets, Signal, translate
 from ..record.measuring_progress import MeasuringProgress
 from ..record.parts_table import PartsTable
 from ..record.record_view import RecordView, show_text, text_line
-from ..widgets.push_button import add_button
+from ..widgets.buttons import add_button
 
 
 class ClassifyPanel(QtWidgets.QWidget):

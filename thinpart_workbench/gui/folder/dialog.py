@@ -15,8 +15,8 @@ from ..application.sentences import translated
 from ..guide.command import help_button
 from ..processes.command_line_run import DONE, STOPPED, CommandLineRun
 from ..record.record_view import show_text, text_line
+from ..widgets.buttons import add_button
 from ..widgets.folder_field import contains
-from ..widgets.push_button import add_button
 from .form import FolderForm
 from .progress_bar import RunProgressBar
 from .results_panel import ResultsPanel

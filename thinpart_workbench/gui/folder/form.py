@@ -4,12 +4,12 @@ from dataclasses import replace
 
 from ...core.file_formats import CHOICES
 from ..application.qt import QtCore, QtWidgets, translate
+from ..widgets.buttons import push_button
 from ..widgets.file_dialogs import choose_folder
 from ..widgets.flow_layout import FlowLayout
 from ..widgets.folder_field import absolute
 from ..widgets.process_field import ProcessField
 from ..widgets.profile_combo import ProfileCombo
-from ..widgets.push_button import push_button
 from .settings import FolderSettings, folder_history
 
 

@@ -13,7 +13,7 @@ from ..document.open_part import DANGEROUS, confirm_dangerous_open, open_part
 from ..processes.request_queue import LABEL
 from ..record.label_button import LabelButton
 from ..tables.table_view import TableView
-from ..widgets.push_button import push_button
+from ..widgets.buttons import push_button
 from .result_columns import Results, result_columns
 from .results_filter import ResultsFilter
 

@@ -1,7 +1,7 @@
 """Shows the guide: from its command, from FreeCAD's What's This, and from F1 in ThinPart's panels."""
 
 from ..application.qt import QtCore, translate
-from ..widgets.push_button import push_button
+from ..widgets.buttons import push_button
 from ..widgets.single_dialog import show_single_dialog
 from .pages import CONTENTS, PAGE_OF
 

@@ -3,7 +3,7 @@
 import os
 
 from ..application.qt import QtCore, QtGui, QtWidgets, translate
-from ..widgets.push_button import add_button
+from ..widgets.buttons import add_button
 from .pages import CONTENTS, FOLDER, heading_anchor
 
 _WIDEST = 1400

@@ -14,9 +14,9 @@ from ..guide.command import help_button
 from ..processes.package_installation import PackageInstallation
 from ..processes.request_queue import RequestQueue
 from ..record.record_view import show_text, text_line
+from ..widgets.buttons import add_button
 from ..widgets.confirmation import may_overwrite
 from ..widgets.file_dialogs import chosen_output
-from ..widgets.push_button import add_button
 from .form import LearnForm
 from .result_view import LearnedView
 

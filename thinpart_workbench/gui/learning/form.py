@@ -2,10 +2,10 @@
 
 from ...freecad_adapter.preferences import preference, preference_list
 from ..application.qt import QtCore, QtWidgets, translate
+from ..widgets.buttons import add_button
 from ..widgets.file_dialogs import choose_folder
 from ..widgets.folder_field import absolute
 from ..widgets.profile_combo import ProfileCombo
-from ..widgets.push_button import add_button
 
 
 class LearnForm(QtWidgets.QWidget):

@@ -15,9 +15,9 @@ from ..guide.command import help_button
 from ..processes.request_queue import LABEL
 from ..reclassify.reclassify_page import ReclassifyPage
 from ..record.record_view import show_text, text_line
+from ..widgets.buttons import add_button
 from ..widgets.flow_layout import FlowLayout
 from ..widgets.folder_field import contains
-from ..widgets.push_button import add_button
 from .active_record import active_record, not_classified
 from .details import PartDetails
 from .filters_page import FiltersPage

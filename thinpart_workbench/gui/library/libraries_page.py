@@ -8,9 +8,9 @@ from ..application.sentences import translated
 from ..record.category_marks import colour_icon
 from ..record.record_view import show_text, text_line
 from ..tables.row_model import FAILED_COLOUR
+from ..widgets.buttons import add_button
 from ..widgets.flow_layout import FlowLayout
 from ..widgets.folder_field import contains
-from ..widgets.push_button import add_button
 
 _PREFERENCE = "Libraries"
 

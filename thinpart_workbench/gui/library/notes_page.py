@@ -8,8 +8,8 @@ from ..application.qt import QtCore, QtGui, QtWidgets, Signal, translate
 from ..application.sentences import translated
 from ..application.thread_work import check_path_in_thread
 from ..record.record_view import show_text, text_line
+from ..widgets.buttons import add_button
 from ..widgets.confirmation import is_confirmed
-from ..widgets.push_button import add_button
 from .mesh_settings import MeshSettings, settings_text
 
 

@@ -8,7 +8,7 @@ from ..application.qt import QtWidgets, Signal, blocked, grouped, named, transla
 from ..application.sentences import translated
 from ..record.measuring_progress import MeasuringProgress
 from ..record.record_view import show_text, text_line
-from ..widgets.push_button import add_button
+from ..widgets.buttons import add_button
 from .mesh_fields import number_field, order_combo
 from .quality_chart import QualityChart
 from .scale_bar import ScaleBar

@@ -10,7 +10,7 @@ from ..application.sentences import translated
 from ..record.record_view import show_text, text_line
 from ..record.regions_table import kind_word
 from ..tables.column import Column, area, figures, length, square
-from ..widgets.push_button import add_button
+from ..widgets.buttons import add_button
 from .mesh_fields import number_field, order_combo
 from .scale_bar import ScaleBar
 from .wall_table import CheckedWalls

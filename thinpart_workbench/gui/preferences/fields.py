@@ -22,12 +22,12 @@ from ...freecad_adapter.preferences import MILLIMETRES
 from ..application import lifelong
 from ..application.length_unit import length_unit
 from ..application.qt import QtWidgets, colour, translate, translated_mark
+from ..widgets.buttons import add_button
 from ..widgets.edit_profile_button import edit_profile_button
 from ..widgets.exact_field import ExactField
 from ..widgets.folder_field import FolderField
 from ..widgets.process_field import ProcessField
 from ..widgets.profile_combo import ProfileCombo
-from ..widgets.push_button import add_button
 
 _PREFIX = "ThinPart_Preference"
 

@@ -12,8 +12,8 @@ from ..application.sentences import translated
 from ..application.thread_work import PATIENCE, check_path_in_thread
 from ..guide.command import lead_to_guide
 from ..record.record_view import show_text, text_line
+from ..widgets.buttons import add_button
 from ..widgets.controls import prepare_controls
-from ..widgets.push_button import add_button
 from .fields import new_field
 
 _CHECK_DELAY = 300

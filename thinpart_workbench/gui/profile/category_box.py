@@ -3,8 +3,7 @@
 from ..application.qt import QtWidgets, Signal, translate
 from ..record.record_view import paint_swatch, show_text, swatch, text_line
 from ..record.verdict_text import category_colour, category_words
-from ..widgets.push_button import add_button
-from ..widgets.small_button import small_button
+from ..widgets.buttons import add_button, small_button
 from .criterion_box import CriterionBox
 from .kept_text import KeptText
 from .removable_list import RemovableList

@@ -5,7 +5,7 @@ import os
 from ...freecad_adapter.preferences import preference_list
 from ..application.qt import QtCore, QtWidgets, translate
 from ..reclassify.changes_view import ChangesView
-from ..widgets.small_button import small_button
+from ..widgets.buttons import small_button
 
 
 class ChangesPanel(QtWidgets.QWidget):

@@ -9,8 +9,8 @@ from ..application.length_unit import length_unit
 from ..application.qt import QtCore, QtWidgets, Signal, translate
 from ..application.sentences import translated
 from ..record.record_view import show_text, text_line
+from ..widgets.buttons import small_button
 from ..widgets.exact_field import ExactField
-from ..widgets.small_button import small_button
 
 _UNITS = {"mm2": "mm\u00b2", "mm3": "mm\u00b3"}
 _WIDEST = 70

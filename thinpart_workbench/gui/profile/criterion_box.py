@@ -2,8 +2,7 @@
 
 from ..application.qt import QtWidgets, Signal, translate
 from ..record.record_view import show_text, text_line
-from ..widgets.push_button import add_button
-from ..widgets.small_button import small_button
+from ..widgets.buttons import add_button, small_button
 from .condition_editor import ConditionEditor
 from .edited_profile import new_condition
 from .kept_text import KeptText

@@ -14,9 +14,9 @@ from ..application.sentences import translated
 from ..guide.command import help_button
 from ..library.command import show_find_parts
 from ..record.record_view import show_text, text_line
+from ..widgets.buttons import add_button
 from ..widgets.confirmation import may_overwrite
 from ..widgets.profile_combo import ProfileCombo
-from ..widgets.push_button import add_button
 from .changes_panel import ChangesPanel
 from .edited_profile import named_content
 from .limits_page import LimitsPage

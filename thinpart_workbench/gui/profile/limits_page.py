@@ -12,8 +12,8 @@ from ..application.sentences import translated
 from ..guide.command import lead_to_guide
 from ..guide.pages import LIMITS
 from ..record.record_view import show_text, text_line
+from ..widgets.buttons import add_button
 from ..widgets.flow_layout import FlowLayout
-from ..widgets.push_button import add_button
 from .limits_form import LimitsForm
 
 _ID = re.compile(r"[A-Za-z0-9_\-]{1,40}")

@@ -5,8 +5,8 @@ from ...core.categories import NORMAL, UNKNOWN
 from ..application.qt import QtWidgets, Signal, call_later, translate
 from ..application.sentences import translated
 from ..record.record_view import show_text
+from ..widgets.buttons import add_button
 from ..widgets.exact_field import ExactField
-from ..widgets.push_button import add_button
 from .category_box import CategoryBox
 from .edited_profile import empty_profile, loses_probabilities, new_category, new_criterion
 from .kept_text import KeptText

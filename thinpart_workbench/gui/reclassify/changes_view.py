@@ -11,9 +11,9 @@ from ..document.open_part import open_part
 from ..record.category_marks import colour_icon
 from ..record.record_view import show_text, text_line
 from ..record.verdict_text import category_colour, category_title
+from ..widgets.buttons import add_button
 from ..widgets.flow_layout import FlowLayout
 from ..widgets.folder_field import contains
-from ..widgets.push_button import add_button
 from ..widgets.row_table import show_whole_rows
 from .judging_client import JudgingClient
 

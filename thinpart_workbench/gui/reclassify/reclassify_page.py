@@ -6,12 +6,11 @@ from ..application import lifelong
 from ..application.qt import QtWidgets, Signal, grouped, translate
 from ..application.sentences import translated
 from ..record.record_view import show_text, text_line
+from ..widgets.buttons import add_button, small_button
 from ..widgets.confirmation import is_confirmed
 from ..widgets.edit_profile_button import edit_profile_button
 from ..widgets.flow_layout import FlowLayout
 from ..widgets.profile_combo import ProfileCombo
-from ..widgets.push_button import add_button
-from ..widgets.small_button import small_button
 from .changes_view import ChangesView
 
 

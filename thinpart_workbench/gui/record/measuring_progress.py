@@ -4,8 +4,8 @@ import time
 
 from ..application.numbers import duration
 from ..application.qt import QtWidgets, Signal, translate
+from ..widgets.buttons import add_button
 from ..widgets.controls import STOPS
-from ..widgets.push_button import add_button
 from .record_view import show_text, text_line
 
 _FIRST_ESTIMATE = 0.1

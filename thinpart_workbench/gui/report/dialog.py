@@ -23,8 +23,8 @@ from ..processes.document_analysis import DocumentAnalysis
 from ..processes.package_installation import PackageInstallation
 from ..processes.snapshot_job import SnapshotJob
 from ..record.record_view import show_text, text_line
+from ..widgets.buttons import add_button
 from ..widgets.file_dialogs import choose_folder
-from ..widgets.push_button import add_button
 from ..widgets.single_dialog import show_single_dialog, single_dialog
 
 _PACKAGE = "Jinja2"

@@ -9,8 +9,8 @@ from ..record.measure_text import here_sentence, value_title
 from ..record.record_view import show_text, text_line
 from ..tables.column import Column
 from ..tables.small_table import SmallTable
+from ..widgets.buttons import add_button
 from ..widgets.flow_layout import FlowLayout
-from ..widgets.push_button import add_button
 
 _VISIBLE_ROWS = 6
 

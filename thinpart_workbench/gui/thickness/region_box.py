@@ -4,7 +4,7 @@ from ..application.length_unit import MILLIMETRE
 from ..application.qt import QtWidgets, Signal, translate
 from ..record.record_view import other_regions_text, show_text, text_line
 from ..record.regions_table import RegionsTable, notes_text
-from ..widgets.push_button import add_button
+from ..widgets.buttons import add_button
 from .region_menu import RegionMenu
 
 

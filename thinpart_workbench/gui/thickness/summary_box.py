@@ -8,8 +8,8 @@ from ..record.parts_table import PartsTable
 from ..record.record_view import paint_swatch, show_text, swatch, text_line
 from ..record.verdict_text import category_colour, category_title
 from ..tables.wall_table import step_of
+from ..widgets.buttons import add_button
 from ..widgets.narrow_fields import narrow_combo
-from ..widgets.push_button import add_button
 
 
 class SummaryBox(QtWidgets.QWidget):

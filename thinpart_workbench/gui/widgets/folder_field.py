@@ -9,8 +9,8 @@ window's thread, which a server that does not answer would hold up.
 import os
 
 from ..application.qt import QtWidgets, Signal, translate
+from .buttons import add_button
 from .file_dialogs import choose_folder
-from .push_button import add_button
 
 
 class FolderField(QtWidgets.QWidget):

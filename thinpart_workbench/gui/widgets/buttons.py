@@ -1,4 +1,4 @@
-"""Push buttons with an object name, by which tests and style sheets find them."""
+"""Buttons with an object name, by which tests and style sheets find them."""
 
 from ..application.qt import QtWidgets
 
@@ -29,4 +29,26 @@ def add_button(layout, parent, name, text, callback, *place, is_for_enter=True):
     """Add a `push_button` to a QLayout, at a row and column `place` where that is a grid, and return it."""
     button = push_button(parent, name, text, callback, is_for_enter)
     layout.addWidget(button, *place)
+    return button
+
+
+def small_button(parent, name, symbol, meaning, callback):
+    """A QToolButton with a symbol and a tool tip.
+
+    Parameters
+    ----------
+    parent : QWidget
+    name : str
+        Object name.
+    symbol, meaning : str
+    callback : callable
+        Called without arguments when the button is clicked.
+    """
+    button = QtWidgets.QToolButton(parent)
+    button.setObjectName(name)
+    button.setText(symbol)
+    button.setToolTip(meaning)
+    button.setAccessibleName(meaning)
+    button.setAutoRaise(True)
+    button.clicked.connect(lambda *_: callback())
     return button
