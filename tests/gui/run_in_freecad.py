@@ -37,7 +37,7 @@ sys.path.insert(0, os.fspath(ROOT))
 
 from thinpart_workbench.cli.commands.test import AGAIN, MOST_AGAIN, failed_tests  # noqa: E402
 
-SECONDS = 3300
+SECONDS = 4800
 LIVES = 8
 """FreeCADs that may die before nothing more is tried."""
 TRANSLATED = "German"

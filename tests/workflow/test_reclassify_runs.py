@@ -22,7 +22,7 @@ from thinpart_workbench.workflow.library.reclassify import reclassify_files
 from thinpart_workbench.workflow.workers import process_pool
 
 FILES = 400
-ROUNDS = 10
+ROUNDS = 4
 PROFILES = {name: {**PAPER.content, "name": name} for name in ("one", "another")}
 
 linux = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="processes are found in /proc")
