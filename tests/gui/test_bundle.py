@@ -31,7 +31,7 @@ from test_classify_folder import (
     test_pausing_and_going_on, test_the_time_limit_can_be_raised_for_those_that_failed as test_a_time_limit,
 )
 from test_find_libraries import (
-    other_profile, test_reclassify_previews_and_writes,
+    other_profile, test_reclassify_shows_what_would_change_and_writes_it,
 )
 from test_find_parts import test_criteria as test_a_library
 from test_report import browser, message, opened, saved, wait_for_end
