@@ -48,8 +48,6 @@ class ReclassifyPage(QtWidgets.QWidget):
             self._profile.ask_for_file)
         row.addWidget(edit_profile_button(self, "ThinPart_ReclassifyEdit", self._profile.currentData))
         column.addLayout(row)
-        self.view = ChangesView("Reclassify", self)
-        column.addWidget(self.view, 1)
         container = QtWidgets.QWidget(self)
         row = FlowLayout(container)
         self._write = add_button(
@@ -64,6 +62,8 @@ class ReclassifyPage(QtWidgets.QWidget):
         self._bar.setObjectName("ThinPart_ReclassifyWriteBar")
         column.addWidget(self._bar)
         self._message = text_line(self, column, "ThinPart_ReclassifyMessage")
+        self.view = ChangesView("Reclassify", self)
+        column.addWidget(self.view, 1)
         self._client = self.view.client
         self._client.counted.connect(self._on_counted)
         self._client.written.connect(self._on_written)
