@@ -102,10 +102,7 @@ class AnalysisSettings:
     def at(cls, accuracy, **changes):
         """The settings of one of `ACCURACIES`, with changes to them.
 
-        Raises
-        ------
-        ThinPartError
-            kind ``usage`` if there is no such accuracy, or a change is out of its range.
+        Raises ThinPartError, kind ``usage`` if there is no such accuracy, or a change is out of its range.
         """
         fineness = ACCURACIES.get(accuracy, ACCURACIES[STANDARD])
         return cls(**{**fineness._asdict(), "accuracy": accuracy, **changes})

@@ -4,15 +4,13 @@
 class Hook:
     """Callbacks for an event. Calling the hook calls them one after the other.
 
+    A callback that fails does not prevent the others from being called. Qt signals are not used because there is no
+    Qt below the window, and because they are slower: FreeCAD reports every property of every object.
+
     Parameters
     ----------
     report : callable, optional
         Called with each exception that a callback raised, once all were called. Without it, the first one is raised.
-
-    Notes
-    -----
-    A callback that fails does not prevent the others from being called. Qt signals are not used because there is no
-    Qt below the window, and because they are slower: FreeCAD reports every property of every object.
     """
 
     def __init__(self, report=None):
@@ -27,13 +25,7 @@ class Hook:
         self._callbacks.append(callback)
 
     def remove(self, callback):
-        """Remove a callback.
-
-        Raises
-        ------
-        ValueError
-            If it was not added.
-        """
+        """Remove a callback. Raises ValueError if it was not added."""
         self._callbacks.remove(callback)
 
     def __call__(self, *arguments):

@@ -51,7 +51,7 @@ class Message(str):
 
 
 def message(template, /, **fields):
-    """Make a sentence from a template and fields: Message.
+    """Make a sentence from a template and fields: Message. Raises KeyError if a field is missing.
 
     Parameters
     ----------
@@ -59,11 +59,6 @@ def message(template, /, **fields):
         Must be a literal, since `resources/translations/texts_of_code.py` collects it from the source code.
     **fields
         Numbers, texts, paths, exceptions (as their text), messages, and lengths and shares as `figures` have them.
-
-    Raises
-    ------
-    KeyError
-        If a field is missing.
     """
     return Message(template, {name: _field(value) for name, value in fields.items()})
 

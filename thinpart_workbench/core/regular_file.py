@@ -10,10 +10,7 @@ from .message import message
 def open_regular(path):
     """Open a regular file for reading: opening a pipe would block, and reading a device may never end.
 
-    Raises
-    ------
-    OSError
-        Also if it is a folder, a pipe, a socket or a device.
+    Raises OSError: also if it is a folder, a pipe, a socket or a device.
     """
     # Checked before opening, since opening a pipe blocks until somebody writes to it. O_NONBLOCK is no way out: it
     # would fail for a file on which another client of a server holds a lease.
@@ -28,18 +25,13 @@ def open_regular(path):
 
 
 def read_regular(path, most):
-    """The bytes of a regular file.
+    """The bytes of a regular file. Raises OSError: as `open_regular`; also if the file is larger.
 
     Parameters
     ----------
     path : str or Path
     most : int
         Greatest number of bytes that are read, whatever size the system says the file has.
-
-    Raises
-    ------
-    OSError
-        As `open_regular`; also if the file is larger.
     """
     with open_regular(path) as file:
         content = file.read(most + 1)

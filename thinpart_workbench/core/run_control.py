@@ -37,10 +37,7 @@ class RunControl:
     def check(self):
         """Raise if the run is to stop; the run calls this often. `is_ending` is true from then on.
 
-        Raises
-        ------
-        Cancelled
-            If the run was asked to stop.
+        Raises Cancelled if the run was asked to stop.
         """
         if self.stopped:
             self.is_ending = True

@@ -38,17 +38,13 @@ REPORTED_SHARES = tuple(tuple(map(float, key.split(":"))) for key in SampledShar
 def body_thickness(volume, area):
     """Twice the volume divided by the area: the thickness of a plate, the radius of a rod, two thirds of a ball's.
 
-    The relative error of the volume is the error of a length divided by this length, and that of the area is no
-    larger, because facets lie no farther than the chord error from the surface.
+    The relative error of the volume is the error of a length divided by this length, and that of the area is no larger,
+    because facets lie no farther than the chord error from the surface. Returns a float or None, mm.
 
     Parameters
     ----------
     volume : float or None, mm3
     area : float, mm2
-
-    Returns
-    -------
-    float or None, mm
     """
     return None if volume is None else 2.0 * volume / area
 
@@ -119,27 +115,21 @@ class Descriptors:
     def value(self, quantity, area_floor=STATED_FLOOR):
         """Value of a named quantity: float, or None where it could not be measured.
 
+        Raises KeyError when there is no such quantity.
+
         Parameters
         ----------
         quantity : str
             A name or symbol of `QUANTITIES`, with its bounds where it has some: ``F[0;0.25]``.
         area_floor : float
             Area share below which non-parallel walls are stray.
-
-        Raises
-        ------
-        KeyError
-            When there is no such quantity.
         """
         return quantity_named(quantity).evaluate(self, area_floor)
 
     def named_value(self, quantity):
         """As `value`, for quantities that a user names: float, or None where it could not be measured.
 
-        Raises
-        ------
-        ThinPartError
-            kind ``usage`` if there is no such quantity.
+        Raises ThinPartError, kind ``usage`` if there is no such quantity.
         """
         try:
             return self.value(quantity)
@@ -246,10 +236,7 @@ _BOUNDED = re.compile(r"^\s*([A-Za-z_]+)\s*\[\s*([0-9.]+)\s*[;:,]\s*([0-9.]+)\s*
 def quantity_named(text):
     """Find the `Quantity` that a text names, such as ``V/VBB``, ``d2_d3`` or ``F[0;0.25]``.
 
-    Raises
-    ------
-    KeyError
-        When there is no such quantity or its bounds are not in order.
+    Raises KeyError when there is no such quantity or its bounds are not in order.
     """
     bounded = _BOUNDED.match(text)
     quantity = _BY_NAME.get(bounded.group(1) if bounded else text.strip())

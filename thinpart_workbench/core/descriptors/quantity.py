@@ -151,10 +151,7 @@ class Quantity:
     def recorded(self, content):
         """Look up the value in a record's ``descriptors``, at the bounds of the table.
 
-        Raises
-        ------
-        KeyError
-            If the version that wrote the record did not have the quantity.
+        Raises KeyError if the version that wrote the record did not have the quantity.
         """
         for key in self.keys:
             content = content[key]

@@ -109,13 +109,10 @@ _LEAST_RATIO = np.float32(1e-4)
 def signature(record):
     """Compute the signature by which a part is compared.
 
-    Returns
-    -------
-    ndarray of shape (SIGNATURE_LENGTH,), float32
-        The share of the area over parallel walls thinner than x, as its mean over each interval of x
-        (so that it changes continuously when a wall moves across an edge); from `PARALLEL` on the shares
-        of parallel, non-parallel and unmeasured area, the fill V/VBB (NaN where it is not known),
-        D2/D1, D3/D1, and the diagonal in mm.
+    Returns an ndarray of shape (SIGNATURE_LENGTH,), float32: the share of the area over parallel walls thinner than x, as
+    its mean over each interval of x (so that it changes continuously when a wall moves across an edge); from `PARALLEL` on
+    the shares of parallel, non-parallel and unmeasured area, the fill V/VBB (NaN where it is not known), D2/D1, D3/D1, and
+    the diagonal in mm.
     """
     content = record["descriptors"]
     table, shares, sides = content["distribution"], content["shares"], content["box_mm"]
@@ -155,17 +152,6 @@ class Similarity(NamedTuple):
 def nearest(signatures, reference, count, same_size=None):
     """Find the parts most similar to a reference part, equally similar ones in the order of their rows: Similarity.
 
-    Parameters
-    ----------
-    signatures : ndarray of shape (n, SIGNATURE_LENGTH), float32
-    reference : ndarray of shape (SIGNATURE_LENGTH,), float32
-    count : int
-        How many at most.
-    same_size : float, optional
-        Factor, 1 or more, by which diagonals may differ; by default any size.
-
-    Notes
-    -----
     The distance is ``sqrt(sum(weight * term ** 2))`` over `TERMS`:
 
     - ``walls``: earth mover's distance (Rubner, Tomasi, Guibas, IJCV 2000) between the distributions of
@@ -176,6 +162,15 @@ def nearest(signatures, reference, count, same_size=None):
     - ``length``, ``flatness``: difference of the logarithms of D1/D2 and of D2/D3, in units of the
       logarithm of `SIDES_RATIO`, 1 at most.
     - ``slanted``: difference of the shares of area over non-parallel walls.
+
+    Parameters
+    ----------
+    signatures : ndarray of shape (n, SIGNATURE_LENGTH), float32
+    reference : ndarray of shape (SIGNATURE_LENGTH,), float32
+    count : int
+        How many at most.
+    same_size : float, optional
+        Factor, 1 or more, by which diagonals may differ; by default any size.
     """
     signatures = np.asarray(signatures, dtype=np.float32).reshape(-1, SIGNATURE_LENGTH)
     reference = np.asarray(reference, dtype=np.float32)

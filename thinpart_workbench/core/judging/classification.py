@@ -71,8 +71,6 @@ def _thin_bound(checked, descriptors):
 def classify(descriptors, profile):
     """Classify a part: Classification.
 
-    Notes
-    -----
     After Giannini, Petton, Pernot (TMCE 2012), section 5. The paper's classes overlap and the first one
     wins. A category is skipped only when all its criteria are known not to hold. If one of them is undecided,
     so is the verdict, and the part is ``unknown`` rather than ``normal``.

@@ -27,15 +27,12 @@ class SearchCondition:
 def search_conditions(text):
     """Parse conditions that must all hold: tuple of SearchCondition.
 
+    Raises ThinPartError, kind ``usage``: one sentence that names the part that is not understood.
+
     Parameters
     ----------
     text : str
         One or several, joined by ``and``; quantities as in `descriptors.QUANTITIES`.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``usage``: one sentence that names the part that is not understood.
     """
     text = " ".join(text.split())
     return tuple(_condition(part, text) for part in _AND.split(text))

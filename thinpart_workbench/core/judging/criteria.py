@@ -252,16 +252,13 @@ def usable_profile(content, where=message("the profile")):
 def profile_from(content, where=message("the profile")):
     """Read a profile's content, as an info file may have it too.
 
+    Raises ProfileError: one sentence that names the profile, the place in it and what is wrong there.
+
     Parameters
     ----------
     content : dict
     where : str
         Name of the profile in error messages.
-
-    Raises
-    ------
-    ProfileError
-        One sentence that names the profile, the place in it and what is wrong there.
     """
     if not file_marks.PROFILE.is_of(content):
         raise ProfileError(message("{profile} is not a ThinPart profile.", profile=where))

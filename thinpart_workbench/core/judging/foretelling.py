@@ -78,8 +78,6 @@ def foretellings(descriptors, has_trouble, more=()):
 def area_under_curve(yes, no):
     """The probability that a value of one group, an ndarray, exceeds one of the other, ties counting half: float.
 
-    Notes
-    -----
     The statistic of Mann and Whitney (1947), doi:10.1214/aoms/1177730491, divided by m n.
     """
     ranks = rankdata(np.concatenate([yes, no]))[:len(yes)]
@@ -89,21 +87,17 @@ def area_under_curve(yes, no):
 def area_interval(area, yes, no):
     """Interval of 95 % of an area under the curve.
 
+    Returns `low` and `high` (float).
+
+    Method 5 of Newcombe (2006), Confidence intervals for an effect size measure based on the Mann-Whitney statistic,
+    part 2, doi:10.1002/sim.2324. Like Wilson's interval of a share, it solves for the area that the found one is just
+    compatible with, so it does not vanish where the groups are separated completely.
+
     Parameters
     ----------
     area : float
     yes, no : int
         Sizes of the groups, at least 1.
-
-    Returns
-    -------
-    low, high : float
-
-    Notes
-    -----
-    Method 5 of Newcombe (2006), Confidence intervals for an effect size measure based on the Mann-Whitney statistic,
-    part 2, doi:10.1002/sim.2324. Like Wilson's interval of a share, it solves for the area that the found one is just
-    compatible with, so it does not vanish where the groups are separated completely.
     """
     half = 0.5 * (yes + no) - 1.0
 

@@ -29,8 +29,6 @@ class Impossible(NamedTuple):
 def impossible_conditions(profile):
     """Find the criteria that no part can meet: list of Impossible, at most one for each criterion.
 
-    Notes
-    -----
     Looked at are single conditions and pairs of them, by what is true of every part: shares lie between 0 and 1, sides of
     the box are in order, and there is no more surface over some walls than over more of them. Three conditions that exclude
     each other only together, as shares that add up to more than 1, are not found.

@@ -10,6 +10,8 @@ def packed_walls_pass(thinnest, error, volume, area, diagonal, unmeasured, unmet
                       slanted_area, least, most):
     """Whether the walls of a part lie within limits; see `wall_verdict`.
 
+    Returns an int or None: 1 or 0; None where it cannot be told.
+
     Parameters
     ----------
     thinnest, error, volume, area, diagonal, unmeasured, unmet : float or None
@@ -17,11 +19,6 @@ def packed_walls_pass(thinnest, error, volume, area, diagonal, unmeasured, unmet
     wall_bins, wall_area, slanted_bins, slanted_area : bytes
         See `packed_walls`.
     least, most : float or None, mm
-
-    Returns
-    -------
-    int or None
-        1 or 0; None where it cannot be told.
     """
     walls, slanted = (_unpacked(*table) for table in ((wall_bins, wall_area), (slanted_bins, slanted_area)))
     measured = MeasuredWalls(thinnest, error, volume, area, diagonal, walls, slanted, unmeasured, unmet)

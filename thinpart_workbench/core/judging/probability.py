@@ -60,16 +60,14 @@ class Step:
 class ProbabilityModel:
     """One logistic regression per category, in the order of the profile; what none takes is normal.
 
+    Continuation-ratio logits (Fienberg 1980, The Analysis of Cross-Classified Categorical Data, chapter 6): they follow the
+    order of the categories, of which a part takes the first that applies.
+
     Attributes
     ----------
     unsure_under : float
         A verdict that is less probable than this is unsure.
     steps : tuple of Step
-
-    Notes
-    -----
-    Continuation-ratio logits (Fienberg 1980, The Analysis of Cross-Classified Categorical Data, chapter 6): they follow the
-    order of the categories, of which a part takes the first that applies.
     """
 
     unsure_under: float
@@ -100,17 +98,14 @@ class ProbabilityModel:
 def probability_model(content, categories):
     """Read the model of a profile: ProbabilityModel.
 
+    Raises ValueError where it names an unknown quantity, or its steps are not those of the categories.
+
     Parameters
     ----------
     content : dict
         Entry ``probability`` of a profile, of the kind `PROBABILITY`.
     categories : sequence of str
         The profile's own, in order.
-
-    Raises
-    ------
-    ValueError
-        Where it names an unknown quantity, or its steps are not those of the categories.
     """
     steps = tuple(
         Step(step["category"], float(step["intercept"]), tuple(
@@ -130,16 +125,13 @@ def _term(content, place):
 def named_quantity(text, place):
     """The quantity that an entry of a profile names: Quantity.
 
+    Raises ValueError: a sentence that names the place, and the quantities that there are.
+
     Parameters
     ----------
     text : str
     place : str
         Of the entry in the profile.
-
-    Raises
-    ------
-    ValueError
-        A sentence that names the place, and the quantities that there are.
     """
     try:
         return quantity_named(text)

@@ -65,15 +65,13 @@ class FoundProfile(NamedTuple):
 class ThresholdSearch:
     """A coordinate search near the thresholds of a profile.
 
+    The errors of lengths, which make some verdicts of `classify` unknown, are left out of account here.
+
     Parameters
     ----------
     profile : Profile
         The start.
     descriptors : list of Descriptors, of length n
-
-    Notes
-    -----
-    The errors of lengths, which make some verdicts of `classify` unknown, are left out of account here.
     """
 
     def __init__(self, profile, descriptors):

@@ -30,15 +30,12 @@ def nearest_other(record):
 def reason_of(record):
     """Why a part is ``unknown``, as a `Message`; a reason stored as plain text is rebuilt from the evidence.
 
+    Returns a str: ``reason`` of the record; a Message unless another version wrote it with other words.
+
     Parameters
     ----------
     record : dict
         Part record, or a verdict without descriptors, whose reason is returned unchanged.
-
-    Returns
-    -------
-    str
-        ``reason`` of the record; a Message unless another version wrote it with other words.
     """
     stored = record["reason"]
     if not stored or isinstance(stored, Message) or "descriptors" not in record:

@@ -18,8 +18,6 @@ _PARTS_AT_ONCE = 500
 class VerdictTable:
     """Measured parts, and which conditions they meet.
 
-    Notes
-    -----
     The category is that of `classify`. A condition is checked once on each part: so a profile with one new threshold takes
     about 20 microseconds per part.
     """

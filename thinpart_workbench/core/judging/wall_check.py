@@ -87,8 +87,6 @@ class MeasuredWalls:
     def volume_outside(self, limit):
         """Least share of the volume that no wall up to a limit, mm, encloses: float, or None where there is no volume.
 
-        Notes
-        -----
         A wall of thickness t under an area a on either side holds a t / 2 for each of them. Where all walls up to the
         limit, taken at the upper ends of their bins, and the surface without a wall, taken at the limit, together hold
         less than the part, the rest lies deeper than the limit allows.
@@ -178,18 +176,16 @@ def wall_verdict(measured, limits):
 def check_walls(record, limits):
     """Check a part: WallCheck.
 
+    The least wall is compared with the part's thinnest wall, which has an extent (`thinnest_walls`), so that stray rays
+    decide nothing. Tapered walls end in edges, where they are thinner than any limit: they count in shares of the surface,
+    not in the verdict. For the greatest wall see `MeasuredWalls.volume_outside`: a ray from the edge of a plate
+    runs along it, and would call every plate thick.
+
     Parameters
     ----------
     record : PartRecord
         It may lack its faces, which make shares of the surface more precise.
     limits : WallLimits
-
-    Notes
-    -----
-    The least wall is compared with the part's thinnest wall, which has an extent (`thinnest_walls`), so that stray rays
-    decide nothing. Tapered walls end in edges, where they are thinner than any limit: they count in shares of the surface,
-    not in the verdict. For the greatest wall see `MeasuredWalls.volume_outside`: a ray from the edge of a plate
-    runs along it, and would call every plate thick.
     """
     measured = MeasuredWalls.of_record(record)
     thin_holds, thick_holds, within = wall_verdict(measured, limits)

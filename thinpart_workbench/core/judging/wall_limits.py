@@ -65,10 +65,7 @@ def shipped_limits():
 def read_limits(path):
     """Read a table of limits: dict of str to WallLimits by name, each process followed by its materials.
 
-    Raises
-    ------
-    ThinPartError
-        kind ``usage``: one sentence that names the file, the place in it and what is wrong there.
+    Raises ThinPartError, kind ``usage``: one sentence that names the file, the place in it and what is wrong there.
     """
     return {limits.name: limits for process in limits_content(path)["processes"] for limits in _limits_of(process)}
 
@@ -93,16 +90,13 @@ def limits_content(path):
 def chosen_limits(known, names):
     """The limits that people name: tuple of WallLimits, each once, in the order of the names.
 
+    Raises ThinPartError, kind ``usage`` where there is no such process or material.
+
     Parameters
     ----------
     known : dict of str to WallLimits
     names : iterable of str
         Names of `known`, in whatever case; empty ones are left out.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``usage`` where there is no such process or material.
     """
     by_name = {name.casefold(): limits for name, limits in known.items()}
     chosen: dict = {}

@@ -15,18 +15,13 @@ class UnreadableJson(Exception):
 
 
 def read_json(path, most=LARGEST_WRITTEN):
-    """The content of a JSON file: object.
+    """The content of a JSON file: object. Raises FileNotFoundError or UnreadableJson.
 
     Parameters
     ----------
     path : str or Path
     most : int
         Greatest number of bytes.
-
-    Raises
-    ------
-    FileNotFoundError
-    UnreadableJson
     """
     try:
         return parsed_json(read_regular(path, most))

@@ -29,18 +29,13 @@ class Restricted:
 
 
 def kind_of(given):
-    """The kind of the values of a type: Kind.
+    """The kind of the values of a type: Kind. Raises TypeError for any other type.
 
     Parameters
     ----------
     given : type
         float, int, str or bool; ``dict[str, Any]``, for an object with any keys; a TypedDict; a list, ``Optional`` or
         ``Union`` of two of these; or ``Annotated`` with such a type and with `Restricted`, or another `Kind` in its place.
-
-    Raises
-    ------
-    TypeError
-        For any other type.
     """
     origin, arguments = get_origin(given), get_args(given)
     if origin is Annotated:

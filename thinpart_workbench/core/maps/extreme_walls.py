@@ -47,12 +47,9 @@ class ExtremeWall:
 def thinnest_wall(parts):
     """Find the thinnest wall.
 
-    Returns
-    -------
-    ExtremeWall or None
-        The wall that the records name, which has some extent and is confirmed; a map of balls tells the ball there,
-        because balls shrink to nothing towards every sharp edge. Without a record, the least thickness of a map. None
-        where nothing was measured.
+    Returns an ExtremeWall or None: the wall that the records name, which has some extent and is confirmed; a map of balls
+    tells the ball there, because balls shrink to nothing towards every sharp edge. Without a record, the least thickness of
+    a map. None where nothing was measured.
     """
     found = [wall for part in parts for wall in [_thinnest_of(part)] if wall is not None]
     return min(found, key=lambda wall: wall.value, default=None)
@@ -61,16 +58,14 @@ def thinnest_wall(parts):
 def thickest_wall(parts, sight):
     """Find the thickest wall: ExtremeWall, or None where nothing was measured.
 
+    Rays from a rim run along the wall, and tell its length. So the width of the material is measured half-way along each
+    ray, and walls more than `_SLENDER` times thicker than wide are passed over while there are others.
+
     Parameters
     ----------
     parts : list of MappedPart
     sight : MapSight
         Of these parts.
-
-    Notes
-    -----
-    Rays from a rim run along the wall, and tell its length. So the width of the material is measured half-way along each
-    ray, and walls more than `_SLENDER` times thicker than wide are passed over while there are others.
     """
     found = [wall for part, scene in zip(parts, sight.scenes) for wall in [_thickest_of(part, scene)] if wall is not None]
     return max(found, key=lambda wall: wall.value, default=None)

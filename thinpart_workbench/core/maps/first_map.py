@@ -27,19 +27,16 @@ BALLS = 1_500
 def first_map(mesh, by=RAY):
     """Estimate the thickness of a part within a fraction of a second.
 
+    Returns a ThicknessMap or None: None for balls in a mesh that is not coarse, which would take as long as the fine map of
+    others. To be looked at until `thickness_map` is there, and for nothing else: where the thickness jumps it has no lines,
+    and narrow places may go unseen.
+
     Parameters
     ----------
     mesh : SurfaceMesh
         A coarse one.
     by : str
         One of `SHOWN_MEASURES`.
-
-    Returns
-    -------
-    ThicknessMap or None
-        None for balls in a mesh that is not coarse, which would take as long as the fine map of others.
-        To be looked at until `thickness_map` is there, and for nothing else: where the thickness jumps it has no lines, and
-        narrow places may go unseen.
     """
     if by == SPHERE and mesh.count > MOST_FACETS:
         return None

@@ -61,6 +61,11 @@ class CutFacets:
 def cut_along_jumps(mesh, rays, points, facets, parent, report=None):
     """Cut facets where the thickness jumps: CutFacets.
 
+    Walls are measured at the corners, at the middles of the sides and of the facets. Where they show more than one line
+    through a facet, or where the thickness is far from linear beside it, it is halved, a few times. Then the place of the
+    jump on each side is found by bisection, and the facet is cut from place to place: on a plane, the edge of a plane wall
+    behind it is a straight line. Facets of one face share these places, so that no gaps open.
+
     Parameters
     ----------
     mesh : SurfaceMesh
@@ -70,13 +75,6 @@ def cut_along_jumps(mesh, rays, points, facets, parent, report=None):
     parent : ndarray of shape (m,), int64
     report : callable, optional
         Called with the fraction done; may raise to stop.
-
-    Notes
-    -----
-    Walls are measured at the corners, at the middles of the sides and of the facets. Where they show more than one line
-    through a facet, or where the thickness is far from linear beside it, it is halved, a few times. Then the place of the
-    jump on each side is found by bisection, and the facet is cut from place to place: on a plane, the edge of a plane wall
-    behind it is a straight line. Facets of one face share these places, so that no gaps open.
     """
     finest = LINE * mesh.extent
     found, new = None, np.arange(len(facets))

@@ -124,17 +124,14 @@ def section_at_levels(cut, levels):
 def within_steps(thickness, levels):
     """The values at corners of pieces, moved into the step that the middle of their piece is in.
 
-    A colour that changes at a level is then the same all over a piece that ends there.
+    A colour that changes at a level is then the same all over a piece that ends there. Returns an ndarray of shape (k, n),
+    mm.
 
     Parameters
     ----------
     thickness : ndarray of shape (k, n), mm
     levels : sequence of float, mm
         Ascending.
-
-    Returns
-    -------
-    ndarray of shape (k, n), mm
     """
     ends = np.concatenate([[-np.inf], levels, [np.inf]])
     # In float32, as `are_between` compares: a wall of 2.1 mm is not thinner than 2.1 mm.

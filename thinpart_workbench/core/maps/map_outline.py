@@ -12,10 +12,7 @@ CREASE = np.radians(30.0)
 def outline(thickness_map):
     """Find the sides of facets where two B-Rep faces meet, where the surface has a crease, or where it ends.
 
-    Returns
-    -------
-    ndarray of shape (k, 2), int32
-        Rows of `thickness_map.points`.
+    Returns an ndarray of shape (k, 2), int32: rows of `thickness_map.points`.
     """
     facets = thickness_map.facets.astype(np.int64)
     key = side_keys(facets, len(thickness_map.points)).ravel()

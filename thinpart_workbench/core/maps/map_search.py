@@ -21,18 +21,14 @@ class MapSearch:
     def first_hit(self, eye, direction):
         """Find the facet that a ray hits first, from either side.
 
+        Returns `facet` (int; -1 where it hits none) and `distance` (float; in units of `direction`; infinite where it hits
+        none).
+
         Parameters
         ----------
         eye : ndarray of shape (3,), mm
             In the coordinates of the map.
         direction : ndarray of shape (3,)
-
-        Returns
-        -------
-        facet : int
-            -1 where it hits none.
-        distance : float
-            In units of `direction`; infinite where it hits none.
         """
         eye = np.asarray(eye, dtype=np.float64) - self._map.origin
         direction = np.asarray(direction, dtype=np.float64)

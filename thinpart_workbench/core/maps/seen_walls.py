@@ -20,6 +20,9 @@ ASIDE = 1e-3
 def seen_walls(mesh, rays, points, triangle, report=None):
     """Measure the walls under places of the surface, as a map shows them.
 
+    Returns `thickness` (ndarray of shape (n,), mm; inf where there is no wall, or one at more than 60 degrees) and
+    `opposite` (ndarray of shape (n,), int64; triangle of the far side, -1 for none).
+
     Parameters
     ----------
     mesh : SurfaceMesh
@@ -29,13 +32,6 @@ def seen_walls(mesh, rays, points, triangle, report=None):
         That each lies on.
     report : callable, optional
         Called with the fraction done; may raise to stop.
-
-    Returns
-    -------
-    thickness : ndarray of shape (n,), mm
-        inf where there is no wall, or one at more than 60 degrees.
-    opposite : ndarray of shape (n,), int64
-        Triangle of the far side, -1 for none.
     """
     if not len(points):
         return np.empty(0), np.empty(0, dtype=np.int64)

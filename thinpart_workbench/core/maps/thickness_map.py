@@ -126,20 +126,15 @@ class ThicknessMap:
     def wall_at(self, facet, point):
         """Measure the wall under any point of a facet, to the plane of the facet that its middle sees.
 
-        A ball is that of the middle of the facet.
+        A ball is that of the middle of the facet. Returns `thickness` (float or None, mm; None where nothing was measured)
+        and `opposite` (ndarray of shape (3,), mm, or None; in the coordinates of the document; the far end of the ball's
+        diameter).
 
         Parameters
         ----------
         facet : int
         point : array_like of shape (3,), mm
             In the coordinates of the document.
-
-        Returns
-        -------
-        thickness : float or None, mm
-            None where nothing was measured.
-        opposite : ndarray of shape (3,), mm, or None
-            In the coordinates of the document; the far end of the ball's diameter.
         """
         if not np.isfinite(self.thickness[facet]):
             return None, None
@@ -159,6 +154,10 @@ class ThicknessMap:
 def thickness_map(measurement, report=None, by=RAY):
     """Compute the thickness of a measured part, facet by facet: ThicknessMap.
 
+    Large triangles are cut until their sides are about as long as those of `FACETS` equal facets. Where the thickness jumps
+    they are cut along the line of the jump (`jump_lines`), so that a web under a plate has a sharp outline. The diameters of
+    balls, which fall off towards sharp edges, are one for each facet.
+
     Parameters
     ----------
     measurement : Measurement
@@ -166,12 +165,6 @@ def thickness_map(measurement, report=None, by=RAY):
         Called with the fraction done; may raise to stop.
     by : str
         One of `SHOWN_MEASURES`.
-
-    Notes
-    -----
-    Large triangles are cut until their sides are about as long as those of `FACETS` equal facets. Where the thickness jumps
-    they are cut along the line of the jump (`jump_lines`), so that a web under a plate has a sharp outline. The diameters of
-    balls, which fall off towards sharp edges, are one for each facet.
     """
     mesh = measurement.field.mesh
     rays = measurement.rays or InwardRays(mesh)

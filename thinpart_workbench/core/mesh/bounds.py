@@ -58,8 +58,6 @@ class OrientedBox:
 def principal_box(points):
     """Compute the box along the principal axes of vertices, ndarray of shape (v, 3), mm, as in the paper: OrientedBox.
 
-    Notes
-    -----
     Exactly as in Giannini, Petton, Pernot (TMCE 2012), 4.2. It depends on the density of the vertices and is not
     minimal: a square plate may get a box rotated by 45 degrees. `minimal_box` is the default.
     """
@@ -69,6 +67,15 @@ def principal_box(points):
 def minimal_box(points, flat_directions=(), report=None):
     """Compute the oriented bounding box of minimum volume.
 
+    Returns an OrientedBox: among boxes whose volumes agree to `Tolerances.box_tie`, the one with the shortest diagonal, so
+    that the choice between equals is stable.
+
+    Candidate directions of a box side are the normals of the convex hull, the principal axes and, for small hulls,
+    products of hull edges (a minimum box has two sides flush with hull edges, O'Rourke 1985,
+    doi:10.1007/BF00991005). Each is completed by the rectangle of least area. The best boxes are refined by the
+    method of Nelder and Mead over rotations, following Chang, Gorissen and Melchior (2011,
+    doi:10.1145/2019627.2019641). A box that is flush with a facet is exact to rounding.
+
     Parameters
     ----------
     points : ndarray of shape (v, 3), mm
@@ -77,20 +84,6 @@ def minimal_box(points, flat_directions=(), report=None):
         with those sides.
     report : callable, optional
         Called with the fraction done; may raise to stop.
-
-    Returns
-    -------
-    OrientedBox
-        Among boxes whose volumes agree to `Tolerances.box_tie`, the one with the shortest diagonal, so that the
-        choice between equals is stable.
-
-    Notes
-    -----
-    Candidate directions of a box side are the normals of the convex hull, the principal axes and, for small hulls,
-    products of hull edges (a minimum box has two sides flush with hull edges, O'Rourke 1985,
-    doi:10.1007/BF00991005). Each is completed by the rectangle of least area. The best boxes are refined by the
-    method of Nelder and Mead over rotations, following Chang, Gorissen and Melchior (2011,
-    doi:10.1145/2019627.2019641). A box that is flush with a facet is exact to rounding.
     """
     support = _support_points(points - points.mean(axis=0), flat_directions)
     try:

@@ -27,16 +27,14 @@ def refined_axes(points, axes):
 
     No box is larger than the given one. Those that no probe makes smaller are returned as they are.
 
+    Nelder and Mead (1965, doi:10.1093/comjnl/7.4.308) with their coefficients, over rotation vectors. All boxes are
+    refined together, so that a step costs two numpy calls for all of them.
+
     Parameters
     ----------
     points : ndarray of shape (v, 3), mm
     axes : ndarray of shape (k, 3, 3)
         Rows are the directions of a box's sides.
-
-    Notes
-    -----
-    Nelder and Mead (1965, doi:10.1093/comjnl/7.4.308) with their coefficients, over rotation vectors. All boxes are
-    refined together, so that a step costs two numpy calls for all of them.
     """
     points = np.ascontiguousarray(points.T)
     axes = axes.copy()

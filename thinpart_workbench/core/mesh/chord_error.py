@@ -8,6 +8,11 @@ def chord_errors(mesh, planar_faces, linear_deflection):
 
     At most the given deflection, and 0 for a face without triangles.
 
+    On a circle, facets of width w that meet at an angle phi lie w tan(phi / 4) / 2 inside the arc.
+    The estimate uses the height of the larger triangle at each inner edge as w, and doubles the result because
+    facets of one strip differ in width. A curved face without a bent inner edge gives no information about its
+    curvature, so the given deflection is used there.
+
     Parameters
     ----------
     mesh : SurfaceMesh
@@ -15,13 +20,6 @@ def chord_errors(mesh, planar_faces, linear_deflection):
         Which B-Rep faces are planes: those have no chord error.
     linear_deflection : float, mm
         Linear deflection given to the mesher. The angular deflection mostly makes the mesh finer than that.
-
-    Notes
-    -----
-    On a circle, facets of width w that meet at an angle phi lie w tan(phi / 4) / 2 inside the arc.
-    The estimate uses the height of the larger triangle at each inner edge as w, and doubles the result because
-    facets of one strip differ in width. A curved face without a bent inner edge gives no information about its
-    curvature, so the given deflection is used there.
     """
     curved = ~planar_faces
     per_face = np.zeros(len(planar_faces))

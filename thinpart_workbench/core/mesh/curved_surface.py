@@ -11,8 +11,6 @@ from .smooth_normals import barycentric
 class CurvedSurface:
     """A mesh whose facets bulge so far that the surface has the smooth normals at their corners.
 
-    Notes
-    -----
     Between two corners, the surface rises above the chord by a parabola: the chord times the turn of the normal along it, by
     eight, in the middle (Vlachos, Peters, Boyd and Mitchell 2001, doi:10.1145/364338.364387, keep the quadratic terms of
     the same patch). Facets of planes do not bulge; those of a hollow side sink.

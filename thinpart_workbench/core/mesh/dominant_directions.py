@@ -9,17 +9,14 @@ _CELLS = 200
 def dominant_directions(normals, areas, most):
     """Find unit directions by descending area; opposite normals count together.
 
+    Returns an ndarray of shape (k, 3): they rotate with the part.
+
     Parameters
     ----------
     normals : ndarray of shape (n, 3)
     areas : ndarray of shape (n,)
     most : int
         Greatest number of directions.
-
-    Returns
-    -------
-    ndarray of shape (k, 3)
-        They rotate with the part.
     """
     side = np.where(normals @ np.array([1.0, 1e-3, 1e-6]) < 0.0, -1.0, 1.0)
     facing = normals * side[:, None]

@@ -25,10 +25,8 @@ def edge_balance(triangles):
 def shared_sides(triangles):
     """Find pairs of sides of triangles, ndarray of shape (n, 3), int64, that share an edge.
 
-    Returns
-    -------
-    first, second : ndarray of shape (e,), int64
-        Side ``3 t + k`` runs from corner k of triangle t to the next.
+    Returns `first` and `second` (ndarray of shape (e,), int64): Side ``3 t + k`` runs from corner k of triangle t to the
+    next.
     """
     order, low, high = _by_edge(triangles)
     twice = np.flatnonzero((low[1:] == low[:-1]) & (high[1:] == high[:-1]))
@@ -81,17 +79,15 @@ def _balance(directed, weight=1):
 def closes_at_t_junctions(vertices, triangles, tolerance):
     """Whether the only open edges are long ones that several shorter ones cover.
 
+    Meshes assembled from patches have such T-junctions. Each open edge is split at the open vertices that lie on
+    it. If the pieces then cancel, the surface encloses a volume, up to cracks no wider than the tolerance.
+
     Parameters
     ----------
     vertices : ndarray of shape (v, 3), mm
     triangles : ndarray of shape (n, 3), int64
     tolerance : float, mm
         Distance from an edge within which a vertex counts as on it.
-
-    Notes
-    -----
-    Meshes assembled from patches have such T-junctions. Each open edge is split at the open vertices that lie on
-    it. If the pieces then cancel, the surface encloses a volume, up to cracks no wider than the tolerance.
     """
     edges, balance, _ = edge_balance(triangles)
     open_edges = np.flatnonzero(balance)
@@ -112,15 +108,13 @@ def closes_at_t_junctions(vertices, triangles, tolerance):
 def slit_area(vertices, triangles):
     """Area between the open edges of a mesh, mm2: float; infinity where they are not simple loops.
 
+    A mesher that divides the two sides of one edge of a B-Rep differently, or leaves out the smallest triangles of a face,
+    leaves slits.
+
     Parameters
     ----------
     vertices : ndarray of shape (v, 3), mm
     triangles : ndarray of shape (n, 3), int64
-
-    Notes
-    -----
-    A mesher that divides the two sides of one edge of a B-Rep differently, or leaves out the smallest triangles of a face,
-    leaves slits.
     """
     edges, balance, _ = edge_balance(triangles)
     is_open = balance != 0

@@ -16,6 +16,11 @@ def flattened(vertices, triangles, sides, extent):
 
     No vertex has moved by more than a few times `Tolerances.flat`.
 
+    FreeCAD and STL store points as float32. On a part that is not aligned with the axes, this tilts the normals of
+    slender triangles of a plane by degrees, so that parallel walls seem to be at an angle and parallel rays
+    diverge. A region consists of triangles connected by edges across which both triangles lie in one plane. Its
+    normal is the sum of its area vectors, in which the rounding of inner points cancels.
+
     Parameters
     ----------
     vertices : ndarray of shape (v, 3), mm
@@ -24,13 +29,6 @@ def flattened(vertices, triangles, sides, extent):
     sides : tuple of two ndarrays of shape (e,), int64
         The `shared_sides` of the triangles.
     extent : float, mm
-
-    Notes
-    -----
-    FreeCAD and STL store points as float32. On a part that is not aligned with the axes, this tilts the normals of
-    slender triangles of a plane by degrees, so that parallel walls seem to be at an angle and parallel rays
-    diverge. A region consists of triangles connected by edges across which both triangles lie in one plane. Its
-    normal is the sum of its area vectors, in which the rounding of inner points cancels.
     """
     tolerance = TOLERANCES.flat * extent
     corners = corners_of(np.ascontiguousarray(vertices.T), triangles)

@@ -9,19 +9,9 @@ from ..tolerances import TOLERANCES
 def volume(mesh):
     """Compute the enclosed volume as the sum of signed tetrahedra, and of what curved surfaces add to their facets.
 
-    Returns
-    -------
-    float or None
-        mm3; None where the surface is not watertight, because then the sum depends on the
-        reference point.
+    Returns a float or None: mm3; None where the surface is not watertight, because then the sum depends on the reference
+    point. Raises MeshError, kind ``zero_volume`` if a closed surface encloses nothing.
 
-    Raises
-    ------
-    MeshError
-        kind ``zero_volume`` if a closed surface encloses nothing.
-
-    Notes
-    -----
     The paper uses the origin of the reference frame as the common vertex of the tetrahedra. Here it is the centre of
     the mesh, because far from the origin the sum loses all its digits.
     """

@@ -80,8 +80,6 @@ def is_turned_too_far(mesh, angular_deflection):
 def smallest_side(descriptors):
     """Find the smallest length of the body as a whole that is shown or compared with thresholds: float, mm, or None.
 
-    Notes
-    -----
     In a coarse mesh of a rod the thinnest wall may be its length, so the body counts as well. Distances of slanted walls do
     not, because they go to 0 where two faces meet in an edge. Criteria allow for the error of those distances.
     """

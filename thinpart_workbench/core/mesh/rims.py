@@ -23,17 +23,15 @@ _ALIKE = 2.0
 class Rims:
     """Curved edges of a mesh.
 
+    Over the side of a triangle, a curve is taken for the arc of the circle through the ends of this side and the next
+    point of the curve, on either side. This is exact on the rims of cylinders, cones and spheres.
+
     Parameters
     ----------
     mesh : SurfaceMesh
         A mesh with B-Rep faces.
     near : ndarray of shape (m,), int64
         Triangles between which curves are looked for.
-
-    Notes
-    -----
-    Over the side of a triangle, a curve is taken for the arc of the circle through the ends of this side and the next
-    point of the curve, on either side. This is exact on the rims of cylinders, cones and spheres.
     """
 
     def __init__(self, mesh, near):

@@ -24,21 +24,19 @@ def box_of_round_sides(mesh, box):
 
     A box with the same directions that is no smaller.
 
-    Parameters
-    ----------
-    mesh : SurfaceMesh
-        A mesh with B-Rep faces.
-    box : OrientedBox
-        The box of its vertices.
-
-    Notes
-    -----
     Where the normals of the smooth surface at the ends of a facet's side lean to either side of a direction of the
     box, the surface rises to an arc between them. Over a side of length l with normals that lean by a and b, the arc
     has the radius l / (sin a + sin b), where the normals are projected into the plane of that side and the direction. This
     is exact on cylinders and cones. Over the inside of a facet, the surface has its top where the interpolated normal points
     along the direction; from a corner at the distance l, with a normal that leans by a, it rises by l tan(a / 2). This is
     exact on a sphere. Curves between faces may rise to a side where no face is parallel to it (`Rims`).
+
+    Parameters
+    ----------
+    mesh : SurfaceMesh
+        A mesh with B-Rep faces.
+    box : OrientedBox
+        The box of its vertices.
     """
     directions = np.concatenate([box.axes, -box.axes])
     heights = directions @ mesh.vertex_columns

@@ -71,19 +71,17 @@ def smooth_samples(mesh, points, triangle, area):
 def surface_samples(mesh, minimum=AnalysisSettings.minimum_samples):
     """Sample a surface deterministically: SurfaceSamples.
 
+    On a coarse mesh, each triangle has four samples (the centroid and one inside each corner), and large ones have more, by
+    the R2 low-discrepancy sequence (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences"). On a fine
+    mesh, each face has samples by its area, in equal strata along its triangles, which mostly lie side by side as the
+    mesher made them (Cochran 1977, Sampling Techniques, 8.1). The result does not depend on a random seed.
+
     Parameters
     ----------
     mesh : SurfaceMesh
     minimum : int
         Number of samples, to which few are added so that all triangles of a coarse mesh, and all faces of a fine one, have
         some. It does not grow with the number of triangles.
-
-    Notes
-    -----
-    On a coarse mesh, each triangle has four samples (the centroid and one inside each corner), and large ones have more, by
-    the R2 low-discrepancy sequence (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences"). On a fine
-    mesh, each face has samples by its area, in equal strata along its triangles, which mostly lie side by side as the
-    mesher made them (Cochran 1977, Sampling Techniques, 8.1). The result does not depend on a random seed.
     """
     per_triangle, area = _samples_per_triangle(mesh.areas, mesh.face_of_triangle, minimum)
     triangle = np.repeat(np.arange(mesh.count), per_triangle)

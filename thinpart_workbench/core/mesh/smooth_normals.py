@@ -50,19 +50,17 @@ def smooth_patches(vertices, triangles, sides):
 def normals_at(mesh, triangle, points):
     """Compute unit normals of the smooth surface at points on triangles: ndarray of shape (m, 3).
 
+    Corner normals are those of the geometry, or else means over the facets of the same face, with the weights of Max (1999,
+    doi:10.1080/10867651.1999.10487501), which are exact on a sphere. They are interpolated as by Phong (1975,
+    doi:10.1145/360825.360839). On a plane they equal the normal of the facet. By these normals, the two walls of a
+    tessellated shell are parallel, although their facets are not.
+
     Parameters
     ----------
     mesh : SurfaceMesh
     triangle : ndarray of shape (m,), int64
     points : ndarray of shape (m, 3), mm
         On those triangles, in the coordinates of the mesh.
-
-    Notes
-    -----
-    Corner normals are those of the geometry, or else means over the facets of the same face, with the weights of Max (1999,
-    doi:10.1080/10867651.1999.10487501), which are exact on a sphere. They are interpolated as by Phong (1975,
-    doi:10.1145/360825.360839). On a plane they equal the normal of the facet. By these normals, the two walls of a
-    tessellated shell are parallel, although their facets are not.
     """
     normal = np.take(mesh.normals, triangle, axis=0)
     for chosen, own, weights in bent_points(mesh, triangle, points):
@@ -73,18 +71,14 @@ def normals_at(mesh, triangle, points):
 def bent_points(mesh, triangle, points):
     """Yield those of many points that lie on bent triangles, in portions.
 
+    Yields `chosen` and `triangle` (ndarray of shape (k,), int64; which of the points, and their triangles) and `weights`
+    (three ndarrays of shape (k,); their barycentric coordinates).
+
     Parameters
     ----------
     mesh : SurfaceMesh
     triangle : ndarray of shape (m,), int64
     points : ndarray of shape (m, 3), mm
-
-    Yields
-    ------
-    chosen, triangle : ndarray of shape (k,), int64
-        Which of the points, and their triangles.
-    weights : three ndarrays of shape (k,)
-        Their barycentric coordinates.
     """
     bent = np.flatnonzero(mesh.is_bent[triangle])
     for start in range(0, len(bent), _AT_ONCE):

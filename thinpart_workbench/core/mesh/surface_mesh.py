@@ -130,6 +130,11 @@ class SurfaceMesh:
 def surface_mesh(points, triangles, face_of_triangle=None, rounding=TOLERANCES.rounding, face_normals=None, of_solid=False):
     """Check, weld, clean and orient triangles into a `SurfaceMesh`.
 
+    Raises MeshError, kind ``empty``, ``not_finite`` or ``unreadable``.
+
+    As in Giannini, Petton, Pernot (TMCE 2012), section 2, the triangles need not be watertight. Duplicate and
+    zero-area triangles are dropped and counted. A surface that is consistently inside-out is inverted.
+
     Parameters
     ----------
     points : array_like of shape (v, 3), mm
@@ -141,16 +146,6 @@ def surface_mesh(points, triangles, face_of_triangle=None, rounding=TOLERANCES.r
         Of the faces, if they are those of a B-Rep.
     of_solid : bool, optional
         Whether the triangles are those of a solid, so that slits between them are the mesher's and no openings.
-
-    Raises
-    ------
-    MeshError
-        kind ``empty``, ``not_finite`` or ``unreadable``.
-
-    Notes
-    -----
-    As in Giannini, Petton, Pernot (TMCE 2012), section 2, the triangles need not be watertight. Duplicate and
-    zero-area triangles are dropped and counted. A surface that is consistently inside-out is inverted.
     """
     points = np.asarray(points, dtype=np.float64).reshape(-1, 3)
     triangles = np.asarray(triangles, dtype=np.int64).reshape(-1, 3)
@@ -219,20 +214,15 @@ def surface_mesh(points, triangles, face_of_triangle=None, rounding=TOLERANCES.r
 def unchecked_mesh(points, triangles):
     """A `SurfaceMesh` in a tenth of the time, for a first look and nothing else.
 
+    Raises MeshError, kind ``zero_volume`` if no triangle has an area.
+
+    Nothing is welded, repaired or divided into faces, no normal is smooth, and it is taken to be closed. Only triangles
+    without area are left out, and an inside-out surface is inverted.
+
     Parameters
     ----------
     points : ndarray of shape (v, 3), mm
     triangles : ndarray of shape (n, 3), int64
-
-    Notes
-    -----
-    Nothing is welded, repaired or divided into faces, no normal is smooth, and it is taken to be closed. Only triangles
-    without area are left out, and an inside-out surface is inverted.
-
-    Raises
-    ------
-    MeshError
-        kind ``zero_volume`` if no triangle has an area.
     """
     origin = 0.5 * (points.min(axis=0) + points.max(axis=0))
     vertices = points - origin

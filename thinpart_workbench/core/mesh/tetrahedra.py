@@ -14,19 +14,14 @@ _SIDES = np.array([[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]])
 def radius_ratios(points, tetrahedra):
     """Three times the radius of the inscribed sphere by that of the circumscribed one: Gmsh's measure ``gamma``.
 
+    Returns an ndarray of shape (n,): 1 for regular tetrahedra, 0 for flat ones.
+
+    Liu, Joe (1994), Relationship between tetrahedron shape measures, BIT 34:268-287, doi:10.1007/BF01955874.
+
     Parameters
     ----------
     points : ndarray of shape (v, 3), mm
     tetrahedra : ndarray of int, shape (n, 4)
-
-    Returns
-    -------
-    ndarray of shape (n,)
-        1 for regular tetrahedra, 0 for flat ones.
-
-    Notes
-    -----
-    Liu, Joe (1994), Relationship between tetrahedron shape measures, BIT 34:268-287, doi:10.1007/BF01955874.
     """
     corner = points[tetrahedra[:, 0]]
     a, b, c = (points[tetrahedra[:, number]] - corner for number in (1, 2, 3))
@@ -63,20 +58,15 @@ def _side_areas(points, tetrahedra):
 def inverse_condition_numbers(points, tetrahedra):
     """Signed inverse condition number of the map from the regular tetrahedron: Gmsh's measure ``minSICN``.
 
+    Returns an ndarray of shape (n,): 1 for regular tetrahedra, 0 for flat ones, negative for inverted ones.
+
+    3 / (|S| |S^-1|) with the norms of Frobenius. Knupp (2001), Algebraic mesh quality metrics, SIAM J. Sci. Comput.
+    23(1):193-218, doi:10.1137/S1064827500371499.
+
     Parameters
     ----------
     points : ndarray of shape (v, 3), mm
     tetrahedra : ndarray of int, shape (n, 4)
-
-    Returns
-    -------
-    ndarray of shape (n,)
-        1 for regular tetrahedra, 0 for flat ones, negative for inverted ones.
-
-    Notes
-    -----
-    3 / (|S| |S^-1|) with the norms of Frobenius. Knupp (2001), Algebraic mesh quality metrics, SIAM J. Sci. Comput.
-    23(1):193-218, doi:10.1137/S1064827500371499.
     """
     corner = points[tetrahedra]
     sides = (corner[:, 1:] - corner[:, :1]).transpose(0, 2, 1) @ _FROM_REGULAR
@@ -96,6 +86,9 @@ def outer_nodes(tetrahedra):
 def layers_through(points, tetrahedra, here, there, most):
     """How many elements lie one behind the other between two places on opposite sides of a wall.
 
+    Returns an ndarray of int, shape (k,): the number of edges from the node next to the one place to the nearest surface
+    node beyond the middle of the wall. 1 where one element reaches through, `most` where that many or more are needed.
+
     Parameters
     ----------
     points : ndarray of shape (v, 3), mm
@@ -104,12 +97,6 @@ def layers_through(points, tetrahedra, here, there, most):
         On the surface, and on the opposite side of the wall.
     most : int
         Counting ends there.
-
-    Returns
-    -------
-    ndarray of int, shape (k,)
-        The number of edges from the node next to the one place to the nearest surface node beyond the middle of the wall.
-        1 where one element reaches through, `most` where that many or more are needed.
     """
     outer = outer_nodes(tetrahedra)
     edges = np.concatenate([tetrahedra[:, pair] for pair in ([0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3])])

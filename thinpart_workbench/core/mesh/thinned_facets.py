@@ -11,25 +11,19 @@ _DIRECTIONS = 6
 def thinned_facets(points, facets, most):
     """Unite points that are near each other, and leave out the facets that collapse.
 
+    Returns `points` (ndarray of shape (w, 3), mm), `facets` (ndarray of shape (k, 3), int64) and `kept` (ndarray of shape
+    (k,), int64; the given facet that each one stands for).
+
+    Rossignac and Borrel (1993), "Multi-resolution 3D approximations for rendering complex scenes": points in one cell of a
+    grid become one, their mean. Points whose surface looks along different axes stay apart, so that the sides of a wall
+    thinner than a cell do. It keeps no topology: for a first look only.
+
     Parameters
     ----------
     points : ndarray of shape (v, 3), mm
     facets : ndarray of shape (m, 3), int
     most : int
         About so many facets are left.
-
-    Returns
-    -------
-    points : ndarray of shape (w, 3), mm
-    facets : ndarray of shape (k, 3), int64
-    kept : ndarray of shape (k,), int64
-        The given facet that each one stands for.
-
-    Notes
-    -----
-    Rossignac and Borrel (1993), "Multi-resolution 3D approximations for rendering complex scenes": points in one cell of a
-    grid become one, their mean. Points whose surface looks along different axes stay apart, so that the sides of a wall
-    thinner than a cell do. It keeps no topology: for a first look only.
     """
     corners = corners_of(np.ascontiguousarray(points.T, dtype=np.float64), facets)
     vectors = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])

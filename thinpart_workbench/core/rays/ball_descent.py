@@ -29,6 +29,9 @@ def least_of_nodes(tree, values):
 def boxes_met(tree, centres, radii, values, most):
     """Find pairs of a ball and a triangle whose box the ball meets.
 
+    Returns `ball` and `leaf` (ndarray of shape (q,), int64): `leaf` is the position of the triangle along the curve;
+    `BoxTree.order[leaf]` is its index.
+
     Parameters
     ----------
     tree : BoxTree
@@ -39,11 +42,6 @@ def boxes_met(tree, centres, radii, values, most):
         See `least_of_nodes`.
     most : ndarray of shape (m,)
         Of each ball, triangles whose value is greater are left out.
-
-    Returns
-    -------
-    ball, leaf : ndarray of shape (q,), int64
-        `leaf` is the position of the triangle along the curve; `BoxTree.order[leaf]` is its index.
     """
     rows = np.concatenate([centres, (radii * radii)[None], most[None]]).astype(np.float32)
     ball, node = np.arange(len(radii)), np.zeros(len(radii), dtype=np.int64)

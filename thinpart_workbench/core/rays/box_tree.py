@@ -92,10 +92,7 @@ def box_tree(corners, normals, areas, gap=0.0):
 def children_of_nodes(values):
     """Arrange values, ndarray of shape (n,), in curve order like the last level: row is child, column is node.
 
-    Returns
-    -------
-    ndarray of shape (8, p), float32
-        Zero where there is no child.
+    Returns an ndarray of shape (8, p), float32: zero where there is no child.
     """
     return _children_of(_fill_up(values[None].astype(np.float32), 0.0))
 

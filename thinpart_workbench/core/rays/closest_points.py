@@ -8,15 +8,13 @@ from ..columns import dot
 def closest_weights(points, corners):
     """Barycentric coordinates of the closest points of triangles: ndarray of shape (3, m).
 
+    The regions are those of Ericson, Real-Time Collision Detection (2005), 5.1.5: inside, along a side, at a corner.
+
     Parameters
     ----------
     points : ndarray of shape (3, m), mm
     corners : ndarray of shape (3, 3, m), mm
         Coordinate, corner, triangle.
-
-    Notes
-    -----
-    The regions are those of Ericson, Real-Time Collision Detection (2005), 5.1.5: inside, along a side, at a corner.
     """
     first = corners[:, 0]
     side_u, side_v, away = corners[:, 1] - first, corners[:, 2] - first, points - first

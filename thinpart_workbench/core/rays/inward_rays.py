@@ -21,16 +21,14 @@ BLOCK = 65536
 class InwardRays:
     """Casts rays along the inward normals of samples of a mesh, with a tree over its triangles.
 
+    The mesh is first rotated to its dominant directions, because the boxes of slender triangles that are askew to the
+    axes are large, which costs up to a factor of twenty.
+
     Attributes
     ----------
     tree : BoxTree
     normals : ndarray of shape (3, n)
         Normals of the triangles in the coordinates of the tree.
-
-    Notes
-    -----
-    The mesh is first rotated to its dominant directions, because the boxes of slender triangles that are askew to the
-    axes are large, which costs up to a factor of twenty.
     """
 
     def __init__(self, mesh):
@@ -47,6 +45,9 @@ class InwardRays:
     def first_hits(self, samples, side, report=None, expected=None):
         """Find the first triangle under each sample.
 
+        Returns `distance` (ndarray of shape (m,), mm) and `triangle` (ndarray of shape (m,), int64): inf and -1 where
+        nothing is hit.
+
         Parameters
         ----------
         samples : SurfaceSamples
@@ -56,12 +57,6 @@ class InwardRays:
             Called with the fraction done; may raise to stop.
         expected : ndarray of shape (m,), mm, optional
             About how far the hits are, for samples that are few and far from each other.
-
-        Returns
-        -------
-        distance : ndarray of shape (m,), mm
-        triangle : ndarray of shape (m,), int64
-            inf and -1 where nothing is hit.
         """
         if expected is not None:
             origins, directions = self._rays(samples, slice(None))

@@ -82,16 +82,13 @@ class Scene:
     def distances(self, start, directions):
         """Distance from a point to what lines meet first, on either side of it.
 
+        Returns an ndarray of shape (m,), mm: inf where they meet nothing.
+
         Parameters
         ----------
         start : ndarray of shape (3,), mm
         directions : ndarray of shape (m, 3)
             Unit vectors.
-
-        Returns
-        -------
-        ndarray of shape (m,), mm
-            inf where they meet nothing.
         """
         if self._tree is None:
             return np.full(len(directions), np.inf)

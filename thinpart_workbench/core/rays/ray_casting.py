@@ -31,6 +31,13 @@ INNER, OUTER = 1.0, -1.0
 def first_hits(tree, origins, directions, side=INNER, work=None):
     """Find the first triangle that each ray hits from one side, and its distance.
 
+    Returns `distance` (ndarray of shape (m,), float64, mm; inf where nothing is hit) and `triangle` (ndarray of shape (m,),
+    int64; -1 where nothing is hit).
+
+    A ray hits a triangle from its inner side if it runs along the outward normal. Every eighth packet is solved
+    first without a limit. Its neighbours then start with the distance that it found as their limit, which is only
+    increased for rays that hit nothing: a hit within the limit is final.
+
     Parameters
     ----------
     tree : BoxTree
@@ -41,19 +48,6 @@ def first_hits(tree, origins, directions, side=INNER, work=None):
         `INNER` or `OUTER`.
     work : Work, optional
         Counters to increase.
-
-    Returns
-    -------
-    distance : ndarray of shape (m,), float64, mm
-        inf where nothing is hit.
-    triangle : ndarray of shape (m,), int64
-        -1 where nothing is hit.
-
-    Notes
-    -----
-    A ray hits a triangle from its inner side if it runs along the outward normal. Every eighth packet is solved
-    first without a limit. Its neighbours then start with the distance that it found as their limit, which is only
-    increased for rays that hit nothing: a hit within the limit is final.
     """
     order = coherent_order(origins, directions) if origins.size else np.empty(0, dtype=np.int64)
     distance, triangle = np.empty(len(order)), np.empty(len(order), dtype=np.int64)
@@ -73,17 +67,14 @@ def first_hits_in_order(tree, origins, directions, side=INNER, report=None, work
 def first_hits_within(tree, origins, directions, limit, side=INNER):
     """Same as `first_hits` for a few rays far from each other, each with its own limit.
 
+    Returns `distance` and `triangle`: as of `first_hits`.
+
     Parameters
     ----------
     tree, origins, directions, side
         As for `first_hits`.
     limit : ndarray of shape (m,), mm
         inf for no limit.
-
-    Returns
-    -------
-    distance, triangle
-        As of `first_hits`.
     """
     rays = _Rays(tree, origins, directions, side, None, Work())
     if rays.count:
@@ -94,17 +85,14 @@ def first_hits_within(tree, origins, directions, limit, side=INNER):
 def first_hits_about(tree, origins, directions, expected, side=INNER):
     """Same as `first_hits` for a few rays far from each other of which it is known about how far their hits are.
 
+    Returns `distance` and `triangle`: as of `first_hits`.
+
     Parameters
     ----------
     tree, origins, directions, side
         As for `first_hits`.
     expected : ndarray of shape (m,), mm
         More than 0; inf where it is not known. Rays that hit nothing up to there are cast farther.
-
-    Returns
-    -------
-    distance, triangle
-        As of `first_hits`.
     """
     rays = _Rays(tree, origins, directions, side, None, Work())
     full_length = tree.extent * 1.01

@@ -16,15 +16,13 @@ MOST_DIVERGENCE = 3.0
 def coherent_order(origins, directions):
     """Compute an order in which neighbouring rays have similar origins and directions: ndarray of shape (m,), int64.
 
+    Both sides of a thin wall are in one cell of the curve. Therefore rays are sorted by the side of the cube that they
+    point to first, and along the curve within that.
+
     Parameters
     ----------
     origins : ndarray of shape (3, m), mm
     directions : ndarray of shape (3, m)
-
-    Notes
-    -----
-    Both sides of a thin wall are in one cell of the curve. Therefore rays are sorted by the side of the cube that they
-    point to first, and along the curve within that.
     """
     return np.argsort(hilbert_index(origins) | side_of_cube(directions), kind="stable")
 
@@ -32,9 +30,7 @@ def coherent_order(origins, directions):
 def side_of_cube(directions):
     """Side of a cube that each direction, shape (3, m), points to, in the bits above `hilbert_index`: shape (m,), uint64.
 
-    Returns
-    -------
-    ndarray of shape (m,), uint64
+    Returns an ndarray of shape (m,), uint64.
     """
     steepness = np.abs(directions)
     axis = np.where(steepness[1] > steepness[0], 1, 0)
@@ -69,6 +65,9 @@ class ThickRays:
 def thick_rays(origins, directions, limit, extent):
     """Enclose packets in thick rays: ThickRays.
 
+    If any ray of the packet hits a box, the axis hits the box enlarged by the reach, because the distance of a ray from
+    the axis at equal parameters is greatest at one of the ends.
+
     Parameters
     ----------
     origins, directions : ndarray of shape (3, k, p), float32
@@ -76,11 +75,6 @@ def thick_rays(origins, directions, limit, extent):
         Length of the rays of each packet.
     extent : float, mm
         Size of the scene, to which rounding is proportional.
-
-    Notes
-    -----
-    If any ray of the packet hits a box, the axis hits the box enlarged by the reach, because the distance of a ray from
-    the axis at equal parameters is greatest at one of the ends.
     """
     low, high = origins.min(axis=1), origins.max(axis=1)
     slow, fast = directions.min(axis=1), directions.max(axis=1)

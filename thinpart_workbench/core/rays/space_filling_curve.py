@@ -16,17 +16,15 @@ def hilbert_order(points):
 def hilbert_index(points, bounds=None):
     """Compute the position of each point along a Hilbert curve: ndarray of shape (n,), uint64, below 2 ** 30.
 
+    A Morton code is turned into a Hilbert index by a state table, two levels at a time (after
+    Hamilton 2006, "Compact Hilbert Indices", Dalhousie CS-2006-07). The boxes of eight
+    neighbours are a quarter smaller than in Morton order.
+
     Parameters
     ----------
     points : ndarray of shape (3, n)
     bounds : pair of ndarray of shape (3,), optional
         Lower and upper corner of the cells; by default those of the points.
-
-    Notes
-    -----
-    A Morton code is turned into a Hilbert index by a state table, two levels at a time (after
-    Hamilton 2006, "Compact Hilbert Indices", Dalhousie CS-2006-07). The boxes of eight
-    neighbours are a quarter smaller than in Morton order.
     """
     low, high = (points.min(axis=1), points.max(axis=1)) if bounds is None else bounds
     side = max(float((high - low).max()), 1e-30)

@@ -26,6 +26,9 @@ class Work:
 def descend(tree, thick, triangle_filter, work=None, node_filter=None):
     """Find pairs of a packet and a triangle whose box the thick ray hits within its limit.
 
+    Returns `packet` and `leaf` (ndarray of shape (q,), int64): `leaf` is the position of the triangle along the curve;
+    `BoxTree.order[leaf]` is its index.
+
     Parameters
     ----------
     tree : BoxTree
@@ -38,11 +41,6 @@ def descend(tree, thick, triangle_filter, work=None, node_filter=None):
     node_filter : callable, optional
         The same for nodes of the levels above: takes the packet, the node and the depth, and says which of its children
         to descend to.
-
-    Returns
-    -------
-    packet, leaf : ndarray of shape (q,), int64
-        `leaf` is the position of the triangle along the curve; `BoxTree.order[leaf]` is its index.
     """
     packets = thick.rows.shape[1]
     packet, node = np.arange(packets), np.zeros(packets, dtype=np.int64)
@@ -83,9 +81,7 @@ def descend(tree, thick, triangle_filter, work=None, node_filter=None):
 def cosines(tree, thick, packet, node):
     """Compute the cosines between the axis of each packet and the normals of the eight triangles of its node.
 
-    Returns
-    -------
-    ndarray of shape (8, k), float32
+    Returns an ndarray of shape (8, k), float32.
     """
     normals = np.take(tree.leaf_normals, node, axis=1, mode="clip").reshape(3, WIDTH, len(node))
     normals *= np.take(thick.axis, packet, axis=1, mode="clip")[:, None]

@@ -39,16 +39,14 @@ def worked_settings(settings, global_size, diagonal, rows, figures, when, versio
 def settings_for(meshed, diagonal):
     """Settings for a part from those that worked for another: a dict as of `worked_settings`.
 
+    Returns a dict: a greatest size grows with the part. The budget is not carried over: it was one of elements for the other
+    part.
+
     Parameters
     ----------
     meshed : dict
     diagonal : float, mm
         Of the part.
-
-    Returns
-    -------
-    dict
-        A greatest size grows with the part. The budget is not carried over: it was one of elements for the other part.
     """
     size = meshed["size_mm"]
     return {"order": meshed["order"], "layers": meshed["layers"], "growth": meshed["growth"], "budget": None,

@@ -62,16 +62,14 @@ class RegionGroup:
 def region_groups(record, notes=None):
     """Group the regions of a part record; those of which people say something else are apart.
 
+    Returns a list of RegionGroup: by their least thickness, the thinnest first; empty for a record of a version that did not
+    find regions.
+
     Parameters
     ----------
     record : PartRecord
     notes : list of dict, optional
         ``region_notes`` of the part; by default those in the record.
-
-    Returns
-    -------
-    list of RegionGroup
-        By their least thickness, the thinnest first; empty for a record of a version that did not find regions.
     """
     groups: list[tuple] = []
     listed = record.get("regions", {}).get("listed", [])

@@ -24,6 +24,9 @@ _ALONG = np.linspace(0.0, 1.0, 12)
 def label_places(anchors, sizes, area, obstacles=(), crowd=None, before=None):
     """Place labels.
 
+    Returns `places` (ndarray of shape (k, 2), pixels; left and top of each label, always within the area as far as it is
+    large enough) and `chosen` (ndarray of shape (k,), int).
+
     Parameters
     ----------
     anchors : ndarray of shape (k, 2), pixels, downwards
@@ -38,12 +41,6 @@ def label_places(anchors, sizes, area, obstacles=(), crowd=None, before=None):
         Points spread over the picture of the part, which is covered only where there is no better place.
     before : sequence of int, optional
         What was returned as chosen in the picture before, so that labels do not jump; -1 where there was none.
-
-    Returns
-    -------
-    places : ndarray of shape (k, 2), pixels
-        Left and top of each label, always within the area as far as it is large enough.
-    chosen : ndarray of shape (k,), int
     """
     anchors, sizes = np.asarray(anchors, dtype=float).reshape(-1, 2), np.asarray(sizes, dtype=float).reshape(-1, 2)
     count = len(anchors)

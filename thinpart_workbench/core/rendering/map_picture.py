@@ -80,9 +80,7 @@ class MapLook:
 def map_picture(part, look):
     """Draw the map of a part, lit and with edges, on white, with the colour bar beside it.
 
-    Returns
-    -------
-    ndarray of shape (height, width, 4), uint8
+    Returns an ndarray of shape (height, width, 4), uint8.
     """
     shown, scale = part.map, look.scale(part)
     bar = _bar(scale, UNITS[look.unit], look.height)

@@ -59,16 +59,13 @@ class PartView:
 def thickness_scale(thickness_map, record):
     """Choose the colour scale of a part; None where nothing was measured.
 
+    Returns a ColourScale: over the range that most of the surface has, as in the window; see `map_summary.typical_range`.
+
     Parameters
     ----------
     thickness_map : ThicknessMap
     record : dict
         Part record.
-
-    Returns
-    -------
-    ColourScale
-        Over the range that most of the surface has, as in the window; see `map_summary.typical_range`.
     """
     ends = typical_range([MappedPart(record, thickness_map)])
     return None if ends is None else ColourScale(*ends)

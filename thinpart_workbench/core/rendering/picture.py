@@ -34,17 +34,14 @@ _GRAZING = 1e-3
 def picture(mesh, face_colours=None):
     """Draw a small picture of a surface in the view of a newly opened document: isometric, z upwards.
 
+    Returns an ndarray of shape (HEIGHT, WIDTH, 4), uint8: see `draw`.
+
     Parameters
     ----------
     mesh : SurfaceMesh
         The inside of an open surface is drawn as well.
     face_colours : dict, optional
         Red, green and blue from 0 to 1 by number of the B-Rep face, from 0; other faces are `PLAIN`.
-
-    Returns
-    -------
-    ndarray of shape (HEIGHT, WIDTH, 4), uint8
-        See `draw`.
     """
     colours = _colours(mesh, face_colours or {})[mesh.face_of_triangle]
     camera = framing(mesh.vertices, ISOMETRIC, WIDTH, HEIGHT)
@@ -55,6 +52,10 @@ def draw(corners, normals, colours, camera, both_sides=False, darkest=DARKEST):
     """Draw triangles: ndarray of shape (height, width, 4), uint8.
 
     Red, green, blue and alpha. What the part does not cover is transparent.
+
+    Brightness is linear in the cosine to the light over its full range, from `darkest` for surface that faces
+    away to 1 for surface that faces the light, so that no side is uniformly dark. Edges are drawn where the
+    surface bends or ends, not where two faces merge smoothly.
 
     Parameters
     ----------
@@ -68,12 +69,6 @@ def draw(corners, normals, colours, camera, both_sides=False, darkest=DARKEST):
         Whether triangles are visible from behind as well.
     darkest : float
         Brightness of surface that faces away from the light.
-
-    Notes
-    -----
-    Brightness is linear in the cosine to the light over its full range, from `darkest` for surface that faces
-    away to 1 for surface that faces the light, so that no side is uniformly dark. Edges are drawn where the
-    surface bends or ends, not where two faces merge smoothly.
     """
     normals = normals @ camera.axes.T
     if both_sides:

@@ -11,6 +11,12 @@ _AT_ONCE = 1 << 18
 def nearest_triangles(corners, width, height):
     """Rasterize triangles with a depth buffer.
 
+    Returns `triangle` (ndarray of shape (height, width), int64; -1 where there is none) and `depth` (ndarray of shape
+    (height, width); third coordinate of the surface there; -inf where there is none).
+
+    Triangles are split into the rows of samples that they cross, and the rows into samples. This takes a fraction
+    of the time of casting a ray for each sample, and needs no tree.
+
     Parameters
     ----------
     corners : ndarray of shape (n, 3, 3)
@@ -18,18 +24,6 @@ def nearest_triangles(corners, width, height):
         on any scale. Sample (i, j) lies at (j + 0.5, i + 0.5). No triangle may be edge-on.
     width, height : int
         Size of the picture, samples.
-
-    Returns
-    -------
-    triangle : ndarray of shape (height, width), int64
-        -1 where there is none.
-    depth : ndarray of shape (height, width)
-        Third coordinate of the surface there; -inf where there is none.
-
-    Notes
-    -----
-    Triangles are split into the rows of samples that they cross, and the rows into samples. This takes a fraction
-    of the time of casting a ray for each sample, and needs no tree.
     """
     triangle = np.full(width * height, -1, dtype=np.int64)
     depth = np.full(width * height, -np.inf)

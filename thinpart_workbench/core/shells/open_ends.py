@@ -16,6 +16,8 @@ _BACK = 0.05
 def open_ends(shell, mesh, rays):
     """Length of the free edges of a shell, and of those among them that end inside the material.
 
+    Returns `inside` and `free` (float, mm).
+
     Parameters
     ----------
     shell : ShellMesh
@@ -23,10 +25,6 @@ def open_ends(shell, mesh, rays):
         Of the solid.
     rays : InwardRays
         Of that mesh.
-
-    Returns
-    -------
-    inside, free : float, mm
     """
     corners = shell.triangles[:, :3]
     sides = np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]])

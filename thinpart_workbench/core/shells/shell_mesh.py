@@ -54,11 +54,8 @@ class ShellMesh:
     def sections(self):
         """Elements of about one thickness.
 
-        Returns
-        -------
-        section : ndarray of shape (n,), int64
-        thickness : ndarray of shape (k,), mm
-            Of each section: the mean by area.
+        Returns `section` (ndarray of shape (n,), int64) and `thickness` (ndarray of shape (k,), mm; of each section: the
+        mean by area).
         """
         order = np.argsort(self.thickness, kind="stable")
         number, start, section = -1, 0.0, np.empty(len(order), dtype=np.int64)
@@ -73,6 +70,9 @@ class ShellMesh:
 def shell_mesh(points, triangles, wall, walls, mesh, rays):
     """Measure the thickness under each triangle of a mid-surface: ShellMesh.
 
+    Where a wall goes through a joint, it has no thickness of its own: such a triangle has that of the nearest one of its
+    wall that lies between its two sides.
+
     Parameters
     ----------
     points, triangles, wall
@@ -83,11 +83,6 @@ def shell_mesh(points, triangles, wall, walls, mesh, rays):
         Of the solid.
     rays : InwardRays
         Of that mesh.
-
-    Notes
-    -----
-    Where a wall goes through a joint, it has no thickness of its own: such a triangle has that of the nearest one of its
-    wall that lies between its two sides.
     """
     used, rows = np.unique(triangles, return_inverse=True)
     points, triangles = points[used], rows.reshape(triangles.shape)

@@ -12,7 +12,7 @@ SHARE_OF_DIAGONAL = 0.1
 
 @dataclass(frozen=True)
 class ShellSettings:
-    """Settings of a shell mesh.
+    """Settings of a shell mesh. Raises ThinPartError, kind ``usage`` if a value is out of range.
 
     Attributes
     ----------
@@ -22,11 +22,6 @@ class ShellSettings:
         Of the elements, 1 or 2. Shells of first order are far too stiff in CalculiX.
     solid_walls : tuple of tuple of int
         Walls that stay solid although they could be shells, each by its faces, from 0, in rising order.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``usage`` if a value is out of range.
     """
 
     size: Optional[float] = None

@@ -34,8 +34,6 @@ class InnerPoints:
 def inner_points(measurement):
     """Spread points over the inside of a part, densely under its surface: InnerPoints.
 
-    Notes
-    -----
     The wall under a sample belongs to it as far as its middle; the other half belongs to the opposite side. What no sample
     sees, in corners, counts as the rest does.
     """

@@ -41,6 +41,10 @@ class SizeBoxes:
 def size_boxes(field, low, high, inner, most=MOST_BOXES):
     """Divide a box into cubes, fine where the size changes within the part: SizeBoxes.
 
+    A cube is divided until it is no larger than its least element: the size changes by no more than `field.slope` by length,
+    so that interpolating errs by a small share. It stays whole before, where all of the part in it has about one size: its
+    corners, which may lie outside, get that size. Outside of the part nothing is resolved.
+
     Parameters
     ----------
     field : SizeField
@@ -50,12 +54,6 @@ def size_boxes(field, low, high, inner, most=MOST_BOXES):
         Points spread over the inside of the part.
     most : int
         Greatest number of cubes.
-
-    Notes
-    -----
-    A cube is divided until it is no larger than its least element: the size changes by no more than `field.slope` by length,
-    so that interpolating errs by a small share. It stays whole before, where all of the part in it has about one size: its
-    corners, which may lie outside, get that size. Outside of the part nothing is resolved.
     """
     low, high = np.asarray(low, dtype=np.float64), np.asarray(high, dtype=np.float64)
     side = max(float((high - low).max()), field.least) * 1.02

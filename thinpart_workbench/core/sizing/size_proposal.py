@@ -117,6 +117,10 @@ class SizeProposal:
 def propose_sizes(measurement, thin_limit, settings, region_sizes=None, has_details=True, only_chosen=False):
     """Propose element sizes for a measured part: SizeProposal.
 
+    For a budget, the thinnest walls get no smaller elements than the others, where they take most of the elements: see
+    `without_thinnest`. If that is not enough, all sizes are multiplied alike, up to the global size, until the estimate is
+    within the budget: so walls keep equal numbers of layers, only fewer.
+
     Parameters
     ----------
     measurement : Measurement
@@ -130,12 +134,6 @@ def propose_sizes(measurement, thin_limit, settings, region_sizes=None, has_deta
     only_chosen : bool
         Whether nothing asks for sizes but the regions to which `region_sizes` gives one: for parts that are called normal,
         which mesh well at one size, whatever small walls they have.
-
-    Notes
-    -----
-    For a budget, the thinnest walls get no smaller elements than the others, where they take most of the elements: see
-    `without_thinnest`. If that is not enough, all sizes are multiplied alike, up to the global size, until the estimate is
-    within the budget: so walls keep equal numbers of layers, only fewer.
     """
     global_size = settings.global_size(measurement.descriptors.box.diagonal)
     wanted = size_sources(measurement, thin_limit, settings.divisions, has_details and not only_chosen).below(global_size)
@@ -167,10 +165,7 @@ def propose_sizes(measurement, thin_limit, settings, region_sizes=None, has_deta
 def without_thinnest(measurement, proposal):
     """A proposal whose elements are no smaller than all but the thinnest walls want, `THINNEST` of the thin area.
 
-    Returns
-    -------
-    SizeProposal or None
-        None where that saves too little: see `WORTH`.
+    Returns a SizeProposal or None: None where that saves too little: see `WORTH`.
     """
     field = measurement.field
     thin = np.flatnonzero((field.area > 0.0) & field.parallel & (field.distance < proposal.thin_limit))
@@ -197,17 +192,14 @@ def with_sources(measurement, proposal, sources):
 def propose_everywhere(measurement, thin_limit, settings):
     """Propose sizes for a part without thin walls that is not meshed at one size.
 
+    Returns a SizeProposal: no element is larger than the part is thick there, nor than the curvature, narrow faces and short
+    edges allow. It has no layers, and no regions.
+
     Parameters
     ----------
     measurement : Measurement
     thin_limit : float, mm
     settings : SizingSettings
-
-    Returns
-    -------
-    SizeProposal
-        No element is larger than the part is thick there, nor than the curvature, narrow faces and short edges allow. It
-        has no layers, and no regions.
     """
     everywhere = propose_sizes(measurement, np.inf, replace(settings, layers=1.0))
     return replace(everywhere, settings=settings, thin_limit=thin_limit, layers=0.0, regions=())

@@ -95,6 +95,12 @@ class SizeSources:
 def size_sources(measurement, thin_limit, divisions, has_details=True):
     """Find the sources of a part: SizeSources.
 
+    The size on a wall of thickness t is t / divisions, and no more than the chord of a curved side that is a quarter of the
+    wall off: sqrt(2 R t) at a radius of curvature R. Across a taper, the thickness is that between its sides, not along the
+    ray.
+    A narrow face asks for elements as small as it is wide, an edge for as small as it is long: else the mesher makes needles
+    of them, or facets that cross.
+
     Parameters
     ----------
     measurement : Measurement
@@ -104,14 +110,6 @@ def size_sources(measurement, thin_limit, divisions, has_details=True):
         Thickness of a thin wall by the element size there; see `divisions_of`.
     has_details : bool
         Whether narrow faces and short edges ask for sizes too.
-
-    Notes
-    -----
-    The size on a wall of thickness t is t / divisions, and no more than the chord of a curved side that is a quarter of the
-    wall off: sqrt(2 R t) at a radius of curvature R. Across a taper, the thickness is that between its sides, not along the
-    ray.
-    A narrow face asks for elements as small as it is wide, an edge for as small as it is long: else the mesher makes needles
-    of them, or facets that cross.
     """
     walls = _of_walls(measurement, thin_limit, divisions)
     if not walls.count:
@@ -155,16 +153,13 @@ def _radius(mesh):
 def regions_of(regions, faces, thickness):
     """Which wall region places belong to: of those with their face, the one most like them.
 
+    Returns an ndarray of shape (n,), int64: number of the region, or `NO_REGION`.
+
     Parameters
     ----------
     regions : sequence of WallRegion
     faces : ndarray of shape (n,), int64
     thickness : ndarray of shape (n,), mm
-
-    Returns
-    -------
-    ndarray of shape (n,), int64
-        Number of the region, or `NO_REGION`.
     """
     best, region = np.full(len(faces), np.log(OF_REGION)), np.full(len(faces), NO_REGION, dtype=np.int64)
     for number, each in enumerate(regions):

@@ -27,7 +27,7 @@ _MOST_LAYERS, _GROWTHS = 20.0, (1.05, 3.0)
 
 @dataclass(frozen=True)
 class SizingSettings:
-    """Settings of a proposal.
+    """Settings of a proposal. Raises ThinPartError, kind ``usage`` if a value is out of range.
 
     Attributes
     ----------
@@ -41,11 +41,6 @@ class SizingSettings:
         Greatest element size; None for `GLOBAL_SHARE` of the diagonal.
     budget : int or None
         Most elements.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``usage`` if a value is out of range.
     """
 
     order: int = 1

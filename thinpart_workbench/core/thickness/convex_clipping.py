@@ -8,17 +8,15 @@ def clip(points, value):
 
     Polygons of zero area where nothing is left.
 
+    Sutherland and Hodgman (1974, doi:10.1145/360767.360802), one step for all polygons. A half-plane
+    adds at most one corner to a convex polygon.
+
     Parameters
     ----------
     points : ndarray of shape (m, k, 2)
         Corners in order; a corner may be repeated.
     value : ndarray of shape (m, k)
         Values of the function at the corners.
-
-    Notes
-    -----
-    Sutherland and Hodgman (1974, doi:10.1145/360767.360802), one step for all polygons. A half-plane
-    adds at most one corner to a convex polygon.
     """
     count, corners = value.shape
     ahead, beyond = np.roll(points, -1, axis=1), np.roll(value, -1, axis=1)

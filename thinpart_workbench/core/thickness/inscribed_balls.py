@@ -42,17 +42,6 @@ def inscribed_balls(mesh, samples, rays=None, report=None):
 
     Their diameters; inf where nothing bounds the ball.
 
-    Parameters
-    ----------
-    mesh : SurfaceMesh
-    samples : SurfaceSamples
-    rays : InwardRays, optional
-        Rays over the mesh; built if not given.
-    report : callable, optional
-        Called with the fraction done; may raise to stop.
-
-    Notes
-    -----
     A ball that touches the surface at p, with the inward normal m, and passes through q has the radius
     ``|q - p|^2 / (2 m.(q - p))``. The largest empty one is the least of those over all q. Ma, Bae and Choi (2012,
     doi:10.1007/s00371-011-0594-7) shrink the ball to the point of a cloud that is nearest to its centre until there is none
@@ -61,6 +50,15 @@ def inscribed_balls(mesh, samples, rays=None, report=None):
     that the ball is exact against triangles. Both points are taken from the curved surface that the facets approximate
     (`core.mesh.curved_surface`), with its normals: otherwise each facet of a cylinder would be an edge, to which balls
     shrink.
+
+    Parameters
+    ----------
+    mesh : SurfaceMesh
+    samples : SurfaceSamples
+    rays : InwardRays, optional
+        Rays over the mesh; built if not given.
+    report : callable, optional
+        Called with the fraction done; may raise to stop.
     """
     rays = rays or InwardRays(mesh)
     return _Balls(mesh, samples, rays).diameters(report)
@@ -181,16 +179,14 @@ class _Balls:
 def _radius(away, inward):
     """Radius of the balls that touch the surface at a point and pass another.
 
+    Returns an ndarray of shape (k,), mm: inf where the other point is not far enough above the tangent plane; see
+    `LEAST_RISE`.
+
     Parameters
     ----------
     away : ndarray of shape (3, k), mm
         From the one to the other.
     inward : ndarray of shape (3, k)
-
-    Returns
-    -------
-    ndarray of shape (k,), mm
-        inf where the other point is not far enough above the tangent plane; see `LEAST_RISE`.
     """
     square, depth = dot(away, away), dot(away, inward)
     above = (depth > 0.0) & (depth >= LEAST_RISE * np.sqrt(square))

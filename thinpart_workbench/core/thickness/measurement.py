@@ -98,15 +98,8 @@ class Measurement:
     def value(self, quantity):
         """Value of a quantity, such as ``V/VBB``, ``d2_d3`` or ``F[0;0.25]``; docs/info-file.md lists them.
 
-        Returns
-        -------
-        float or None
-            None where it could not be measured.
-
-        Raises
-        ------
-        ThinPartError
-            kind ``usage`` if there is no such quantity.
+        Returns a float or None: None where it could not be measured. Raises ThinPartError, kind ``usage`` if there is no
+        such quantity.
         """
         return self.descriptors.named_value(quantity)
 
@@ -142,6 +135,8 @@ class Measurement:
 def measure(mesh, settings, report=None, is_fine_enough=None):
     """Measure a part: Measurement, or None where the mesh is not fine enough.
 
+    Raises MeshError, kind ``zero_volume`` if a closed surface encloses nothing.
+
     Parameters
     ----------
     mesh : SurfaceMesh
@@ -151,11 +146,6 @@ def measure(mesh, settings, report=None, is_fine_enough=None):
     is_fine_enough : callable, optional
         Called with the `Descriptors` that are known once the thickness is, the `ThicknessField` and the samples of the
         thinnest walls in it. Where it returns False, the mesh will give way to a finer one, and nothing more is measured.
-
-    Raises
-    ------
-    MeshError
-        kind ``zero_volume`` if a closed surface encloses nothing.
     """
     report_progress(report, 0.0)
     enclosed = volume(mesh)

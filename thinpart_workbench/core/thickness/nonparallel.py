@@ -27,6 +27,13 @@ def nonparallel_minimum(mesh, rays, field, diagonal, report=None, work=None):
 
     Share of the diagonal; None if the floor is not reached.
 
+    Where two faces meet in a wedge, their distance goes to 0. The result is the distance under which a given area
+    lies; if that area is a thousandth of a triangle, samples of the triangles may miss it. Therefore the tree finds
+    all pairs of triangles at such a distance and angle, with a limit from the samples. The region of one triangle
+    over the other is clipped to a polygon, over which the distance is linear, and area is summed by distance. Pieces
+    whose centre does not see the other triangle, because something lies between, are left out. The nearest pairs are
+    cut first, until all others are farther away than the result.
+
     Parameters
     ----------
     mesh : SurfaceMesh
@@ -39,15 +46,6 @@ def nonparallel_minimum(mesh, rays, field, diagonal, report=None, work=None):
         Called with the fraction done; may raise to stop.
     work : Work, optional
         Counters to increase; `exact` is the number of pairs of triangles that are cut.
-
-    Notes
-    -----
-    Where two faces meet in a wedge, their distance goes to 0. The result is the distance under which a given area
-    lies; if that area is a thousandth of a triangle, samples of the triangles may miss it. Therefore the tree finds
-    all pairs of triangles at such a distance and angle, with a limit from the samples. The region of one triangle
-    over the other is clipped to a polygon, over which the distance is linear, and area is summed by distance. Pieces
-    whose centre does not see the other triangle, because something lies between, are left out. The nearest pairs are
-    cut first, until all others are farther away than the result.
     """
     target = STATED_FLOOR * field.area.sum()
     for attempt, limit in enumerate(_limits(field, target, diagonal)):

@@ -34,6 +34,12 @@ class PairedFaces:
 def measure_pairs(mesh, samples, diagonal, report=None):
     """Measure thickness by pairs of triangles.
 
+    Giannini, Petton, Pernot (TMCE 2012), 4.2.2: two nearly parallel triangles face each other if the centroid, or
+    else a vertex, of one projects into the other; their distance is the difference of the centroids along the
+    normal. Between 10 and 60 degrees it is the least distance of the vertices. The rule considers pairs in isolation:
+    it also counts distances across a void between two walls, and its cost grows with the square of the number of
+    triangles. Neither is true of `measure_rays`.
+
     Parameters
     ----------
     mesh : SurfaceMesh
@@ -50,14 +56,6 @@ def measure_pairs(mesh, samples, diagonal, report=None):
     distribution : Distribution
         All distances of all triangles. A triangle that faces walls at two distances counts for both, so the shares of
         the distribution may add up to more than 1, as in the paper.
-
-    Notes
-    -----
-    Giannini, Petton, Pernot (TMCE 2012), 4.2.2: two nearly parallel triangles face each other if the centroid, or
-    else a vertex, of one projects into the other; their distance is the difference of the centroids along the
-    normal. Between 10 and 60 degrees it is the least distance of the vertices. The rule considers pairs in isolation:
-    it also counts distances across a void between two walls, and its cost grows with the square of the number of
-    triangles. Neither is true of `measure_rays`.
     """
     count = mesh.count
     parallel_keys: list[np.ndarray] = []
@@ -109,9 +107,7 @@ def _wedge_angles(mesh, samples, distance, opposite):
 def pairs_of(mesh, rows):
     """Find the pairs in which triangle i is one of `rows` and faces any other triangle j.
 
-    Returns
-    -------
-    parallel, slanted : PairedFaces
+    Returns `parallel` and `slanted` (PairedFaces).
     """
     centroids = mesh.corners.mean(axis=1)
     normals = mesh.normals

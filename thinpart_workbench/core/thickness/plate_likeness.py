@@ -33,6 +33,15 @@ _AT_ONCE = 100
 def plate_likeness(points, region, place):
     """How much walls are plates at some places.
 
+    Returns `likeness` (ndarray of shape (k,); from 0 to 1) and `error` (ndarray of shape (k,); by how much it changes where
+    the ratio of variances is not certain).
+
+    What the paper's distribution (Giannini, Petton, Pernot, TMCE 2012, 4.2.2) cannot tell apart: a bar and a plate of one
+    thickness. About the middle of a wall, its two sides are as wide one way as the other on a plate, a tube or a shell, and
+    as narrow as the wall is thick on a bar or a washer. The variances of their points along the wall and through it say
+    which. The next turn of a coil is the same wall, and a section far longer than wide has no points near by: of those, the
+    region as a whole knows better.
+
     Parameters
     ----------
     points : WallPoints
@@ -40,21 +49,6 @@ def plate_likeness(points, region, place):
         The wall that each of them belongs to.
     place : ndarray of shape (k,), int64
         Among the points.
-
-    Returns
-    -------
-    likeness : ndarray of shape (k,)
-        From 0 to 1.
-    error : ndarray of shape (k,)
-        By how much it changes where the ratio of variances is not certain.
-
-    Notes
-    -----
-    What the paper's distribution (Giannini, Petton, Pernot, TMCE 2012, 4.2.2) cannot tell apart: a bar and a plate of one
-    thickness. About the middle of a wall, its two sides are as wide one way as the other on a plate, a tube or a shell, and
-    as narrow as the wall is thick on a bar or a washer. The variances of their points along the wall and through it say
-    which. The next turn of a coil is the same wall, and a section far longer than wide has no points near by: of those, the
-    region as a whole knows better.
     """
     ratio = np.zeros(len(place))
     order, probed_order = np.argsort(region, kind="stable"), np.argsort(region[place], kind="stable")

@@ -196,10 +196,7 @@ def _reaches_slant(outlines, first, second):
 def _over(tree, outlines, first, second, limit):
     """Of pairs, those whose second triangle may reach into the prism below the first, with a lower bound of its depth there.
 
-    Returns
-    -------
-    which : ndarray of shape (q,), int64
-    depth : ndarray of shape (q,), float32, mm
+    Returns `which` (ndarray of shape (q,), int64) and `depth` (ndarray of shape (q,), float32, mm).
     """
     rows = np.take(tree.coarse_rows, first, axis=1, mode="clip")
     corners = np.take(outlines.corners.reshape(9, -1), second, axis=1, mode="clip").reshape(3, 3, -1)

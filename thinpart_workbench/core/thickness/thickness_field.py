@@ -94,6 +94,10 @@ class ThicknessField:
 def measure_rays(mesh, samples, report=None, rays=None):
     """Measure the distance to the first hit along the inward normal of every sample: ThicknessField.
 
+    Giannini, Petton, Pernot (TMCE 2012), 4.2.2, define thickness as the distance between faces that enclose material,
+    never across a void. Their rule for pairs of triangles (`pair_rule`) ignores what lies between the two; the first
+    triangle hit from inside is always the opposite side of the wall.
+
     Parameters
     ----------
     mesh : SurfaceMesh
@@ -102,12 +106,6 @@ def measure_rays(mesh, samples, report=None, rays=None):
         Called with the fraction done; may raise to stop.
     rays : InwardRays, optional
         Rays over the mesh; built if not given.
-
-    Notes
-    -----
-    Giannini, Petton, Pernot (TMCE 2012), 4.2.2, define thickness as the distance between faces that enclose material,
-    never across a void. Their rule for pairs of triangles (`pair_rule`) ignores what lies between the two; the first
-    triangle hit from inside is always the opposite side of the wall.
     """
     rays = rays or InwardRays(mesh)
     walls, reach = walls_under(mesh, rays, samples, portion(report, 0.0, WALLS_DONE))

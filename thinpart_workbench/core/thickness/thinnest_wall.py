@@ -11,14 +11,9 @@ _ROUNDING = 1e-9
 def thinnest_walls(field):
     """Samples over the thinnest walls, the thinnest first.
 
-    Returns
-    -------
-    ndarray of shape (k,), int64
-        At most one for each pair of faces that enclose a wall, and one for the whole surface. Empty where no parallel
-        walls cover `STATED_FLOOR` of the surface.
+    Returns an ndarray of shape (k,), int64: at most one for each pair of faces that enclose a wall, and one for the whole
+    surface. Empty where no parallel walls cover `STATED_FLOOR` of the surface.
 
-    Notes
-    -----
     The least distance of all rays is noise on real parts: beside an edge, in a run-out of a fillet, on a sliver. A wall has
     an extent. Of each pair of faces, and of all together since a wall may have many small faces, the sample counts from
     which on walls that are no more than a quarter thicker cover the floor.

@@ -117,6 +117,11 @@ class WallRegions:
 def wall_regions(field, enclosed=None, thinnest=None):
     """Find the regions of a part: WallRegions.
 
+    Points that are spread over the surface are linked to their neighbours and to what they see through the wall, where
+    the walls are alike in thickness; regions are the connected components of that graph. Triangles play no part, so a
+    large one may lie over several walls, and another tessellation has the same regions. Surface under which the wall
+    has no thickness of its own, such as the rim of a plate, belongs to no region.
+
     Parameters
     ----------
     field : ThicknessField
@@ -124,13 +129,6 @@ def wall_regions(field, enclosed=None, thinnest=None):
         Volume of the part, where it is known.
     thinnest : Witness, optional
         The thinnest wall of the part: see `with_thinnest`.
-
-    Notes
-    -----
-    Points that are spread over the surface are linked to their neighbours and to what they see through the wall, where
-    the walls are alike in thickness; regions are the connected components of that graph. Triangles play no part, so a
-    large one may lie over several walls, and another tessellation has the same regions. Surface under which the wall
-    has no thickness of its own, such as the rim of a plate, belongs to no region.
     """
     points, certain = wall_points(field)
     if len(points.sample) < FEWEST_POINTS:
@@ -195,16 +193,12 @@ def _plates_of(widths, by_place):
 def with_thinnest(regions, thinnest):
     """The same regions; none is thinner than the thinnest wall, and the first one that has its face is as thin.
 
-    Tapers and teeth are as they were: the thinnest wall is the thinnest parallel one.
+    Tapers and teeth are as they were: the thinnest wall is the thinnest parallel one. Returns WallRegions.
 
     Parameters
     ----------
     regions : WallRegions
     thinnest : Witness or None
-
-    Returns
-    -------
-    WallRegions
     """
     if thinnest is None:
         return regions

@@ -37,6 +37,11 @@ class Walls(NamedTuple):
 def walls_under(mesh, rays, samples, report=None, expected=None):
     """Measure the walls under samples, between the smooth surfaces that the facets approximate.
 
+    Returns `walls` (Walls) and `reach` (ndarray of shape (m,), mm; distance between the facets themselves).
+
+    The ray runs from the facet, along the normal of the smooth surface there. What the surface rises above either facet
+    (`CurvedSurface`) is added, so that the diameter of a rod is that of the rod and not of a prism.
+
     Parameters
     ----------
     mesh : SurfaceMesh
@@ -46,17 +51,6 @@ def walls_under(mesh, rays, samples, report=None, expected=None):
         Called with the fraction done; may raise to stop.
     expected : ndarray of shape (m,), mm, optional
         About how far samples see, where that is known; it saves time and changes nothing.
-
-    Returns
-    -------
-    walls : Walls
-    reach : ndarray of shape (m,), mm
-        Distance between the facets themselves.
-
-    Notes
-    -----
-    The ray runs from the facet, along the normal of the smooth surface there. What the surface rises above either facet
-    (`CurvedSurface`) is added, so that the diameter of a rod is that of the rod and not of a prism.
     """
     reach, opposite = rays.first_hits(samples, INNER, portion(report, 0.0, RAYS_DONE), expected)
     distance, angle = reach.copy(), np.full(samples.count, np.pi)
