@@ -15,13 +15,9 @@ _SHARE = ("/usr/share/freecad", "/usr/lib/freecad")
 def load_freecad():
     """Import FreeCAD and return its module.
 
-    Raises
-    ------
-    ThinPartError
-        kind ``unsupported`` if there is no FreeCAD for this Python, ``permission`` if the home folder cannot be used.
+    Raises ThinPartError, kind ``unsupported`` if there is no FreeCAD for this Python, ``permission`` if the home folder
+    cannot be used.
 
-    Notes
-    -----
     FreeCAD is imported first, because importing MeshPart before it causes a segmentation fault. The folders of its
     modules must be on the module path before a document is opened, or FreeCAD silently drops bodies from it.
     """
@@ -75,10 +71,7 @@ def trusted_code_folders():
 def load_meshing():
     """Import FreeCAD and the modules for reading and meshing solids, which otherwise load with the first part.
 
-    Raises
-    ------
-    ThinPartError
-        See `load_freecad`.
+    Raises ThinPartError: see `load_freecad`.
     """
     load_freecad()
     for name in ("Part", "MeshPart"):

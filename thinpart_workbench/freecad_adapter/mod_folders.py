@@ -26,16 +26,9 @@ is the newer version that reads it as long as it has no folder of its own, or No
 def mod_folders():
     """The folders of all versions of FreeCAD that this user has started, and of the present one.
 
-    Returns
-    -------
-    list of ModFolder
-        The folder that the present FreeCAD reads comes first. A version folder that does not exist is not listed and
-        must not be made: FreeCAD would assume that its settings have been copied already.
-
-    Raises
-    ------
-    ThinPartError
-        See `load_freecad`.
+    Returns a list of ModFolder: the folder that the present FreeCAD reads comes first. A version folder that does not exist
+    is not listed and must not be made: FreeCAD would assume that its settings have been copied already. Raises
+    ThinPartError: see `load_freecad`.
     """
     freecad = load_freecad()
     version = tuple(int(part) for part in freecad.Version()[:2])

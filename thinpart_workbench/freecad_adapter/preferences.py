@@ -243,10 +243,7 @@ _STORED_AS = {bool: "Bool", int: "Int", float: "Float", str: "String"}
 def preference(name):
     """Value of a preference; its default if it is not set or its stored value is invalid.
 
-    Raises
-    ------
-    KeyError
-        When no such preference is declared.
+    Raises KeyError when no such preference is declared.
     """
     declared, group = PREFERENCES[name], load_freecad().ParamGet(GROUP)
     default = declared.default
@@ -259,12 +256,8 @@ def preference(name):
 def set_preference(name, value):
     """Store a preference in FreeCAD's parameters; `None` resets it to its default.
 
-    Raises
-    ------
-    KeyError
-        When no such preference is declared.
-    ThinPartError
-        kind ``usage`` if the value has another type than the default, or is not allowed.
+    Raises KeyError when no such preference is declared; ThinPartError, kind ``usage`` if the value has another type than the
+    default, or is not allowed.
     """
     declared, group = PREFERENCES[name], load_freecad().ParamGet(GROUP)
     value = declared.default if value is None else value

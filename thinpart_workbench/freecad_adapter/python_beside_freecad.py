@@ -42,6 +42,8 @@ def python_beside_freecad():
 def run_module_limited(module, arguments, seconds, folder):
     """Run a module of ThinPart in another process with a limit of time: OCC cannot be interrupted, a process can.
 
+    Returns a ProgramEnd or None: None where there is no Python to run it.
+
     Parameters
     ----------
     module : str
@@ -50,11 +52,6 @@ def run_module_limited(module, arguments, seconds, folder):
         Of processor time.
     folder : str
         Working directory.
-
-    Returns
-    -------
-    ProgramEnd or None
-        None where there is no Python to run it.
     """
     program, environment = None, dict(os.environ)
     if is_within_freecad():

@@ -62,6 +62,11 @@ def _for_no_group(mode):
 def write_atomically(path, content, durable=True, beside=None, access=None, place=os.replace):
     """Write bytes to a temporary file beside `path`, flush them to disk, and rename it.
 
+    Raises OSError: the old file is then still intact and the temporary one removed. Also where the name is that of a pipe, a
+    device or a socket, or of a link to one.
+
+    A killed process leaves its temporary file behind. The next process that writes into the folder removes it.
+
     Parameters
     ----------
     path : str or Path
@@ -76,16 +81,6 @@ def write_atomically(path, content, durable=True, beside=None, access=None, plac
         Who may read it at most. Otherwise as the file that it replaces, or as any new file.
     place : callable, optional
         Gives the temporary file its name: called with both paths.
-
-    Raises
-    ------
-    OSError
-        The old file is then still intact and the temporary one removed. Also where the name is that of a pipe, a device or
-        a socket, or of a link to one.
-
-    Notes
-    -----
-    A killed process leaves its temporary file behind. The next process that writes into the folder removes it.
     """
     path = os.path.abspath(path)
     if is_special(path):  # the system would let root rename a file over /dev/null
@@ -172,10 +167,7 @@ def _limit(path, access):
 def place_new(temporary, path):
     """Give a temporary file a name that no file has, for `write_atomically`.
 
-    Raises
-    ------
-    FileExistsError
-        The file that has the name stays as it is.
+    Raises FileExistsError: the file that has the name stays as it is.
     """
     try:
         os.link(temporary, path)

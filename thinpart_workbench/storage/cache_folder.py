@@ -11,10 +11,7 @@ from .atomic_file import OWNER_ONLY, write_atomically
 def cache_folder():
     """``$THINPART_CACHE``, else ``thinpart`` in the user's cache folder: Path, which may not exist yet.
 
-    Raises
-    ------
-    OSError
-        If there is no home folder, as for some services.
+    Raises OSError if there is no home folder, as for some services.
     """
     chosen = os.path.expanduser(os.environ.get("THINPART_CACHE") or os.path.join(cache_home(), "thinpart"))
     if chosen.startswith("~"):
@@ -25,10 +22,7 @@ def cache_folder():
 def write_cached(path, content):
     """Write a file of the cache, and its folder where that is missing: readable by this user alone, as are some parts.
 
-    Raises
-    ------
-    OSError
-        No partial file is left, and an existing file stays.
+    Raises OSError: no partial file is left, and an existing file stays.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
     write_atomically(path, content, durable=False, access=OWNER_ONLY)

@@ -10,12 +10,8 @@ from ..core.message import message
 def common_folder(paths):
     """The innermost folder that holds all of these files and folders: the top of their tree.
 
-    Two documents of the same name in different folders have different paths below it.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``usage`` if there is none, on Windows.
+    Two documents of the same name in different folders have different paths below it. Raises ThinPartError, kind ``usage``
+    if there is none, on Windows.
     """
     folders = [path if os.path.isdir(path) else path.parent for path in map(Path, paths)]
     try:

@@ -9,9 +9,7 @@ DOCUMENT_XML = "Document.xml"
 def is_fcstd(file):
     """Whether an open binary file, whatever its name, is a FreeCAD document: a ZIP archive that contains Document.xml.
 
-    Raises
-    ------
-    OSError
+    Raises OSError.
     """
     try:
         with zipfile.ZipFile(file) as archive:

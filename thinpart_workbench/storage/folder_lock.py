@@ -24,13 +24,8 @@ class FolderIsLocked(OSError):
 def folder_lock(folder):
     """Keep other programs that use this lock out of a folder until the block ends.
 
-    Raises
-    ------
-    FolderIsLocked
-        If another program does not let go of it within `PATIENCE`.
+    Raises FolderIsLocked if another program does not let go of it within `PATIENCE`.
 
-    Notes
-    -----
     The lock writes nothing into the folder, and a killed program leaves no lock behind. Some network shares
     cannot lock folders; there the block runs without a lock. Windows cannot lock folders at all: there an
     empty file in this user's temporary folder is locked instead, which programs on other machines do not see.

@@ -67,17 +67,14 @@ class Label(NamedTuple):
 def read_labels(path, categories):
     """Read a file of labels: list of Label.
 
+    Raises ThinPartError: one sentence with file, line and reason; kind ``usage``, ``missing`` or ``unreadable``.
+
     Parameters
     ----------
     path : str or Path
         CSV in UTF-8 with a header, separated by commas or semicolons.
     categories : sequence of str
         Those that may be given.
-
-    Raises
-    ------
-    ThinPartError
-        One sentence with file, line and reason; kind ``usage``, ``missing`` or ``unreadable``.
     """
     name = os.path.basename(path)
     lines = io.StringIO(_text(path, name), newline="")

@@ -9,6 +9,8 @@ from ..core.regular_file import open_regular
 def write_new(folder, stem, ending, content, mode=0o666, companion=None):
     """Write bytes to a file that is not there yet, and get its name; an earlier one with the same content is taken as it is.
 
+    Raises OSError: nothing is left of the file then.
+
     Parameters
     ----------
     folder : str
@@ -19,11 +21,6 @@ def write_new(folder, stem, ending, content, mode=0o666, companion=None):
         Permissions, as far as the system's mask for new files allows.
     companion : str, optional
         A name counts as taken too where there is a file with this ending behind it.
-
-    Raises
-    ------
-    OSError
-        Nothing is left of the file then.
     """
     for number in count(1):
         name = f"{stem}{'' if number == 1 else f'-{number}'}{ending}"

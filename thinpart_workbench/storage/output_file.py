@@ -34,6 +34,9 @@ class _Place(NamedTuple):
 def check_output(path, mark, overwrite=False, inputs=()):
     """Check that a file may be written, before minutes are spent on its content.
 
+    Raises ForeignFile, kind ``usage`` where `overwrite` would allow it. Raises ThinPartError, kind ``usage`` where nothing
+    does; also for folders, pipes and devices. Raises OSError if it cannot be read, or its folder cannot be written.
+
     Parameters
     ----------
     path : str or Path
@@ -43,15 +46,6 @@ def check_output(path, mark, overwrite=False, inputs=()):
         Whether the user has said that a file without the mark may be replaced.
     inputs : iterable of str or Path, optional
         Files that the run reads. They are not looked at where there is no file yet.
-
-    Raises
-    ------
-    ForeignFile
-        kind ``usage`` where `overwrite` would allow it.
-    ThinPartError
-        kind ``usage`` where nothing does; also for folders, pipes and devices.
-    OSError
-        If it cannot be read, or its folder cannot be written.
     """
     place = _place(path, mark, overwrite, inputs)
     folder = os.path.dirname(place.path)
@@ -63,6 +57,8 @@ def check_output(path, mark, overwrite=False, inputs=()):
 def write_output(path, content, mark, overwrite=False, inputs=(), durable=True):
     """Write a file atomically, if it may be written.
 
+    Raises ForeignFile, ThinPartError: see `check_output`. Raises OSError: the old file is then still there.
+
     Parameters
     ----------
     path : str or Path
@@ -73,13 +69,6 @@ def write_output(path, content, mark, overwrite=False, inputs=(), durable=True):
         See `write_atomically`.
     mark, overwrite, inputs
         See `check_output`.
-
-    Raises
-    ------
-    ForeignFile, ThinPartError
-        See `check_output`.
-    OSError
-        The old file is then still there.
     """
     place = _place(path, mark, overwrite, inputs)
 

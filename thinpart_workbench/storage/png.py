@@ -9,21 +9,16 @@ _SIGNATURE = b"\x89PNG\r\n\x1a\n"
 def png_bytes(pixels, width, height):
     """An image as a PNG file: bytes.
 
+    Raises ValueError if there are more or fewer pixels.
+
+    ISO/IEC 15948. Rows are stored as they are (filter 0): of pictures with surfaces of one colour, that gives the smallest
+    files.
+
     Parameters
     ----------
     pixels : bytes
         Red, green, blue and alpha, row by row from the top.
     width, height : int
-
-    Raises
-    ------
-    ValueError
-        If there are more or fewer pixels.
-
-    Notes
-    -----
-    ISO/IEC 15948. Rows are stored as they are (filter 0): of pictures with surfaces of one colour, that gives the smallest
-    files.
     """
     row = 4 * width
     if len(pixels) != row * height:

@@ -17,13 +17,8 @@ LOCK = "lock"
 def temporary_folder():
     """A folder for a ``with`` block; leftover folders of killed processes are removed first.
 
-    Yields
-    ------
-    str
-        Path of the new folder.
+    Yields a str: path of the new folder.
 
-    Notes
-    -----
     A lock on a file in the folder marks it as in use. The system releases the lock whenever its process
     ends. A process id would not do: the system may assign it to another process.
     """

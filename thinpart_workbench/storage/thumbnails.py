@@ -11,23 +11,16 @@ from .png import png_bytes
 def thumbnail_path(sha256, part_name):
     """The path of the thumbnail of a part, whether or not it exists.
 
+    Returns a Path or None: a PNG file of 160 x 120 pixels. Copies of a document share a thumbnail. None if `sha256` is not a
+    valid hash: info files are untrusted, and their content must not lead to paths outside the cache. Raises OSError if there
+    is no cache folder.
+
     Parameters
     ----------
     sha256 : str
         Hash of the document from its info file.
     part_name : str
         The part's unique name in the document.
-
-    Returns
-    -------
-    Path or None
-        A PNG file of 160 x 120 pixels. Copies of a document share a thumbnail. None if `sha256` is not a valid
-        hash: info files are untrusted, and their content must not lead to paths outside the cache.
-
-    Raises
-    ------
-    OSError
-        If there is no cache folder.
     """
     if not isinstance(sha256, str) or not re.fullmatch("[0-9a-f]{64}", sha256):
         return None
@@ -39,17 +32,13 @@ def thumbnail_path(sha256, part_name):
 def write_thumbnail(sha256, part_name, pixels):
     """Write the thumbnail of a part.
 
+    Raises OSError: no partial file is left, and an existing thumbnail stays. Raises ValueError if there are more or fewer
+    pixels.
+
     Parameters
     ----------
     sha256, part_name : str
     pixels : bytes
         Red, green, blue and alpha of `WIDTH` x `HEIGHT` pixels.
-
-    Raises
-    ------
-    OSError
-        No partial file is left, and an existing thumbnail stays.
-    ValueError
-        If there are more or fewer pixels.
     """
     write_cached(thumbnail_path(sha256, part_name), png_bytes(pixels, WIDTH, HEIGHT))

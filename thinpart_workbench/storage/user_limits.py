@@ -22,10 +22,7 @@ def user_limits_file():
 def new_user_limits():
     """`user_limits_file`, made as a copy of the shipped limits where there is none: Path.
 
-    Raises
-    ------
-    ThinPartError
-        kind ``failed`` if it cannot be written.
+    Raises ThinPartError, kind ``failed`` if it cannot be written.
     """
     file = user_limits_file()
     if not os.path.lexists(file):
@@ -45,10 +42,7 @@ def _write(file, content):
 def user_limits():
     """What a user's own limits file has: list of dict, a process each; empty where there is no file.
 
-    Raises
-    ------
-    ThinPartError
-        kind ``usage`` if it cannot be used.
+    Raises ThinPartError, kind ``usage`` if it cannot be used.
     """
     file = user_limits_file()
     return limits_content(file)["processes"] if os.path.lexists(file) else []
@@ -57,16 +51,13 @@ def user_limits():
 def write_user_limits(processes):
     """Write a user's own limits file, and get its path: Path.
 
+    Raises ThinPartError, kind ``usage`` if the file that is there cannot be used, and so is not overwritten; kind ``failed``
+    if it cannot be written.
+
     Parameters
     ----------
     processes : list of dict
         As in the file; `wall_limits.limits_fault` finds nothing wrong with them.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``usage`` if the file that is there cannot be used, and so is not overwritten; kind ``failed`` if it cannot be
-        written.
     """
     file = user_limits_file()
     content = {**limits_content(file if os.path.lexists(file) else SHIPPED), "processes": processes}
@@ -77,17 +68,13 @@ def write_user_limits(processes):
 def known_limits(file=None):
     """The shipped limits, with a user's own added or put in their place: dict of str to WallLimits.
 
-    See `read_limits`. A process of the user's takes the place of the shipped one with all its materials.
+    See `read_limits`. A process of the user's takes the place of the shipped one with all its materials. Raises
+    ThinPartError, kind ``usage`` if the user's file cannot be used.
 
     Parameters
     ----------
     file : str or Path, optional
         The user's own; by default that of `user_limits_file`, if it exists.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``usage`` if the user's file cannot be used.
     """
     known = shipped_limits()
     if file is None:

@@ -30,13 +30,9 @@ def user_profiles():
 def check_profile_file(file, overwrite=False, inputs=()):
     """Check that a profile may be written to a file, as `check_output`; makes a missing folder of the user's own profiles.
 
-    Raises
-    ------
-    ForeignFile
-        If the file is no profile, and `overwrite` would allow it.
-    ThinPartError
-        kind ``usage`` if it has the name of a shipped profile, which would be taken for that, or must not be written;
-        kind ``failed`` if it cannot be written.
+    Raises ForeignFile if the file is no profile, and `overwrite` would allow it. Raises ThinPartError, kind ``usage`` if it
+    has the name of a shipped profile, which would be taken for that, or must not be written; kind ``failed`` if it cannot be
+    written.
     """
     shipped = {path.stem.casefold() for path in PROFILES.glob("*.json")}
     if Path(file).stem.casefold() in shipped:

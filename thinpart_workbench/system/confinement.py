@@ -53,18 +53,15 @@ def confine_writing(confinement, folder):
 def confine(confinement, *folders, with_programs=False):
     """Confine this process permanently. Call this first, before the process has a second thread.
 
+    Returns a dict: the confinement in effect: ``files`` is ``landlock``, ``bubblewrap`` or ``none``; ``network`` is
+    ``seccomp``, ``bubblewrap`` or ``none``.
+
     Parameters
     ----------
     confinement, folders
         The same as for the command that started the process; only where it was not started as a confined one, several.
     with_programs : bool, optional
         Whether this process may run programs, which are confined like itself.
-
-    Returns
-    -------
-    dict
-        The confinement in effect: ``files`` is ``landlock``, ``bubblewrap`` or ``none``; ``network`` is
-        ``seccomp``, ``bubblewrap`` or ``none``.
     """
     if confinement == NONE:
         return UNCONFINED

@@ -24,19 +24,14 @@ OPEN_FILES_CAN_BE_MOVED = sys.platform != "win32"
 def lock(handle, seconds=0.0):
     """Lock an open file, or a folder if `FOLDERS_CAN_BE_LOCKED`, until it is closed.
 
+    Raises BlockingIOError if another process still holds it then; OSError if the file system has no locks.
+
     Parameters
     ----------
     handle : int
         File descriptor.
     seconds : float
         How long to wait for another process that holds the lock.
-
-    Raises
-    ------
-    BlockingIOError
-        If another process still holds it then.
-    OSError
-        If the file system has no locks.
     """
     end = time.monotonic() + seconds
     while True:

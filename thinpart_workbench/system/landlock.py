@@ -50,12 +50,8 @@ def landlock_version():
 def write_only_below(folders):
     """Restrict this process and its children to writing below some existing folders and to /dev/null.
 
-    Reading is not restricted. The restriction cannot be undone.
-
-    Raises
-    ------
-    OSError
-        If that is not possible. Before version 8, Landlock restricts a single thread, so the process may have no other.
+    Reading is not restricted. The restriction cannot be undone. Raises OSError if that is not possible. Before version 8,
+    Landlock restricts a single thread, so the process may have no other.
     """
     version = landlock_version()
     all_threads = _ALL_THREADS[1] if version >= _ALL_THREADS[0] else 0

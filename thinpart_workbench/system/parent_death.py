@@ -23,8 +23,6 @@ def end_with_parent(parent):
     parent still runs. Linux and Windows end the process nevertheless. On macOS, and on systems without such a
     service, a thread waits for the parent's end, and a process inside such foreign code goes on until that returns.
 
-    Notes
-    -----
     On Linux the signal is sent when the parent's *thread* ends (prctl(2)). `process_pool` has one thread per worker,
     which lives as long as the worker.
 

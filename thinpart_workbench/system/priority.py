@@ -9,10 +9,7 @@ from . import windows
 def lower_priority(process):
     """Lower the priority of a process, by its id, so that others go first if there are few processors.
 
-    Raises
-    ------
-    OSError
-        If the process has ended.
+    Raises OSError if the process has ended.
     """
     if sys.platform == "win32":
         windows.lower_priority(process)

@@ -41,15 +41,12 @@ class ProgramEnd(ProcessEnd):
 def limit_memory(size):
     """Make allocations beyond a limit fail in this process and those that it starts; it cannot be raised again.
 
+    Returns a bool: whether the limit is in effect.
+
     Parameters
     ----------
     size : int
         Bytes of address space, or of committed memory on Windows.
-
-    Returns
-    -------
-    bool
-        Whether the limit is in effect.
     """
     try:
         if resource is None:
@@ -66,16 +63,14 @@ def limit_memory(size):
 def limit_files(size, count):
     """Limit the size of files that this process writes, and the number of files that it opens.
 
+    Windows has no such limits.
+
     Parameters
     ----------
     size : int
         Bytes.
     count : int
         Open files.
-
-    Notes
-    -----
-    Windows has no such limits.
     """
     if resource is not None:
         _lower_limit(resource.RLIMIT_FSIZE, size)
@@ -100,6 +95,11 @@ def _lower_limit(limit, requested):
 def run_limited(command, seconds, folder, environment=None):
     """Run a program with a limit of time and wait for it. Limits of memory and files are inherited from this process.
 
+    Returns a ProgramEnd: its output holds both streams. Raises OSError if the program cannot be started.
+
+    A confined process may neither kill another nor set its limits (see `system_call_filter`), so a shell sets the limit
+    that the program then has, and the kernel ends it.
+
     Parameters
     ----------
     command : list of str
@@ -109,21 +109,6 @@ def run_limited(command, seconds, folder, environment=None):
         Working directory.
     environment : dict, optional
         Environment variables; by default those of this process.
-
-    Returns
-    -------
-    ProgramEnd
-        Its output holds both streams.
-
-    Raises
-    ------
-    OSError
-        If the program cannot be started.
-
-    Notes
-    -----
-    A confined process may neither kill another nor set its limits (see `system_call_filter`), so a shell sets the limit
-    that the program then has, and the kernel ends it.
     """
     if shutil.which(command[0]) is None:
         raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), command[0])

@@ -16,19 +16,15 @@ RUN_VARIABLE = "THINPART_RUN"
 def module_command(module, arguments=(), program=None):
     """The command for ``python -m MODULE ARGUMENTS``.
 
+    Returns `command` (list of str; the program comes first) and `variables` (dict; environment variables that have to be
+    set).
+
     Parameters
     ----------
     module : str
     arguments : iterable of str
     program : str, optional
         A Python or FreeCADCmd; by default that of this process.
-
-    Returns
-    -------
-    command : list of str
-        The program comes first.
-    variables : dict
-        Environment variables that have to be set.
     """
     program = program or sys.executable
     if is_freecadcmd(program):

@@ -43,17 +43,12 @@ def install_system_call_filter(with_programs=False):
     """Forbid this process and its children to open sockets and to affect other processes.
 
     They cannot change permissions, owners, times and attributes of files either, nor make files in memory. Refused calls
-    fail with EPERM, and those that are newer than the filter with ENOSYS.
+    fail with EPERM, and those that are newer than the filter with ENOSYS. Raises OSError if the filter cannot be installed.
 
     Parameters
     ----------
     with_programs : bool, optional
         Whether this process may make other processes, such as of programs that it runs; threads it may always make.
-
-    Raises
-    ------
-    OSError
-        If the filter cannot be installed.
     """
     machine = MACHINES.get(platform.machine())
     if machine is None or not sys.platform.startswith("linux") or sys.maxsize < 1 << 32:

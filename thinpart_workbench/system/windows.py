@@ -76,16 +76,13 @@ def join_new_job(flags, memory=0):
 def give_handle(handle, process):
     """Move a handle to another process, which does not know of it; it is closed when that process ends.
 
+    Raises OSError if the process no longer exists.
+
     Parameters
     ----------
     handle : int
     process : int
         Process id.
-
-    Raises
-    ------
-    OSError
-        If the process no longer exists.
     """
     kernel = _kernel()
     receiver = _checked(kernel.OpenProcess(PROCESS_DUPLICATE, False, process))
@@ -100,10 +97,7 @@ def give_handle(handle, process):
 def bytes_in_pipe(handle):
     """Number of bytes that can be read from a pipe at once.
 
-    Raises
-    ------
-    OSError
-        If the pipe was closed, or the handle is not a pipe.
+    Raises OSError if the pipe was closed, or the handle is not a pipe.
     """
     count = _DWORD()
     _checked(_kernel().PeekNamedPipe(handle, None, 0, None, ctypes.byref(count), None))

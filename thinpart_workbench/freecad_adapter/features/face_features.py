@@ -14,18 +14,16 @@ def face_features(shape, history):
 
     One label per face, empty if the feature is not known. The list is empty if there is no history.
 
+    Going back from the last feature, a face was made by the first one none of whose sources has it. A source has
+    the face if a point within the face lies on the source's boundary: names of faces do not survive an operation,
+    surfaces do.
+
     Parameters
     ----------
     shape : Part.Shape
         Shape of the part.
     history : list of Feature
         From `feature_history`.
-
-    Notes
-    -----
-    Going back from the last feature, a face was made by the first one none of whose sources has it. A source has
-    the face if a point within the face lies on the source's boundary: names of faces do not survive an operation,
-    surfaces do.
     """
     if not history:
         return []

@@ -44,8 +44,6 @@ def feature_history(part):
 
     The last one first. Empty if nothing is known: for meshes, files of other programs and imported shapes.
 
-    Notes
-    -----
     This takes milliseconds, because it only refers to the document's shapes and computes nothing on them.
     """
     if not isinstance(part, SolidPart) or not part.occurrences or part.occurrences[0] is None:

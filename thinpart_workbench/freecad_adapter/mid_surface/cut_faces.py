@@ -43,6 +43,8 @@ def too_long():
 def faces_cut(faces, tolerance, seconds=SECONDS):
     """Cut faces by each other: list of Part.Face, the pieces; those that meet share their edges.
 
+    Raises ThinPartError, kind ``no_shell`` where it takes too long, or fails.
+
     Parameters
     ----------
     faces : list of Part.Face
@@ -50,11 +52,6 @@ def faces_cut(faces, tolerance, seconds=SECONDS):
         Edges that are nearer to each other are one.
     seconds : float, optional
         Limit of processor time where there are more than `FEW`.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``no_shell`` where it takes too long, or fails.
     """
     import Part
 

@@ -173,6 +173,13 @@ def _without_heights(walls, mesh, rays, count):
 def mid_surface(shape, pairs, mesh, rays, report=None, solid_walls=()):
     """Make the mid-surface of a solid: MidSurface.
 
+    Raises ThinPartError, kind ``no_shell`` where no wall is a shell, or OCC cannot cut the faces.
+
+    The surface half-way between the two sides of a wall is as exact as they are. It is cut to what lies within the solid, so
+    it ends where the wall ends, and holes stay. Along smooth edges, as at the ends of a bend, it is cut across the wall.
+    Faces of all walls then cut each other, and what stands out beyond a joint is left out: it does not lie between the sides
+    of its wall.
+
     Parameters
     ----------
     shape : Part.Shape
@@ -185,18 +192,6 @@ def mid_surface(shape, pairs, mesh, rays, report=None, solid_walls=()):
         Called with the fraction that is done.
     solid_walls : collection of tuple of int
         Faces of walls that are to stay solid; see `ShellSettings`.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``no_shell`` where no wall is a shell, or OCC cannot cut the faces.
-
-    Notes
-    -----
-    The surface half-way between the two sides of a wall is as exact as they are. It is cut to what lies within the solid, so
-    it ends where the wall ends, and holes stay. Along smooth edges, as at the ends of a bend, it is cut across the wall.
-    Faces of all walls then cut each other, and what stands out beyond a joint is left out: it does not lie between the sides
-    of its wall.
     """
     load_freecad()
     walls = mid_walls(shape, pairs, mesh, rays)

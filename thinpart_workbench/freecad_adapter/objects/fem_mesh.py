@@ -40,23 +40,14 @@ def preferred_gmsh():
 def meshed_object(document, part):
     """The object whose FEM mesh would be that of a part, and the part as it lies in it.
 
+    Returns `owner` (FreeCAD.DocumentObject), `part` (SolidPart; with the shape of the owner) and `faces` (list of int;
+    number of each face of the part among those of the owner, from 0). Raises ThinPartError, kind ``no_solid`` if there is
+    none.
+
     Parameters
     ----------
     document : FreeCAD.Document
     part : SolidPart or MeshedPart
-
-    Returns
-    -------
-    owner : FreeCAD.DocumentObject
-    part : SolidPart
-        With the shape of the owner.
-    faces : list of int
-        Number of each face of the part among those of the owner, from 0.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``no_solid`` if there is none.
     """
     if not isinstance(part, SolidPart):
         raise ThinPartError(message("{part} is made of triangles, which are no solid to mesh.", part=part.label), "no_solid")
@@ -86,6 +77,12 @@ def fem_mesh_of(document, owner):
 def set_fem_mesh(document, owner, file, settings, global_size, order, walls, analysis=None):
     """Make or update the Gmsh mesh of an object, FreeCAD.DocumentObject; to be called in a transaction.
 
+    Raises ThinPartError, kind ``unreadable`` if the mesh cannot be read.
+
+    Regions of FEM are sizes at the corners of faces, in FreeCAD 0.20 to 1.1 alike: what FEM itself would mesh with them is
+    fine near corners and not in the middle of large faces. So the mesh is the one that was made with the background field,
+    and the regions say where it is fine.
+
     Parameters
     ----------
     document : FreeCAD.Document
@@ -101,17 +98,6 @@ def set_fem_mesh(document, owner, file, settings, global_size, order, walls, ana
         Label, size in mm, and numbers of faces of the owner, from 0.
     analysis : FreeCAD.DocumentObject, optional
         The mesh joins it.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``unreadable`` if the mesh cannot be read.
-
-    Notes
-    -----
-    Regions of FEM are sizes at the corners of faces, in FreeCAD 0.20 to 1.1 alike: what FEM itself would mesh with them is
-    fine near corners and not in the middle of large faces. So the mesh is the one that was made with the background field,
-    and the regions say where it is fine.
     """
     import ObjectsFem
 
@@ -168,6 +154,9 @@ def read_mesh(file):
 def join_analysis(document, owner, analysis, members):
     """Put objects into an analysis, of which the first is a mesh.
 
+    FEM solves an analysis with one mesh only. So what ThinPart made of the same object the other way, as a shell or as a
+    solid, leaves the analysis; it stays in the document.
+
     Parameters
     ----------
     document : FreeCAD.Document
@@ -176,11 +165,6 @@ def join_analysis(document, owner, analysis, members):
     analysis : FreeCAD.DocumentObject or None
         None for that which the mesh is in already.
     members : list of FreeCAD.DocumentObject
-
-    Notes
-    -----
-    FEM solves an analysis with one mesh only. So what ThinPart made of the same object the other way, as a shell or as a
-    solid, leaves the analysis; it stays in the document.
     """
     mesh = members[0]
     analysis = analysis or next((each for each in mesh.InList if each.isDerivedFrom("Fem::FemAnalysis")), None)

@@ -31,6 +31,11 @@ def shell_thicknesses(document, middle):
 def set_fem_shell(document, owner, labels, shape, file, settings, size, order, thicknesses, analysis=None):
     """Make or update the shell of an object; to be called in a transaction.
 
+    Returns a FreeCAD.DocumentObject: the mesh. Raises ThinPartError, kind ``unreadable`` if a file cannot be read.
+
+    FEM finds the elements of a thickness by the faces that it refers to, so the mid-surface is an object too; supports and
+    loads are put on it. The part is hidden, since it covers its shell.
+
     Parameters
     ----------
     document : FreeCAD.Document
@@ -49,21 +54,6 @@ def set_fem_shell(document, owner, labels, shape, file, settings, size, order, t
         Label, thickness in mm, and numbers of faces of the mid-surface, from 0.
     analysis : FreeCAD.DocumentObject, optional
         What is made joins it.
-
-    Returns
-    -------
-    FreeCAD.DocumentObject
-        The mesh.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``unreadable`` if a file cannot be read.
-
-    Notes
-    -----
-    FEM finds the elements of a thickness by the faces that it refers to, so the mid-surface is an object too; supports and
-    loads are put on it. The part is hidden, since it covers its shell.
     """
     import ObjectsFem
 

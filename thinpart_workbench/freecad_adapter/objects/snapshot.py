@@ -21,6 +21,12 @@ MOST_FACES = 20_000
 def write_snapshot(parts, folder, settings, profile, thin_limit=None, maps=None, first_maps=False):
     """Write parts and the job description for the worker.
 
+    Returns an iterator: each step writes one more shape of the parts' histories; stopping early loses only the histories.
+    The parts can be read before the first step, the histories by `read_history` after the last.
+
+    Writing a B-Rep takes milliseconds, but meshing it holds Python's lock for seconds. So the worker meshes
+    it while the user goes on working on the document.
+
     Parameters
     ----------
     parts : list of SolidPart or MeshedPart
@@ -36,17 +42,6 @@ def write_snapshot(parts, folder, settings, profile, thin_limit=None, maps=None,
         One of `SHOWN_MEASURES`: the worker also makes thickness maps by it and finds the feature that made each face.
     first_maps : bool, optional
         Whether it makes coarse maps of all parts before; only with `maps`.
-
-    Returns
-    -------
-    iterator
-        Each step writes one more shape of the parts' histories; stopping early loses only the histories. The
-        parts can be read before the first step, the histories by `read_history` after the last.
-
-    Notes
-    -----
-    Writing a B-Rep takes milliseconds, but meshing it holds Python's lock for seconds. So the worker meshes
-    it while the user goes on working on the document.
     """
     entries, pending = [], []
     for number, part in enumerate(parts):
@@ -98,12 +93,8 @@ def _write_shapes(pending):
 def read_snapshot(folder):
     """Read the job, and get a function that reads its parts.
 
-    Returns
-    -------
-    job : dict
-        ``parts``, ``settings``, ``profile``, ``thin_limit``, ``maps``, ``first_maps``.
-    read : callable
-        From an entry of ``job["parts"]`` to a part.
+    Returns `job` (dict; ``parts``, ``settings``, ``profile``, ``thin_limit``, ``maps``, ``first_maps``) and `read`
+    (callable; from an entry of ``job["parts"]`` to a part).
     """
     with open(os.path.join(folder, JOB), encoding="utf-8") as file:
         job = restored(json.load(file))

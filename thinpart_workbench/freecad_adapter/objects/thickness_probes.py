@@ -51,6 +51,8 @@ def moved_matrix(thickness):
 def wall_at_placement(part, placement, facet, point):
     """The wall under a point of a part at one of its placements, both in the coordinates of the document.
 
+    Returns `thickness` (float or None, mm) and `opposite` (ndarray of shape (3,), mm, or None).
+
     Parameters
     ----------
     part : MappedPart
@@ -58,11 +60,6 @@ def wall_at_placement(part, placement, facet, point):
         Index into ``part.matrices``.
     facet : int
     point : ndarray of shape (3,), mm
-
-    Returns
-    -------
-    thickness : float or None, mm
-    opposite : ndarray of shape (3,), mm, or None
     """
     matrix = part.matrices[placement]
     thickness, opposite = part.map.wall_at(facet, transform_points(inverse(matrix), point))

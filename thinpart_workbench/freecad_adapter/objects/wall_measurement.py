@@ -18,15 +18,13 @@ MEASUREMENT = "Measure::MeasurePython"
 class WallMeasurement:
     """Proxy of a wall measurement. All state is in the object's properties, which can be read without ThinPart.
 
+    The measure tool calls `isValidSelection` with the selection, tuples of dict with ``object``, ``subName`` and
+    ``pickedPoint``. The user has to choose the tool's mode: without one, the tool measures the area of a face.
+
     Parameters
     ----------
     measurement : FreeCAD.DocumentObject
         An object of type `MEASUREMENT`; the properties are added to it.
-
-    Notes
-    -----
-    The measure tool calls `isValidSelection` with the selection, tuples of dict with ``object``, ``subName`` and
-    ``pickedPoint``. The user has to choose the tool's mode: without one, the tool measures the area of a face.
     """
 
     def __init__(self, measurement):

@@ -10,6 +10,9 @@ from ..shapes.part import SolidPart
 def selected_parts(document, parts, selection, active=None):
     """The parts that the selection may refer to; if there are several, the user has to choose.
 
+    Returns a list: at least one part. Raises ThinPartError, kind ``empty`` for a document without parts, ``no_solid`` for a
+    selection without any.
+
     Parameters
     ----------
     document : FreeCAD.Document
@@ -19,16 +22,6 @@ def selected_parts(document, parts, selection, active=None):
         ``(name of the top object, sub-object path)`` of every selected object or face.
     active : tuple, optional
         The same for the active body.
-
-    Returns
-    -------
-    list
-        At least one part.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``empty`` for a document without parts, ``no_solid`` for a selection without any.
     """
     if not parts:
         raise ThinPartError(_nothing_in(document), "empty")

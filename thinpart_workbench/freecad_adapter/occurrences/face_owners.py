@@ -9,15 +9,13 @@ def face_owners(document, part):
 
     ``(object, indices)``: face k of the part is ``object.Shape.Faces[indices[k]]``; a mesh is one face.
 
+    A link shows the faces of its linked object, and a body those of its tip: these own the colours. Objects of
+    other documents are left out, because their colours belong to the user of that document.
+
     Parameters
     ----------
     document : FreeCAD.Document
     part : SolidPart or MeshedPart
-
-    Notes
-    -----
-    A link shows the faces of its linked object, and a body those of its tip: these own the colours. Objects of
-    other documents are left out, because their colours belong to the user of that document.
     """
     owners = {}
     for occurrence in part.occurrences:

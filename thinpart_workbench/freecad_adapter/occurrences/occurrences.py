@@ -52,7 +52,7 @@ def sources_of(document, parts):
 
 
 def face_at(parts, document, root, path):
-    """The part and the face at a sub-object path.
+    """The part and the face at a sub-object path. Returns `part` (SolidPart or None) and `face` (int or None; from 0).
 
     Parameters
     ----------
@@ -60,12 +60,6 @@ def face_at(parts, document, root, path):
     document : FreeCAD.Document
     root, path : str
         As FreeCAD's selection gives them; the path ends with the name of a face.
-
-    Returns
-    -------
-    part : SolidPart or None
-    face : int or None
-        From 0.
     """
     object_path, element = split_at_element(path)
     if not element.startswith("Face"):
@@ -84,18 +78,14 @@ def face_at(parts, document, root, path):
 def face_paths(document, part, faces):
     """Sub-object paths of faces of a part at its first occurrence.
 
+    Returns `root` (str) and `paths` (list of str; empty if the part has no faces, as a mesh).
+
     Parameters
     ----------
     document : FreeCAD.Document
     part : SolidPart or MeshedPart
     faces : iterable of int
         From 0.
-
-    Returns
-    -------
-    root : str
-    paths : list of str
-        Empty if the part has no faces, as a mesh.
     """
     occurrence = part.occurrences[0]
     if not isinstance(part, SolidPart):

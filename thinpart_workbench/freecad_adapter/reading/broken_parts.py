@@ -38,17 +38,15 @@ def defect_of(leaf, shape):
 
     Kind and message.
 
+    Sketches, drawings, datums, binders, curves, points and flat faces made by a tool are construction geometry.
+    An imported surface is a sheet body, and therefore a part.
+
     Parameters
     ----------
     leaf : FreeCAD.DocumentObject
         The object in the document, which may be a link.
     shape : Part.Shape
         Its shape, without solids.
-
-    Notes
-    -----
-    Sketches, drawings, datums, binders, curves, points and flat faces made by a tool are construction geometry.
-    An imported surface is a sheet body, and therefore a part.
     """
     source = leaf.getLinkedObject(True) or leaf
     if not source.isDerivedFrom("Part::Feature") or _is_construction(source):
@@ -73,13 +71,8 @@ def mesh_defect(leaf):
 def recompute_warning(leaf):
     """Why the shape of a FreeCAD.DocumentObject may be older than its parameters; None if it is not.
 
-    Returns
-    -------
-    str or None
-        One sentence.
+    Returns a str or None: one sentence.
 
-    Notes
-    -----
     FreeCAD keeps the last good shape of a failed feature and of everything made with it, and saves the failure
     with the document. A changed object alone proves nothing: a file does not show whether its length or only its
     placement was changed.
@@ -104,17 +97,14 @@ def is_broken_link(candidate):
 def broken_link_defect(leaf, link):
     """Why a link for which `is_broken_link` holds is a defect; None if the link was never set.
 
+    Returns a tuple of (str, str) or None: kind and message.
+
     Parameters
     ----------
     leaf : FreeCAD.DocumentObject
         The object in the document.
     link : FreeCAD.DocumentObject
         The broken link: the object itself, or a link that it leads to.
-
-    Returns
-    -------
-    tuple of (str, str) or None
-        Kind and message.
     """
     file, name = _link_target(link)
     if not name and "Up-to-date" in link.State:

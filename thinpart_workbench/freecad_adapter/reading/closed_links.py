@@ -28,8 +28,6 @@ def check_links(document):
 def keep_closed(files):
     """Keep FreeCAD from opening what `special_links` found for the links to it: to each leads a link as to a missing file.
 
-    Notes
-    -----
     FreeCAD opens no document twice. So an empty one, which is closed with the others at the end of a task, is said to be
     that file.
     """

@@ -46,8 +46,6 @@ def document_content(document):
 
     In the order of the document. Placements of containers and links are applied.
 
-    Notes
-    -----
     Copies of one shape are one part, whether made by links, by placement or drawn twice. Not parts are: a shape that
     another shape was made from, the features of a body, and a hidden object with visible links to it. A hidden shape
     that is not a body is a leftover of modelling, unless the document holds nothing else.

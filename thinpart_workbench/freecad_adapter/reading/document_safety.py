@@ -74,15 +74,12 @@ class NamedModules:
 def check_document(path):
     """Reject a document if opening it, or one that it links to, would write outside the document's own folder.
 
+    Raises ThinPartError, kind ``unsafe``, with the reason.
+
     Parameters
     ----------
     path : str or Path
         An .FCStd file. A damaged one passes, because opening it reports the damage.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``unsafe``, with the reason.
     """
     for file in _documents(path):
         _check_file(file)

@@ -14,10 +14,7 @@ _LABEL = "shape"
 def held_content(source):
     """Distinct parts of a Part.Shape, Mesh.Mesh, DocumentObject or Document: DocumentContent, not empty.
 
-    Raises
-    ------
-    ThinPartError
-        kind ``usage`` for any other type, ``empty`` or ``no_solid`` if it holds no part.
+    Raises ThinPartError, kind ``usage`` for any other type, ``empty`` or ``no_solid`` if it holds no part.
     """
     load_freecad()
     import FreeCAD

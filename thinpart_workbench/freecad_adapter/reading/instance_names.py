@@ -14,6 +14,8 @@ _DIGITS, _BEFORE_DIGITS = "0123456789", " _\t\r\n"
 def telling_label(top, path, leaf):
     """The label of the object at a path; where nobody named it, that of the nearest instance or assembly around it.
 
+    Returns a str: such as ``Bracket`` for the solid ``NONE001`` of an imported product ``Bracket``.
+
     Parameters
     ----------
     top : App.DocumentObject
@@ -21,11 +23,6 @@ def telling_label(top, path, leaf):
         Below the top object.
     leaf : App.DocumentObject
         The one at its end.
-
-    Returns
-    -------
-    str
-        Such as ``Bracket`` for the solid ``NONE001`` of an imported product ``Bracket``.
     """
     for candidate in (leaf, *reversed(objects_along(top, path))):
         # Not by the pattern, which would try every length of what comes before the number.

@@ -17,11 +17,8 @@ _TOKEN = re.compile(r'<XLink\b|>|\bfile="([^"]+)"')
 def linked_files(document):
     """Files that the document at a path links to, directly or through other files.
 
-    Returns
-    -------
-    list of Path
-        Sorted, without duplicates, including files that do not exist. Empty if the file is not a FreeCAD document
-        or cannot be read; opening it reports the error.
+    Returns a list of Path: sorted, without duplicates, including files that do not exist. Empty if the file is not a FreeCAD
+    document or cannot be read; opening it reports the error.
     """
     start = os.path.abspath(document)
     found, pending = {}, [start] if is_document(start) else []

@@ -28,15 +28,12 @@ from .shape_parts import shape_parts
 def read_parts(path):
     """Read the distinct parts of a file: DocumentContent, at least one part or broken part.
 
+    Raises ThinPartError, kind ``unsupported``, ``unreadable``, ``empty`` (document) or ``no_solid``.
+
     Parameters
     ----------
     path : str or Path
         A file that exists and is not empty; `storage/info/info_file.new_source` has checked this.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``unsupported``, ``unreadable``, ``empty`` (document) or ``no_solid``.
     """
     path = Path(path)
     found = format_of(path)

@@ -14,16 +14,14 @@ from .tolerances import SHAPE_TOLERANCES
 def equal_part(parts, solid):
     """The part with the same shape as a solid, whatever its placement, or None: SolidPart.
 
+    Exchange files store each copy of a part as a separate solid. Two solids are equal if all faces, edges and
+    corners correspond in their order and a rigid motion maps the points of one onto those of the other. A mirror
+    image is another part.
+
     Parameters
     ----------
     parts : list of SolidPart or MeshedPart
     solid : Part.Shape
-
-    Notes
-    -----
-    Exchange files store each copy of a part as a separate solid. Two solids are equal if all faces, edges and
-    corners correspond in their order and a rigid motion maps the points of one onto those of the other. A mirror
-    image is another part.
     """
     solids = [part for part in parts if isinstance(part, SolidPart)]
     shared = (part for part in solids if part.shape.isPartner(solid))

@@ -31,6 +31,13 @@ def edges_of_many_faces(file):
 def write_mended(file, output, seconds=SECONDS):
     """Write the solid of a file without the pieces of faces that coincide in pairs.
 
+    Returns a bool: False, and nothing is written, where no faces coincide, where what is left is no valid solid of the same
+    volume, or where it takes too long.
+
+    All faces are cut with each other (general fuse). A piece that came of two faces has material on both sides or on none:
+    the surface goes on where both are left out. So a shaft that was put into a hole of its own size without being fused, or
+    two bodies that were joined with a cap between them, become what their author saw.
+
     Parameters
     ----------
     file : str
@@ -39,18 +46,6 @@ def write_mended(file, output, seconds=SECONDS):
         BREP file.
     seconds : float, optional
         Limit of processor time.
-
-    Returns
-    -------
-    bool
-        False, and nothing is written, where no faces coincide, where what is left is no valid solid of the same volume, or
-        where it takes too long.
-
-    Notes
-    -----
-    All faces are cut with each other (general fuse). A piece that came of two faces has material on both sides or on none:
-    the surface goes on where both are left out. So a shaft that was put into a hole of its own size without being fused, or
-    two bodies that were joined with a cap between them, become what their author saw.
     """
     # In a process of its own, which can be ended.
     folder = os.path.dirname(os.path.abspath(output))

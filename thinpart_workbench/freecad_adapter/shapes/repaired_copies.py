@@ -39,11 +39,7 @@ class Repair:
 def repaired_copies(solid):
     """Copies of a solid, one after the other, with the `Repair` that made each.
 
-    Yields
-    ------
-    copy : Part.Shape
-        One solid.
-    repair : Repair
+    Yields `copy` (Part.Shape; one solid) and `repair` (Repair).
     """
     import Part
 

@@ -66,18 +66,14 @@ class SolidMesher:
     def surface_mesh(self, settings, linear_deflection):
         """Tessellate.
 
+        Returns `mesh` (SurfaceMesh; its warnings say where it is that of a repaired copy) and `deflections` (ndarray of
+        shape (f,), mm; chord error of each face).
+
         Parameters
         ----------
         settings : AnalysisSettings
         linear_deflection : float
             Share of the diagonal.
-
-        Returns
-        -------
-        mesh : SurfaceMesh
-            Its warnings say where it is that of a repaired copy.
-        deflections : ndarray of shape (f,), mm
-            Chord error of each face.
         """
         refined = linear_deflection < settings.linear_deflection
         if refined or self._is_slow_to_mesh(settings, linear_deflection):

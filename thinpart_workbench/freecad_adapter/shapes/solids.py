@@ -12,22 +12,16 @@ _NO_AREA = 1e-12
 def solids_of(shape, whose=message("The file")):
     """Solids of a shape; loose faces are sewn together.
 
+    Returns `solids` (list of Part.Shape; empty if the surfaces do not close) and `warnings` (tuple of str).
+
+    IGES files hold faces without solids, which have to be sewn first, and so have those of STEP files of which OCC 7.9 takes
+    one face for a solid and leaves the others as an open shell.
+
     Parameters
     ----------
     shape : Part.Shape
     whose : str, optional
         Owner of the shape, as the start of a sentence.
-
-    Returns
-    -------
-    solids : list of Part.Shape
-        Empty if the surfaces do not close.
-    warnings : tuple of str
-
-    Notes
-    -----
-    IGES files hold faces without solids, which have to be sewn first, and so have those of STEP files of which OCC 7.9 takes
-    one face for a solid and leaves the others as an open shell.
     """
     solids = [solid for solid in shape.Solids if has_surface(solid)]
     warnings = tuple(filter(None, (lines_warning(shape, whose), solids and loose_faces_warning(shape, whose))))

@@ -26,7 +26,7 @@ _ISOLINES = (0.0, 0.25, 0.5, 0.75, 1.0)
 
 
 class MappedFaces:
-    """A solid whose faces are all planar or have four sides.
+    """A solid whose faces are all planar or have four sides. Raises NotMapped.
 
     Parameters
     ----------
@@ -38,10 +38,6 @@ class MappedFaces:
     ----------
     faces : list of Part.Face
     planar : ndarray of shape (f,), bool
-
-    Raises
-    ------
-    NotMapped
     """
 
     def __init__(self, shape, types):
@@ -66,18 +62,13 @@ class MappedFaces:
     def divided(self, deflection, angle, angle_along):
         """Division of every edge, so that neighbours and opposite sides agree.
 
+        Returns `pieces` (list of int; number of pieces of each edge) and `triangles` (int; estimated number of triangles).
+
         Parameters
         ----------
         deflection : float, mm
         angle, angle_along : float, radians
             Allowed turn between facets; `angle_along` applies along faces that are far longer than wide.
-
-        Returns
-        -------
-        pieces : list of int
-            Number of pieces of each edge.
-        triangles : int
-            Estimated number of triangles.
         """
         group = list(range(self._edges.count))
 
@@ -103,11 +94,8 @@ class MappedFaces:
     def surface(self, pieces):
         """Points, triangles and the face of each triangle for a division of the edges; raises NotMapped.
 
-        Returns
-        -------
-        points : ndarray of shape (v, 3), mm
-        triangles : ndarray of shape (n, 3), int64
-        face_of_triangle : ndarray of shape (n,), int64
+        Returns `points` (ndarray of shape (v, 3), mm), `triangles` (ndarray of shape (n, 3), int64) and `face_of_triangle`
+        (ndarray of shape (n,), int64).
         """
         nodes = [self._edges.nodes(edge, count) for edge, count in enumerate(pieces)]
         parts = [face.surface(nodes) for face in self._faces]

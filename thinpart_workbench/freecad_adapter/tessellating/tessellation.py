@@ -82,18 +82,16 @@ class Tessellation:
 def tessellate(shape, linear_deflection, angular_deflection):
     """Tessellate a solid: Tessellation; raises MeshError of kind ``zero_volume`` or ``unreadable``.
 
+    FreeCAD's meshes are float32, so a shape far from the origin is moved there first; otherwise rounding would
+    destroy its walls. The copy is made without triangulation, because FreeCAD would use a finer triangulation that
+    the shape already has instead of the requested one.
+
     Parameters
     ----------
     shape : Part.Shape
     linear_deflection : float
         Chord error as a share of the diagonal of the bounding box.
     angular_deflection : float, degrees
-
-    Notes
-    -----
-    FreeCAD's meshes are float32, so a shape far from the origin is moved there first; otherwise rounding would
-    destroy its walls. The copy is made without triangulation, because FreeCAD would use a finer triangulation that
-    the shape already has instead of the requested one.
     """
     load_freecad()
     import MeshPart
@@ -127,7 +125,7 @@ def tessellate(shape, linear_deflection, angular_deflection):
 
 
 def tessellate_mapped(faces, diagonal, linear_deflection, angular_deflection):
-    """Tessellate a solid on grids: Tessellation; see the module `mapped_faces`.
+    """Tessellate a solid on grids: Tessellation; see the module `mapped_faces`. Raises NotMapped.
 
     Parameters
     ----------
@@ -138,10 +136,6 @@ def tessellate_mapped(faces, diagonal, linear_deflection, angular_deflection):
         Chord error as a share of that diagonal.
     angular_deflection : float, degrees
         Widened if there would be too many triangles, as far as the chord error allows.
-
-    Raises
-    ------
-    NotMapped
     """
     deflection = linear_deflection * diagonal
     pieces, _ = mapped_division(faces, deflection, angular_deflection)

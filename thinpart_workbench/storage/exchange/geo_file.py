@@ -12,6 +12,9 @@ from ..output_file import write_output
 def geo_text(global_size, boxes, part_file=None, order=1, options=()):
     """The script: the geometry, if Gmsh can open it, a background field, and the settings that belong to it, str.
 
+    Gmsh reference manual, 1.4.8 and 6.3.2: sizes of the background field alone count where those of points, of curvature
+    and of the boundary are switched off.
+
     Parameters
     ----------
     global_size : float, mm
@@ -23,11 +26,6 @@ def geo_text(global_size, boxes, part_file=None, order=1, options=()):
         Of the elements.
     options : iterable of (str, number)
         Further options of Gmsh, such as ``Mesh.Algorithm``.
-
-    Notes
-    -----
-    Gmsh reference manual, 1.4.8 and 6.3.2: sizes of the background field alone count where those of points, of curvature
-    and of the boundary are switched off.
     """
     text = io.StringIO()
     text.write("// Element sizes in mm, by ThinPart: open this file in Gmsh.\n")

@@ -42,8 +42,6 @@ def write_map_file(path, ending, parts, colours, overwrite=False):
 def vtp_bytes(parts, _colours=None):
     """Maps, list of MappedPart, as VTK PolyData: bytes, with the thickness at points and cells, face and part of each cell.
 
-    Notes
-    -----
     VTK File Formats, XML PolyData, inline binary (base64) data. Facets share no points: the thickness may jump between them.
     """
     corners, at_corners, of_facet, face, part = _joined(parts)
@@ -65,15 +63,13 @@ def vtp_bytes(parts, _colours=None):
 def ply_bytes(parts, colours):
     """Maps as binary PLY, with thickness and colour at vertices: bytes.
 
+    G. Turk, The PLY Polygon File Format, 1994. The thickness is nan where nothing was measured.
+
     Parameters
     ----------
     parts : list of MappedPart
     colours : callable
         Maps thicknesses in mm, ndarray of shape (n,), to ndarray of shape (n, 3), uint8.
-
-    Notes
-    -----
-    G. Turk, The PLY Polygon File Format, 1994. The thickness is nan where nothing was measured.
     """
     corners, at_corners, _, _, _ = _joined(parts)
     count = len(corners)

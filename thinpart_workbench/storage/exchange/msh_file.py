@@ -25,22 +25,14 @@ _NODE = np.dtype([("number", "<i4"), ("point", "<f8", 3)])
 def read_tetrahedra(path, order=1):
     """The tetrahedra of a file in the binary MSH format 2.2 (Gmsh reference manual, 10.2).
 
+    Returns `points` (ndarray of shape (v, 3)) and `tetrahedra` (ndarray of int64, shape (n, 4) or (n, 10); rows of the
+    points; n is 0 where Gmsh could not fill the volume). Raises ThinPartError, kind ``unreadable``.
+
     Parameters
     ----------
     path : str or Path
     order : int
         2 for all nodes of tetrahedra of second order; else the corners only.
-
-    Returns
-    -------
-    points : ndarray of shape (v, 3)
-    tetrahedra : ndarray of int64, shape (n, 4) or (n, 10)
-        Rows of the points; n is 0 where Gmsh could not fill the volume.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``unreadable``.
     """
     points, blocks = _read(path)
     width = {1: 4, 2: 10}[order]

@@ -27,8 +27,6 @@ def write_shell(path, shell, label, overwrite=False, inputs=()):
 def inp_text(shell, about):
     """Nodes, elements S3 or S6, and a section for each thickness, str.
 
-    Notes
-    -----
     CalculiX CrunchiX user's manual 2.20, *NODE, *ELEMENT, *SHELL SECTION. Sections refer to a material that stands for any:
     steel, in mm, N and tonnes.
     """
@@ -52,8 +50,6 @@ def inp_text(shell, about):
 def msh_text(shell, about):
     """Nodes and elements with a physical group for each wall, and the thickness as element data, str.
 
-    Notes
-    -----
     Gmsh reference manual, 10.2: MSH file format version 2, as text.
     """
     text, count = io.StringIO(), len(shell.triangles)
@@ -76,8 +72,6 @@ def msh_text(shell, about):
 def unv_text(shell, about):
     """Nodes, thin shell elements, and a group for each thickness that is named after it, str.
 
-    Notes
-    -----
     I-DEAS universal file datasets 2411, 2412 (91: linear, 92: parabolic thin shell triangle) and 2467, as the SDRC
     documents of the University of Cincinnati describe them. The number of an element's physical property is that of its
     group, since there is no common dataset for the thickness. Lengths are in mm, as the head says. Dataset 164 would say so

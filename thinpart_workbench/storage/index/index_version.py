@@ -18,14 +18,9 @@ _IMPORT = re.compile(rb"^ *from (\.+)([\w.]*) import", re.MULTILINE)
 def index_version(statements):
     """A text that changes whenever the index would be built differently, by SQL statements that create its tables.
 
-    Returns
-    -------
-    str
-        Twelve hexadecimal digits of a hash of the statements, of the source code that computes the values, and
-        of the definition of an info file, which decides what counts as a part and what as a failure.
+    Returns a str: twelve hexadecimal digits of a hash of the statements, of the source code that computes the values, and of
+    the definition of an info file, which decides what counts as a part and what as a failure.
 
-    Notes
-    -----
     Comments count too. Rebuilding an index once too often costs seconds; an index whose columns no longer mean what
     the program expects gives wrong results.
     """

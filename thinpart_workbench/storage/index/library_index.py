@@ -50,6 +50,12 @@ entries stay in the index; and a warning if the index could not be saved, or Non
 class LibraryIndex:
     """The index of one folder, the library.
 
+    It has what is known of parts in many folders, some of which only this user may read: so nobody else may read it.
+
+    SQLite with a write-ahead log: others may read during a refresh, and a killed refresh keeps the batches
+    that it has finished. A damaged index is deleted and rebuilt. Programs that would build the index
+    differently (`index_version`) use a file of their own, so that they do not disturb each other.
+
     Parameters
     ----------
     root : str or Path
@@ -60,14 +66,6 @@ class LibraryIndex:
     ----------
     warning : str or None
         Set if the index cannot be saved on disk and is held in memory instead.
-
-    Notes
-    -----
-    It has what is known of parts in many folders, some of which only this user may read: so nobody else may read it.
-
-    SQLite with a write-ahead log: others may read during a refresh, and a killed refresh keeps the batches
-    that it has finished. A damaged index is deleted and rebuilt. Programs that would build the index
-    differently (`index_version`) use a file of their own, so that they do not disturb each other.
     """
 
     def __init__(self, root, folder=None):
@@ -96,16 +94,13 @@ class LibraryIndex:
     def refresh(self, report=None):
         """Bring the index up to date with the info files: Refreshed.
 
+        Raises ThinPartError, kind ``missing`` if the folder cannot be reached at all and the index has no entries for it.
+
         Parameters
         ----------
         report : callable, optional
             Called with the numbers of info files read and to be read, during the search for them with 0 and
             the number found so far; may raise to stop.
-
-        Raises
-        ------
-        ThinPartError
-            kind ``missing`` if the folder cannot be reached at all and the index has no entries for it.
         """
         found, unreachable = scan(self.root, report and (lambda count: report(0, count)))
         if b"" in unreachable and not self.query("SELECT 1 FROM files LIMIT 1"):

@@ -82,16 +82,9 @@ class PartQuery:
     def terms(self):
         """The filters that are set, in SQL: all of them must hold.
 
-        Returns
-        -------
-        dict of str to (str, list)
-            By column for ``ranges``, by field for the others: a term, and the values for its placeholders. Those that take
-            long come last.
-
-        Raises
-        ------
-        ThinPartError
-            kind ``usage`` for more than `MOST_TERMS`, or a column that has no range.
+        Returns a dict of str to (str, list): by column for ``ranges``, by field for the others: a term, and the values for
+        its placeholders. Those that take long come last. Raises ThinPartError, kind ``usage`` for more than `MOST_TERMS`, or
+        a column that has no range.
         """
         count = len(self.words.split()) + sum(len(getattr(self, name)) for name in _LISTS)
         if count > MOST_TERMS:
@@ -106,10 +99,7 @@ class PartQuery:
     def where(self):
         """The condition in SQL, and the values for its placeholders: see `terms`.
 
-        Returns
-        -------
-        sql : str
-        values : list
+        Returns `sql` (str) and `values` (list).
         """
         return joined_terms(self.terms().values())
 

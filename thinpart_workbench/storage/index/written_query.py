@@ -15,7 +15,7 @@ _HOURS = {"h": 1, "d": 24, "w": 24 * 7, "y": 24 * 365}
 
 
 def part_query(conditions=(), changed_since=None, ranges=(), **fields):
-    """Create a query: PartQuery.
+    """Create a query: PartQuery. Raises ThinPartError, kind ``usage``: one sentence that names what cannot be parsed.
 
     Parameters
     ----------
@@ -27,11 +27,6 @@ def part_query(conditions=(), changed_since=None, ranges=(), **fields):
         Least and greatest value by column.
     fields
         The other fields of a `PartQuery`; lists are accepted for tuples.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``usage``: one sentence that names what cannot be parsed.
     """
     parsed = []
     for condition in [conditions] if isinstance(conditions, str) else conditions:

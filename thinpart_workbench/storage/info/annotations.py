@@ -97,17 +97,15 @@ def set_region_note(part, regions, person, excluded=None, mesh_size_mm=None):
 def carry_annotations(content, old):
     """Copy annotations to a new analysis of the same document.
 
+    Annotations of a part that is gone stay in the file, and return when the document has a part of that
+    name again.
+
     Parameters
     ----------
     content : dict
         New content of the info file; changed in place.
     old : dict
         Its previous content.
-
-    Notes
-    -----
-    Annotations of a part that is gone stay in the file, and return when the document has a part of that
-    name again.
     """
     annotated = {part["name"]: part for part in (*old.get(ORPHANS, ()), *old["parts"]) if has_annotation(part)}
     for part in content["parts"]:

@@ -53,11 +53,8 @@ def info_path(document, info_folder=None, root=None):
 def info_path_getter(folder=None, tree=None):
     """A function that maps documents to their info files; see `info_path`.
 
-    Returns
-    -------
-    callable
-        Maps path to path. It caches the work per folder, since a folder may contain many thousands of
-        documents.
+    Returns a callable: maps path to path. It caches the work per folder, since a folder may contain many thousands of
+    documents.
     """
     @lru_cache(maxsize=1024)
     def folder_prefix(parent):
@@ -73,6 +70,8 @@ def info_path_getter(folder=None, tree=None):
 def new_source(document, links=(), info_file=None):
     """The ``source`` entry: name, hash, size and time of a document in its current state.
 
+    Raises ThinPartError, kind ``missing``, ``permission``, ``unreadable``, or ``empty`` for a file of 0 bytes.
+
     Parameters
     ----------
     document : str or Path
@@ -80,11 +79,6 @@ def new_source(document, links=(), info_file=None):
         Other documents from which it takes shapes, missing ones included.
     info_file : str or Path, optional
         Path of the info file to be written; beside the document by default.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``missing``, ``permission``, ``unreadable``, or ``empty`` for a file of 0 bytes.
     """
     document = Path(document)
     fingerprint = _fingerprint(document)
@@ -252,6 +246,10 @@ def stored_info(path):
 def write_info(path, content, beside=None):
     """Write an info file atomically; annotations of its parts are carried over.
 
+    Raises ThinPartError, kind ``info_write``. No partial file is left, and no content is written that could not be read
+    again. A damaged info file, one of an unknown version, and a file that is no info file are not overwritten, nor is that
+    of another existing document of the same name (two calls with one info folder).
+
     Parameters
     ----------
     path : str or Path
@@ -259,14 +257,6 @@ def write_info(path, content, beside=None):
         From `info_content`. Receives the annotations of the existing file.
     beside : str, optional
         The document, if it is in the same folder: see `write_atomically`.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``info_write``. No partial file is left, and no content is written that could not be read
-        again. A damaged info file, one of an unknown version, and a file that is no info file are not
-        overwritten, nor is that of another existing document of the same name (two calls with one info
-        folder).
     """
     path = Path(path)
     with _writing(path):
@@ -283,21 +273,13 @@ def write_info(path, content, beside=None):
 def change_info(path, change):
     """Change an info file atomically; no other program can write it meanwhile.
 
+    Returns a dict: the current content. Raises ThinPartError, kind ``info_file`` or ``info_write``.
+
     Parameters
     ----------
     path : str or Path
     change : callable
         Receives the content, changes it in place and returns whether it did.
-
-    Returns
-    -------
-    dict
-        The current content.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``info_file`` or ``info_write``.
     """
     path = Path(path)
     with _writing(path), folder_lock(path.parent):

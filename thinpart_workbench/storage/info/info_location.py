@@ -29,6 +29,9 @@ def info_location(document, folder=""):
 def call_in_folder(folder, call, patience=PATIENCE):
     """Call a function that accesses the folder for info files, with a time limit, and get its result.
 
+    Raises ThinPartError, kind ``info_write`` if the folder is missing or does not respond; exceptions of `call` pass
+    through.
+
     Parameters
     ----------
     folder : str
@@ -37,11 +40,6 @@ def call_in_folder(folder, call, patience=PATIENCE):
         Called without arguments. After the time limit it keeps running, in a thread that ends with the process.
     patience : float
         Seconds.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``info_write`` if the folder is missing or does not respond; exceptions of `call` pass through.
     """
     results: queue.SimpleQueue = queue.SimpleQueue()
 

@@ -24,11 +24,8 @@ class DamagedInfoFile(ThinPartError):
 def read_info(path):
     """Read and check an info file; raises ThinPartError of kind ``info_file``.
 
-    Returns
-    -------
-    dict
-        Matches `info_definition.INFO_FILE`: callers need not check it again. Sentences whose template the file
-        contains are Message objects.
+    Returns a dict: matches `info_definition.INFO_FILE`: callers need not check it again. Sentences whose template the file
+    contains are Message objects.
     """
     path = Path(path)
     try:
@@ -41,18 +38,13 @@ def read_info(path):
 
 
 def read_open_info(file, name):
-    """As `read_info`, from an open file.
+    """As `read_info`, from an open file. Raises ThinPartError or OSError.
 
     Parameters
     ----------
     file : binary file
     name : str
         Name of the file for messages.
-
-    Raises
-    ------
-    ThinPartError
-    OSError
     """
     size = os.fstat(file.fileno()).st_size
     if size > LARGEST:

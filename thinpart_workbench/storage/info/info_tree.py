@@ -15,18 +15,14 @@ _SUFFIX = os.fsencode(SUFFIX)
 def scan(root, report=None):
     """Find the info files below a folder; links to folders are followed, each folder is listed once.
 
+    Returns `found` (dict of bytes to Stamp; by path below the root) and `unreachable` (dict of bytes to OSError; folders
+    below the root, ``b""`` for the root itself, that could not be listed).
+
     Parameters
     ----------
     root : str or bytes
     report : callable, optional
         Called with the number of files found so far; may raise to stop.
-
-    Returns
-    -------
-    found : dict of bytes to Stamp
-        By path below the root.
-    unreachable : dict of bytes to OSError
-        Folders below the root, ``b""`` for the root itself, that could not be listed.
     """
     root = os.fsencode(root)
     found: dict[bytes, Stamp] = {}

@@ -13,10 +13,8 @@ from .info_reading import read_info
 def info_file_of(path, info_folder=None):
     """The info file of a document, or the info file itself.
 
-    Raises
-    ------
-    ThinPartError
-        kind ``missing`` if the document has not been classified yet, ``info_file`` if the system cannot say.
+    Raises ThinPartError, kind ``missing`` if the document has not been classified yet, ``info_file`` if the system cannot
+    say.
     """
     path = Path(path)
     info = path if path.name.endswith(SUFFIX) else info_path(path, info_folder)
@@ -54,10 +52,7 @@ def stored_records(path, part=None, info_folder=None):
 def single_record(path, part=None):
     """As `stored_records`, but exactly one record.
 
-    Raises
-    ------
-    ThinPartError
-        kind ``usage`` if the document has several parts and `part` is None.
+    Raises ThinPartError, kind ``usage`` if the document has several parts and `part` is None.
     """
     return select_record(read_info(info_file_of(path))["parts"], part, path)
 

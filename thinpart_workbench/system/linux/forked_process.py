@@ -36,6 +36,9 @@ def prepare_to_fork():
 class ForkedProcess:
     """A copy of this process that has begun to run a function; a context manager that ends it.
 
+    The copy leads a process group, which it and its descendants can leave only where nothing confines them. While it runs,
+    the signal SIGTERM ends this process as well as the copy.
+
     Parameters
     ----------
     work : callable
@@ -43,11 +46,6 @@ class ForkedProcess:
         this process; then the copy exits with the returned exit code.
     inherited : iterable of int
         File descriptors that the copy closes first.
-
-    Notes
-    -----
-    The copy leads a process group, which it and its descendants can leave only where nothing confines them. While it runs,
-    the signal SIGTERM ends this process as well as the copy.
     """
 
     def __init__(self, work, inherited=()):
@@ -78,15 +76,12 @@ class ForkedProcess:
     def received(self, requests):
         """Yield what the copy writes, bytes, until it closes its pipe or ends, or uses too much with its descendants.
 
+        Raises EOFError if that pipe is closed: the parent has ended or does not want more.
+
         Parameters
         ----------
         requests : int
             File descriptor of a pipe from the parent of this process, from which nothing comes before all is received.
-
-        Raises
-        ------
-        EOFError
-            If that pipe is closed: the parent has ended or does not want more.
         """
         next_look = time.monotonic() + _SECONDS_BETWEEN_LOOKS
         while True:
@@ -110,10 +105,7 @@ class ForkedProcess:
     def end(self, patience=_PATIENCE):
         """End the copy and all of its descendants, after some seconds to exit by itself; call it again as you like.
 
-        Returns
-        -------
-        int
-            Exit code of the copy, as in `subprocess`.
+        Returns an int: exit code of the copy, as in `subprocess`.
         """
         if self._receiver is not None:
             os.close(self._receiver)

@@ -21,12 +21,7 @@ def set_no_new_privileges():
 
 
 def give_up_capabilities():
-    """Take away what root may do beyond other users, except for reading files; nothing for other users.
-
-    Raises
-    ------
-    OSError
-    """
+    """Take away what root may do beyond other users, except for reading files; nothing for other users. Raises OSError."""
     if os.geteuid() != 0:
         return
     library = ctypes.CDLL(None, use_errno=True)
@@ -43,14 +38,12 @@ def give_up_capabilities():
 def hide_memory(hidden=True):
     """Keep other processes of the user from reading and writing this process's memory; forked ones inherit it.
 
+    Raises OSError.
+
     Parameters
     ----------
     hidden : bool, optional
         False allows it again.
-
-    Raises
-    ------
-    OSError
     """
     _set(_PR_SET_DUMPABLE, int(not hidden))
 
