@@ -14,12 +14,7 @@ from .terminal_table import prepare_tables
 def controlled_run(options):
     """Context manager of a run that signals stop, and standard input with --control; see `add_control_options`.
 
-    Yields
-    ------
-    report : RunReport
-    control : RunControl
-    undisturbed : callable
-        See `stop_signals`.
+    Yields `report` (RunReport), `control` (RunControl) and `undisturbed` (callable; see `stop_signals`).
     """
     report = new_report(options.json, options.control)
     control = RunControl(report.state)
@@ -30,7 +25,7 @@ def controlled_run(options):
 
 
 def analyse_and_report(run, report, add, *, checks=None, cluster=None, **how):
-    """Analyse the documents of a run.
+    """Analyse the documents of a run. Returns an int: number of files that failed completely or in part.
 
     Parameters
     ----------
@@ -42,11 +37,6 @@ def analyse_and_report(run, report, add, *, checks=None, cluster=None, **how):
         Adds the results of checks to each outcome.
     cluster, how
         What to do with the documents: the arguments of `FileRun.outcomes`.
-
-    Returns
-    -------
-    int
-        Number of files that failed completely or in part.
     """
     def started():
         report.started(run.progress)

@@ -34,10 +34,8 @@ def add_output_option(parser, *names, mark, **settings):
 def check_outputs(options):
     """Check all files that a command is to write; see `replacing`.
 
-    Raises
-    ------
-    ThinPartError
-        kind ``usage`` if one may not be replaced, or two are the same; ``failed`` if one cannot be written.
+    Raises ThinPartError, kind ``usage`` if one may not be replaced, or two are the same; ``failed`` if one cannot be
+    written.
     """
     files = {}
     for name, mark in getattr(options, "outputs", {}).items():

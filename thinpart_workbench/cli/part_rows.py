@@ -105,10 +105,7 @@ class PartRows:
     def write_csv(self, path, overwrite=False, inputs=()):
         """Write a row per part and per failure to a CSV file, with `overwrite` and `inputs` as in `write_output`.
 
-        Raises
-        ------
-        ThinPartError
-            If it cannot be written. An existing table is then left intact.
+        Raises ThinPartError if it cannot be written. An existing table is then left intact.
         """
         self._rows.sort(key=lambda row: row.file)
         try:

@@ -28,12 +28,7 @@ def stop_signals(control):
 
     A run checks `control`, a RunControl, between two files, so it prints no half lines. Where it does not come to that
     within `PATIENCE`, it is interrupted wherever it is. A second signal interrupts at once, for example if the disk or the
-    reader of a pipe does not respond.
-
-    Yields
-    ------
-    callable
-        A context manager during which no signal interrupts.
+    reader of a pipe does not respond. Yields a callable: a context manager during which no signal interrupts.
     """
     is_deferred = is_overdue = False
     deadline = None

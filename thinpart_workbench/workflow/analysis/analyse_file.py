@@ -43,23 +43,16 @@ class FileTask:
 def analyse_file(task, before_reading=None):
     """Analyse every part of a file, or take the results from a current info file.
 
+    Returns a dict: ``file``, ``parts`` (part records), ``failures`` (``{"part", "label", "kind", "message"}``), ``reused``
+    (bool), ``seconds``; with pages also ``faces``, lines for the table of faces by part. If something was measured,
+    ``unwritten``: the data for `result_files.write_results`. Raises ThinPartError if nothing in the file could be analysed,
+    for a single reason.
+
     Parameters
     ----------
     task : FileTask
     before_reading : callable, optional
         Called where the info file is not current, so that the file has to be read.
-
-    Returns
-    -------
-    dict
-        ``file``, ``parts`` (part records), ``failures`` (``{"part", "label", "kind",
-        "message"}``), ``reused`` (bool), ``seconds``; with pages also ``faces``, lines for the table of faces
-        by part. If something was measured, ``unwritten``: the data for `result_files.write_results`.
-
-    Raises
-    ------
-    ThinPartError
-        If nothing in the file could be analysed, for a single reason.
     """
     started = time.perf_counter()
     stored = stored_info(task.info_file) if task.info_file is not None else None

@@ -31,7 +31,7 @@ DOUBTFUL = 4.0
 
 
 def analyse_part(part, settings, profile, report=None):
-    """Analyse one part; raises ThinPartError.
+    """Analyse one part; raises ThinPartError. Returns Measurement, PartRecord.
 
     Parameters
     ----------
@@ -40,11 +40,6 @@ def analyse_part(part, settings, profile, report=None):
     profile : Profile
     report : callable, optional
         Called with a stage and its completed fraction; may raise `Cancelled` to stop.
-
-    Returns
-    -------
-    Measurement
-    PartRecord
     """
     seconds: SecondsRecord = {"read": 0.0, "tessellate": 0.0, "measure": 0.0}
     meshes: dict = {}
@@ -72,6 +67,8 @@ def analyse_part(part, settings, profile, report=None):
 def analyse_parts(parts, settings, profile, read_seconds=0.0, report=None, on_result=None):
     """Analyse the parts of one document; if one fails, the others are still analysed.
 
+    Returns `records` (list of PartRecord) and `failures` (list of FailureRecord). Raises Cancelled: from `report`.
+
     Parameters
     ----------
     parts : list of SolidPart or MeshedPart
@@ -83,16 +80,6 @@ def analyse_parts(parts, settings, profile, read_seconds=0.0, report=None, on_re
         Called with a stage and the completed fraction of all parts; may raise `Cancelled` to stop.
     on_result : callable, optional
         Called with every part, its `Measurement` and its record.
-
-    Returns
-    -------
-    records : list of PartRecord
-    failures : list of FailureRecord
-
-    Raises
-    ------
-    Cancelled
-        From `report`.
     """
     records, failures = [], []
     for number, part in enumerate(parts):

@@ -34,22 +34,15 @@ def failure(file, kind, message):
 def checked_outcome(task, outcome):
     """The outcome that a worker returned.
 
+    Returns a dict: without what no outcome has: others would take the parts of a file that failed for results. Its ``file``
+    is that of the task, whichever file the worker has named. Raises ValueError if it is invalid; the text says why, in a few
+    words.
+
     Parameters
     ----------
     task : FileTask
     outcome : object
         Any JSON value.
-
-    Returns
-    -------
-    dict
-        Without what no outcome has: others would take the parts of a file that failed for results. Its ``file`` is that of
-        the task, whichever file the worker has named.
-
-    Raises
-    ------
-    ValueError
-        If it is invalid; the text says why, in a few words.
     """
     kind = _FAILED if isinstance(outcome, dict) and "error" in outcome else _ANALYSED
     fault = kind.fault(outcome, "")

@@ -41,13 +41,7 @@ class DrawnPart:
 
     @classmethod
     def from_content(cls, content):
-        """The DrawnPart from a dict of `content`.
-
-        Raises
-        ------
-        ValueError
-            If the dict is invalid.
-        """
+        """The DrawnPart from a dict of `content`. Raises ValueError if the dict is invalid."""
         try:
             return cls(**{field.name: base64.b64decode(content[field.name], validate=True)
                           for field in fields(cls) if field.name in content})

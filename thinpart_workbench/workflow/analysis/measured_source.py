@@ -11,16 +11,13 @@ from ...storage.info.info_file import new_source, source_is_unchanged
 def source_of(file, info_file=None):
     """The ``source`` entry of a file and of those that it links to, before it is read. Runs in a worker.
 
+    Raises ThinPartError if the file cannot be read; see `new_source`.
+
     Parameters
     ----------
     file : str
     info_file : str or None, optional
         Path of the info file to be written.
-
-    Raises
-    ------
-    ThinPartError
-        If the file cannot be read; see `new_source`.
     """
     # Imported here since the adapter loads FreeCAD, which unchanged files do not need.
     from ...freecad_adapter.reading.linked_files import linked_files

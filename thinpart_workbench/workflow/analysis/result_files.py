@@ -17,17 +17,14 @@ from .measured_source import check_source
 def write_results(task, outcome):
     """Write info file, pictures and pages of a document.
 
+    Returns a dict: the outcome without ``unwritten``, with a failure for every file that could not be written; its parts
+    have their annotations. If the document has changed meanwhile or is gone, a failure.
+
     Parameters
     ----------
     task : FileTask
     outcome : dict
         From `analyse_file`.
-
-    Returns
-    -------
-    dict
-        The outcome without ``unwritten``, with a failure for every file that could not be written; its parts have
-        their annotations. If the document has changed meanwhile or is gone, a failure.
     """
     unwritten = outcome.get("unwritten")
     if unwritten is None:

@@ -21,6 +21,14 @@ _SIMILAR = 2.0
 class RunProgress:
     """Counts of files, and the time left.
 
+    Reused files take milliseconds and say nothing about the others. So the time left is that of the bytes
+    still to be measured, at the pace of the files of similar size measured so far. It is None until every worker has
+    measured a file (its first one includes loading FreeCAD) or a tenth is done.
+
+    Files that are quick to measure end first, so that the first paces are too fast. What workers have spent on files
+    that are not done yet counts too, as with lifetimes of which some have not ended: the pace is at least all time
+    spent over all that is done.
+
     Parameters
     ----------
     files : dict
@@ -29,16 +37,6 @@ class RunProgress:
         Number of workers; may be changed while a cluster grows and shrinks.
     control : RunControl, optional
         Knows for how long the run was paused.
-
-    Notes
-    -----
-    Reused files take milliseconds and say nothing about the others. So the time left is that of the bytes
-    still to be measured, at the pace of the files of similar size measured so far. It is None until every worker has
-    measured a file (its first one includes loading FreeCAD) or a tenth is done.
-
-    Files that are quick to measure end first, so that the first paces are too fast. What workers have spent on files
-    that are not done yet counts too, as with lifetimes of which some have not ended: the pace is at least all time
-    spent over all that is done.
     """
 
     def __init__(self, files, jobs, control=None):

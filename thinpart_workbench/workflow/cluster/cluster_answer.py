@@ -17,13 +17,7 @@ THREADS = MapOf(Whole(0, 1_000_000))
 
 
 def checked(kind, content):
-    """Content of a kind.
-
-    Raises
-    ------
-    ValueError
-        If it is of none; the text says why.
-    """
+    """Content of a kind. Raises ValueError if it is of none; the text says why."""
     fault = kind.fault(content, "")
     if fault is not None:
         raise ValueError(fault)
@@ -36,7 +30,7 @@ def software_from(text):
 
 
 def response_from(text, task):
-    """The two parts of a response.
+    """The two parts of a response. Raises ValueError if it is invalid; the text says why.
 
     Parameters
     ----------
@@ -50,11 +44,6 @@ def response_from(text, task):
         See `software_from`.
     outcome : dict or None
         See `checked_outcome`; None if the process died.
-
-    Raises
-    ------
-    ValueError
-        If it is invalid; the text says why.
     """
     response = _parsed(text)
     if not isinstance(response, dict) or set(response) != {"software", "outcome"}:

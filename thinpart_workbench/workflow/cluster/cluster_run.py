@@ -48,6 +48,12 @@ def analyse_files_on_cluster(address, tasks, limits, control=None, on_threads_ch
                              patience=PATIENCE):
     """Analyse files on the workers of a Dask cluster, each in a process with time and memory limits.
 
+    Yields a dict: see `worker_pool.analyse_files`. Raises Cancelled when `control` was asked to stop. Raises ThinPartError,
+    kind ``cluster``: the scheduler cannot be reached or was lost, there are no workers, or one cannot analyse files.
+
+    Dask repeats the files of a lost worker on another one. A file whose workers were lost more often than
+    the scheduler's ``distributed.scheduler.allowed-failures`` is reported as a failure.
+
     Parameters
     ----------
     address : str
@@ -63,24 +69,6 @@ def analyse_files_on_cluster(address, tasks, limits, control=None, on_threads_ch
     patience : float
         Seconds to wait for a response of the scheduler, for the first worker, or for another one when all
         have gone.
-
-    Yields
-    ------
-    dict
-        See `worker_pool.analyse_files`.
-
-    Raises
-    ------
-    Cancelled
-        When `control` was asked to stop.
-    ThinPartError
-        kind ``cluster``: the scheduler cannot be reached or was lost, there are no workers, or one
-        cannot analyse files.
-
-    Notes
-    -----
-    Dask repeats the files of a lost worker on another one. A file whose workers were lost more often than
-    the scheduler's ``distributed.scheduler.allowed-failures`` is reported as a failure.
     """
     if not tasks:
         return

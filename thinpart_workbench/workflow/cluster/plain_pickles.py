@@ -20,16 +20,11 @@ class PickleRefused(AttributeError):
 def plain_pickles_only():
     """For a ``with`` block: no thread of this process unpickles anything but numbers, texts and containers of them.
 
-    Notes
-    -----
+    Raises PickleRefused: by the unpickling code, if a pickle contains more than that; not by this context manager.
+
     A library may unpickle received data in many places, some of them before other code can check it. Python
     raises the audit event ``pickle.find_class`` before it looks up a class or function that a pickle names,
     and without such a name a pickle is harmless.
-
-    Raises
-    ------
-    PickleRefused
-        By the unpickling code, if a pickle contains more than that; not by this context manager.
     """
     global _active_blocks, _is_hooked
     if not _is_hooked:

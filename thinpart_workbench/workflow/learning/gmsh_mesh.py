@@ -60,13 +60,7 @@ class MeshingTask:
 
 
 def mesh_document(task):
-    """Mesh parts of a document: list of dict; see `RESULTS`.
-
-    Raises
-    ------
-    ThinPartError
-        If the document cannot be read.
-    """
+    """Mesh parts of a document: list of dict; see `RESULTS`. Raises ThinPartError if the document cannot be read."""
     # Imported here since the adapter loads FreeCAD.
     from ...freecad_adapter.reading.part_files import read_parts
 

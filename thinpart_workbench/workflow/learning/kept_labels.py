@@ -13,6 +13,8 @@ from ..library.find_parts import find_parts, open_library
 def kept_labels(library, categories, report=None):
     """The labels of a library, found by its index: list of Label.
 
+    Raises ThinPartError if the folder cannot be reached, or a label is of another category.
+
     Parameters
     ----------
     library : str or Path
@@ -20,11 +22,6 @@ def kept_labels(library, categories, report=None):
         Those that may be given.
     report : callable, optional
         See `open_library`.
-
-    Raises
-    ------
-    ThinPartError
-        If the folder cannot be reached, or a label is of another category.
     """
     index, _ = open_library(library, report)
     with index:

@@ -86,6 +86,8 @@ def categories_of(profile):
 def labelled_parts(library, labels, categories):
     """Find the parts of labels in a library, and merge what several people say: list of LabelledPart.
 
+    Raises ThinPartError where a row is about no part of the library, or repeats or contradicts another row.
+
     Parameters
     ----------
     library : str or Path
@@ -93,11 +95,6 @@ def labelled_parts(library, labels, categories):
     labels : list of Label
     categories : sequence of str
         In the order of the profile.
-
-    Raises
-    ------
-    ThinPartError
-        Where a row is about no part of the library, or repeats or contradicts another row.
     """
     documents = info_files(library)
     contents: dict = {}

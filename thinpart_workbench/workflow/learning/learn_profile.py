@@ -95,6 +95,8 @@ class LearnedProfile:
 def learn_profile(parts, start, name, report=None):
     """Learn thresholds and probabilities: LearnedProfile.
 
+    Raises ThinPartError, kind ``usage`` where labels are too few; ``unsupported`` without scikit-learn.
+
     Parameters
     ----------
     parts : list of LabelledPart
@@ -104,11 +106,6 @@ def learn_profile(parts, start, name, report=None):
         Of the new profile.
     report : callable, optional
         Called with the number of profiles learned and to be learned; may raise to stop.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``usage`` where labels are too few; ``unsupported`` without scikit-learn.
     """
     check_scikit_learn()
     categories = categories_of(start)

@@ -34,6 +34,9 @@ _READING_SECONDS = 60.0
 def mesh_library(library, limits, profile, control=None, report=None):
     """Mesh all classified parts of a library: Meshing.
 
+    Raises ThinPartError if Gmsh is not installed, there are no info files, or no worker can be started. Raises Cancelled
+    when `control` was asked to stop; what was meshed is kept for the next run.
+
     Parameters
     ----------
     library : str or Path
@@ -45,13 +48,6 @@ def mesh_library(library, limits, profile, control=None, report=None):
     control : RunControl, optional
     report : callable, optional
         Called with the number of documents done and their total.
-
-    Raises
-    ------
-    ThinPartError
-        If Gmsh is not installed, there are no info files, or no worker can be started.
-    Cancelled
-        When `control` was asked to stop; what was meshed is kept for the next run.
     """
     started = time.monotonic()
     program, version = gmsh_program()

@@ -58,8 +58,6 @@ class Scores:
 def share_of(flags):
     """How many of some flags, sequence of bool, are true, with the interval of Wilson: CountedShare.
 
-    Notes
-    -----
     Wilson (1927), Probable Inference, the Law of Succession, and Statistical Inference, doi:10.1080/01621459.1927.10502953.
     It takes parts as independent; those of one folder resemble each other, so the true interval is somewhat wider.
     """
@@ -116,16 +114,13 @@ def scores(parts, verdicts, categories):
 def reliability(stated, right, bins=10):
     """What a reliability diagram shows: how often verdicts are right, by stated probability.
 
+    Returns a list of Bin: those that are not empty.
+
     Parameters
     ----------
     stated, right : ndarray of shape (n,)
     bins : int
         Of equal width.
-
-    Returns
-    -------
-    list of Bin
-        Those that are not empty.
     """
     which = np.minimum((stated * bins).astype(int), bins - 1)
     return [Bin(each / bins, (each + 1) / bins, int(np.count_nonzero(which == each)),
@@ -135,8 +130,6 @@ def reliability(stated, right, bins=10):
 def calibration_error(stated, right):
     """Expected calibration error: mean difference of stated and found shares, shape (n,), over bins of equal width, float.
 
-    Notes
-    -----
     Naeini, Cooper, Hauskrecht (2015), Obtaining Well Calibrated Probabilities Using Bayesian Binning, AAAI.
     """
     return sum(each.count * abs(each.stated - each.right) for each in reliability(stated, right)) / len(stated)

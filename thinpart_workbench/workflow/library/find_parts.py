@@ -49,21 +49,13 @@ class FoundParts(Sequence):
 def open_library(root, report=None):
     """The up-to-date index of a folder.
 
+    Returns `index` (LibraryIndex) and `refreshed` (Refreshed). Raises ThinPartError if the folder cannot be reached.
+
     Parameters
     ----------
     root : str or Path
     report : callable, optional
         Called with the numbers of info files read and to be read; may raise to stop.
-
-    Returns
-    -------
-    index : LibraryIndex
-    refreshed : Refreshed
-
-    Raises
-    ------
-    ThinPartError
-        If the folder cannot be reached.
     """
     index = LibraryIndex(root)
     return index, index.refresh(report)
@@ -89,10 +81,7 @@ def find_parts(index, query=PartQuery(), order="files.path, parts.id"):
 def read_records(parts):
     """Part records of found StoredParts from their info files, as ``--json`` prints them.
 
-    Yields
-    ------
-    dict
-        The record and ``file``; for a failure ``file``, ``name``, ``label`` and ``error``.
+    Yields a dict: the record and ``file``; for a failure ``file``, ``name``, ``label`` and ``error``.
     """
     last_info_file, records, error = None, {}, None
     for part in parts:

@@ -63,6 +63,9 @@ class ChoiceCounts:
 class LibrarySearch:
     """Searches refreshed indexes; a part that two of them have is found in the innermost.
 
+    One scan of a table answers for all choices. It takes about a microsecond per part; so no counts or orders are kept,
+    except which parts match the filters that read texts and distributions.
+
     Parameters
     ----------
     indexes : iterable of LibraryIndex
@@ -71,11 +74,6 @@ class LibrarySearch:
     Attributes
     ----------
     indexes : list of LibraryIndex
-
-    Notes
-    -----
-    One scan of a table answers for all choices. It takes about a microsecond per part; so no counts or orders are kept,
-    except which parts match the filters that read texts and distributions.
     """
 
     def __init__(self, indexes):
@@ -91,6 +89,8 @@ class LibrarySearch:
     def find(self, query, sort="file", descending=False, among=None):
         """The parts that match a query: OrderedParts.
 
+        Raises ThinPartError, kind ``usage`` if parts cannot be sorted by `sort`, or not be searched so.
+
         Parameters
         ----------
         query : PartQuery
@@ -99,11 +99,6 @@ class LibrarySearch:
         descending : bool
         among : list of list of int, optional
             Ids by index: only these parts.
-
-        Raises
-        ------
-        ThinPartError
-            kind ``usage`` if parts cannot be sorted by `sort`, or not be searched so.
         """
         if sort not in SORTABLE:
             raise ThinPartError(f"Parts are not sorted by {sort!r}: there are {', '.join(SORTABLE)}.", "usage")

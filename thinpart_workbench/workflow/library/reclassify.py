@@ -65,7 +65,7 @@ class ReclassifiedFile(NamedTuple):
 
 
 def reclassify_file(info_file, profile_content, write=False):
-    """Judge the parts of one info file.
+    """Judge the parts of one info file. Returns a ReclassifiedFile.
 
     Parameters
     ----------
@@ -73,10 +73,6 @@ def reclassify_file(info_file, profile_content, write=False):
     profile_content : dict
     write : bool
         Whether to update the info file; measured values are not changed.
-
-    Returns
-    -------
-    ReclassifiedFile
     """
     profile, verdicts, differs = _profile(profile_content), [], False
 
@@ -105,6 +101,10 @@ def reclassify_file(info_file, profile_content, write=False):
 def reclassify_files(info_files, profile_content, write=False, jobs=1, control=None):
     """Judge the parts of many info files.
 
+    Yields a ReclassifiedFile: in the order given. Raises Cancelled when `control` was asked to stop. Each info file is
+    either unchanged or updated, never partly written. Raises ThinPartError if no worker can be started, or there is no space
+    for temporary files.
+
     Parameters
     ----------
     info_files : list of str
@@ -115,19 +115,6 @@ def reclassify_files(info_files, profile_content, write=False, jobs=1, control=N
         Processes that read and judge. What changes is written by this one, which judges it again while the folder is locked.
     control : RunControl, optional
         Stops the run, also while it is waiting.
-
-    Yields
-    ------
-    ReclassifiedFile
-        In the order given.
-
-    Raises
-    ------
-    Cancelled
-        When `control` was asked to stop. Each info file is either unchanged or updated, never partly
-        written.
-    ThinPartError
-        If no worker can be started, or there is no space for temporary files.
     """
     control = control or RunControl()
     if min(jobs * FILES_AT_ONCE, len(info_files)) <= FILES_AT_ONCE:

@@ -93,17 +93,13 @@ class VerdictChanges:
                 self.read += 1
 
     def count(self, profile, check=lambda: None):
-        """Judge all parts read so far.
+        """Judge all parts read so far. Returns ChangeCounts.
 
         Parameters
         ----------
         profile : Profile
         check : callable, optional
             Called every few milliseconds; may raise to stop.
-
-        Returns
-        -------
-        ChangeCounts
         """
         names, numbers, undecided = self._table.categories(profile, check)
         names = [*names, MEASURE_AGAIN]

@@ -59,24 +59,15 @@ class MapTask:
 def map_of_part(task, limits, control=None):
     """Make the map of a part.
 
+    Returns a dict: ``file``, ``label``; ``thinnest``, mm, the wall that the record names, or None; ``low`` and ``high``, mm,
+    of the colours; and ``contents``: bytes by format. Or ``file`` and ``error`` with ``kind`` and ``message``. Raises
+    ThinPartError if no worker can be started; Cancelled when `control` was asked to stop.
+
     Parameters
     ----------
     task : MapTask
     limits : Limits
     control : RunControl, optional
-
-    Returns
-    -------
-    dict
-        ``file``, ``label``; ``thinnest``, mm, the wall that the record names, or None; ``low`` and ``high``, mm, of the
-        colours; and ``contents``: bytes by format. Or ``file`` and ``error`` with ``kind`` and ``message``.
-
-    Raises
-    ------
-    ThinPartError
-        If no worker can be started.
-    Cancelled
-        When `control` was asked to stop.
     """
     done, = run_tasks([task], _drawn, _map, limits, control=control)
     return done.failure or {"file": task.file, **done.result}

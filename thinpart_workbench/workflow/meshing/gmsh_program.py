@@ -41,6 +41,8 @@ def gmsh_program(preferred=""):
 def mesh_volume(program, inputs, output, seconds, folder, options=()):
     """Mesh a volume with Gmsh, one thread, into a binary file of the format MSH 2.2.
 
+    Returns `reason` (str; why there is no mesh; empty if there may be one) and `stated` (str; all that Gmsh printed).
+
     Parameters
     ----------
     program : str
@@ -54,19 +56,12 @@ def mesh_volume(program, inputs, output, seconds, folder, options=()):
         Working directory, in which all of them lie: a temporary one, since Gmsh runs scripts that are called like its files.
     options : sequence of str, optional
         Further ones of Gmsh.
-
-    Returns
-    -------
-    reason : str
-        Why there is no mesh; empty if there may be one.
-    stated : str
-        All that Gmsh printed.
     """
     return _meshed(program, inputs, output, seconds, folder, ("-3", *options))
 
 
 def mesh_surface(program, file, output, seconds, folder, size, around, order):
-    """Mesh faces with triangles, as `mesh_volume` does a volume.
+    """Mesh faces with triangles, as `mesh_volume` does a volume. Returns `reason` and `stated` (str): as there.
 
     Parameters
     ----------
@@ -80,11 +75,6 @@ def mesh_surface(program, file, output, seconds, folder, size, around, order):
         Elements around a circle.
     order : int
         Of the elements.
-
-    Returns
-    -------
-    reason, stated : str
-        As there.
     """
     return _meshed(program, [file], output, seconds, folder, (
         "-2", "-clmax", repr(float(size)), "-clcurv", str(around), "-order", str(order)))
@@ -102,10 +92,7 @@ def _meshed(program, inputs, output, seconds, folder, options):
 def convert_mesh(program, mesh, output, seconds, folder):
     """Convert a mesh to another format, that of the ending of the output, with all its elements.
 
-    Returns
-    -------
-    str
-        Why that failed; empty if it did not.
+    Returns a str: why that failed; empty if it did not.
     """
     end = run_limited([program, _own(mesh, folder), "-save", "-save_all", "-v", "2", "-o", _own(output, folder)], seconds,
                       folder)

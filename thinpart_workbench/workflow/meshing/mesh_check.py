@@ -30,6 +30,8 @@ def checked_sizes(program, shape, measurement, proposal, seconds, folder, defaul
                   on_step=None):
     """Mesh a part at the global size and at the proposed ones.
 
+    Returns `check` (dict; ``default`` and ``proposed``, see `mesh_figures`) and `tried` (MeshTry; what was meshed at last).
+
     Parameters
     ----------
     program : str
@@ -50,13 +52,6 @@ def checked_sizes(program, shape, measurement, proposal, seconds, folder, defaul
         BREP file of the part, where `shape` is none.
     on_step : callable, optional
         Called with `size_steps.ONE_SIZE` or `SIZES`, and the number of the attempt, before each mesh.
-
-    Returns
-    -------
-    check : dict
-        ``default`` and ``proposed``, see `mesh_figures`.
-    tried : MeshTry
-        What was meshed at last.
     """
     order = ("-order", str(proposal.settings.order)) if proposal.settings.order != 1 else ()
     walls, tries = thin_places(measurement, proposal), MeshTries(measurement, proposal, solid or shape, folder)
@@ -137,6 +132,9 @@ def _meshed(program, inputs, seconds, folder, options, walls, on_mesh=None):
 def mesh_figures(seconds, reason, points=None, tetrahedra=None, walls=None):
     """Figures of a mesh.
 
+    Returns a dict: the reason, number of elements, gamma and minSICN, share of poor elements, share of the thin places that
+    have the wanted layers, seconds.
+
     Parameters
     ----------
     seconds : float
@@ -147,12 +145,6 @@ def mesh_figures(seconds, reason, points=None, tetrahedra=None, walls=None):
     tetrahedra : ndarray of shape (m, 4), int64
     walls : tuple
         See `thin_places`.
-
-    Returns
-    -------
-    dict
-        The reason, number of elements, gamma and minSICN, share of poor elements, share of the thin places that have the
-        wanted layers, seconds.
     """
     found = {"reason": reason, "elements": 0, "gamma_least": None, "gamma_1_percent": None, "gamma_mean": None,
              "poor_share": None, "sicn_least": None, "sicn_1_percent": None, "sicn_mean": None, "layers_share": None,
@@ -178,13 +170,8 @@ def _rounded(value):
 def thin_places(measurement, proposal):
     """Places of thin parallel walls, at which `mesh_figures` counts layers.
 
-    Returns
-    -------
-    here, there : ndarray of shape (k, 3), mm
-        Both sides of the wall.
-    area : ndarray of shape (k,), mm2
-    wanted : int
-        Layers.
+    Returns `here` and `there` (ndarray of shape (k, 3), mm; both sides of the wall), `area` (ndarray of shape (k,), mm2) and
+    `wanted` (int; layers).
     """
     field = measurement.field
     thin = np.flatnonzero((field.area > 0.0) & field.parallel & (field.distance < proposal.thin_limit))

@@ -15,19 +15,16 @@ SHELL_SHAPE, SHELL_MESH, SHELL_FACETS, SHELL_THICKNESS = "middle.brep", "shell.u
 def write_part_shell(folder, shell, label):
     """Write the files of a shell; raises OSError.
 
+    Returns a dict: of plain values, lengths in mm: ``size``, ``nodes``, ``elements``, ``volume_share``, ``left_solid`` and
+    ``warnings`` as of `PartShell`; ``walls``: ``thickness``, ``area`` and ``faces`` of the part, from 0; ``groups``:
+    ``thickness`` and ``faces`` of the mid-surface, from 0: walls of about one thickness share one.
+
     Parameters
     ----------
     folder : str
     shell : PartShell
     label : str
         Of the part.
-
-    Returns
-    -------
-    dict
-        Of plain values, lengths in mm: ``size``, ``nodes``, ``elements``, ``volume_share``, ``left_solid`` and ``warnings``
-        as of `PartShell`; ``walls``: ``thickness``, ``area`` and ``faces`` of the part, from 0; ``groups``: ``thickness``
-        and ``faces`` of the mid-surface, from 0: walls of about one thickness share one.
     """
     mesh = shell.mesh
     write_brep(shell.shape, os.path.join(folder, SHELL_SHAPE))
@@ -54,11 +51,8 @@ def save_whole(path, array):
 def thickness_groups(shell):
     """Faces of a mid-surface by their thickness.
 
-    Returns
-    -------
-    list of dict
-        ``thickness``, mm, the mean of the elements by area, and ``faces``, from 0; the thinnest first. Only these can FEM
-        tell from each other: a thickness that varies along a wall becomes its mean.
+    Returns a list of dict: ``thickness``, mm, the mean of the elements by area, and ``faces``, from 0; the thinnest first.
+    Only these can FEM tell from each other: a thickness that varies along a wall becomes its mean.
     """
     mesh = shell.mesh
     areas, count = mesh.areas, int(mesh.wall.max()) + 1

@@ -87,6 +87,11 @@ class PartSizing:
     def mesh(self, program, shape, settings, region_sizes, seconds, folder):
         """Mesh the part with Gmsh, at the global size and as proposed.
 
+        Returns a dict: ``default`` and ``proposed``: figures as of `checked_sizes`, with ``histogram``, the share of the
+        elements in each of `BINS`; ``mesh``, a UNV file, empty where there is none; ``poor``, an ndarray of shape (k, 4, 3),
+        mm: the corners of poor elements of the last mesh; ``poor_count``, of all of them; ``regions`` and ``global_size``,
+        as of `proposed`, with the sizes that the mesh has.
+
         Parameters
         ----------
         program : str
@@ -99,14 +104,6 @@ class PartSizing:
             Limit for each mesh.
         folder : str
             Working directory.
-
-        Returns
-        -------
-        dict
-            ``default`` and ``proposed``: figures as of `checked_sizes`, with ``histogram``, the share of the elements in
-            each of `BINS`; ``mesh``, a UNV file, empty where there is none; ``poor``, an ndarray of shape (k, 4, 3), mm: the
-            corners of poor elements of the last mesh; ``poor_count``, of all of them; ``regions`` and ``global_size``, as of
-            `proposed`, with the sizes that the mesh has.
         """
         proposal, known = self._proposal(settings, region_sizes), self._default
         depends = proposal.global_size, settings.order

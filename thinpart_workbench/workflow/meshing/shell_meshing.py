@@ -75,15 +75,12 @@ class PartShell:
 def shell_obstacle(part, measurement):
     """Why a shell of a measured part cannot be made, as far as that is known without making it.
 
+    Returns a str: a sentence; empty if nothing stands against it.
+
     Parameters
     ----------
     part : SolidPart or MeshedPart
     measurement : Measurement
-
-    Returns
-    -------
-    str
-        A sentence; empty if nothing stands against it.
     """
     return shell_walls(part, measurement)[1]
 
@@ -91,10 +88,7 @@ def shell_obstacle(part, measurement):
 def shell_walls(part, measurement):
     """The walls of a measured part that a shell could have, and why one cannot be made: see `shell_obstacle`.
 
-    Returns
-    -------
-    walls : list of MidWall
-    obstacle : str
+    Returns `walls` (list of MidWall) and `obstacle` (str).
     """
     # Imported here since the adapter loads FreeCAD.
     from ...freecad_adapter.mid_surface.mid_faces import mid_walls
@@ -120,6 +114,9 @@ def _too_little(part, share):
 def shell_of_part(part, measurement, program, seconds, settings=None, report=None):
     """Make the shell of a measured part: PartShell.
 
+    Raises ThinPartError, kind ``no_shell`` where the part is not thin enough, or its mid-surface cannot be made;
+    ``no_solid`` for triangles.
+
     Parameters
     ----------
     part : SolidPart
@@ -131,11 +128,6 @@ def shell_of_part(part, measurement, program, seconds, settings=None, report=Non
     settings : ShellSettings, optional
     report : callable, optional
         Called with the fraction that is done.
-
-    Raises
-    ------
-    ThinPartError
-        kind ``no_shell`` where the part is not thin enough, or its mid-surface cannot be made; ``no_solid`` for triangles.
     """
     # Imported here since the adapter loads FreeCAD.
     from ...freecad_adapter.mid_surface.mid_faces import mid_surface

@@ -28,6 +28,10 @@ _MESHED_PARTS = 20
 def propose_for_documents(tasks, limits, version="", force=False, control=None, tell=None):
     """Propose sizes for documents.
 
+    Yields a dict: as they finish: ``file``, and ``parts`` and ``failures`` of `propose_for_document`; or ``error`` with
+    ``kind`` and ``message``. Raises ThinPartError if no worker can be started. Raises Cancelled when `control` was asked to
+    stop; what is done is kept for the next run.
+
     Parameters
     ----------
     tasks : list of SizeTask
@@ -40,19 +44,6 @@ def propose_for_documents(tasks, limits, version="", force=False, control=None, 
     control : RunControl, optional
     tell : callable, optional
         Called with each step that a worker begins; see `size_steps.watched_steps`.
-
-    Yields
-    ------
-    dict
-        As they finish: ``file``, and ``parts`` and ``failures`` of `propose_for_document`; or ``error`` with ``kind`` and
-        ``message``.
-
-    Raises
-    ------
-    ThinPartError
-        If no worker can be started.
-    Cancelled
-        When `control` was asked to stop; what is done is kept for the next run.
     """
     cache = ResultCache("sizes", _key(version, limits), _LARGEST, _is_complete, renew=force)
     is_meshed = any(task.program for task in tasks)

@@ -74,22 +74,15 @@ class SizeTask:
 def propose_for_document(task, note):
     """Propose sizes for every part of a document.
 
+    Returns a dict: ``parts``: see `size_record`; ``failures``: ``part``, ``label``, ``kind`` and ``message``; ``solids``,
+    the number of parts of the document. Raises ThinPartError if the document cannot be read, or, before any is measured, if
+    several parts may be the one that is wanted.
+
     Parameters
     ----------
     task : SizeTask
     note : StepNote
         Is told what is done with which part.
-
-    Returns
-    -------
-    dict
-        ``parts``: see `size_record`; ``failures``: ``part``, ``label``, ``kind`` and ``message``; ``solids``, the number of
-        parts of the document.
-
-    Raises
-    ------
-    ThinPartError
-        If the document cannot be read, or, before any is measured, if several parts may be the one that is wanted.
     """
     # Imported here since the adapter loads FreeCAD.
     from ...freecad_adapter.reading.part_files import read_parts

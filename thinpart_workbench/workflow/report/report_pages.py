@@ -137,7 +137,7 @@ class PageMaker:
         self.faces = {}
 
     def make(self, part, measurement, record, features=None):
-        """Create the page of a part and its small picture.
+        """Create the page of a part and its small picture. Returns `page` and `picture` (bytes).
 
         Parameters
         ----------
@@ -146,10 +146,6 @@ class PageMaker:
         record : PartRecord
         features : list of str, optional
             The feature that made each face, where it is known; by default it is found out.
-
-        Returns
-        -------
-        page, picture : bytes
         """
         # Imported here: most runs create no pages.
         from ...core.maps.thickness_map import thickness_map

@@ -14,15 +14,12 @@ _NOT_FOR_WORKERS = ("__pycache__", "gui", "window_processes", "freecadcmd", "com
 def compiled_modules(package=CHECKOUT / "thinpart_workbench"):
     """Compile what is not compiled yet, as Python does when it imports a module; yields after each module.
 
+    Yields a str: the file of a module that has been compiled. Nothing is compiled if the user does not want it
+    (``PYTHONDONTWRITEBYTECODE``) or if the folder cannot be written to.
+
     Parameters
     ----------
     package : Path, optional
-
-    Yields
-    ------
-    str
-        The file of a module that has been compiled. Nothing is compiled if the user does not want it
-        (``PYTHONDONTWRITEBYTECODE``) or if the folder cannot be written to.
     """
     if sys.dont_write_bytecode:
         return

@@ -25,13 +25,7 @@ class InvalidMessage(Exception):
 
 
 def write_message(pipe, kind, content=b""):
-    """Write a message to a binary file and flush it.
-
-    Raises
-    ------
-    OSError
-        If the reader has closed the pipe.
-    """
+    """Write a message to a binary file and flush it. Raises OSError if the reader has closed the pipe."""
     pipe.write(_HEAD.pack(kind, len(content)))
     pipe.write(content)
     pipe.flush()
@@ -40,12 +34,7 @@ def write_message(pipe, kind, content=b""):
 def read_message(pipe):
     """Read the next message from a binary file: (kind, content).
 
-    Raises
-    ------
-    EOFError
-        If the other process has ended.
-    InvalidMessage
-        If the message is longer than `LARGEST`.
+    Raises EOFError if the other process has ended; InvalidMessage if the message is longer than `LARGEST`.
     """
     kind, length = _HEAD.unpack(_read(pipe, _HEAD.size))
     if length > LARGEST:
@@ -56,21 +45,13 @@ def read_message(pipe):
 def encode_response(value):
     """Encode the response of a worker; `Message` texts keep their templates and fields.
 
-    Raises
-    ------
-    TypeError, ValueError
-        For values that JSON cannot represent, such as numbers that are not finite.
+    Raises TypeError, ValueError for values that JSON cannot represent, such as numbers that are not finite.
     """
     return json.dumps(with_messages({"value": value}), allow_nan=False).encode()
 
 
 def decode_response(content):
-    """Decode the response of a worker.
-
-    Raises
-    ------
-    InvalidMessage
-    """
+    """Decode the response of a worker. Raises InvalidMessage."""
     try:
         return restored(json.loads(content))["value"]
     except (ValueError, RecursionError, TypeError, KeyError) as error:

@@ -34,10 +34,7 @@ def want_preparation():
 def require_preparation():
     """Call this before reading a file with FreeCAD.
 
-    Raises
-    ------
-    Unprepared
-        In a reader that was forked from a worker which is not prepared.
+    Raises Unprepared in a reader that was forked from a worker which is not prepared.
     """
     if _is_wanted:
         raise Unprepared

@@ -50,6 +50,10 @@ _MOST_FAILED_STARTS = 5
 class ProcessPool:
     """Worker processes that each do one task after the other; a worker that dies fails its task and is replaced.
 
+    Each worker has a thread in this process that communicates with it through pipes. Linux ends a process with
+    the thread that has started it, and threads can wait for pipes on every system. Workers respond in JSON: a
+    malicious file may have taken over the worker, and unpickling its response would run code.
+
     Parameters
     ----------
     count : int
@@ -72,12 +76,6 @@ class ProcessPool:
     ----------
     confinement : dict
         Confinement during the task that finished last; see `confinement.confine`.
-
-    Notes
-    -----
-    Each worker has a thread in this process that communicates with it through pipes. Linux ends a process with
-    the thread that has started it, and threads can wait for pipes on every system. Workers respond in JSON: a
-    malicious file may have taken over the worker, and unpickling its response would run code.
     """
 
     def __init__(self, count, seconds, folder, work, start, start_arguments=(), confine=False, with_programs=False):
@@ -100,6 +98,9 @@ class ProcessPool:
     def run(self, pending, control, meanwhile=()):
         """Do tasks until none are left.
 
+        Yields `future` (Future; see `next_finished`) and `task` (object; in the order in which they finish). Raises
+        Cancelled when `control` was asked to stop; ThinPartError if no worker can be started.
+
         Parameters
         ----------
         pending : deque
@@ -108,20 +109,6 @@ class ProcessPool:
             Pauses and stops the run.
         meanwhile : iterable, optional
             Work for this process while all workers are busy: it is done by taking the items, one after the other.
-
-        Yields
-        ------
-        future : Future
-            See `next_finished`.
-        task : object
-            In the order in which they finish.
-
-        Raises
-        ------
-        Cancelled
-            When `control` was asked to stop.
-        ThinPartError
-            If no worker can be started.
         """
         meanwhile = iter(meanwhile)
         while pending or self.busy:
@@ -160,16 +147,9 @@ class ProcessPool:
     def next_finished(self):
         """The next finished task.
 
-        Returns
-        -------
-        tuple of (Future, object), or None
-            The future and its task. Its result consists of JSON values; its exception is WorkerFault if the work raised one,
-            `concurrent.futures.TimeoutError` or WorkerDied. None if no task finishes within `_TICK`.
-
-        Raises
-        ------
-        ThinPartError
-            If no worker could start, too often in a row.
+        Returns a tuple of (Future, object), or None: the future and its task. Its result consists of JSON values; its
+        exception is WorkerFault if the work raised one, `concurrent.futures.TimeoutError` or WorkerDied. None if no task
+        finishes within `_TICK`. Raises ThinPartError if no worker could start, too often in a row.
         """
         try:
             future = self._finished.get(timeout=_TICK)
@@ -217,15 +197,12 @@ class ProcessPool:
     def command(self, folder):
         """The command that starts a worker, and its environment.
 
+        Raises OSError if there is no program that can run a worker.
+
         Parameters
         ----------
         folder : str
             The folder into which it may write.
-
-        Raises
-        ------
-        OSError
-            If there is no program that can run a worker.
         """
         # FreeCAD's Python console starts workers too; there sys.executable is FreeCAD.
         program, environment = None, os.environ
@@ -243,13 +220,7 @@ class ProcessPool:
                 {**environment, **openblas, **heap, **variables, **temporary, "PYTHONPATH": path})
 
     def send_setup(self, process, folder):
-        """Send the setup to a new worker; it responds with READY.
-
-        Raises
-        ------
-        OSError
-            If the worker has ended.
-        """
+        """Send the setup to a new worker; it responds with READY. Raises OSError if the worker has ended."""
         setup = json.dumps({"parent": os.getpid(), "confinement": self._confinement, "folder": folder,
                             "forks": self.forks, "programs": self._with_programs}).encode()
         for part in (setup, *self._setup_messages):

@@ -51,17 +51,14 @@ def _reserve_for_linear_algebra():
 def answer(work, task):
     """Do a task; what fails is an answer too. If FreeCAD crashes, the parent reads what it has printed.
 
+    Returns an object: what `work` returns; or as `failure`, with ``seconds``.
+
     Parameters
     ----------
     work : callable
         ``work(task)``
     task : object
         With the path of its document as ``file``.
-
-    Returns
-    -------
-    object
-        What `work` returns; or as `failure`, with ``seconds``.
     """
     started = time.perf_counter()
     faulthandler.enable()

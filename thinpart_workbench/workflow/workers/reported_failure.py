@@ -13,16 +13,13 @@ from ...system.exit_cause import is_out_of_memory
 def reported_failure(error, subject=None):
     """An exception as data; the traceback of an unexpected one goes to standard error.
 
+    Returns a dict: ``kind``, one of `KINDS`, and ``message``, a sentence.
+
     Parameters
     ----------
     error : Exception
     subject : str, optional
         Name of the file or part that was being processed.
-
-    Returns
-    -------
-    dict
-        ``kind``, one of `KINDS`, and ``message``, a sentence.
     """
     if isinstance(error, ThinPartError):
         return {"kind": error.kind, "message": str(error)}

@@ -44,6 +44,12 @@ class Done(NamedTuple):
 def run_tasks(tasks, work, check, limits, *, cache=None, control=None, with_programs=False, meanwhile=None):
     """Do tasks, each in a worker process with limits.
 
+    Yields a Done: as they finish. Raises ThinPartError if no worker can be started, or there is no space for temporary
+    files; Cancelled when `control` was asked to stop.
+
+    A damaged file may kill the process that reads it, or make it run for ever; then its worker is replaced and the run goes
+    on with the next task.
+
     Parameters
     ----------
     tasks : sequence
@@ -65,23 +71,6 @@ def run_tasks(tasks, work, check, limits, *, cache=None, control=None, with_prog
     meanwhile : callable, optional
         ``meanwhile(folder)`` gives an iterable, whose items are taken while the workers are busy. The folder has one for
         each worker.
-
-    Yields
-    ------
-    Done
-        As they finish.
-
-    Raises
-    ------
-    ThinPartError
-        If no worker can be started, or there is no space for temporary files.
-    Cancelled
-        When `control` was asked to stop.
-
-    Notes
-    -----
-    A damaged file may kill the process that reads it, or make it run for ever; then its worker is replaced and the run goes
-    on with the next task.
     """
     control, waiting = control or RunControl(), []
     for task in tasks:
@@ -103,10 +92,7 @@ def run_tasks(tasks, work, check, limits, *, cache=None, control=None, with_prog
 def task_workers(count, work, check, limits, with_programs=False):
     """For a ``with`` block: workers that do tasks, as `run_tasks`, and wait for more.
 
-    Yields
-    ------
-    callable
-        ``run(tasks, control, meanwhile)``, which yields as `run_tasks`.
+    Yields a callable: ``run(tasks, control, meanwhile)``, which yields as `run_tasks`.
     """
     with worker_folder() as folder, ExitStack() as stack:
         workers = ProcessPool(max(1, count), limits.seconds, folder, partial(answer, work), start_reader,

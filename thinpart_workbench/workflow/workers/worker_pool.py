@@ -15,6 +15,10 @@ from .task_run import run_tasks, task_workers
 def analyse_files(tasks, limits, control=None, meanwhile=()):
     """Analyse files, each in a worker process with time and memory limits.
 
+    Yields a dict: per file, as they finish: the outcome of `analyse_file`, after its files were written, and ``confinement``
+    (see `confinement.confine`); or ``{"file", "error": {"kind", "message"}}``, with ``seconds`` if they are known. Raises
+    ThinPartError, Cancelled: as `run_tasks`.
+
     Parameters
     ----------
     tasks : list of FileTask
@@ -23,18 +27,6 @@ def analyse_files(tasks, limits, control=None, meanwhile=()):
         Pauses and stops the run.
     meanwhile : iterable of callable, optional
         Each is called once, while the workers are busy.
-
-    Yields
-    ------
-    dict
-        Per file, as they finish: the outcome of `analyse_file`, after its files were written, and
-        ``confinement`` (see `confinement.confine`); or ``{"file", "error": {"kind", "message"}}``, with
-        ``seconds`` if they are known.
-
-    Raises
-    ------
-    ThinPartError, Cancelled
-        As `run_tasks`.
     """
     control = control or RunControl()
     yield from _written(run_tasks(tasks, analysed, _storable, limits, control=control,
@@ -45,15 +37,12 @@ def analyse_files(tasks, limits, control=None, meanwhile=()):
 def file_analyser(limits):
     """For a ``with`` block: a function that analyses one file after the other.
 
+    Yields a callable: ``analyse(task, control)``, which returns an outcome as from `analyse_files`.
+
     Parameters
     ----------
     limits : Limits
         `jobs` is ignored: there is one worker process.
-
-    Yields
-    ------
-    callable
-        ``analyse(task, control)``, which returns an outcome as from `analyse_files`.
     """
     with task_workers(1, analysed, _storable, limits) as run:
         def analyse(task, control):
