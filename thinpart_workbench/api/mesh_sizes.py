@@ -112,8 +112,8 @@ class SizeProgress:
     step: Optional[Callable] = None
 
 
-def mesh_sizes(paths, request=MeshRequest(), profile=DEFAULT_PROFILE, *, analysis=None, limits=None, files=FileChoice(),
-               control=None, progress=SizeProgress()):
+def mesh_sizes(paths, request=None, profile=DEFAULT_PROFILE, *, analysis=None, limits=None, files=None, control=None,
+               progress=None):
     """Propose element sizes for the parts of files and folders.
 
     Parameters
@@ -149,6 +149,7 @@ def mesh_sizes(paths, request=MeshRequest(), profile=DEFAULT_PROFILE, *, analysi
     >>> outcome["parts"][0]["regions"][0]["size"]
     8.0
     """
+    request, files, progress = request or MeshRequest(), files or FileChoice(), progress or SizeProgress()
     paths = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
     limits, control = limits or Limits(jobs=os.cpu_count() or 1), control or RunControl()
     program, version = _gmsh(control) if request.check or request.shell else (None, "")
