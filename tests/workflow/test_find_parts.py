@@ -18,7 +18,7 @@ from thinpart_workbench.storage.index.index_columns import small_values
 from thinpart_workbench.storage.index.library_index import LibraryIndex
 from thinpart_workbench.storage.index.written_query import SORTABLE
 from thinpart_workbench.storage.record_columns import INDEXED
-from thinpart_workbench.workflow.library.find_parts import PartQuery, find_parts, read_records
+from thinpart_workbench.workflow.library.find_parts import PartQuery, find_parts, read_records, stored_parts
 from thinpart_workbench.workflow.library.similar_parts import similar_parts
 
 COMPARE = {">": operator.gt, "<": operator.lt, ">=": operator.ge, "<=": operator.le}
@@ -99,14 +99,12 @@ def test_failures_borderline_and_age(index):
     assert found(index, changed_since=now + timedelta(days=1)) == []
 
 
-def test_order_and_slices(index):
-    parts = find_parts(index, order="d1_mm DESC, parts.id")
-    sizes = [part.d1_mm for part in parts]
-    assert sizes == sorted(sizes, reverse=True) and parts[0].label == "long_plate"
-    assert [part.id for part in parts[2:5]] == parts.ids[2:5]
-    assert parts[-1].d1_mm == min(sizes)
-    with pytest.raises(IndexError):
-        parts[len(parts)]
+def test_order(index):
+    parts = find_parts(index)
+    paths = [part.info_file for part in parts]
+    assert paths == sorted(paths)
+    ids = [part.id for part in reversed(parts)]
+    assert [part.id for part in stored_parts(index, [*ids, max(ids) + 1])] == ids
 
 
 def test_records_are_those_of_the_info_files(index):

@@ -6,9 +6,9 @@ from contextlib import ExitStack
 from ..core.errors import ThinPartError
 from ..core.record.record_types import PART, PartRecord
 from ..storage.common_folder import common_folder
+from ..storage.index.library_index import LibraryIndex
 from ..storage.index.written_query import part_query
 from ..storage.info.stored_records import info_file_of, select_record, single_record
-from ..workflow.library.find_parts import open_library
 from ..workflow.library.library_search import LibrarySearch
 from ..workflow.library.similar_parts import similar_parts
 from .classified_parts import ClassifiedPart
@@ -70,7 +70,8 @@ class Libraries:
         """Open a library; returns its problems as a list of LibraryProblem."""
         try:
             _check(root)
-            index, refreshed = open_library(root, report)
+            index = LibraryIndex(root)
+            refreshed = index.refresh(report)
         except ThinPartError as error:
             return [LibraryProblem(root, "folder", str(error))]
         self._stack.callback(index.close)

@@ -4,10 +4,11 @@ import json
 import os
 
 from ...core.message import message
+from ...storage.index.library_index import LibraryIndex
 from ...storage.index.part_query import PartQuery
 from ...storage.info.info_file import SUFFIX
 from ...storage.labels_file import Label, refused_label
-from ..library.find_parts import find_parts, open_library
+from ..library.find_parts import find_parts
 
 
 def kept_labels(library, categories, report=None):
@@ -21,10 +22,10 @@ def kept_labels(library, categories, report=None):
     categories : sequence of str
         Those that may be given.
     report : callable, optional
-        See `open_library`.
+        Called with the numbers of info files read and to be read; may raise to stop.
     """
-    index, _ = open_library(library, report)
-    with index:
+    with LibraryIndex(library) as index:
+        index.refresh(report)
         return [_label(part, label, index.root, categories) for part in find_parts(index, PartQuery(labelled=True))
                 for label in json.loads(part.labels)]
 

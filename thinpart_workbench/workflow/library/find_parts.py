@@ -1,10 +1,7 @@
-"""Searching libraries: refresh their indexes, query them, read rows when they are shown."""
-
-from collections.abc import Sequence
+"""Parts of one library: found in its index, and their records."""
 
 from ...core.errors import ThinPartError
 from ...core.foreign_text import sql_text
-from ...storage.index.library_index import LibraryIndex
 from ...storage.index.part_query import PartQuery
 from ...storage.index.stored_part import SELECT, stored_part
 from ...storage.info.stored_records import stored_records
@@ -12,70 +9,20 @@ from ...storage.info.stored_records import stored_records
 ROWS_AT_ONCE = 500
 
 
-class FoundParts(Sequence):
-    """The parts that a query found: their number is known at once, their rows are read on access.
-
-    Parameters
-    ----------
-    index : LibraryIndex
-    ids : list of int
-        In display order.
-    """
-
-    def __init__(self, index, ids):
-        self._index, self.ids = index, ids
-
-    def __len__(self):
-        return len(self.ids)
-
-    def __getitem__(self, index):
-        if isinstance(index, slice):
-            return self._rows(self.ids[index])
-        rows = self._rows([self.ids[index]])
-        if not rows:
-            raise IndexError("the part has gone from the index since it was found")
-        return rows[0]
-
-    def __iter__(self):
-        for start in range(0, len(self.ids), ROWS_AT_ONCE):
-            yield from self._rows(self.ids[start:start + ROWS_AT_ONCE])
-
-    def _rows(self, ids):
-        marks = ", ".join("?" * len(ids))
-        rows = {row[0]: row for row in self._index.query(f"{SELECT} WHERE parts.id IN ({marks})", ids)}
-        return [stored_part(self._index.root, rows[part_id]) for part_id in ids if part_id in rows]
+def stored_parts(index, ids):
+    """Parts of a LibraryIndex by their ids: yields StoredPart in the order of the ids, without those that are gone."""
+    for start in range(0, len(ids), ROWS_AT_ONCE):
+        some = ids[start:start + ROWS_AT_ONCE]
+        marks = ", ".join("?" * len(some))
+        rows = {row[0]: row for row in index.query(f"{SELECT} WHERE parts.id IN ({marks})", some)}
+        yield from (stored_part(index.root, rows[part_id]) for part_id in some if part_id in rows)
 
 
-def open_library(root, report=None):
-    """The up-to-date index of a folder.
-
-    Returns `index` (LibraryIndex) and `refreshed` (Refreshed). Raises ThinPartError if the folder cannot be reached.
-
-    Parameters
-    ----------
-    root : str or Path
-    report : callable, optional
-        Called with the numbers of info files read and to be read; may raise to stop.
-    """
-    index = LibraryIndex(root)
-    return index, index.refresh(report)
-
-
-def find_parts(index, query=PartQuery(), order="files.path, parts.id"):
-    """Parts of a library that match a query: FoundParts.
-
-    Parameters
-    ----------
-    index : LibraryIndex
-    query : PartQuery
-    order : str
-        SQL; empty for the order of the index, which is fastest.
-    """
+def find_parts(index, query=PartQuery()):
+    """Parts of a LibraryIndex that match a query, in the order of their paths: list of StoredPart."""
     where, values = query.where()
-    joined = " JOIN files ON files.id = parts.file" if "files." in where + order else ""
-    ordered = f" ORDER BY {order}" if order else ""
-    rows = index.query(f"SELECT parts.id FROM parts{joined} WHERE {where}{ordered}", values)
-    return FoundParts(index, [number for number, in rows])
+    return [stored_part(index.root, row)
+            for row in index.query(f"{SELECT} WHERE {where} ORDER BY files.path, parts.id", values)]
 
 
 def read_records(parts):

@@ -11,7 +11,7 @@ from ...core.errors import ThinPartError
 from ...storage.index.part_query import FAILED, FLAGS, joined_terms
 from ...storage.index.stored_part import StoredPart
 from ...storage.index.written_query import SORTABLE
-from .find_parts import FoundParts
+from .find_parts import stored_parts
 
 HISTOGRAM_BINS = 48
 
@@ -202,7 +202,7 @@ class OrderedParts:
         found: dict[tuple[int, int], StoredPart] = {}
         for position, index in enumerate(self._indexes):
             ids = [number for place, number in places if place == position]
-            found.update(((position, part.id), part) for part in FoundParts(index, ids))
+            found.update(((position, part.id), part) for part in stored_parts(index, ids))
         return [found.get(place) for place in places]
 
     def row_of(self, index, ids):

@@ -6,7 +6,7 @@ from collections import namedtuple
 import numpy as np
 
 from ...core.descriptors.similarity import SIGNATURE_LENGTH, nearest, reasons, score, signature
-from .find_parts import FoundParts
+from .find_parts import stored_parts
 
 SimilarPart = namedtuple("SimilarPart", "part score reasons")
 """A StoredPart, its similarity from 100 to 0, and the reasons in words."""
@@ -39,7 +39,7 @@ def similar_parts(indexes, record, count, same_size=None, excluding=None, among=
             ids, signatures = ids[is_candidate], signatures[is_candidate]
         # One more than `count`: the part itself is the most similar one.
         best = nearest(signatures, target, count + 1, same_size)
-        parts = FoundParts(index, [int(ids[row]) for row in best.indices])
+        parts = stored_parts(index, [int(ids[row]) for row in best.indices])
         found += zip(parts, best.distances, best.terms)
     found.sort(key=lambda candidate: candidate[1])
     distinct: dict[tuple[str, str], SimilarPart] = {}
