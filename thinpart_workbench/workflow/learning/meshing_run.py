@@ -16,6 +16,7 @@ from ...storage.info.info_file import source_is_unchanged
 from ...storage.info.info_reading import read_info
 from ...system.process_limits import WALL_FACTOR
 from ..analysis.measured_source import check_source
+from ..library.reclassify import described_document
 from ..meshing.gmsh_program import gmsh_program
 from ..workers.preparation import require_preparation
 from ..workers.result_cache import ResultCache
@@ -105,8 +106,7 @@ def _document(library, info_file, program, seconds):
     """What an info file says: the task for its document, and descriptors by part; ThinPartError if it cannot be meshed."""
     path = os.path.join(os.path.abspath(library), os.fsdecode(info_file))
     content = read_info(path)
-    source = content["source"]
-    file = os.path.normpath(os.path.join(os.path.dirname(path), source.get("folder", ""), source["file"]))
+    source, file = content["source"], described_document(path, content)
     if not source_is_unchanged(source, file):
         raise ThinPartError(message("{file} has changed since it was classified, or is gone: classify it again.",
                                     file=source["file"]), "missing")

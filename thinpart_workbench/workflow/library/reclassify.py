@@ -205,14 +205,7 @@ def _profile(content):
 
 
 def described_document(info_file, content):
-    """Path of the document that an info file is about: str.
-
-    Parameters
-    ----------
-    info_file : str
-    content : dict
-        Of the info file.
-    """
+    """Path of the document that an info file with some content, dict, is about: str."""
     source = content["source"]
     folder = os.path.join(os.path.dirname(os.path.abspath(info_file)), source.get("folder", ""))
     return os.path.normpath(os.path.join(folder, source["file"]))
