@@ -9,7 +9,7 @@ from ...api.window.open_parts import check_file
 from ...core.errors import ThinPartError
 from ...core.file_formats import ENDINGS, is_document
 from ...core.problem import NOT_READ_BY_FREECAD, problem_of
-from ..application.qt import QtWidgets, translate
+from ..application.qt import QtCore, QtWidgets, translate
 from ..application.sentences import translated
 from ..widgets.confirmation import is_confirmed
 
@@ -39,6 +39,17 @@ def open_part(file, name=None):
     part = document.getObject(name) if name else None
     if part is not None:
         Gui.Selection.addSelection(document.Name, part.Name)
+
+
+def told_by(action):
+    """Do something that takes a while, under the cursor that says so: str, what it returns, or why it cannot be done."""
+    QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
+    try:
+        return action() or ""
+    except ThinPartError as error:
+        return translated(error)
+    finally:
+        QtWidgets.QApplication.restoreOverrideCursor()
 
 
 def check_to_open(file):

@@ -35,7 +35,7 @@ class PartDetails(QtWidgets.QTabWidget):
         self._pictures, self._part, self._reference, self._response = pictures, None, None, None
         self.notes = NotesPage(self)
         self._add_verdict()
-        self.addTab(_scrolled(self.notes), translate("ThinPart", "Notes"))
+        self.addTab(scrolled(self.notes), translate("ThinPart", "Notes"))
         self._add_comparison()
         pictures.loaded.connect(self._show_picture)
         self.show_part(None)
@@ -139,7 +139,7 @@ class PartDetails(QtWidgets.QTabWidget):
         self._result.labelled.connect(lambda category, is_sure: self.labelled.emit(self._part, category, is_sure))
         column.addWidget(self._result)
         column.addStretch(1)
-        self.addTab(_scrolled(page), translate("ThinPart", "Verdict"))
+        self.addTab(scrolled(page), translate("ThinPart", "Verdict"))
 
     def _add_comparison(self):
         page = QtWidgets.QWidget(self)
@@ -149,7 +149,7 @@ class PartDetails(QtWidgets.QTabWidget):
         column.addWidget(self._chart)
         self._likeness = text_line(page, column, "ThinPart_Likeness")
         column.addStretch(1)
-        self.addTab(_scrolled(page), translate("ThinPart", "Comparison"))
+        self.addTab(scrolled(page), translate("ThinPart", "Comparison"))
         self.setTabEnabled(COMPARISON, False)
 
     def _compare(self):
@@ -178,10 +178,10 @@ class PartDetails(QtWidgets.QTabWidget):
         self._picture.setPixmap(picture)
 
 
-def _scrolled(page):
+def scrolled(page):
+    """A QScrollArea without a frame around a page."""
     area = QtWidgets.QScrollArea()
     area.setWidget(page)
     area.setWidgetResizable(True)
     area.setFrameShape(QtWidgets.QFrame.NoFrame)
-    area.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAsNeeded)
     return area

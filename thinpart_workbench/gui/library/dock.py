@@ -1,6 +1,5 @@
 """The dock that finds parts in libraries."""
 
-from pathlib import Path
 from types import SimpleNamespace
 
 from ...api.window.profiles import profile_for_titles
@@ -8,26 +7,25 @@ from ...core.errors import ThinPartError
 from ...freecad_adapter.preferences import preference
 from ...system.file_paths import is_below
 from ..application import lifelong
+from ..application.icons import icon
 from ..application.length_unit import length_unit
-from ..application.qt import QtCore, QtGui, QtWidgets, grouped, translate
+from ..application.qt import QtCore, QtWidgets, grouped, translate
 from ..application.sentences import translated
 from ..guide.command import help_button
 from ..processes.request_queue import LABEL
 from ..reclassify.reclassify_page import ReclassifyPage
 from ..record.record_view import show_text, text_line
 from ..widgets.buttons import add_button
-from ..widgets.flow_layout import FlowLayout
+from ..widgets.flow_layout import add_flow
 from ..widgets.folder_field import contains
 from .active_record import active_record, not_classified
-from .details import PartDetails
+from .details import PartDetails, scrolled
 from .filters_page import FiltersPage
 from .found_rows import FoundRows
 from .libraries_page import LibrariesPage
 from .results_view import FoundPartsView
 from .search_client import SearchClient
 from .thumbnails import Thumbnails
-
-ICON = Path(__file__).resolve().parents[3] / "resources" / "icons" / "ThinPart_FindParts.svg"
 
 SAME_SIZE = 1.25
 """Maximum ratio of diagonals for parts of similar size."""
@@ -50,9 +48,10 @@ class FindDock(QtWidgets.QDockWidget):
     def __init__(self, parent):
         super().__init__(translate("ThinPart", "Find parts"), parent)
         self.setObjectName("ThinPart_FindParts")
-        self.setWindowIcon(QtGui.QIcon(str(ICON)))
+        self.setWindowIcon(icon("ThinPart_FindParts"))
         self._profile = profile_for_titles()
         self._reference, self._orientation = None, None
+        self._pending_like = self._pending_active = None  # of which the record is to come
         self._search = SearchClient(self)
         self._pictures = Thumbnails(self)
         form = QtWidgets.QWidget(self)
@@ -106,12 +105,7 @@ class FindDock(QtWidgets.QDockWidget):
             self._search.request_record(active)
 
     def show_part(self, info_file, name):
-        """Clear the filters and select a part of one of the libraries.
-
-        Parameters
-        ----------
-        info_file, name : str
-        """
+        """Clear the filters and select a part of one of the libraries, by its info file and name."""
         self._clear_filters()
         if self._reference is not None:
             self._end_like()
@@ -162,21 +156,17 @@ class FindDock(QtWidgets.QDockWidget):
         self._words.setPlaceholderText(translate("ThinPart", "Words in names, paths, notes, links"))
         self._words.setClearButtonEnabled(True)
         row.addWidget(self._words, 1)
-        self._clear = add_button(
-            row, self, "ThinPart_ClearFilters", translate("ThinPart", "Clear filters"), self._clear_filters)
+        add_button(row, self, "ThinPart_ClearFilters", translate("ThinPart", "Clear filters"), self._clear_filters)
         column.addLayout(row)
-        container = QtWidgets.QWidget(self)
-        row = FlowLayout(container)
-        add_button(
-            row, self, "ThinPart_LikeActive", translate("ThinPart", "Parts like the active one"),
-            self.find_like_active)
+        row = add_flow(column, self)
+        add_button(row, self, "ThinPart_LikeActive", translate("ThinPart", "Parts like the active one"),
+                   self.find_like_active)
         self._same_size = QtWidgets.QCheckBox(translate("ThinPart", "Similar size"), self)
         self._same_size.setObjectName("ThinPart_SameSize")
         row.addWidget(self._same_size)
         self._all = add_button(
             row, self, "ThinPart_EndLike", translate("ThinPart", "All parts"), self._end_like)
         row.addWidget(help_button(self, "ThinPart_FindParts"))
-        column.addWidget(container)
         self._typing_timer = QtCore.QTimer(self, singleShot=True, interval=_TYPING_DELAY)
 
     def _add_choices(self):
@@ -188,11 +178,7 @@ class FindDock(QtWidgets.QDockWidget):
         for page, title in ((self._filters, translate("ThinPart", "Filters")),
                             (self._libraries, translate("ThinPart", "Libraries")),
                             (self._reclassify, translate("ThinPart", "Reclassify"))):
-            area = QtWidgets.QScrollArea(self)
-            area.setWidgetResizable(True)
-            area.setFrameShape(QtWidgets.QFrame.NoFrame)
-            area.setWidget(page)
-            self._choices.addTab(area, title)
+            self._choices.addTab(scrolled(page), title)
         self._splitter.addWidget(self._choices)
 
     def _add_results(self):
@@ -216,7 +202,7 @@ class FindDock(QtWidgets.QDockWidget):
         search.libraries_changed.connect(lambda _: self._show_job("libraries", search.is_refreshing))
         search.failed.connect(lambda _: self._show_job("libraries", False))
         search.record_received.connect(self._on_record_received)
-        search.annotation_saved.connect(self._on_annotation_saved)
+        search.annotation_saved.connect(self._details.notes.show_save_result)
         search.failed.connect(self._show_failed)
         self._words.textChanged.connect(lambda _: self._typing_timer.start())
         self._typing_timer.timeout.connect(self._start_search)
@@ -278,9 +264,6 @@ class FindDock(QtWidgets.QDockWidget):
     def _find_like_part(self, part):
         self._pending_like = part.info_file, part.name
         self._search.request_record(part)
-
-    _pending_like = None
-    _pending_active = None
 
     def _find_like(self, name, record, info_file):
         self._reference = {"name": name, "record": record, "like": {
@@ -356,9 +339,6 @@ class FindDock(QtWidgets.QDockWidget):
             self._find_like(active.label, active.shown, None)  # the record is not stored
         else:
             self._show_message(not_classified(active))
-
-    def _on_annotation_saved(self, result):
-        self._details.notes.show_save_result(result)
 
     def _label(self, part, category, is_sure):
         lifelong.requests.keep(LABEL, path=part.info_file, part=part.name, category=category, is_sure=is_sure)

@@ -9,9 +9,10 @@ from ...storage.index.part_query import FAILED, RANGED
 from ..application.qt import QtCore, QtWidgets, Signal, grouped, translate
 from ..application.sentences import translated
 from ..record.category_marks import colour_icon, group_title
-from ..record.record_view import show_text, text_line
+from ..record.record_view import show_warning, text_line
 from ..record.verdict_text import category_colour, criterion_titles
-from ..widgets.flow_layout import FlowLayout
+from ..widgets.flow_layout import add_flow
+from ..widgets.narrow_fields import narrow_combo
 from ..widgets.range_filter import RangeFilter
 
 _LONGEST_TITLE = 36
@@ -124,15 +125,13 @@ class FiltersPage(QtWidgets.QWidget):
 
     def show_refusal(self, sentence):
         """Show why the conditions are invalid."""
-        show_text(self._refusal, "\u26a0 " + sentence if sentence else "")
+        show_warning(self._refusal, sentence)
 
     def _flow(self, column, title):
         label = QtWidgets.QLabel(title, self)
         label.setWordWrap(True)
         column.addWidget(label)
-        container = QtWidgets.QWidget(self)
-        column.addWidget(container)
-        return FlowLayout(container)
+        return add_flow(column, self)
 
     def _category_box(self, name):
         box = self._box(f"ThinPart_Category_{name}")
@@ -157,10 +156,7 @@ class FiltersPage(QtWidgets.QWidget):
 
     def _new_quantity_combo(self):
         """The choice of a further quantity; it then has a range as well."""
-        self._quantity = combo = QtWidgets.QComboBox(self)
-        combo.setObjectName("ThinPart_FindQuantity")
-        combo.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
-        combo.setMinimumContentsLength(10)
+        self._quantity = combo = narrow_combo(self, "ThinPart_FindQuantity", 10)
         combo.addItem("+ {}\u2026".format(translate("ThinPart", "Quantity")))
         for quantity in QUANTITIES:
             if quantity.name in RANGED and quantity.name not in self._ranges:
@@ -191,11 +187,10 @@ class FiltersPage(QtWidgets.QWidget):
         row.addWidget(self._conditions, 1)
         column.addLayout(row)
         self._refusal = text_line(self, column, "ThinPart_FindRefusal")
-        show_text(self._refusal, "")
+        self.show_refusal("")
 
     def _add_flags(self, column):
-        container = QtWidgets.QWidget(self)
-        flow = FlowLayout(container)
+        flow = add_flow(column, self)
         self._flags = {
             "borderline": (self._box("ThinPart_FindBorderline"), translate("ThinPart", "Only unsure")),
             "has_notes": (self._box("ThinPart_FindNotes"), translate("ThinPart", "Only with notes")),
@@ -213,7 +208,6 @@ class FiltersPage(QtWidgets.QWidget):
             self._since.addItem(title, days)
         self._since.currentIndexChanged.connect(lambda _: self.changed.emit())
         flow.addWidget(self._since)
-        column.addWidget(container)
 
     def _box(self, name):
         box = QtWidgets.QCheckBox(self)

@@ -6,10 +6,11 @@ from ...freecad_adapter.preferences import preference_list, set_preference_list
 from ..application.qt import QtCore, QtWidgets, Signal, grouped, translate
 from ..application.sentences import translated
 from ..record.category_marks import colour_icon
-from ..record.record_view import show_text, text_line
+from ..record.record_view import show_text, show_warning, text_line
 from ..tables.row_model import FAILED_COLOUR
 from ..widgets.buttons import add_button
-from ..widgets.flow_layout import FlowLayout
+from ..widgets.file_dialogs import choose_folder
+from ..widgets.flow_layout import add_flow
 from ..widgets.folder_field import contains
 
 _PREFERENCE = "Libraries"
@@ -40,8 +41,7 @@ class LibrariesPage(QtWidgets.QWidget):
         self._list.setMinimumHeight(3 * self.fontMetrics().height())
         self._list.itemSelectionChanged.connect(self._show_buttons)
         column.addWidget(self._list, 1)
-        container = QtWidgets.QWidget(self)
-        row = FlowLayout(container)
+        row = add_flow(column, self)
         add_button(row, self, "ThinPart_AddLibrary", translate("ThinPart", "Add\u2026"), self._ask)
         self._remove = add_button(
             row, self, "ThinPart_RemoveLibrary", translate("ThinPart", "Remove"), self.remove_selected)
@@ -49,7 +49,6 @@ class LibrariesPage(QtWidgets.QWidget):
             row, self, "ThinPart_RefreshLibraries", translate("ThinPart", "Refresh"), self.refresh_requested.emit)
         self._stop = add_button(
             row, self, "ThinPart_StopRefresh", translate("ThinPart", "Stop"), self.stop_requested.emit)
-        column.addWidget(container)
         self._bar = QtWidgets.QProgressBar(self)
         self._bar.setObjectName("ThinPart_LibraryBar")
         column.addWidget(self._bar)
@@ -63,12 +62,7 @@ class LibrariesPage(QtWidgets.QWidget):
         return preference_list(_PREFERENCE)
 
     def add(self, folder):
-        """Add a folder, unless another library already contains it.
-
-        Parameters
-        ----------
-        folder : str
-        """
+        """Add a folder, str, unless another library already contains it."""
         folder = os.path.abspath(folder)
         outer = [root for root in self.roots if contains(root, folder)]
         if outer:
@@ -139,7 +133,7 @@ class LibrariesPage(QtWidgets.QWidget):
         self._show_problem(sentence)
 
     def _show_problem(self, sentence):
-        show_text(self._problems, "\u26a0 " + sentence if sentence else "")
+        show_warning(self._problems, sentence)
 
     def _show_busy(self, busy):
         self._bar.setVisible(busy)
@@ -151,7 +145,4 @@ class LibrariesPage(QtWidgets.QWidget):
         self._remove.setEnabled(bool(self._list.selectedItems()))
 
     def _ask(self):
-        folder = QtWidgets.QFileDialog.getExistingDirectory(
-            self, translate("ThinPart", "Choose a folder with classified parts"))
-        if folder:
-            self.add(folder)
+        choose_folder(self, "", self.add, translate("ThinPart", "Choose a folder with classified parts"))

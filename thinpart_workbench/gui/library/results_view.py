@@ -2,12 +2,11 @@
 
 import os
 
-from ...core.errors import ThinPartError
 from ...storage.part_table import STORED_PARTS
 from ..application.qt import QtCore, QtGui, QtWidgets, Signal, translate
 from ..application.sentences import translated
 from ..document.insert_part import insert_part
-from ..document.open_part import DANGEROUS, confirm_dangerous_open, open_part
+from ..document.open_part import DANGEROUS, confirm_dangerous_open, open_part, told_by
 from ..tables.table_view import TableView
 
 _LIKE = ("score", "reasons")
@@ -89,13 +88,13 @@ class FoundPartsView(TableView):
             return
         if part.error_kind in DANGEROUS and not confirm_dangerous_open(translated(part.error_message), self):
             return
-        self._run(lambda: open_part(part.file, part.name) or "")
+        self.message.emit(told_by(lambda: open_part(part.file, part.name)))
 
     def insert_current(self):
         """Insert the part into the active document."""
         part = self.current_part
         if part is not None:
-            self._run(lambda: insert_part(part.file, part.name))
+            self.message.emit(told_by(lambda: insert_part(part.file, part.name)))
 
     def show_folder(self):
         """Show the part's folder in the desktop's file manager."""
@@ -158,13 +157,3 @@ class FoundPartsView(TableView):
     def _emit_when_fetched(self, *_):
         if self._reported is None and self.current_part is not None:
             self._emit_current()
-
-    def _run(self, action):
-        QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
-        try:
-            sentence = action()
-        except ThinPartError as error:
-            sentence = translated(error)
-        finally:
-            QtWidgets.QApplication.restoreOverrideCursor()
-        self.message.emit(sentence)

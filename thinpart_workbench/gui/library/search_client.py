@@ -134,8 +134,10 @@ class SearchClient(QtCore.QObject):
         self._process.send(ask="find", serial=self._serial, **self._query)
 
     def _on_message(self, content):
+        answers = {"found": self._on_found, "rows": self._on_rows, "libraries": self._on_libraries, "kept": self._on_kept,
+                   "progress": self.progressed.emit, "record": self.record_received.emit}
         for name, response in content.items():
-            getattr(self, f"_on_{name}")(response)
+            answers[name](response)
 
     def _on_found(self, found):
         if found["serial"] == self._serial:
@@ -152,12 +154,6 @@ class SearchClient(QtCore.QObject):
         self.libraries_changed.emit(libraries)
         # The same query may now find other parts, and rows may have moved.
         self._send_timer.start()
-
-    def _on_progress(self, progress):
-        self.progressed.emit(progress)
-
-    def _on_record(self, record):
-        self.record_received.emit(record)
 
     def _on_kept(self, result):
         # The worker reads a saved annotation into the index at once.

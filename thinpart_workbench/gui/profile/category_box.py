@@ -1,7 +1,7 @@
 """One category of a profile: its criteria, of which one must hold."""
 
 from ..application.qt import QtWidgets, Signal, translate
-from ..record.record_view import paint_swatch, show_text, swatch, text_line
+from ..record.record_view import paint_swatch, show_warning, swatch, text_line
 from ..record.verdict_text import category_colour, category_words
 from ..widgets.buttons import add_button, small_button
 from .criterion_box import CriterionBox
@@ -80,7 +80,7 @@ class CategoryBox(QtWidgets.QGroupBox):
 
     def show_problem(self, sentence):
         """Show what is wrong with the category; nothing if the sentence is empty."""
-        show_text(self._problem, "\u26a0 " + sentence if sentence else "")
+        show_warning(self._problem, sentence)
 
     def _add_names(self, column):
         row = QtWidgets.QHBoxLayout()

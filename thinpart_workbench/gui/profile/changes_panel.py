@@ -6,15 +6,12 @@ from ...freecad_adapter.preferences import preference_list
 from ..application.qt import QtCore, QtWidgets, translate
 from ..reclassify.changes_view import ChangesView
 from ..widgets.buttons import small_button
+from ..widgets.file_dialogs import choose_folder
+from ..widgets.narrow_fields import narrow_combo
 
 
 class ChangesPanel(QtWidgets.QWidget):
-    """The choice of a library, and what would change in it.
-
-    Attributes
-    ----------
-    view : ChangesView
-    """
+    """The choice of a library, and what would change in it, a ChangesView."""
 
     def __init__(self, parent=None):
         super().__init__(parent)
@@ -23,10 +20,7 @@ class ChangesPanel(QtWidgets.QWidget):
         column.setContentsMargins(4, 4, 4, 4)
         label = QtWidgets.QLabel(translate("ThinPart", "What would change in"), self)
         column.addWidget(label)
-        self._library = QtWidgets.QComboBox(self)
-        self._library.setObjectName("ThinPart_ProfileLibrary")
-        self._library.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
-        self._library.setMinimumContentsLength(16)
+        self._library = narrow_combo(self, "ThinPart_ProfileLibrary", 16)
         label.setBuddy(self._library)
         row = QtWidgets.QHBoxLayout()
         row.addWidget(self._library, 1)
@@ -76,11 +70,8 @@ class ChangesPanel(QtWidgets.QWidget):
 
     def _on_library_chosen(self):
         if self._library.currentData() is None:
-            folder = QtWidgets.QFileDialog.getExistingDirectory(
-                self, translate("ThinPart", "Choose a folder with classified parts"))
-            if folder:
-                self.choose_folder(folder)
-            else:
+            choose_folder(self, "", self.choose_folder, translate("ThinPart", "Choose a folder with classified parts"))
+            if self._library.currentData() is None:
                 self._library.setCurrentIndex(0)
             return
         self._library.setToolTip("\n".join(self._roots))

@@ -8,9 +8,10 @@ from ...core.judging.criteria import COMPARISONS
 from ..application.length_unit import length_unit
 from ..application.qt import QtCore, QtWidgets, Signal, translate
 from ..application.sentences import translated
-from ..record.record_view import show_text, text_line
+from ..record.record_view import show_warning, text_line
 from ..widgets.buttons import small_button
 from ..widgets.exact_field import ExactField
+from ..widgets.narrow_fields import narrow_combo
 
 _UNITS = {"mm2": "mm\u00b2", "mm3": "mm\u00b3"}
 _WIDEST = 70
@@ -87,17 +88,14 @@ class ConditionEditor(QtWidgets.QWidget):
 
     def show_problem(self, sentence):
         """Show what is wrong with the condition; nothing if the sentence is empty."""
-        show_text(self._problem, "\u26a0 " + sentence if sentence else "")
+        show_warning(self._problem, sentence)
 
     def allow_removal(self, allowed):
         """Say whether the condition may be removed: not the last one of a criterion."""
         self._remove.setEnabled(allowed)
 
     def _new_quantity_combo(self):
-        combo = QtWidgets.QComboBox(self)
-        combo.setObjectName("ThinPart_ConditionQuantity")
-        combo.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
-        combo.setMinimumContentsLength(10)
+        combo = narrow_combo(self, "ThinPart_ConditionQuantity", 10)
         for quantity in QUANTITIES:
             meaning = translated(quantity.meaning)
             combo.addItem(f"{quantity.symbol}: {meaning}", quantity.name)

@@ -1,7 +1,7 @@
 """One criterion of a category: its conditions, which must all hold."""
 
 from ..application.qt import QtWidgets, Signal, translate
-from ..record.record_view import show_text, text_line
+from ..record.record_view import show_warning, text_line
 from ..widgets.buttons import add_button, small_button
 from .condition_editor import ConditionEditor
 from .edited_profile import new_condition
@@ -88,7 +88,7 @@ class CriterionBox(QtWidgets.QFrame):
 
     def show_problem(self, sentence):
         """Show what is wrong with the criterion; nothing if the sentence is empty."""
-        show_text(self._problem, "\u26a0 " + sentence if sentence else "")
+        show_warning(self._problem, sentence)
 
     def _show_change(self):
         self._show_removal()

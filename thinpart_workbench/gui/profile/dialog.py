@@ -9,6 +9,7 @@ from ...core.kinds.file_marks import PROFILE
 from ...freecad_adapter.preferences import set_preference
 from ...storage.user_profiles import user_profiles_folder, write_profile
 from ..application import lifelong
+from ..application.icons import icon
 from ..application.qt import QtCore, QtGui, QtWidgets, execute, translate
 from ..application.sentences import translated
 from ..guide.command import help_button
@@ -16,13 +17,12 @@ from ..library.command import show_find_parts
 from ..record.record_view import show_text, text_line
 from ..widgets.buttons import add_button
 from ..widgets.confirmation import may_overwrite
+from ..widgets.file_dialogs import chosen_output
 from ..widgets.profile_combo import ProfileCombo
 from .changes_panel import ChangesPanel
 from .edited_profile import named_content
 from .limits_page import LimitsPage
 from .thresholds_page import ThresholdsPage
-
-ICON = Path(__file__).resolve().parents[3] / "resources" / "icons" / "ThinPart_EditProfile.svg"
 
 
 class ProfileDialog(QtWidgets.QDialog):
@@ -32,7 +32,7 @@ class ProfileDialog(QtWidgets.QDialog):
         super().__init__(parent)
         self.setObjectName("ThinPart_ProfileDialog")
         self.setWindowTitle(translate("ThinPart", "Edit profile"))
-        self.setWindowIcon(QtGui.QIcon(str(ICON)))
+        self.setWindowIcon(icon("ThinPart_EditProfile"))
         self._name, self._start, self._problem, self._behind_modal = "", None, "", False
         column = QtWidgets.QVBoxLayout(self)
         self._tabs = QtWidgets.QTabWidget(self)
@@ -63,7 +63,8 @@ class ProfileDialog(QtWidgets.QDialog):
         row = QtWidgets.QHBoxLayout()
         row.addStretch(1)
         row.addWidget(help_button(self, "ThinPart_EditProfile"))
-        add_button(row, self, "ThinPart_ProfileClose", translate("ThinPart", "Close"), self.close).setAutoDefault(False)
+        add_button(row, self, "ThinPart_ProfileClose", translate("ThinPart", "Close"), self.close,
+                   is_for_enter=False)
         column.addLayout(row)
         self._check_timer = QtCore.QTimer(self, singleShot=True, interval=0)
         self._check_timer.timeout.connect(self._check)
@@ -107,29 +108,11 @@ class ProfileDialog(QtWidgets.QDialog):
         self.choose(os.path.abspath(file))
 
     def save(self):
-        """Write the profile to its file; a shipped one to another.
-
-        Returns
-        -------
-        bool
-            Whether it was written.
-        """
+        """Write the profile to its file, a shipped one to another; returns whether it was written."""
         return self._ask_where() if self._is_shipped else self.save_as(self._name)
 
     def save_as(self, file, overwrite=False):
-        """Write the profile to a file.
-
-        Parameters
-        ----------
-        file : str
-        overwrite : bool, optional
-            Whether it may be no profile.
-
-        Returns
-        -------
-        bool
-            Whether it was written.
-        """
+        """Write the profile to a file, also to one that is no profile where `overwrite`; returns whether it was written."""
         self._check()
         if self._problem:
             self._show_message(self._problem)
@@ -258,23 +241,15 @@ class ProfileDialog(QtWidgets.QDialog):
 
     def _may_leave(self):
         """Whether unsaved changes of the profile were saved, or may be lost."""
-        if not self.is_changed:
-            return True
-        answer = self._asked(translate("ThinPart", "The profile has unsaved changes."))
-        if answer == QtWidgets.QMessageBox.Save:
-            return self.save()
-        return answer == QtWidgets.QMessageBox.Discard
+        return not self.is_changed or self._saved_or_discarded(
+            translate("ThinPart", "The profile has unsaved changes."), self.save)
 
     def _may_leave_limits(self):
-        if not self._limits.is_changed:
-            return True
-        answer = self._asked(translate("ThinPart", "The limits of the wall have unsaved changes."))
-        if answer == QtWidgets.QMessageBox.Save:
-            return self._limits.save()
-        return answer == QtWidgets.QMessageBox.Discard
+        return not self._limits.is_changed or self._saved_or_discarded(
+            translate("ThinPart", "The limits of the wall have unsaved changes."), self._limits.save)
 
-    def _asked(self, sentence):
-        """Ask whether to save; returns the button that was pressed."""
+    def _saved_or_discarded(self, sentence, save):
+        """Ask whether to save; returns whether that was done, or is not wanted."""
         buttons = QtWidgets.QMessageBox.Save | QtWidgets.QMessageBox.Discard | QtWidgets.QMessageBox.Cancel
         box = QtWidgets.QMessageBox(QtWidgets.QMessageBox.Question, "", sentence, buttons, self)
         box.setObjectName("ThinPart_ProfileQuestion")
@@ -282,7 +257,7 @@ class ProfileDialog(QtWidgets.QDialog):
         box.setDefaultButton(QtWidgets.QMessageBox.Save)
         answer = execute(box)
         box.deleteLater()
-        return answer
+        return save() if answer == QtWidgets.QMessageBox.Save else answer == QtWidgets.QMessageBox.Discard
 
     def _find_part(self, info_file, name):
         show_find_parts().show_part(info_file, name)
@@ -311,15 +286,10 @@ class ProfileDialog(QtWidgets.QDialog):
             os.makedirs(folder, exist_ok=True)
         except OSError:
             folder = Path.home()  # the user may choose any other
-        dialog = QtWidgets.QFileDialog(
-            self, translate("ThinPart", "Save the profile as"), str(folder), translate("ThinPart", "Thresholds (*.json)"))
-        dialog.setObjectName("ThinPart_ProfileSaveDialog")
-        dialog.setAcceptMode(QtWidgets.QFileDialog.AcceptSave)
-        dialog.setDefaultSuffix("json")
-        dialog.selectFile(f"my_{Path(self._file).stem}.json")
-        chosen = dialog.selectedFiles() if execute(dialog) else []
-        dialog.deleteLater()
-        return bool(chosen) and self._save_chosen(chosen[0])
+        chosen = chosen_output(self, "ThinPart_ProfileSaveDialog", translate("ThinPart", "Save the profile as"),
+                               str(folder / f"my_{Path(self._file).stem}.json"),
+                               translate("ThinPart", "Thresholds (*.json)"))
+        return bool(chosen) and self._save_chosen(chosen)
 
     def _save_chosen(self, file):
         """Write to a file that the user chose, and ask first where it is no profile; returns whether it was written."""
@@ -341,17 +311,16 @@ class ProfileDialog(QtWidgets.QDialog):
         label.setBuddy(self._profile_combo)
         row.addWidget(label)
         row.addWidget(self._profile_combo, 1)
-        button = add_button(row, self, "ThinPart_ProfileOpen", translate("ThinPart", "&Open\u2026"), self._ask_for_file)
+        button = add_button(row, self, "ThinPart_ProfileOpen", translate("ThinPart", "&Open\u2026"), self._ask_for_file,
+                            is_for_enter=False)
         button.setToolTip(translate("ThinPart", "Opens a profile that somebody has given you"))
-        button.setAutoDefault(False)
         column.addLayout(row)
 
     def _add_buttons(self, page, column):
         row = QtWidgets.QHBoxLayout()
 
         def add(name, text, callback, meaning=""):
-            button = add_button(row, page, f"ThinPart_Profile{name}", text, callback)
-            button.setAutoDefault(False)
+            button = add_button(row, page, f"ThinPart_Profile{name}", text, callback, is_for_enter=False)
             button.setToolTip(meaning)
             return button
 

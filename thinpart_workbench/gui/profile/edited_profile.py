@@ -28,18 +28,10 @@ def loses_probabilities(content, start):
 
 
 def named_content(content, start, name):
-    """The content under another name.
+    """The content under another name, dict.
 
-    Parameters
-    ----------
-    content, start : dict
-    name : str
-
-    Returns
-    -------
-    dict
-        A title that is still that of the start becomes the name, and where thresholds were changed, a source that is still
-        that of the start says so.
+    A title that is still that of the start becomes the name, and where thresholds were changed, a source that is still that
+    of the start says so.
     """
     content = {**content, "name": name}
     if name != start.get("name") and content.get("title") == start.get("title"):
@@ -53,7 +45,7 @@ def named_content(content, start, name):
 def new_criterion(content):
     """A criterion to begin with, with an id that the profile does not use: dict."""
     taken = {str(each["id"]) for category in content["categories"] for each in category["criteria"]}
-    return {"id": _free("own_{}", taken), "title": "", "conditions": [new_condition()]}
+    return {"id": free_name("own_{}", taken), "title": "", "conditions": [new_condition()]}
 
 
 def new_condition():
@@ -63,7 +55,7 @@ def new_condition():
 
 def new_category(content):
     """A category to begin with, with a name that the profile does not use: dict."""
-    name = _free("category_{}", {category["name"] for category in content["categories"]})
+    name = free_name("category_{}", {category["name"] for category in content["categories"]})
     return {"name": name, "title": "", "meaning": "", "criteria": [new_criterion(content)]}
 
 
@@ -72,7 +64,8 @@ def empty_profile():
     return {"format": PROFILE.format, "version": 1, "name": "", "categories": []}
 
 
-def _free(pattern, taken):
+def free_name(pattern, taken):
+    """The pattern with the least number, from 1, that makes a name which is not taken: str."""
     number = 1
     while pattern.format(number) in taken:
         number += 1

@@ -11,9 +11,10 @@ from ..application.qt import QtCore, QtWidgets, Signal, translate
 from ..application.sentences import translated
 from ..guide.command import lead_to_guide
 from ..guide.pages import LIMITS
-from ..record.record_view import show_text, text_line
+from ..record.record_view import show_text, show_warning, text_line
 from ..widgets.buttons import add_button
-from ..widgets.flow_layout import FlowLayout
+from ..widgets.flow_layout import add_flow
+from .edited_profile import free_name
 from .limits_form import LimitsForm
 
 _ID = re.compile(r"[A-Za-z0-9_\-]{1,40}")
@@ -32,7 +33,7 @@ class LimitsPage(QtWidgets.QWidget):
 
     def __init__(self, parent=None):
         super().__init__(parent)
-        self._processes, self._own, self._is_readable, self._is_showing = [], set(), True, False
+        self._processes, self._own, self._is_readable = [], set(), True
         self._shipped = {process["id"].casefold(): process for process in shipped_processes()}
         lead_to_guide(self, LIMITS)
         column = QtWidgets.QVBoxLayout(self)
@@ -47,20 +48,7 @@ class LimitsPage(QtWidgets.QWidget):
         side.addStretch(1)
         row.addLayout(side, 2)
         column.addLayout(row, 1)
-        container = QtWidgets.QWidget(self)
-        buttons = FlowLayout(container)
-        self._add_process = add_button(
-            buttons, self, "ThinPart_LimitsAddProcess", translate("ThinPart", "Add a process"), self.add_process)
-        self._add_material = add_button(
-            buttons, self, "ThinPart_LimitsAddMaterial", translate("ThinPart", "Add a material"), self.add_material)
-        self._remove = add_button(buttons, self, "ThinPart_LimitsRemove", translate("ThinPart", "Remove"), self.remove)
-        self._reset = add_button(
-            buttons, self, "ThinPart_LimitsReset", translate("ThinPart", "Reset to saved"), self.load)
-        self._save = add_button(
-            buttons, self, "ThinPart_LimitsSave", translate("ThinPart", "Save the limits"), self.save)
-        for button in (self._add_process, self._add_material, self._remove, self._reset, self._save):
-            button.setAutoDefault(False)
-        column.addWidget(container)
+        self._add_buttons(add_flow(column, self))
         self._message = text_line(self, column, "ThinPart_LimitsMessage")
         self.load()
 
@@ -84,13 +72,7 @@ class LimitsPage(QtWidgets.QWidget):
         self._fill()
 
     def save(self):
-        """Write the user's own limits.
-
-        Returns
-        -------
-        bool
-            Whether that was done.
-        """
+        """Write the user's own limits; returns whether that was done."""
         found = self._first_problem()
         if found is not None:
             self._fill(found[0])
@@ -109,7 +91,7 @@ class LimitsPage(QtWidgets.QWidget):
 
     def add_process(self):
         """Add a process of one's own."""
-        name = _free("own_{}", {process["id"].casefold() for process in self._processes})
+        name = free_name("own_{}", {process["id"].casefold() for process in self._processes})
         self._processes.append({"id": name, "title": translate("ThinPart", "New process"), "min_mm": 1.0, "max_mm": None})
         self._own.add(name.casefold())
         self._on_added((len(self._processes) - 1, None))
@@ -120,7 +102,7 @@ class LimitsPage(QtWidgets.QWidget):
         process = self._made_own(number)
         materials = process.setdefault("materials", [])
         materials.append({
-            "id": _free("own_{}", {each["id"].casefold() for each in materials}), "title": translate(
+            "id": free_name("own_{}", {each["id"].casefold() for each in materials}), "title": translate(
                 "ThinPart", "New material"), "min_mm": process["min_mm"], "max_mm": process["max_mm"]})
         self._on_added((number, len(materials) - 1))
 
@@ -140,6 +122,16 @@ class LimitsPage(QtWidgets.QWidget):
                 self._processes[number] = copy.deepcopy(shipped)
         self._fill((min(number, len(self._processes) - 1), None))
         self.changed.emit()
+
+    def _add_buttons(self, flow):
+        def add(name, text, callback):
+            return add_button(flow, self, f"ThinPart_Limits{name}", text, callback, is_for_enter=False)
+
+        self._add_process = add("AddProcess", translate("ThinPart", "Add a process"), self.add_process)
+        self._add_material = add("AddMaterial", translate("ThinPart", "Add a material"), self.add_material)
+        self._remove = add("Remove", translate("ThinPart", "Remove"), self.remove)
+        self._reset = add("Reset", translate("ThinPart", "Reset to saved"), self.load)
+        self._save = add("Save", translate("ThinPart", "Save the limits"), self.save)
 
     def _new_tree(self):
         tree = QtWidgets.QTreeWidget(self)
@@ -257,7 +249,7 @@ class LimitsPage(QtWidgets.QWidget):
         sentence = found[1] if found is not None else ""
         if found is not None and found[0] != place:
             sentence = f"{translated(self._row(found[0])['title'])}: {sentence}"
-        show_text(self._problem, "\u26a0 " + sentence if sentence else "")
+        show_warning(self._problem, sentence)
         self._remove.setText(translate("ThinPart", "Back to the shipped limits") if is_own and is_shipped
                              and place[1] is None else translate("ThinPart", "Remove"))
         self._remove.setEnabled(self._is_readable and place is not None and (is_own or place[1] is not None))
@@ -279,10 +271,3 @@ def _problem(row, others):
     if None not in (row["min_mm"], row["max_mm"]) and row["min_mm"] >= row["max_mm"]:
         return translate("ThinPart", "The least wall has to be thinner than the greatest.")
     return ""
-
-
-def _free(pattern, taken):
-    number = 1
-    while pattern.format(number) in taken:
-        number += 1
-    return pattern.format(number)

@@ -24,6 +24,15 @@ class RemovableList(QtWidgets.QVBoxLayout):
         self.editors.append(editor)
         self.addWidget(editor)
 
+    def move(self, editor, places):
+        """Move a widget by a number of places, down where that is positive."""
+        number = self.editors.index(editor) + places
+        self.editors.remove(editor)
+        self.editors.insert(number, editor)
+        self.removeWidget(editor)
+        self.insertWidget(number, editor)
+        self._on_change()
+
     def _remove(self, editor):
         self.editors.remove(editor)
         self.removeWidget(editor)

@@ -10,6 +10,7 @@ from ..widgets.exact_field import ExactField
 from .category_box import CategoryBox
 from .edited_profile import empty_profile, loses_probabilities, new_category, new_criterion
 from .kept_text import KeptText
+from .removable_list import RemovableList
 
 
 class ThresholdsPage(QtWidgets.QScrollArea):
@@ -25,19 +26,18 @@ class ThresholdsPage(QtWidgets.QScrollArea):
 
     def __init__(self, parent=None):
         super().__init__(parent)
-        self._start, self.categories = empty_profile(), []
         self.setWidgetResizable(True)
         self.setFrameShape(QtWidgets.QFrame.NoFrame)
-        self.show_content(self._start)
+        self.show_content(empty_profile())
+
+    @property
+    def categories(self):
+        """list of CategoryBox"""
+        return self._boxes.editors
 
     def show_content(self, content):
-        """Show a profile that was just read; its content is what editing begins with.
-
-        Parameters
-        ----------
-        content : dict
-        """
-        self._start, self.categories = content, []
+        """Show a profile that was just read, dict; its content is what editing begins with."""
+        self._start = content
         form = QtWidgets.QWidget(self)
         form.setObjectName("ThinPart_ProfileForm")
         column = QtWidgets.QVBoxLayout(form)
@@ -46,7 +46,7 @@ class ThresholdsPage(QtWidgets.QScrollArea):
             "ThinPart", "A part gets the first category of which a criterion holds. If none holds, it is normal."), form)
         label.setWordWrap(True)
         column.addWidget(label)
-        self._boxes = QtWidgets.QVBoxLayout()
+        self._boxes = RemovableList(self._on_changed)
         column.addLayout(self._boxes)
         for category in content["categories"]:
             self._append(category)
@@ -68,14 +68,10 @@ class ThresholdsPage(QtWidgets.QScrollArea):
         content = self._criteria_content()
         if loses_probabilities(content, self._start):
             del content["probability"]
-            changed = {"borderline_margin": self._margin.exact()}
-        elif "probability" in content:
-            changed = {"probability": {**content["probability"], "unsure_under": self._unsure.exact()}}
-        else:
-            changed = {"borderline_margin": self._margin.exact()}
-        defaults = {"borderline_margin": 0.1}
-        content.update({key: value for key, value in changed.items()
-                        if key in self._start or value != defaults.get(key)})
+        if "probability" in content:
+            content["probability"] = {**content["probability"], "unsure_under": self._unsure.exact()}
+        elif "borderline_margin" in self._start or self._margin.exact() != 0.1:
+            content["borderline_margin"] = self._margin.exact()
         return content
 
     def problem(self):
@@ -120,28 +116,30 @@ class ThresholdsPage(QtWidgets.QScrollArea):
     def _add_sureness(self, form, column):
         box = QtWidgets.QGroupBox(translate("ThinPart", "How sure a verdict is"), form)
         grid = QtWidgets.QFormLayout(box)
+        self._sureness = grid
         grid.setFieldGrowthPolicy(QtWidgets.QFormLayout.FieldsStayAtSizeHint)
-        self._unsure = ExactField("ThinPart_ProfileUnsure", box)
-        self._margin = ExactField("ThinPart_ProfileMargin", box)
-        self._floor = ExactField("ThinPart_ProfileFloor", box)
-        for field, value in ((self._unsure, self._start.get("probability", {}).get("unsure_under", 0.5)),
-                             (self._margin, self._start.get("borderline_margin", 0.1)),
-                             (self._floor, self._start.get("area_floor", 1e-4))):
+
+        def add(name, text, meaning, value):
+            field = ExactField(f"ThinPart_Profile{name}", box)
             field.set_form(100.0, "\u00a0%", 4, 0.0, 1.0)
             field.show_exact(value)
             field.changed.connect(self._on_changed)
-        self._unsure.setToolTip(translate("ThinPart", "A verdict that is less probable is called unsure"))
-        self._margin.setToolTip(translate(
-            "ThinPart", "A verdict is called borderline if a quantity lies nearer to its threshold, relative to that"))
-        self._floor.setToolTip(translate(
-            "ThinPart", "A smaller share of the surface counts as none, because single rays may stray"))
-        self._sureness = {}
-        for field, text in ((self._unsure, translate("ThinPart", "Unsure below a probability of")),
-                            (self._margin, translate("ThinPart", "Borderline within")),
-                            (self._floor, translate("ThinPart", "Least share of the surface that counts"))):
-            self._sureness[field] = QtWidgets.QLabel(text, box)
-            self._sureness[field].setBuddy(field)
-            grid.addRow(self._sureness[field], field)
+            field.setToolTip(meaning)
+            grid.addRow(text, field)
+            return field
+
+        self._unsure = add(
+            "Unsure", translate("ThinPart", "Unsure below a probability of"),
+            translate("ThinPart", "A verdict that is less probable is called unsure"),
+            self._start.get("probability", {}).get("unsure_under", 0.5))
+        self._margin = add(
+            "Margin", translate("ThinPart", "Borderline within"), translate(
+                "ThinPart", "A verdict is called borderline if a quantity lies nearer to its threshold, relative to that"),
+            self._start.get("borderline_margin", 0.1))
+        self._floor = add(
+            "Floor", translate("ThinPart", "Least share of the surface that counts"), translate(
+                "ThinPart", "A smaller share of the surface counts as none, because single rays may stray"),
+            self._start.get("area_floor", 1e-4))
         self._lost = QtWidgets.QLabel(box)
         self._lost.setObjectName("ThinPart_ProfileProbabilities")
         self._lost.setWordWrap(True)
@@ -154,7 +152,7 @@ class ThresholdsPage(QtWidgets.QScrollArea):
         has_probabilities = "probability" in self._start and not lost
         for field, shown in ((self._unsure, has_probabilities), (self._margin, not has_probabilities)):
             field.setVisible(shown)
-            self._sureness[field].setVisible(shown)
+            self._sureness.labelForField(field).setVisible(shown)
         show_text(self._lost, translate(
             "ThinPart", "The probabilities of this profile belong to its thresholds before your change: they say how often "
             "engineers agreed with verdicts by those. The changed profile is saved without them, and its verdicts are "
@@ -162,26 +160,11 @@ class ThresholdsPage(QtWidgets.QScrollArea):
 
     def _append(self, content):
         box = CategoryBox(content, lambda: new_criterion(self._criteria_content()), self.widget())
-        box.changed.connect(self._on_changed)
-        box.removed.connect(lambda: self._remove_category(box))
         box.moved.connect(lambda places: self._move_category(box, places))
-        self.categories.append(box)
-        self._boxes.addWidget(box)
-
-    def _remove_category(self, box):
-        self.categories.remove(box)
-        self._boxes.removeWidget(box)
-        box.hide()
-        box.deleteLater()
-        self._on_changed()
+        self._boxes.append(box)
 
     def _move_category(self, box, places):
-        number = self.categories.index(box) + places
-        self.categories.remove(box)
-        self.categories.insert(number, box)
-        self._boxes.removeWidget(box)
-        self._boxes.insertWidget(number, box)
-        self._on_changed()
+        self._boxes.move(box, places)
         call_later(self, lambda: self.ensureWidgetVisible(box))
 
     def _on_changed(self):

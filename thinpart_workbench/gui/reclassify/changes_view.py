@@ -3,16 +3,15 @@
 import os
 
 from ...core.categories import MEASURE_AGAIN, UNKNOWN
-from ...core.errors import ThinPartError
 from ...freecad_adapter.preferences import preference_list
 from ..application.qt import QtCore, QtWidgets, Signal, grouped, translate
 from ..application.sentences import translated
-from ..document.open_part import open_part
+from ..document.open_part import open_part, told_by
 from ..record.category_marks import colour_icon
 from ..record.record_view import show_text, text_line
 from ..record.verdict_text import category_colour, category_title
 from ..widgets.buttons import add_button
-from ..widgets.flow_layout import FlowLayout
+from ..widgets.flow_layout import add_flow
 from ..widgets.folder_field import contains
 from ..widgets.row_table import show_whole_rows
 from .judging_client import JudgingClient
@@ -63,16 +62,13 @@ class ChangesView(QtWidgets.QWidget):
         self._parts.itemSelectionChanged.connect(self._show_buttons)
         self._parts.itemDoubleClicked.connect(lambda _: self.open_current())
         column.addWidget(self._parts, 30)
-        container = QtWidgets.QWidget(self)
-        row = FlowLayout(container)
-        self._open = add_button(row, self, f"ThinPart_{name}OpenPart", translate("ThinPart", "Open part"), self.open_current)
-        self._find = add_button(
-            row, self, f"ThinPart_{name}FindPart", translate("ThinPart", "Show in Find parts"), self._find_current)
-        for button in (self._open, self._find):
-            button.setAutoDefault(False)
-        column.addWidget(container)
+        row = add_flow(column, self)
+        self._actions = row.parentWidget()
+        self._open = add_button(row, self, f"ThinPart_{name}OpenPart", translate("ThinPart", "Open part"), self.open_current,
+                                is_for_enter=False)
+        self._find = add_button(row, self, f"ThinPart_{name}FindPart", translate("ThinPart", "Show in Find parts"),
+                                self._find_current, is_for_enter=False)
         self._message = text_line(self, column, f"ThinPart_{name}CountMessage")
-        self._actions = container
         column.addStretch(1)
         self._clear()
 
@@ -112,17 +108,8 @@ class ChangesView(QtWidgets.QWidget):
     def open_current(self):
         """Open the document of the selected part."""
         part = self._current_part()
-        if part is None:
-            return
-        QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
-        try:
-            open_part(part["file"], part["name"])
-            sentence = ""
-        except ThinPartError as error:
-            sentence = translated(error)
-        finally:
-            QtWidgets.QApplication.restoreOverrideCursor()
-        show_text(self._message, sentence)
+        if part is not None:
+            show_text(self._message, told_by(lambda: open_part(part["file"], part["name"])))
 
     def _show_counts(self, counts):
         changed = sum(count for _, after, count in counts["changes"] if after != MEASURE_AGAIN)

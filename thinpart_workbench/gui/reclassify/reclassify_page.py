@@ -9,7 +9,7 @@ from ..record.record_view import show_text, text_line
 from ..widgets.buttons import add_button, small_button
 from ..widgets.confirmation import is_confirmed
 from ..widgets.edit_profile_button import edit_profile_button
-from ..widgets.flow_layout import FlowLayout
+from ..widgets.flow_layout import add_flow
 from ..widgets.profile_combo import ProfileCombo
 from .changes_view import ChangesView
 
@@ -34,7 +34,7 @@ class ReclassifyPage(QtWidgets.QWidget):
 
     def __init__(self, profile_name, parent=None):
         super().__init__(parent)
-        self._roots, self._is_open, self._counted, self._written = [], False, None, None
+        self._roots, self._is_open, self._counted = [], False, None
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(4, 4, 4, 4)
         row = QtWidgets.QHBoxLayout()
@@ -48,8 +48,7 @@ class ReclassifyPage(QtWidgets.QWidget):
             self._profile.ask_for_file)
         row.addWidget(edit_profile_button(self, "ThinPart_ReclassifyEdit", self._profile.currentData))
         column.addLayout(row)
-        container = QtWidgets.QWidget(self)
-        row = FlowLayout(container)
+        row = add_flow(column, self)
         self._write = add_button(
             row, self, "ThinPart_ReclassifyWrite", translate("ThinPart", "Write\u2026"), self.write)
         self._cancel = add_button(
@@ -57,7 +56,6 @@ class ReclassifyPage(QtWidgets.QWidget):
         self._again = small_button(self, "ThinPart_ReclassifyReadAgain", "\u21bb", translate(
             "ThinPart", "Read the info files again, which may have changed"), self._open)
         row.addWidget(self._again)
-        column.addWidget(container)
         self._bar = QtWidgets.QProgressBar(self)
         self._bar.setObjectName("ThinPart_ReclassifyWriteBar")
         column.addWidget(self._bar)
@@ -99,7 +97,6 @@ class ReclassifyPage(QtWidgets.QWidget):
     def write(self):
         """Write what was counted after confirmation."""
         if self._ask_to_write():
-            self._written = None
             self._client.write()
             self._bar.setRange(0, 0)
             self._show_message("")
@@ -137,7 +134,6 @@ class ReclassifyPage(QtWidgets.QWidget):
         self._show_state()
 
     def _on_written(self, written):
-        self._written = written
         self._bar.setRange(0, max(1, written["total"]))
         self._bar.setValue(written["done"])
         if written["ended"]:
@@ -147,17 +143,16 @@ class ReclassifyPage(QtWidgets.QWidget):
             self.written.emit()
 
     def _show_end(self, written):
-        sentences = []
         if written["done"] < written["total"]:
-            sentences.append(translate("ThinPart", "Stopped: {} of {} info files are up to date.").format(
-                grouped(written["done"] - written["failed"]), grouped(written["total"])))
+            sentence = translate("ThinPart", "Stopped: {} of {} info files are up to date.").format(
+                grouped(written["done"] - written["failed"]), grouped(written["total"]))
         else:
-            sentences.append(translate("ThinPart", "{} info files were updated.").format(grouped(written["changed"])))
+            sentence = translate("ThinPart", "{} info files were updated.").format(grouped(written["changed"]))
         problems = " ".join(map(translated, written["problems"][:3]))
         if written["failed"]:
             problems = translate("ThinPart", "{} info files were not changed: {}").format(
                 grouped(written["failed"]), problems)
-        self._show_message("\n".join(filter(None, [*sentences, problems])))
+        self._show_message("\n".join(filter(None, (sentence, problems))))
 
     def _on_failed(self, sentence):
         was_writing = not self._cancel.isHidden()

@@ -169,6 +169,11 @@ def show_text(label, text):
     label.setVisible(bool(text))
 
 
+def show_warning(label, sentence):
+    """Show in a label what is wrong; hide the label where the sentence is empty."""
+    show_text(label, "\u26a0 " + sentence if sentence else "")
+
+
 def swatch(parent, name, size):
     """A small square frame; see `paint_swatch`."""
     square = QtWidgets.QFrame(parent)

@@ -3,6 +3,13 @@
 from ..application.qt import QtCore, QtWidgets
 
 
+def add_flow(layout, parent):
+    """Add a widget with a `FlowLayout` to a layout, and return the `FlowLayout`."""
+    container = QtWidgets.QWidget(parent)
+    layout.addWidget(container)
+    return FlowLayout(container)
+
+
 class FlowLayout(QtWidgets.QLayout):
     """Places widgets side by side, in as many lines as necessary."""
 

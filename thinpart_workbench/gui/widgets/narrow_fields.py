@@ -35,9 +35,9 @@ def new_form(parent):
     return form
 
 
-def narrow_combo(parent, name):
-    """A combo box that may be narrower than its longest text."""
+def narrow_combo(parent, name, letters=6):
+    """A combo box that may be narrower than its longest text: it has room for some letters."""
     combo = named(QtWidgets.QComboBox(parent), name)
     combo.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
-    combo.setMinimumContentsLength(6)
+    combo.setMinimumContentsLength(letters)
     return combo
