@@ -313,7 +313,7 @@ def test_a_part_that_is_deleted_meanwhile(document):
     window.press("ThinPart_ShowThickness")
     window.wait_until(window.workers)
     document.removeObject("Sieve")
-    window.wait_until(window.is_thickness_told)
+    window.wait_until(window.is_thickness_told, seconds=110)
     assert "changed while it was measured" in window.text("ThinPart_Message")
     assert thickness_objects(document) == []
 

@@ -11,6 +11,8 @@ from thinpart_workbench.freecad_adapter.objects.thickness_object import OWN_CHEC
 from thinpart_workbench.gui.application.qt import QtCore
 from thinpart_workbench.gui.colour_bar.colours import ThicknessColours
 
+pytestmark = pytest.mark.timeout(120)  # each measures several times
+
 
 @pytest.fixture
 def wedged(document):
