@@ -9,6 +9,9 @@ FAILED_COLOUR = (0.80, 0.07, 0.07)
 class RowModel(QtCore.QAbstractTableModel):
     """Table model whose columns, a list of Column, are data; `KeptRows` and `FetchedRows` have the rows.
 
+    Both give ``row_at(number)``, the row with a number from 0, None where it is not known, and ``collect(done)``, which
+    calls a function with a list of all shown rows in their order, at once or when they have come.
+
     Attributes
     ----------
     unit : LengthUnit
@@ -25,14 +28,6 @@ class RowModel(QtCore.QAbstractTableModel):
     def __init__(self, columns, parent=None):
         super().__init__(parent)
         self.columns, self.unit = list(columns), MILLIMETRE
-
-    def row_at(self, number):
-        """The row with this number, from 0; None where it is not known."""
-        raise NotImplementedError
-
-    def collect(self, done):
-        """Call a function with a list of all shown rows in their order, at once or when they have come."""
-        raise NotImplementedError
 
     def is_failed(self, row):
         """Whether a row is about a failure, which is shown in red."""

@@ -117,7 +117,7 @@ def reclassify_files(info_files, profile_content, write=False, jobs=1, control=N
         Stops the run, also while it is waiting.
     """
     control = control or RunControl()
-    if min(jobs * FILES_AT_ONCE, len(info_files)) <= FILES_AT_ONCE:
+    if jobs <= 1 or len(info_files) <= FILES_AT_ONCE:
         for info_file in info_files:
             control.check()
             yield reclassify_file(info_file, profile_content, write)
