@@ -1,0 +1,183 @@
+"""How far the first elastic frequencies of the automatic mesh are off those of a converged one."""
+
+import os
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...core.message import message
+from ...storage.exchange.msh_file import read_tetrahedra
+from ..meshing.gmsh_program import mesh_volume, stated_error
+from .elastic_frequencies import COUNT, elastic_frequencies
+
+SIZE = 0.1
+"""Greatest size of elements of the automatic mesh, as a share of the diagonal: Gmsh's own default."""
+
+FINER = (0.5, 0.7)
+"""Ratios of sizes of one reference mesh to the one before: of the first, and of those that follow."""
+
+CONVERGED, KNOWN = 0.01, 0.02
+"""Change of the frequencies from one reference mesh to the next at which no finer one is made; and up to which the last one is
+a reference."""
+
+MOST_MESHES = 5
+"""Reference meshes that are made at most."""
+
+UNTANGLED = ("-setnumber", "Mesh.HighOrderOptimize", "1")
+"""Option with which Gmsh moves nodes of the second order until no element is inside out, as far as it can."""
+
+OTHER_WAYS = ((), UNTANGLED, ("-setnumber", "Mesh.Algorithm", "5", *UNTANGLED), ("-setnumber", "Mesh.SecondOrderLinear", "1"),
+              ("-algo", "meshadapt", "-setnumber", "Mesh.SecondOrderLinear", "1"))
+"""Options with which a reference mesh is made, one after the other until there is one: they change no size."""
+
+SOLVED, NO_MESH, NOT_SOLVED, UNKNOWN = "solved", "no_mesh", "not_solved", "unknown"
+"""What became of a part: an error is known; the automatic mesh fails, or the solver refuses it; nothing is known of it."""
+
+
+@dataclass(frozen=True)
+class AutomaticMesh:
+    """The automatic mesh of a part, compared with a converged one.
+
+    Attributes
+    ----------
+    outcome : str
+        `SOLVED`, `NO_MESH`, `NOT_SOLVED` or `UNKNOWN`.
+    error : float or None
+        Greatest relative error of the first six elastic frequencies.
+    reason : str
+        Why there is none.
+    nodes : int
+    is_tangled : bool
+        Whether the solver refuses the mesh as it is, and all is of the one that Gmsh has untangled.
+    change : float or None
+        Between the last two reference meshes: how far the reference may be off.
+    reference_nodes : int
+    frequencies, reference : tuple of float
+        Hz, of the part scaled to a diagonal of 100 mm.
+    """
+
+    outcome: str
+    error: float = None
+    reason: str = ""
+    nodes: int = 0
+    is_tangled: bool = False
+    change: float = None
+    reference_nodes: int = 0
+    frequencies: tuple = ()
+    reference: tuple = ()
+
+
+@dataclass(frozen=True)
+class SolvingLimits:
+    """Limits of meshes of one part.
+
+    Attributes
+    ----------
+    mesh_seconds, solver_seconds : float
+        Of processor time, for each mesh.
+    nodes : int
+        Of a reference mesh.
+    """
+
+    mesh_seconds: float = 60.0
+    solver_seconds: float = 240.0
+    nodes: int = 32_000
+
+
+def automatic_mesh_error(shape, diagonal, gmsh, calculix, limits, folder):
+    """Compare the automatic mesh of a part, tetrahedra of second order of the size `SIZE`, with finer ones: AutomaticMesh.
+
+    Parameters
+    ----------
+    shape : str
+        Its file, in `folder`.
+    diagonal : float
+        Of its box, in the unit of the file.
+    gmsh, calculix : str
+        Paths of the programs.
+    limits : SolvingLimits
+    folder : str
+        Working directory, temporary.
+    """
+    solver = _Solver(shape, diagonal, gmsh, calculix, limits, folder)
+    points, tetrahedra, reason = solver.mesh(SIZE)
+    if not len(tetrahedra):
+        return AutomaticMesh(NO_MESH, reason=reason)
+    nodes = len(points)
+    own, reason = solver.frequencies(points, tetrahedra)
+    is_tangled = len(own) < COUNT and nodes <= limits.nodes
+    if is_tangled:
+        points, tetrahedra, _ = solver.mesh(SIZE, UNTANGLED)
+        if len(tetrahedra):
+            own, reason = solver.frequencies(points, tetrahedra)
+    known = {"nodes": nodes, "is_tangled": is_tangled, "frequencies": tuple(own.tolist())}
+    if len(own) < COUNT:  # a mesh too large for the solver's limits is not to blame for it
+        return AutomaticMesh(NOT_SOLVED if is_tangled else UNKNOWN, reason=reason, **known)
+    last, change, count, reason = solver.converged(nodes)
+    known.update(change=change, reference_nodes=count)
+    if last is None:
+        return AutomaticMesh(UNKNOWN, reason=reason, **known)
+    return AutomaticMesh(SOLVED, largest_change(own, last), reason, reference=tuple(last.tolist()), **known)
+
+
+def largest_change(frequencies, reference):
+    """The greatest relative difference, float, of frequencies in ascending order, ndarrays of shape (n,)."""
+    return float(np.max(np.abs(frequencies / reference - 1.0)))
+
+
+class _Solver:
+    def __init__(self, shape, diagonal, gmsh, calculix, limits, folder):
+        self._shape, self._diagonal, self._folder = shape, diagonal, folder
+        self._gmsh, self._calculix, self._limits = gmsh, calculix, limits
+
+    def mesh(self, size, options=()):
+        """Points and tetrahedra of a mesh of a size; and why there are none."""
+        output = os.path.join(self._folder, "part.msh")
+        if os.path.exists(output):
+            os.remove(output)
+        reason, text = mesh_volume(self._gmsh, [self._shape], output, self._limits.mesh_seconds, self._folder,
+                                   ("-clmax", repr(size * self._diagonal), "-order", "2", *options))
+        points, tetrahedra = (np.zeros((0, 3)), np.zeros((0, 10), int)) if reason else read_tetrahedra(output, 2)
+        if not len(tetrahedra):
+            reason = reason or stated_error(text) or message("Gmsh filled no volume")
+        return points, tetrahedra, reason
+
+    def frequencies(self, points, tetrahedra):
+        """The elastic frequencies of a mesh, and why there are none."""
+        return elastic_frequencies(points, tetrahedra, self._calculix, self._limits.solver_seconds, self._folder)
+
+    def converged(self, nodes):
+        """The frequencies of the finest reference mesh, or None; the change to the last, its nodes, and why there is none.
+
+        Parameters
+        ----------
+        nodes : int
+            Of the automatic mesh, from which those of the next are estimated.
+        """
+        size, last, change, count, reason = SIZE, None, None, nodes, ""
+        for number in range(MOST_MESHES):
+            size *= FINER[min(number, 1)]
+            if last is not None and count * FINER[1] ** -2 > self._limits.nodes:
+                break
+            found, points, reason = self._reference(size)
+            if len(found) < COUNT:
+                if last is None:
+                    continue
+                break
+            if last is not None:
+                change = largest_change(last, found)
+            last, count = found, points
+            if change is not None and change < CONVERGED:
+                break
+        return last, change, count, reason
+
+    def _reference(self, size):
+        for options in OTHER_WAYS:
+            points, tetrahedra, reason = self.mesh(size, options)
+            if len(tetrahedra):
+                if len(points) > 2 * self._limits.nodes:
+                    return np.zeros(0), 0, message("its reference mesh is too large")
+                found, reason = self.frequencies(points, tetrahedra)
+                if len(found) == COUNT:
+                    return found, len(points), ""
+        return np.zeros(0), 0, reason

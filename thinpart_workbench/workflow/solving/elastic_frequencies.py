@@ -1,0 +1,75 @@
+"""The first elastic frequencies of a free body, by CalculiX."""
+
+import os
+
+import numpy as np
+
+from .calculix_program import solve
+
+COUNT = 6
+"""Elastic frequencies that are compared: as many as a body has rigid motions."""
+
+RIGID = 6
+"""Motions of a free body without deformation."""
+
+SIZE = 100.0
+"""Length of the diagonal of what is solved, mm: ratios of frequencies do not depend on it, rounding errors of the solver do."""
+
+ZERO = 1e-3
+"""Frequencies below this share of the highest one that is asked for are rigid motions."""
+
+STEEL = "*MATERIAL, NAME=STEEL\n*ELASTIC\n210000,0.3\n*DENSITY\n7.85e-9\n"
+
+JOB = "modes"
+
+
+def elastic_frequencies(points, tetrahedra, program, seconds, folder):
+    """The first elastic frequencies of a body of steel, held nowhere, with the diagonal `SIZE`.
+
+    Returns `frequencies` (ndarray of shape (6,), Hz; empty if there are none) and `reason` (str; why).
+
+    Parameters
+    ----------
+    points : ndarray of shape (v, 3)
+    tetrahedra : ndarray of int, shape (n, 10)
+        Of second order, in the order of Gmsh.
+    program : str
+        Path of CalculiX.
+    seconds : float
+        Limit of processor time.
+    folder : str
+        Working directory, temporary.
+    """
+    used, tetrahedra = np.unique(tetrahedra, return_inverse=True)
+    points, tetrahedra = points[used], tetrahedra.reshape(-1, 10)
+    scale = SIZE / np.linalg.norm(np.ptp(points, axis=0))
+    with open(os.path.join(folder, JOB + ".inp"), "w", encoding="ascii") as file:
+        file.write(_input(scale * (points - points.mean(axis=0)), tetrahedra))
+    reason = solve(program, JOB, seconds, folder)
+    if reason:
+        return np.zeros(0), reason
+    frequencies = _frequencies(os.path.join(folder, JOB + ".dat"))
+    elastic = frequencies[frequencies > ZERO * frequencies.max(initial=0.0)]
+    return elastic[:COUNT], ""
+
+
+def _input(points, tetrahedra):
+    # Gmsh has the last two nodes of a tetrahedron the other way round.
+    tetrahedra = tetrahedra[:, [0, 1, 2, 3, 4, 5, 6, 7, 9, 8]] + 1
+    nodes = "".join(f"{row},{x:.12g},{y:.12g},{z:.12g}\n" for row, (x, y, z) in enumerate(points.tolist(), start=1))
+    elements = "".join(f"{row},{','.join(map(str, own))}\n" for row, own in enumerate(tetrahedra.tolist(), start=1))
+    return (f"*NODE, NSET=ALL\n{nodes}*ELEMENT, TYPE=C3D10, ELSET=SOLID\n{elements}{STEEL}"
+            f"*SOLID SECTION, ELSET=SOLID, MATERIAL=STEEL\n*STEP\n*FREQUENCY\n{RIGID + COUNT}\n*END STEP\n")
+
+
+def _frequencies(path):
+    """All frequencies of a file of results, ndarray, Hz, in ascending order."""
+    found = []
+    with open(path, encoding="ascii", errors="replace") as file:
+        for line in file:
+            words = line.split()
+            if "P A R T I C I P A T I O N" in line:
+                break
+            if len(words) == 5 and words[0].isdigit():
+                found.append(float(words[3]))
+    return np.sort(np.array(found))
