@@ -29,6 +29,7 @@ sys.path.insert(0, os.fspath(ROOT))
 import thinpart_workbench as thinpart  # noqa: E402
 from benchmarks.table_text import Table, markdown, plain, titled  # noqa: E402
 from thinpart_workbench.core.categories import UNKNOWN  # noqa: E402
+from thinpart_workbench.core.descriptors.descriptor_table import quantity_named  # noqa: E402
 from thinpart_workbench.core.judging.classification import classify  # noqa: E402
 from thinpart_workbench.core.judging.criteria import load_profile, profile_from  # noqa: E402
 from thinpart_workbench.core.record.part_record import descriptors_of  # noqa: E402
@@ -40,14 +41,14 @@ CATEGORIES = ("thin", "thin_features", "normal")
 LEFT_OUT = "chosen without the repository"
 FIFTHS, DIVISIONS = 5, 4
 
-WIDTHS = {"walls": (0.1, 0.12, 0.15), "places": (0.04, 0.06, 0.08)}
+WIDTHS = {"walls": (0.1, 0.12, 0.15), "places": (0.04, 0.05, 0.06, 0.08), "tapers": (0.06, 0.08, 0.1)}
 """Thicknesses by D2 up to which a wall counts, that are tried."""
 
 LIMITS = {
-    "walls": (0.6, 0.65, 0.7, 0.75, 0.8), "plates": (0.1, 0.2, 0.3, 0.4, 0.5),
-    "places": (0.0025, 0.005, 0.01, 0.02, 0.05), "tapers": (0.1, 0.15, 0.2, 0.3, 1.0),
+    "walls": (0.6, 0.65, 0.7, 0.75, 0.8), "plates": (0.5, 0.55, 0.6),
+    "places": (0.005, 0.01, 0.02, 0.03), "tapers": (0.05, 0.08, 0.1, 0.12, 0.15, 1.0),
 }
-"""Shares of the surface that are tried; 1 leaves a condition out."""
+"""Shares of the surface, and plate ratios, that are tried; a share of 1 leaves a condition out."""
 
 
 def main():
@@ -174,8 +175,11 @@ class _Chooser:
         self._start = load_profile("calibrated")
         descriptors = [part.descriptors for part in parts]
         shares = {symbol: np.array([each.value(symbol) for each in descriptors], dtype=float)
-                  for symbol in ("plate_share", "K[0;0.08]", *map(_walls, WIDTHS["walls"]), *map(_places, WIDTHS["places"]))}
-        self._choices = list(itertools.product(WIDTHS["walls"], WIDTHS["places"], *LIMITS.values()))
+                  for symbol in ("plate_ratio", *map(_walls, {*WIDTHS["walls"], *WIDTHS["tapers"]}),
+                                 *map(_places, WIDTHS["places"]))}
+        # As the profile takes it: an open surface has walls of plates.
+        shares["plate_ratio"] = np.nan_to_num(shares["plate_ratio"], nan=quantity_named("plate_ratio").absent_means)
+        self._choices = list(itertools.product(*WIDTHS.values(), *LIMITS.values()))
         answers = np.array([_answers(shares, choice) for choice in self._choices])
         label, second = (np.array([CATEGORIES.index(name) if name else -1 for name in names])
                          for names in ([part.category for part in parts], [part.second for part in parts]))
@@ -192,9 +196,9 @@ class _Chooser:
         """
         right = self._right[:, chosen].sum(axis=1).reshape([len(each) for each in (*WIDTHS.values(), *LIMITS.values())])
         smooth = gaussian_filter(right, [0] * len(WIDTHS) + [1] * len(LIMITS), mode="nearest")
-        walls, places, covered, plates, some, tapers = self._choices[int(smooth.argmax())]
-        limits = {"thin_walls": {_walls(walls): covered, "plate_share": plates},
-                  "thin_places": {_places(places): some}, "thin_tapers": {"K[0;0.08]": tapers}}
+        walls, places, tapered, covered, plates, some, tapers = self._choices[int(smooth.argmax())]
+        limits = {"thin_walls": {_walls(walls): covered, "plate_ratio": plates},
+                  "thin_places": {_places(places): some}, "thin_tapers": {_walls(tapered): tapers}}
         content = self._start.content
         categories = [{**category, "criteria": [
             {**criterion, "conditions": [{"quantity": symbol, "comparison": ">", "value": value}
@@ -212,9 +216,9 @@ def _places(width):
 
 
 def _answers(shares, choice):
-    walls, places, covered, plates, some, tapers = choice
-    thin = (shares[_walls(walls)] > covered) & (shares["plate_share"] > plates)
-    features = (shares[_places(places)] > some) | (shares["K[0;0.08]"] > tapers)
+    walls, places, tapered, covered, plates, some, tapers = choice
+    thin = (shares[_walls(walls)] > covered) & (shares["plate_ratio"] > plates)
+    features = (shares[_places(places)] > some) | (shares[_walls(tapered)] > tapers)
     return np.where(thin, 0, np.where(features, 1, 2)).astype(np.int8)
 
 

@@ -1,4 +1,4 @@
-"""Compares the automatic mesh of one part with a converged one, and prints a JSON object: FILE MESH_SECONDS SOLVER_SECONDS NODES.
+"""Compares the automatic mesh of a part with a converged one, prints a JSON object: FILE MESH_SECONDS SOLVER_SECONDS NODES.
 
 Meshes are made, and solved, by programs of their own with limits of processor time.
 """

@@ -6,7 +6,7 @@ import pytest
 import window_actions as window
 
 from thinpart_workbench.api.document_maps import parts_of
-from thinpart_workbench.core.analysis_settings import RAY, SPHERE
+from thinpart_workbench.core.analysis_settings import RAY, SHOWN_MEASURES, SPHERE
 from thinpart_workbench.freecad_adapter.objects.thickness_object import OWN_CHECK, thickness_objects
 from thinpart_workbench.gui.application.qt import QtCore
 from thinpart_workbench.gui.colour_bar.colours import ThicknessColours
@@ -135,5 +135,5 @@ def test_a_map_of_an_earlier_version_is_by_rays(wedged, tmp_path):
 def test_both_choices_say_what_they_are():
     from thinpart_workbench.gui.record.measure_text import measure_choices
 
-    assert [measure for measure, _, _ in measure_choices()] == [RAY, SPHERE]
+    assert [measure for measure, _, _ in measure_choices()] == list(SHOWN_MEASURES)
     assert all(len(meaning) > 80 for _, _, meaning in measure_choices())

@@ -103,7 +103,7 @@ def test_one_part_of_several_is_named(two_parts, tmp_path):
 
 
 def test_balls_are_shown_where_they_are_asked_for(sheet, tmp_path):
-    for measure in ("rays", "sphere"):
+    for measure in ("rays", "sphere", "local"):
         assert thinpart("map", sheet, "--ply", tmp_path / f"{measure}.ply", "--measure", measure).returncode == 0
     assert (tmp_path / "rays.ply").read_bytes() != (tmp_path / "sphere.ply").read_bytes()
 

@@ -339,13 +339,14 @@ def test_the_profile_that_was_asked_for_judges(tmp_path):
 def test_pictures_can_show_balls_while_the_verdict_is_by_rays(tmp_path):
     shutil.copy(SAMPLES / "wedge.step", tmp_path)
     said = {}
-    for measure in ("rays", "sphere"):
+    for measure in ("rays", "sphere", "local"):
         out = tmp_path / measure
         run = thinpart("report", tmp_path / "wedge.step", "-o", out, "--measure", measure)
         assert run.returncode == 0, run.stderr
         page, = (out / "pages").rglob("*.html")
         said[measure] = page.read_text(encoding="utf-8"), (out / "parts.csv").read_text(), (out / "faces.csv").read_text()
         pages(out)
-    assert said["rays"][1:] == said["sphere"][1:]
+    assert said["rays"][1:] == said["sphere"][1:] == said["local"][1:]
+    assert "Colours stand for the local thickness" in said["local"][0]
     assert "largest ball inside" in said["sphere"][0] and "largest ball inside" not in said["rays"][0]
     assert re.findall("base64,([^\"]+)", said["rays"][0])[0] != re.findall("base64,([^\"]+)", said["sphere"][0])[0]

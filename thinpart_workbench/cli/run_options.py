@@ -10,8 +10,10 @@ from ..core.analysis_settings import (
     ACCURACIES,
     BOXES,
     DEFAULT_PROFILE,
+    LOCAL,
     MEASURES,
     RAY,
+    SHOWN_MEASURES,
     SPHERE,
     STANDARD,
     AnalysisSettings,
@@ -70,8 +72,9 @@ def add_measurement_options(parser, has_pictures=False):
                         help="the thresholds to judge by (default: %(default)s)")
     measures, meaning = MEASURES, "how thickness is measured: rays (default), or the paper's pair rule"
     if has_pictures:
-        measures += (SPHERE,)
-        meaning += "; sphere: the pictures show the largest ball inside, verdicts are by rays"
+        measures += (SPHERE, LOCAL)
+        meaning += ("; sphere: the pictures show the largest ball inside that touches the surface, local: the largest that "
+                    "reaches it; verdicts are by rays")
     parser.add_argument("--measure", choices=measures, default=MEASURES[0], help=meaning)
     parser.add_argument("--box", choices=BOXES, default=BOXES[0],
                         help="bounding box: minimal (default), or the paper's principal axes")
@@ -113,12 +116,12 @@ def settings_of(options):
     given = {name: getattr(options, name) for name in ("linear_deflection", "angular_deflection")}
     return AnalysisSettings.at(
         options.accuracy, **{name: value for name, value in given.items() if value is not None},
-        measure=MEASURES[0] if options.measure == SPHERE else options.measure, box=options.box)
+        measure=options.measure if options.measure in MEASURES else MEASURES[0], box=options.box)
 
 
 def shown_measure_of(options):
     """One of `SHOWN_MEASURES`, from the options of `add_measurement_options`."""
-    return SPHERE if options.measure == SPHERE else RAY
+    return options.measure if options.measure in SHOWN_MEASURES else RAY
 
 
 def limits_of(options):

@@ -12,9 +12,9 @@ DEFAULT_PROFILE = "calibrated"
 MEASURES = RAYS, PAIRS = ("rays", "pairs")
 BOXES = ("minimal", "principal")
 
-SHOWN_MEASURES = RAY, SPHERE = ("ray", "sphere")
-"""What thickness maps show: the wall across, along the inward normal, or the diameter of the largest ball inside. Verdicts
-do not depend on it."""
+SHOWN_MEASURES = RAY, SPHERE, LOCAL = ("ray", "sphere", "local")
+"""What thickness maps show: the wall across, along the inward normal; the diameter of the largest ball inside that touches
+the surface; or of the largest that reaches it, the local thickness. Verdicts do not depend on it."""
 
 MOST_TRIANGLES = 400_000
 """A part is not tessellated more finely if that would exceed this number."""

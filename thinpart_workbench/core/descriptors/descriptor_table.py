@@ -17,14 +17,27 @@ from typing import TYPE_CHECKING, Optional
 from ..errors import ThinPartError
 from ..message import message
 from ..tolerances import TOLERANCES
+from .bins import BINS
 from .descriptor_types import SampledShares
+from .local_quantiles import QUANTILES
 from .precision import EXACT, Precision
-from .quantity import AreaShare, BoxFill, BoxRatio, MiddleShare, Quantity, WallDistance, middle_by_diagonal
+from .quantity import (
+    AreaShare,
+    BoxFill,
+    BoxRatio,
+    LocalQuantile,
+    LocalShare,
+    MiddleShare,
+    Quantity,
+    WallDistance,
+    middle_by_diagonal,
+)
 from .region_kinds import BAR, BLOCK, PLATE, TAPER, TOOTH, TUBE
 
 if TYPE_CHECKING:
     from ..mesh.bounds import OrientedBox
     from .distribution import Distribution
+    from .local_distribution import LocalDistribution
 
 STATED_FLOOR = TOLERANCES.floor
 
@@ -73,6 +86,8 @@ class Descriptors:
         enough.
     precision : Precision or None
         None in records of versions that did not estimate it.
+    local : LocalDistribution or None
+        The surface by local thickness; None in records of versions that did not measure it, and for measurements by pairs.
     """
 
     volume: Optional[float]
@@ -84,6 +99,7 @@ class Descriptors:
     regions: Optional[Mapping] = None
     length_error: float = 0.0
     precision: Optional[Precision] = None
+    local: Optional["LocalDistribution"] = None
 
     @property
     def unmet(self):
@@ -107,6 +123,14 @@ class Descriptors:
         if not self.length_error:
             return self.precision
         return (self.precision or EXACT).with_blurred_lengths(self.length_error, self.body_thickness)
+
+    @property
+    def median_thickness(self):
+        """float or None, mm: median of the local thickness; of the walls where that was not measured, to 0.001 diagonals."""
+        if self.local is not None:
+            return self.local.quantiles["T50"] * float(self.box.dimensions[1])
+        median = self.distribution.median()
+        return None if median is None else median * self.box.diagonal
 
     def middle_share(self, low, high, slanted=True):
         """Share of the area over walls between two bounds in units of D2; see `Distribution.middle_share`."""
@@ -159,6 +183,21 @@ def _of_share(descriptors, precision, value):
     return precision.of_share(value)
 
 
+def _plate_ratio_error(descriptors, precision, value):
+    of_volume = precision.volume_mm3(descriptors.area) / abs(descriptors.volume)
+    of_median = 1.0 / BINS * descriptors.box.diagonal if descriptors.local is None else \
+        quantity_named("T50").error(descriptors, STATED_FLOOR) * float(descriptors.box.dimensions[1])
+    return value * (of_volume + precision.area_share + of_median / descriptors.median_thickness)
+
+
+def _local_share(descriptors, floor, low, high):
+    return None if descriptors.local is None else descriptors.local.share(low, high)
+
+
+def _local_quantile(name):
+    return lambda descriptors: None if descriptors.local is None else descriptors.local.quantiles[name]
+
+
 def _of_regions(key):
     return lambda descriptors: None if descriptors.regions is None else descriptors.regions[key]
 
@@ -191,6 +230,15 @@ QUANTITIES = (
     MiddleShare("P", "P", "", "Share of the area over parallel walls from a to b of the middle side",
                 lambda d, floor, low, high: d.middle_share(low, high, slanted=False), bounds=(0.0, 1.0), keys=(),
                 in_table=False, slanted=False),
+    LocalShare("L", "L", "", "Share of the area whose local thickness is from a to b of the middle side", _local_share,
+               bounds=(0.0, 1.0), keys=(), in_table=False),
+    *(LocalQuantile(name.lower(), name, "", f"Local thickness below which {share:.0%} of the area is, by the middle side",
+                    _local_quantile(name), keys=("local", name), share=share) for name, share in QUANTILES.items()),
+    # An open surface has no volume: its walls count as plates.
+    Quantity("plate_ratio", "plate_ratio", "",
+             "Twice the volume by the area and the median local thickness: 1 of a plate, 1/2 of a wire or square bar",
+             lambda d: _ratio(d.body_thickness, d.median_thickness or 0.0), absent_means=1.0,
+             error_of=_plate_ratio_error),
     Quantity("plate_share", "plate_share", "", "Share of the area over plates and tubes: walls that are wider than thick",
              lambda d: d.plate_share,
              error_of=lambda d, precision, value: min(1.0, precision.of_share(value) + precision.plate_share)),

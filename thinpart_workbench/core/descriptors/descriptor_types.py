@@ -58,6 +58,17 @@ class MiddleRecord(TypedDict):
     nonparallel: _Areas
 
 
+class LocalRecord(TypedDict):
+    """Shares of the surface by local thickness in units of the middle side of the box, and its quantiles."""
+
+    bins: Annotated[list[Annotated[int, Whole(0, MIDDLE_BINS - 1)]], Restricted(most=MIDDLE_BINS)]
+    area: _Areas
+    T05: Optional[Share]
+    T50: Optional[Share]
+    T75: Optional[Share]
+    T99: Optional[Share]
+
+
 class NonparallelRecord(TypedDict):
     """Area by distance and angle of walls that are not parallel; the angle is the lower edge of its bin, degrees."""
 
@@ -128,5 +139,7 @@ class DescriptorsRecord(TypedDict):
         "how precisely the part was measured, and how far quantities may be off, with a probability of 95 %"))]], LATER]]
     middle: NotRequired[Annotated[Optional[Annotated[MiddleRecord, Restricted(
         alike=("bins", "parallel", "nonparallel"), about="bin k covers thicknesses in [k/100, (k+1)/100) D2")]], LATER]]
+    local: NotRequired[Annotated[LocalRecord, Restricted(alike=("bins", "area"), about=(
+        "bin k covers local thicknesses in [k/100, (k+1)/100) D2; empty for measurements by pairs")), LATER]]
     plate_share: NotRequired[Annotated[Optional[Share], LATER]]
     regions: NotRequired[Annotated[RegionCounts, LATER]]

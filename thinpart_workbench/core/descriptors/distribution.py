@@ -107,6 +107,17 @@ class Distribution:
             return float("inf")
         return (first + 1.0 - (reached[first] - share) / per_bin[first]) / count
 
+    def median(self):
+        """The thickness, in diagonals, of the middle wall by area, parallel ones and others: float or None, to 0.001."""
+        per_bin = np.bincount(np.concatenate([self.bins, self.nonparallel_bins]),
+                              np.concatenate([self.area, self.nonparallel_area]), 1)
+        reached = np.cumsum(per_bin)
+        if not reached[-1] > 0.0:
+            return None
+        half = 0.5 * float(reached[-1])
+        first = int(np.searchsorted(reached, half))
+        return (first + 1.0 - float(reached[first] - half) / float(per_bin[first])) / BINS
+
     def _middle_bins(self, high, unit):
         """Bins per D2, and bins with areas of parallel and of other walls: the finest that reach up to `high`."""
         if self.middle is not None and high <= 1.0:

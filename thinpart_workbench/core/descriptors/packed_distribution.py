@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from .distribution import Distribution, MiddleDistribution
+from .local_distribution import LocalDistribution
 
 _NOTHING = (b"", b"", b"")
 
@@ -40,6 +41,21 @@ def middle_share(walls, wall_area, bins, angles, area, middle_bins, middle_paral
         numbers, parallel = _unpacked(middle_bins, middle_parallel)
         found = replace(found, middle=MiddleDistribution(numbers, parallel, _unpacked(middle_nonparallel)[0]))
     return found.middle_share(low, high, unit, slanted)
+
+
+def packed_local(content):
+    """Pack a record's ``local`` into two bytes objects; of None and of an empty one, twice None."""
+    if content is None or not content["bins"]:
+        return None, None
+    return packed_walls(content)
+
+
+def local_share(bins, area, low, high):
+    """`LocalDistribution.share` of packed local thicknesses, float or None: None where there are none."""
+    if bins is None:
+        return None
+    number, share = _unpacked(bins, area)
+    return LocalDistribution(number, share, {}).share(low, high)
 
 
 def least_slanted(bins, angles, area, floor, low, high):

@@ -19,6 +19,10 @@ OF_AREA = 2.4
 a convex surface and make up for it at holes, so that parts differ."""
 
 
+BALLS = 2000
+"""Places of the surface, each for the same area, whose largest balls make the local thickness, at any accuracy."""
+
+
 @dataclass(frozen=True)
 class Precision:
     """Of a measurement.
@@ -48,6 +52,11 @@ class Precision:
     mean_chord_mm: float
     area_share: float
     plate_share: float = 0.0
+
+    @property
+    def of_balls(self):
+        """Precision: that of shares which are known from `BALLS` places."""
+        return replace(self, samples=min(self.samples, BALLS))
 
     def at(self, samples, turned=1.0):
         """What to expect of more samples, and of facets at so many times the angle to each other: `Precision`."""

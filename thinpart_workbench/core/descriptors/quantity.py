@@ -274,9 +274,13 @@ class MiddleShare(AreaShare):
         low, high = self.bounds
         if low > 0.0 or not 0.0 < threshold < 1.0:
             return relative
-        wall = descriptors.distribution.middle_quantile(threshold, middle_by_diagonal(descriptors.box), self.slanted)
+        wall = self._wall_under(threshold, descriptors)
         off = abs(high / wall - 1.0) if wall > 0.0 else math.inf
         return math.copysign(min(abs(relative), off), relative)
+
+    def _wall_under(self, share, descriptors):
+        """The thickness, in units of D2, under which a share of the surface lies: float, inf where that is never reached."""
+        return descriptors.distribution.middle_quantile(share, middle_by_diagonal(descriptors.box), self.slanted)
 
     def is_only_blurred(self, descriptors):
         """Whether the upper bound is known to a fifth."""
@@ -285,6 +289,47 @@ class MiddleShare(AreaShare):
     def thin_bound(self, threshold, descriptors):
         """The upper bound, in diagonals."""
         return self.bounds[1] * middle_by_diagonal(descriptors.box)
+
+
+@dataclass(frozen=True)
+class LocalShare(MiddleShare):
+    """A share of the surface, by its local thickness in units of D2."""
+
+    def _counts_no_more_than(self, other):
+        return True
+
+    def _wall_under(self, share, descriptors):
+        return math.inf if descriptors.local is None else descriptors.local.quantile(share)
+
+    def _spread(self, descriptors, low, high):
+        return descriptors.local.share(low, high)
+
+    def _error(self, descriptors, precision, value):
+        return super()._error(descriptors, precision.of_balls, value)
+
+
+@dataclass(frozen=True)
+class LocalQuantile(Quantity):
+    """The local thickness, in units of D2, that a share of the surface is below.
+
+    Attributes
+    ----------
+    share : float
+    """
+
+    share: float = 0.5
+
+    @property
+    def limits(self):
+        """0 and 1."""
+        return 0.0, 1.0
+
+    def _error(self, descriptors, precision, value):
+        of_balls, local = precision.of_balls, descriptors.local
+        off = of_balls.of_share(self.share)
+        found = [local.quantile(min(max(self.share + each, 0.0), 1.0)) for each in (-off, off)]
+        length = precision.wall_mm / float(descriptors.box.dimensions[1])
+        return max(abs(each - value) for each in found) + length
 
 
 def middle_by_diagonal(box):

@@ -9,6 +9,7 @@ from dataclasses import asdict, replace
 from ..kinds.typed_kinds import kind_of
 from .descriptor_table import QUANTITIES, REPORTED_SHARES, STATED_FLOOR, quantity_named
 from .descriptor_types import DescriptorsRecord
+from .local_quantiles import QUANTILES
 
 _TYPED = kind_of(DescriptorsRecord)
 
@@ -45,11 +46,18 @@ def recorded_descriptors(descriptors, wall_range, error_bound, has_teeth, is_wat
             **asdict(descriptors.precision),
             "errors": [{"quantity": quantity.symbol, "error": None if error is None or math.isinf(error) else error}
                        for quantity in _WITH_ERRORS for error in [quantity.error(descriptors, STATED_FLOOR)]]},
+        "local": _local(descriptors.local),
         "middle": None if middle is None else {
             "bins": middle.bins.tolist(), "parallel": middle.parallel.tolist(), "nonparallel": middle.nonparallel.tolist()},
     }
     values = {quantity.keys: quantity.evaluate(descriptors, STATED_FLOOR) for quantity in QUANTITIES if quantity.keys}
     return {key: others[key] if key in others else _of_quantities(key, values) for key in DESCRIPTORS.kinds}
+
+
+def _local(local):
+    if local is None:
+        return {"bins": [], "area": [], **dict.fromkeys(QUANTILES)}
+    return {"bins": local.bins.tolist(), "area": local.area.tolist(), **local.quantiles}
 
 
 def _of_quantities(key, values):

@@ -1,6 +1,6 @@
 """Quantities and conditions of profiles in words, for people who read or edit a profile."""
 
-from ..descriptors.quantity import AreaShare, MiddleShare, WallDistance
+from ..descriptors.quantity import AreaShare, LocalShare, MiddleShare, WallDistance
 from ..message import Message, message
 
 
@@ -11,6 +11,11 @@ def quantity_text(quantity):
     low, high = quantity.bounds
     if isinstance(quantity, WallDistance):
         return message("Least distance, in diagonals, between walls at {low:g} to {high:g} degrees", low=low, high=high)
+    if isinstance(quantity, LocalShare):
+        if low == 0.0:
+            return message("Share of the surface whose local thickness is under {high:g} of the middle side", high=high)
+        return message("Share of the surface whose local thickness is {low:g} to {high:g} of the middle side",
+                       low=low, high=high)
     if isinstance(quantity, MiddleShare):
         return _of_middle_side(quantity.slanted, low, high)
     if isinstance(quantity, AreaShare):

@@ -3,7 +3,7 @@
 import numpy as np
 from scipy.spatial import cKDTree
 
-from ..analysis_settings import RAY, SPHERE
+from ..analysis_settings import LOCAL, RAY, SPHERE
 from ..mesh.sampling import even_samples, smooth_samples
 from ..rays.inward_rays import InwardRays
 from ..thickness.inscribed_balls import inscribed_balls
@@ -27,9 +27,9 @@ BALLS = 1_500
 def first_map(mesh, by=RAY):
     """Estimate the thickness of a part within a fraction of a second.
 
-    Returns a ThicknessMap or None: None for balls in a mesh that is not coarse, which would take as long as the fine map of
-    others. To be looked at until `thickness_map` is there, and for nothing else: where the thickness jumps it has no lines,
-    and narrow places may go unseen.
+    Returns a ThicknessMap or None: None for the local thickness, and for balls in a mesh that is not coarse, which would
+    take as long as the fine map of others. To be looked at until `thickness_map` is there, and for nothing else: where the
+    thickness jumps it has no lines, and narrow places may go unseen.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ def first_map(mesh, by=RAY):
     by : str
         One of `SHOWN_MEASURES`.
     """
-    if by == SPHERE and mesh.count > MOST_FACETS:
+    if by == LOCAL or by == SPHERE and mesh.count > MOST_FACETS:
         return None
     points, facets, parent = _facets(mesh)
     middles, face = points[facets].mean(axis=1), mesh.face_of_triangle[parent]

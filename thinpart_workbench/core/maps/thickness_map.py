@@ -6,12 +6,13 @@ from typing import Optional
 
 import numpy as np
 
-from ..analysis_settings import RAY, SPHERE
+from ..analysis_settings import LOCAL, RAY, SPHERE
 from ..columns import corners_of, cross, dot
 from ..mesh.sampling import smooth_samples
 from ..progress import portion, report_progress
 from ..rays.inward_rays import InwardRays
 from ..thickness.inscribed_balls import inscribed_balls
+from ..thickness.local_thickness import local_thickness
 from ..thickness.walls import NONPARALLEL_BELOW
 from .facet_refinement import cut_sides, side_keys, side_lengths
 from .jump_lines import cut_along_jumps
@@ -49,7 +50,8 @@ class ThicknessMap:
         Counter-clockwise seen from outside.
     thickness : ndarray of shape (m,), float32, mm
         From the middle of the facet along the inward normal to the opposite side, or the diameter of the largest ball
-        inside that touches the surface there; nan where nothing was measured: no wall, or one at more than 60 degrees.
+        inside that touches the surface there, or that reaches it; nan where nothing was measured: no wall, or one at more
+        than 60 degrees.
     opposite : ndarray of shape (m,), int32
         A facet in the plane of the triangle that the ray hits; -1 for none, as for all balls.
     face : ndarray of shape (m,), int32
@@ -171,8 +173,11 @@ def thickness_map(measurement, report=None, by=RAY):
     report_progress(report, 0.0)
     points, facets, parent, size, most = _small_facets(mesh)
     report_progress(report, CUT_DONE)
-    make = _map_of_balls if by == SPHERE else _map_of_walls
-    found = make(mesh, rays, points, facets, parent, size, most, portion(report, CUT_DONE, 1.0))
+    made = portion(report, CUT_DONE, 1.0)
+    if by == RAY:
+        found = _map_of_walls(mesh, rays, points, facets, parent, made)
+    else:
+        found = _map_of_balls(_DIAMETERS[by](measurement, rays), by, mesh, points, facets, parent, size, most, made)
     report_progress(report, 1.0)
     return found
 
@@ -194,7 +199,7 @@ def _small_facets(mesh):
         parent = parent[pieces]
 
 
-def _map_of_walls(mesh, rays, points, facets, parent, _size, _most, report):
+def _map_of_walls(mesh, rays, points, facets, parent, report):
     cut = cut_along_jumps(mesh, rays, points, facets, parent, report)
     known = np.isfinite(cut.corner_thickness)
     mean = np.divide(np.where(known, cut.corner_thickness, 0.0).sum(axis=1), known.sum(axis=1),
@@ -204,12 +209,13 @@ def _map_of_walls(mesh, rays, points, facets, parent, _size, _most, report):
                       at_corners)
 
 
-def _map_of_balls(mesh, rays, points, facets, parent, size, most, report):
+def _map_of_balls(diameters, by, mesh, points, facets, parent, size, most, report):
     thickness, unknown = np.full(len(facets), np.nan), np.ones(len(facets), dtype=bool)
     for step in range(JUMP_ROUNDS + 1):
         new = np.flatnonzero(unknown)
-        thickness[new] = _ball_diameters(mesh, rays, points, facets[new], parent[new],
-                                         portion(report, step / (JUMP_ROUNDS + 1), (step + 1) / (JUMP_ROUNDS + 1)))
+        if len(new):
+            thickness[new] = diameters(points[facets[new]].mean(axis=1), parent[new],
+                                       portion(report, step / (JUMP_ROUNDS + 1), (step + 1) / (JUMP_ROUNDS + 1)))
         if step == JUMP_ROUNDS:
             break
         sides = side_lengths(points, facets) > 0.5 * size / 2 ** step
@@ -220,7 +226,7 @@ def _map_of_balls(mesh, rays, points, facets, parent, size, most, report):
         parent = parent[pieces]
         unknown = np.bincount(pieces, minlength=len(thickness))[pieces] > 1
         thickness = thickness[pieces]
-    return _assembled(mesh, points, facets, parent, thickness, np.full(len(facets), -1), SPHERE)
+    return _assembled(mesh, points, facets, parent, thickness, np.full(len(facets), -1), by)
 
 
 def _too_many(facets, cut, most):
@@ -228,11 +234,20 @@ def _too_many(facets, cut, most):
     return len(facets) + cut.sum() > most
 
 
-def _ball_diameters(mesh, rays, points, facets, parent, report):
-    if not len(facets):
-        return np.empty(0)
-    samples = smooth_samples(mesh, points[facets].mean(axis=1), parent, np.zeros(len(facets)))
-    return inscribed_balls(mesh, samples, rays, report)
+def _touching(measurement, rays):
+    """The diameters of the largest balls that touch points of triangles, as a function."""
+    mesh = measurement.field.mesh
+    return lambda points, parent, report: inscribed_balls(
+        mesh, smooth_samples(mesh, points, parent, np.zeros(len(points))), rays, report)
+
+
+def _reaching(measurement, rays):
+    """The local thickness at points, as such a function."""
+    field, most = measurement.field, measurement.box_mm[2]
+    return lambda points, parent, report: local_thickness(field.mesh, field, rays, most, points, report)
+
+
+_DIAMETERS = {SPHERE: _touching, LOCAL: _reaching}
 
 
 def _beside_jump(facets, count, thickness):

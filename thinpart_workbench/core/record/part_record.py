@@ -11,6 +11,8 @@ import numpy as np
 
 from ..descriptors.descriptor_table import Descriptors
 from ..descriptors.distribution import Distribution, MiddleDistribution
+from ..descriptors.local_distribution import LocalDistribution
+from ..descriptors.local_quantiles import QUANTILES
 from ..descriptors.precision import Precision
 from ..descriptors.recorded_descriptors import recorded_descriptors
 from ..mesh.bounds import OrientedBox
@@ -146,6 +148,7 @@ def descriptors_of(record: PartRecord):
         content.get("plate_share"),  # records of earlier versions lack it
         content.get("regions"),  # and this
         precision=_precision_of(content.get("precision")),
+        local=_local_of(content.get("local")),
     )
     of_side = max(wall["error_bound"], 2.0 * record.get("deflection_mm", 0.0))
     error = error_to_judge_with([(smallest_side(measured), of_side), (wall["min"], wall["error_bound"])])
@@ -163,6 +166,14 @@ def _middle_of(content):
         return None
     return MiddleDistribution(
         np.array(content["bins"], int), np.array(content["parallel"], float), np.array(content["nonparallel"], float))
+
+
+def _local_of(content):
+    """`LocalDistribution` of a record's ``local``; None where the record has none, or an empty one."""
+    if content is None or not content["bins"]:
+        return None
+    return LocalDistribution(np.array(content["bins"], int), np.array(content["area"], float),
+                             {name: content[name] for name in QUANTILES})
 
 
 def _has_teeth(paper):

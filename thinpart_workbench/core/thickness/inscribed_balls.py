@@ -1,12 +1,13 @@
 """The largest ball inside the material that touches the surface at each sample."""
 
+from functools import cached_property
 
 import numpy as np
 
 from ..columns import dot
 from ..mesh.sampling import even_samples, surface_samples
 from ..mesh.smooth_normals import CREASE, normals_at
-from ..progress import report_progress
+from ..progress import portion, report_progress
 from ..rays.ball_descent import boxes_met, least_of_nodes
 from ..rays.closest_points import closest_weights
 from ..rays.inward_rays import InwardRays
@@ -60,43 +61,64 @@ def inscribed_balls(mesh, samples, rays=None, report=None):
     report : callable, optional
         Called with the fraction done; may raise to stop.
     """
-    rays = rays or InwardRays(mesh)
-    return _Balls(mesh, samples, rays).diameters(report)
+    balls = LargestBalls(mesh, samples, rays or InwardRays(mesh))
+    report_progress(report, 0.0)
+    balls.bound_by_rays()
+    report_progress(report, 0.2)
+    balls.find(np.arange(samples.count), portion(report, 0.2, 1.0))
+    return 2.0 * balls.radius
 
 
-class _Balls:
-    """Balls in the coordinates of the tree of rays."""
+class LargestBalls:
+    """The largest balls at samples, of which those that are asked for are found.
+
+    All is in the coordinates of the tree of rays, whose scale is that of the mesh.
+
+    Parameters
+    ----------
+    mesh : SurfaceMesh
+    samples : SurfaceSamples
+    rays : InwardRays
+        Rays over the mesh.
+
+    Attributes
+    ----------
+    points, inward : ndarray of shape (3, m)
+        Of the samples, on the curved surface, and inward normals.
+    radius : ndarray of shape (m,), mm
+        Upper bounds of the radii, which those that were found have reached.
+    """
 
     def __init__(self, mesh, samples, rays):
         self._mesh, self._rays, self._samples = mesh, rays, samples
         self._surface = mesh.curved_surface
         self._facets = rays.normals
         normals = normals_at(mesh, samples.triangle, samples.points)
-        self._points = self._lifted(samples.triangle, samples.points)
-        self._inward = -rays.turned_directions(normals)
-        self._radius = np.full(samples.count, np.inf)
+        self.points = self._lifted(samples.triangle, samples.points)
+        self.inward = -rays.turned_directions(normals)
+        self.radius = np.full(samples.count, np.inf)
 
-    def diameters(self, report):
-        """Diameter of each ball: ndarray of shape (m,), mm."""
-        report_progress(report, 0.0)
-        self._bound_by_rays()
-        report_progress(report, 0.2)
-        spacing = self._bound_by_cloud()
-        report_progress(report, 0.4)
-        curvature = least_of_nodes(self._rays.tree, self._surface.least_curvature)
-        for start in range(0, self._samples.count, _BALLS_AT_ONCE):
-            balls = np.arange(start, min(start + _BALLS_AT_ONCE, self._samples.count))
-            self._bound_by_tree(balls, curvature, spacing)
-            report_progress(report, 0.4 + 0.6 * start / self._samples.count)
+    def find(self, balls, report=None):
+        """Find some of the balls: their radii are final then.
+
+        Parameters
+        ----------
+        balls : ndarray of shape (k,), int64
+        report : callable, optional
+            Called with the fraction done; may raise to stop.
+        """
+        self._bound_by_cloud(balls)
+        report_progress(report, 0.3)
+        for start in range(0, len(balls), _BALLS_AT_ONCE):
+            self._bound_by_tree(balls[start:start + _BALLS_AT_ONCE])
+            report_progress(report, 0.3 + 0.7 * start / len(balls))
         report_progress(report, 1.0)
-        return 2.0 * self._radius
 
-    def _lifted(self, triangle, points):
-        """Points of the curved surface over points of facets, ndarray of shape (m, 3), as columns."""
-        heights = self._surface.heights(triangle, points.T)
-        return self._rays.turned(points) + np.take(self._facets, triangle, axis=1) * heights
+    def centres(self, balls):
+        """Centres of some balls: ndarray of shape (k, 3)."""
+        return (np.take(self.points, balls, axis=1) + self.radius[balls] * np.take(self.inward, balls, axis=1)).T
 
-    def _bound_by_rays(self):
+    def bound_by_rays(self):
         """Bound balls by what lies opposite along the normals of the facets."""
         distance, opposite = self._rays.first_hits(self._samples, INNER)
         met = np.flatnonzero(opposite >= 0)
@@ -104,20 +126,49 @@ class _Balls:
         there = self._samples.points[met] - distance[met, None] * along
         self._bound_by_points(met, opposite[met], self._lifted(opposite[met], there))
 
+    def bound_by_walls(self, distance, opposite):
+        """Bound balls by walls that are known.
+
+        Parameters
+        ----------
+        distance : ndarray of shape (m,), mm
+            Along the normals.
+        opposite : ndarray of shape (m,), int64
+            Triangles there, -1 for none.
+        """
+        met = np.flatnonzero(opposite >= 0)
+        # The triangle decides; its surface may lie farther away than where a ray meets it, by its depth.
+        self.radius[met] = 0.5 * distance[met] + self._surface.depth
+        self._bound(met, opposite[met])
+
+    def _lifted(self, triangle, points):
+        """Points of the curved surface over points of facets, ndarray of shape (m, 3), as columns."""
+        heights = self._surface.heights(triangle, points.T)
+        return self._rays.turned(points) + np.take(self._facets, triangle, axis=1) * heights
+
     def _bound_by_points(self, ball, triangle, points):
         """Bound balls by a point each, and then by the triangle that it lies on."""
-        away = points - np.take(self._points, ball, axis=1)
-        np.minimum.at(self._radius, ball, _radius(away, np.take(self._inward, ball, axis=1)))
+        away = points - np.take(self.points, ball, axis=1)
+        np.minimum.at(self.radius, ball, _radius(away, np.take(self.inward, ball, axis=1)))
         self._bound(ball, triangle)
 
-    def _bound_by_cloud(self):
-        """Bound every ball by the point of a cloud that bounds it most; returns the mean distance of its points, mm."""
+    @cached_property
+    def _cloud(self):
+        """Points of the surface, as columns, the triangles that they lie on, and their mean distance, mm."""
         surface = surface_samples(self._mesh)
         chosen = np.unique(even_samples(surface.area, CLOUD))
         triangle = surface.triangle[chosen]
-        exact = self._lifted(triangle, surface.points[chosen])
+        return self._lifted(triangle, surface.points[chosen]), triangle, float(np.sqrt(surface.area.sum() / CLOUD))
+
+    @cached_property
+    def _curvature(self):
+        return least_of_nodes(self._rays.tree, self._surface.least_curvature)
+
+    def _bound_by_cloud(self, balls):
+        """Bound balls by the points of a cloud that bound them most."""
+        exact, triangle, _ = self._cloud
         cloud = exact.astype(np.float32)
-        points, inward = self._points.astype(np.float32), self._inward.astype(np.float32)
+        points, inward = self.points[:, balls].astype(np.float32), self.inward[:, balls].astype(np.float32)
         squares = dot(cloud, cloud)
         best = np.empty(points.shape[1], dtype=np.int64)
         for start in range(0, len(best), _CLOUD_AT_ONCE):
@@ -133,14 +184,14 @@ class _Balls:
             depth /= square
             depth[flat] = 0.0
             best[part] = depth.argmax(axis=1)
-        self._bound_by_points(np.arange(len(best)), triangle[best], exact[:, best])
-        return float(np.sqrt(surface.area.sum() / CLOUD))
+        self._bound_by_points(balls, triangle[best], exact[:, best])
 
-    def _bound_by_tree(self, balls, curvature, spacing):
+    def _bound_by_tree(self, balls):
         """Bound balls by all triangles that reach into them."""
-        radius = np.minimum(self._radius[balls], self._rays.tree.extent)
+        curvature, spacing = self._curvature, self._cloud[2]
+        radius = np.minimum(self.radius[balls], self._rays.tree.extent)
         shrunk = KEPT * radius
-        centres = np.take(self._points, balls, axis=1) + shrunk * np.take(self._inward, balls, axis=1)
+        centres = np.take(self.points, balls, axis=1) + shrunk * np.take(self.inward, balls, axis=1)
         shrunk += np.minimum(self._surface.depth, _MOST_DEPTH * radius)  # hollow sides reach farther in than facets
         most = np.where(radius > DENSE * spacing, AS_CURVED / radius, np.inf)
         ball, leaf = boxes_met(self._rays.tree, centres, shrunk, curvature, most)
@@ -154,10 +205,10 @@ class _Balls:
         """Shrink balls to triangles: pairs, ndarrays of shape (k,), int64, of which a ball may have many."""
         other = np.flatnonzero(triangle != self._samples.triangle[ball])
         ball, triangle = ball[other], triangle[other]
-        radius = np.minimum(self._radius[ball], self._rays.tree.extent)
+        radius = np.minimum(self.radius[ball], self._rays.tree.extent)
         lift, found = np.zeros(len(ball)), np.zeros(len(ball), dtype=bool)
         corners, facet = self._rays.corners(triangle).transpose(2, 1, 0), np.take(self._facets, triangle, axis=1)
-        point, inward = np.take(self._points, ball, axis=1), np.take(self._inward, ball, axis=1)
+        point, inward = np.take(self.points, ball, axis=1), np.take(self.inward, ball, axis=1)
         active = np.arange(len(ball))
         for step in range(_STEPS):
             own, up, start, along = corners[:, :, active], facet[:, active], point[:, active], inward[:, active]
@@ -173,7 +224,7 @@ class _Balls:
             active = active[smaller | moved]
             if not len(active):
                 break
-        np.minimum.at(self._radius, ball[found], radius[found])
+        np.minimum.at(self.radius, ball[found], radius[found])
 
 
 def _radius(away, inward):

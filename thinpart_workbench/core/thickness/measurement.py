@@ -8,6 +8,7 @@ import numpy as np
 
 from ..descriptors.descriptor_table import STATED_ANGLES, STATED_FLOOR, Descriptors
 from ..descriptors.distribution import distribution
+from ..descriptors.local_distribution import local_distribution
 from ..mesh.bounds import minimal_box, principal_box
 from ..mesh.dominant_directions import dominant_directions
 from ..mesh.mass_properties import area, volume
@@ -16,6 +17,7 @@ from ..mesh.sampling import centroid_samples, surface_samples
 from ..progress import portion, report_progress
 from ..rays.inward_rays import InwardRays
 from .face_thickness import Witness, face_thicknesses, witness_of
+from .local_thickness import local_thickness
 from .nonparallel import nonparallel_minimum
 from .pair_rule import measure_pairs
 from .thickness_field import ThicknessField, measure_rays
@@ -170,9 +172,14 @@ def measure(mesh, settings, report=None, is_fine_enough=None):
         least = shares.nonparallel_minimum(STATED_FLOOR, *STATED_ANGLES)
     else:
         least = nonparallel_minimum(mesh, rays, field, box.diagonal, portion(report, RAYS_DONE, 1.0))
+    local = None
+    if rays is not None:
+        local = local_distribution(local_thickness(mesh, field, rays, float(box.dimensions[2])),
+                                   field.area[field.area > 0.0], float(box.dimensions[1]))
     report_progress(report, 1.0)
     regions = wall_regions(field, enclosed, wall)
-    descriptors = replace(known, min_nonparallel=least, plate_share=regions.plate_share, regions=regions.counts)
+    descriptors = replace(known, min_nonparallel=least, plate_share=regions.plate_share, regions=regions.counts,
+                          local=local)
     return Measurement(descriptors, field, rays, wall, regions, thinnest)
 
 

@@ -8,7 +8,7 @@ from collections import namedtuple
 from contextlib import suppress
 from functools import cache
 
-from ...core.descriptors.packed_distribution import least_slanted, middle_share, wall_share
+from ...core.descriptors.packed_distribution import least_slanted, local_share, middle_share, wall_share
 from ...core.errors import ThinPartError
 from ...core.foreign_text import sql_text
 from ...core.judging.packed_check import packed_walls_pass
@@ -230,6 +230,7 @@ def _connect(path):
         database.execute("PRAGMA temp_store = MEMORY")
         database.create_function("wall_share", 4, wall_share, deterministic=True)
         database.create_function("middle_share", 12, middle_share, deterministic=True)
+        database.create_function("local_share", 4, local_share, deterministic=True)
         database.create_function("least_slanted", 6, least_slanted, deterministic=True)
         database.create_function("walls_pass", 13, packed_walls_pass, deterministic=True)
         tables, = database.execute("SELECT count(*) FROM sqlite_master WHERE type = 'table'").fetchone()

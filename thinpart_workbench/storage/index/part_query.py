@@ -5,7 +5,7 @@ from datetime import datetime
 from typing import Optional
 
 from ...core.descriptors.descriptor_table import STATED_ANGLES, STATED_FLOOR
-from ...core.descriptors.quantity import MiddleShare
+from ...core.descriptors.quantity import LocalShare, MiddleShare
 from ...core.errors import ThinPartError
 from ...core.foreign_text import sql_like, sql_text
 from ...core.message import message
@@ -175,6 +175,8 @@ def _expression(quantity):
     if quantity.name in _COLUMNS and quantity.bounds in ((), STATED_ANGLES):
         return quantity.name, []
     large = "(SELECT {} FROM distributions WHERE distributions.id = parts.id)"
+    if isinstance(quantity, LocalShare):
+        return large.format("local_share(local_bins, local_area, ?, ?)"), list(quantity.bounds)
     if isinstance(quantity, MiddleShare):
         call = ("middle_share(wall_bins, wall_area, slanted_bins, slanted_angles, slanted_area, middle_bins, "
                 "middle_parallel, middle_nonparallel, d2_mm / diagonal_mm, ?, ?, ?)")

@@ -3,7 +3,6 @@
 import base64
 
 from ... import __version__
-from ...core.analysis_settings import SPHERE
 from ...core.categories import UNKNOWN
 from ...core.descriptors.bins import BINS
 from ...core.descriptors.descriptor_table import quantity_named
@@ -66,7 +65,7 @@ def part_page(record, pictures, features, about, file, overview, language=ENGLIS
         thickness=record["descriptors"]["thickness_mm"], shares=record["descriptors"]["shares"],
         source=about["source"], settings=about["settings"], kept=_annotations(about["kept"]),
         views=[_view(view) for view in pictures.views()], width=WIDTH, height=HEIGHT,
-        thinnest=_thinnest_wall(record), scale=_scale(pictures, record), shows_balls=pictures.measure == SPHERE,
+        thinnest=_thinnest_wall(record), scale=_scale(pictures, record), shown=pictures.measure,
         chart=_chart(record, unit), evidence=_evidence(record, unit), faces=_faces(record, features), features=features,
         regions=region_groups(record, about["kept"].get("region_notes") or ()), other_regions=record.get("regions"),
         shown_faces=SHOWN_FACES,

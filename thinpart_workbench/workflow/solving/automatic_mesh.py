@@ -17,8 +17,8 @@ FINER = (0.5, 0.7)
 """Ratios of sizes of one reference mesh to the one before: of the first, and of those that follow."""
 
 CONVERGED, KNOWN = 0.01, 0.02
-"""Change of the frequencies from one reference mesh to the next at which no finer one is made; and up to which the last one is
-a reference."""
+"""Change of the frequencies from one reference mesh to the next at which no finer one is made, and up to which the last one
+is a reference."""
 
 MOST_MESHES = 5
 """Reference meshes that are made at most."""
@@ -26,7 +26,8 @@ MOST_MESHES = 5
 UNTANGLED = ("-setnumber", "Mesh.HighOrderOptimize", "1")
 """Option with which Gmsh moves nodes of the second order until no element is inside out, as far as it can."""
 
-OTHER_WAYS = ((), UNTANGLED, ("-setnumber", "Mesh.Algorithm", "5", *UNTANGLED), ("-setnumber", "Mesh.SecondOrderLinear", "1"),
+OTHER_WAYS = ((), UNTANGLED, ("-setnumber", "Mesh.Algorithm", "5", *UNTANGLED),
+              ("-setnumber", "Mesh.SecondOrderLinear", "1"),
               ("-algo", "meshadapt", "-setnumber", "Mesh.SecondOrderLinear", "1"))
 """Options with which a reference mesh is made, one after the other until there is one: they change no size."""
 

@@ -13,7 +13,7 @@ RIGID = 6
 """Motions of a free body without deformation."""
 
 SIZE = 100.0
-"""Length of the diagonal of what is solved, mm: ratios of frequencies do not depend on it, rounding errors of the solver do."""
+"""Length of the diagonal of what is solved, mm: the solver's rounding errors depend on it, ratios of frequencies do not."""
 
 ZERO = 1e-3
 """Frequencies below this share of the highest one that is asked for are rigid motions."""
