@@ -4,14 +4,18 @@ import numpy as np
 
 from thinpart_workbench.core.descriptors.descriptor_table import STATED_ANGLES, STATED_FLOOR, Descriptors
 from thinpart_workbench.core.descriptors.distribution import Distribution
+from thinpart_workbench.core.descriptors.local_distribution import local_distribution
 from thinpart_workbench.core.descriptors.region_kinds import PLATE, REGION_KINDS
 from thinpart_workbench.core.mesh.bounds import OrientedBox
 
 ONE_PLATE = {"thinnest_mm": 0.1, "count": 1, **dict.fromkeys(REGION_KINDS, 0), PLATE: 1}
 
 
-def part(box=(1.0, 1.0, 1.0), fill=0.5, walls=(), slanted=(), unmet=0.0, plates=0.5):
-    """Descriptors as wanted: walls are (x, share), slanted are (x, degrees, share)."""
+def part(box=(1.0, 1.0, 1.0), fill=0.5, walls=(), slanted=(), unmet=0.0, plates=0.5, ratio=1.0):
+    """Descriptors as wanted: walls are (x, share), slanted are (x, degrees, share); the local thickness is that of walls.
+
+    The area is 1, or that of the plate ratio that is wanted where there are walls.
+    """
     box = np.array(box, dtype=float)
     parallel = sum(share for _, share in walls)
     nonparallel = sum(share for *_, share in slanted)
@@ -25,4 +29,9 @@ def part(box=(1.0, 1.0, 1.0), fill=0.5, walls=(), slanted=(), unmet=0.0, plates=
     )
     volume = None if fill is None else fill * box.prod()
     least = shares.nonparallel_minimum(STATED_FLOOR, *STATED_ANGLES)
-    return Descriptors(volume, 1.0, OrientedBox(box, np.eye(3)), shares, least, plates, ONE_PLATE)
+    own, area, local = OrientedBox(box, np.eye(3)), 1.0, None
+    if walls:
+        thickness, share = np.array(walls, float).T
+        local = local_distribution(thickness * own.diagonal, share, box[1])
+        area = area if volume is None else 2.0 * volume / (ratio * local.quantiles["T50"] * box[1])
+    return Descriptors(volume, area, own, shares, least, plates, ONE_PLATE, local=local)

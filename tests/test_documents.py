@@ -63,7 +63,7 @@ def test_the_conditions_of_the_default_profile_are_stated(document):
         row = next(line for line in text(document).splitlines() if line.startswith(f"| {criterion.id} |"))
         for condition in criterion.conditions:
             named = f"{condition.quantity.symbol} {condition.comparison} {condition.value:g}"
-            assert named in row or named.replace("plate_share", "plate share") in row
+            assert named in row or named.replace("plate_ratio", "plate ratio") in row
 
 
 def test_the_probabilities_are_as_the_method_says():

@@ -106,7 +106,7 @@ PACKAGE_ORDER = {
     "core": "kinds mesh rays descriptors thickness record sizing shells judging maps rendering",
     "storage": "exchange info index",
     "freecad_adapter": "tessellating shapes mid_surface reading occurrences features objects",
-    "workflow": "report analysis workers cluster library meshing maps learning",
+    "workflow": "report analysis workers cluster library meshing solving maps learning",
     "api": "window",
     "cli": "commands",
     "gui": "application widgets tables guide processes record document scene colour_bar section view3d map_export "

@@ -1291,6 +1291,22 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Verknüpfung</translation>
     </message>
     <message>
+        <source>Local thickness</source>
+        <translation>Örtliche Dicke</translation>
+    </message>
+    <message>
+        <source>Local thickness here: {}</source>
+        <translation>Örtliche Dicke hier: {}</translation>
+    </message>
+    <message>
+        <source>Local thickness in {}, and share of the diagonal</source>
+        <translation>Örtliche Dicke in {} und Anteil der Diagonale</translation>
+    </message>
+    <message>
+        <source>Local thickness, {}</source>
+        <translation>Örtliche Dicke, {}</translation>
+    </message>
+    <message>
         <source>Logarithmic</source>
         <translation>Logarithmisch</translation>
     </message>
@@ -1513,6 +1529,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>On {} of the area the largest ball is smaller than {}</source>
         <translation>Auf {} der Oberfläche ist die größte Kugel kleiner als {}</translation>
+    </message>
+    <message>
+        <source>On {} of the area the local thickness is less than {}</source>
+        <translation>Auf {} der Fläche ist die örtliche Dicke kleiner als {}</translation>
     </message>
     <message>
         <source>One size: {}</source>
@@ -2057,6 +2077,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>The criterion's short name, by which results and searches refer to it</source>
         <translation>Der Kurzname des Kriteriums, unter dem Ergebnisse und Suchen es nennen</translation>
+    </message>
+    <message>
+        <source>The diameter of the largest ball that fits into the material and reaches each point. Edges are as thick as the walls that meet there; ribs, teeth, threads and run-outs have a thickness of their own.</source>
+        <translation>Der Durchmesser der größten Kugel, die in das Material passt und bis zu jedem Punkt reicht. Kanten sind so dick wie die Wände, die dort zusammentreffen; Rippen, Zähne, Gewinde und Ausläufe haben eine eigene Dicke.</translation>
     </message>
     <message>
         <source>The diameter of the largest ball that fits into the material and touches the surface at each point. It is no larger than the wall across and does not see past the next face: at sharp edges it goes down to nothing. It takes longer.</source>
@@ -3462,6 +3486,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die Farben stehen für den Durchmesser der größten Kugel im Innern, die die Oberfläche dort berührt; zu scharfen Kanten hin geht er auf null zurück. Urteil, Tabellen und dünnste Wand sind gerade hindurch gemessen.</translation>
     </message>
     <message>
+        <source>Colours stand for the local thickness, the diameter of the largest ball inside that reaches the surface there. Verdict, tables and the thinnest wall are measured straight across.</source>
+        <translation>Die Farben stehen für die örtliche Dicke, den Durchmesser der größten Kugel im Inneren, die dort bis zur Oberfläche reicht. Urteil, Tabellen und die dünnste Wand sind geradewegs hindurch gemessen.</translation>
+    </message>
+    <message>
         <source>Connected walls of like thickness, equal ones in one row; the thinnest first</source>
         <translation>Zusammenhängende Wände ähnlicher Dicke, gleiche in einer Zeile; die dünnste zuerst</translation>
     </message>
@@ -3746,6 +3774,18 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Flüssigkristallpolymer</translation>
     </message>
     <message>
+        <source>Local thickness, by the middle side, that 5 % of the area is below</source>
+        <translation>Örtliche Dicke, durch die mittlere Seite, unter der 5 % der Fläche liegen</translation>
+    </message>
+    <message>
+        <source>Local thickness, by the middle side, that 75 % of the area is below</source>
+        <translation>Örtliche Dicke, durch die mittlere Seite, unter der 75 % der Fläche liegen</translation>
+    </message>
+    <message>
+        <source>Local thickness, by the middle side, that 99 % of the area is below</source>
+        <translation>Örtliche Dicke, durch die mittlere Seite, unter der 99 % der Fläche liegen</translation>
+    </message>
+    <message>
         <source>Long-fibre reinforced plastics</source>
         <translation>Langfaserverstärkte Kunststoffe</translation>
     </message>
@@ -3784,6 +3824,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Measured</source>
         <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Median of the local thickness, by the middle side</source>
+        <translation>Median der örtlichen Dicke, durch die mittlere Seite</translation>
     </message>
     <message>
         <source>Median thickness of the thinnest wall region</source>
@@ -4034,6 +4078,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Anteil der Fläche über Wänden, parallel oder unter 60 Grad, von a bis b der mittleren Seite</translation>
     </message>
     <message>
+        <source>Share of the area whose local thickness is from a to b of the middle side</source>
+        <translation>Anteil der Fläche, deren örtliche Dicke a bis b der mittleren Seite beträgt</translation>
+    </message>
+    <message>
         <source>Share of the area whose rays met nothing at all</source>
         <translation>Anteil der Oberfläche, deren Strahl auf nichts traf</translation>
     </message>
@@ -4088,6 +4136,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Share of the surface over walls, parallel or tapered, {low:g} to {high:g} of the middle side thick</source>
         <translation>Anteil der Oberfläche über Wänden, parallel oder verjüngt, {low:g} bis {high:g} der mittleren Seite dick</translation>
+    </message>
+    <message>
+        <source>Share of the surface whose local thickness is under {high:g} of the middle side</source>
+        <translation>Anteil der Oberfläche, deren örtliche Dicke unter {high:g} der mittleren Seite liegt</translation>
+    </message>
+    <message>
+        <source>Share of the surface whose local thickness is {low:g} to {high:g} of the middle side</source>
+        <translation>Anteil der Oberfläche, deren örtliche Dicke {low:g} bis {high:g} der mittleren Seite beträgt</translation>
     </message>
     <message>
         <source>Share of the volume</source>
@@ -4646,12 +4702,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Dies ist möglicherweise eine ältere Form von „{object}“, weil die letzte Neuberechnung von „{feature}“, woraus es entsteht, fehlgeschlagen ist ({reason}): Reparieren Sie das Objekt und berechnen Sie das Dokument neu.</translation>
     </message>
     <message>
+        <source>This needs CalculiX: install it (Debian: 'apt-get install calculix-ccx', elsewhere: https://www.calculix.de), and see that 'ccx -v' runs.</source>
+        <translation>Hierfür wird CalculiX gebraucht: installieren (Debian: 'apt-get install calculix-ccx', sonst: https://www.calculix.de) und prüfen, dass 'ccx -v' läuft.</translation>
+    </message>
+    <message>
         <source>Threshold</source>
         <translation>Schwelle</translation>
     </message>
     <message>
-        <source>Thresholds chosen on real CAD parts of public repositories that an engineer labelled by eye, and tried on repositories left out; quantities after Giannini, Petton, Pernot, TMCE 2012, in units of the middle side of the box</source>
-        <translation>Schwellenwerte an echten CAD-Bauteilen aus öffentlichen Repositorien gewählt, die ein Ingenieur nach Augenschein eingeordnet hat, und an nicht verwendeten Repositorien erprobt; Größen nach Giannini, Petton, Pernot, TMCE 2012, in Einheiten der mittleren Seite des Hüllquaders</translation>
+        <source>Thresholds chosen on 496 real CAD parts of 43 public repositories that engineers labelled by eye, and tried on repositories left out; quantities after Giannini, Petton, Pernot, TMCE 2012, in units of the middle side of the box</source>
+        <translation>Schwellen gewählt an 496 echten CAD-Teilen aus 43 öffentlichen Repositorien, die Ingenieure nach Augenschein beurteilt haben, und erprobt an ausgelassenen Repositorien; Größen nach Giannini, Petton, Pernot, TMCE 2012, in Einheiten der mittleren Seite des Quaders</translation>
+    </message>
+    <message>
+        <source>Twice the volume by the area and the median local thickness: 1 of a plate, 1/2 of a wire or square bar</source>
+        <translation>Doppeltes Volumen durch Fläche und Median der örtlichen Dicke: 1 bei einer Platte, 1/2 bei einem Draht oder Vierkantstab</translation>
     </message>
     <message>
         <source>Two lines of a nozzle of 0.4 mm.</source>
@@ -4826,6 +4890,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>die Farben stehen für die größte Kugel im Innern, die die Oberfläche berührt</translation>
     </message>
     <message>
+        <source>colours stand for the local thickness</source>
+        <translation>die Farben stehen für die örtliche Dicke</translation>
+    </message>
+    <message>
         <source>colours stand for the thickness of the wall below the surface</source>
         <translation>die Farben stehen für die Dicke der Wand unter der Oberfläche</translation>
     </message>
@@ -4980,6 +5048,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>its probabilities are not of its categories, in their order</source>
         <translation>die Wahrscheinlichkeiten gehören nicht zu den Kategorien in deren Reihenfolge</translation>
+    </message>
+    <message>
+        <source>its reference mesh is too large</source>
+        <translation>sein Vergleichsnetz ist zu groß</translation>
     </message>
     <message>
         <source>its second answer is the first one</source>
@@ -5212,6 +5284,18 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>the profile is not usable</source>
         <translation>das Profil ist nicht verwendbar</translation>
+    </message>
+    <message>
+        <source>the solver crashed</source>
+        <translation>der Löser ist abgestürzt</translation>
+    </message>
+    <message>
+        <source>the solver needed too much memory</source>
+        <translation>der Löser brauchte zu viel Speicher</translation>
+    </message>
+    <message>
+        <source>the solver took too long</source>
+        <translation>der Löser brauchte zu lange</translation>
     </message>
     <message>
         <source>the time limit was reached</source>
@@ -5788,6 +5872,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}, and {plates} over walls that are plates: consider shells (Prepare mesh says whether they can be made).</source>
         <translation>{share} der Oberfläche liegen über Wänden, die dünner als {limit} sind, {part} der mittleren Seite von {middle}, und {plates} über Platten: Schalenelemente erwägen (Netz vorbereiten sagt, ob sie möglich sind).</translation>
+    </message>
+    <message>
+        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: consider shells (Prepare mesh says whether they can be made).</source>
+        <translation>{share} der Oberfläche liegen über Wänden, die dünner als {limit} sind, {part} der mittleren Seite von {middle}: Schalenelemente erwägen (Netz vorbereiten sagt, ob sie möglich sind).</translation>
     </message>
     <message>
         <source>{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: refine the mesh there.</source>

@@ -1291,6 +1291,22 @@ Son volume est inconnu.</translation>
         <translation>Lien</translation>
     </message>
     <message>
+        <source>Local thickness</source>
+        <translation>Épaisseur locale</translation>
+    </message>
+    <message>
+        <source>Local thickness here: {}</source>
+        <translation>Épaisseur locale ici : {}</translation>
+    </message>
+    <message>
+        <source>Local thickness in {}, and share of the diagonal</source>
+        <translation>Épaisseur locale en {} et part de la diagonale</translation>
+    </message>
+    <message>
+        <source>Local thickness, {}</source>
+        <translation>Épaisseur locale, {}</translation>
+    </message>
+    <message>
         <source>Logarithmic</source>
         <translation>Logarithmique</translation>
     </message>
@@ -1513,6 +1529,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>On {} of the area the largest ball is smaller than {}</source>
         <translation>Sur {} de la surface, la plus grande boule est inférieure à {}</translation>
+    </message>
+    <message>
+        <source>On {} of the area the local thickness is less than {}</source>
+        <translation>Sur {} de la surface, l’épaisseur locale est inférieure à {}</translation>
     </message>
     <message>
         <source>One size: {}</source>
@@ -2057,6 +2077,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>The criterion's short name, by which results and searches refer to it</source>
         <translation>Le nom court du critère, par lequel résultats et recherches le désignent</translation>
+    </message>
+    <message>
+        <source>The diameter of the largest ball that fits into the material and reaches each point. Edges are as thick as the walls that meet there; ribs, teeth, threads and run-outs have a thickness of their own.</source>
+        <translation>Le diamètre de la plus grande bille qui tient dans la matière et atteint chaque point. Les arêtes sont aussi épaisses que les parois qui s’y rejoignent ; nervures, dents, filets et sorties ont leur propre épaisseur.</translation>
     </message>
     <message>
         <source>The diameter of the largest ball that fits into the material and touches the surface at each point. It is no larger than the wall across and does not see past the next face: at sharp edges it goes down to nothing. It takes longer.</source>
@@ -3462,6 +3486,10 @@ Son volume est inconnu.</translation>
         <translation>Les couleurs représentent le diamètre de la plus grande bille intérieure qui touche la surface à cet endroit ; il tend vers zéro aux arêtes vives. Le verdict, les tableaux et la paroi la plus mince sont mesurés tout droit à travers la paroi.</translation>
     </message>
     <message>
+        <source>Colours stand for the local thickness, the diameter of the largest ball inside that reaches the surface there. Verdict, tables and the thinnest wall are measured straight across.</source>
+        <translation>Les couleurs représentent l’épaisseur locale, le diamètre de la plus grande bille intérieure qui y atteint la surface. Le verdict, les tableaux et la paroi la plus mince sont mesurés tout droit à travers la paroi.</translation>
+    </message>
+    <message>
         <source>Connected walls of like thickness, equal ones in one row; the thinnest first</source>
         <translation>Parois continues d’épaisseur semblable, les identiques sur une ligne ; la plus mince d’abord</translation>
     </message>
@@ -3746,6 +3774,18 @@ Son volume est inconnu.</translation>
         <translation>Polymère à cristaux liquides</translation>
     </message>
     <message>
+        <source>Local thickness, by the middle side, that 5 % of the area is below</source>
+        <translation>Épaisseur locale, par le côté médian, sous laquelle se trouvent 5 % de la surface</translation>
+    </message>
+    <message>
+        <source>Local thickness, by the middle side, that 75 % of the area is below</source>
+        <translation>Épaisseur locale, par le côté médian, sous laquelle se trouvent 75 % de la surface</translation>
+    </message>
+    <message>
+        <source>Local thickness, by the middle side, that 99 % of the area is below</source>
+        <translation>Épaisseur locale, par le côté médian, sous laquelle se trouvent 99 % de la surface</translation>
+    </message>
+    <message>
         <source>Long-fibre reinforced plastics</source>
         <translation>Plastiques renforcés de fibres longues</translation>
     </message>
@@ -3784,6 +3824,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Measured</source>
         <translation>Mesuré</translation>
+    </message>
+    <message>
+        <source>Median of the local thickness, by the middle side</source>
+        <translation>Médiane de l’épaisseur locale, par le côté médian</translation>
     </message>
     <message>
         <source>Median thickness of the thinnest wall region</source>
@@ -4034,6 +4078,10 @@ Son volume est inconnu.</translation>
         <translation>Part de la surface sur des parois, parallèles ou à moins de 60 degrés, de a à b du côté médian</translation>
     </message>
     <message>
+        <source>Share of the area whose local thickness is from a to b of the middle side</source>
+        <translation>Part de la surface dont l’épaisseur locale vaut de a à b du côté médian</translation>
+    </message>
+    <message>
         <source>Share of the area whose rays met nothing at all</source>
         <translation>Part de la surface dont le rayon n’a rien rencontré</translation>
     </message>
@@ -4088,6 +4136,14 @@ Son volume est inconnu.</translation>
     <message>
         <source>Share of the surface over walls, parallel or tapered, {low:g} to {high:g} of the middle side thick</source>
         <translation>Part de la surface sur des parois, parallèles ou en dépouille, épaisses de {low:g} à {high:g} du côté médian</translation>
+    </message>
+    <message>
+        <source>Share of the surface whose local thickness is under {high:g} of the middle side</source>
+        <translation>Part de la surface dont l’épaisseur locale est inférieure à {high:g} du côté médian</translation>
+    </message>
+    <message>
+        <source>Share of the surface whose local thickness is {low:g} to {high:g} of the middle side</source>
+        <translation>Part de la surface dont l’épaisseur locale vaut de {low:g} à {high:g} du côté médian</translation>
     </message>
     <message>
         <source>Share of the volume</source>
@@ -4646,12 +4702,20 @@ Son volume est inconnu.</translation>
         <translation>Il s’agit peut-être d’une ancienne forme de « {object} », car le dernier recalcul de « {feature} », dont il dépend, a échoué ({reason}) : réparez l’objet et recalculez le document.</translation>
     </message>
     <message>
+        <source>This needs CalculiX: install it (Debian: 'apt-get install calculix-ccx', elsewhere: https://www.calculix.de), and see that 'ccx -v' runs.</source>
+        <translation>Ceci demande CalculiX : l’installer (Debian : 'apt-get install calculix-ccx', ailleurs : https://www.calculix.de) et vérifier que 'ccx -v' fonctionne.</translation>
+    </message>
+    <message>
         <source>Threshold</source>
         <translation>Seuil</translation>
     </message>
     <message>
-        <source>Thresholds chosen on real CAD parts of public repositories that an engineer labelled by eye, and tried on repositories left out; quantities after Giannini, Petton, Pernot, TMCE 2012, in units of the middle side of the box</source>
-        <translation>Seuils choisis sur des pièces CAO réelles de dépôts publics qu’un ingénieur a classées à l’œil, et essayés sur des dépôts mis de côté ; grandeurs d’après Giannini, Petton, Pernot, TMCE 2012, en unités du côté médian de la boîte</translation>
+        <source>Thresholds chosen on 496 real CAD parts of 43 public repositories that engineers labelled by eye, and tried on repositories left out; quantities after Giannini, Petton, Pernot, TMCE 2012, in units of the middle side of the box</source>
+        <translation>Seuils choisis sur 496 pièces CAO réelles de 43 dépôts publics que des ingénieurs ont étiquetées à l’œil, et essayés sur des dépôts laissés de côté ; grandeurs d’après Giannini, Petton, Pernot, TMCE 2012, en unités du côté médian de la boîte</translation>
+    </message>
+    <message>
+        <source>Twice the volume by the area and the median local thickness: 1 of a plate, 1/2 of a wire or square bar</source>
+        <translation>Double du volume par la surface et l’épaisseur locale médiane : 1 pour une plaque, 1/2 pour un fil ou une barre carrée</translation>
     </message>
     <message>
         <source>Two lines of a nozzle of 0.4 mm.</source>
@@ -4826,6 +4890,10 @@ Son volume est inconnu.</translation>
         <translation>les couleurs représentent la plus grande bille intérieure qui touche la surface</translation>
     </message>
     <message>
+        <source>colours stand for the local thickness</source>
+        <translation>les couleurs représentent l’épaisseur locale</translation>
+    </message>
+    <message>
         <source>colours stand for the thickness of the wall below the surface</source>
         <translation>les couleurs représentent l’épaisseur de la paroi sous la surface</translation>
     </message>
@@ -4980,6 +5048,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>its probabilities are not of its categories, in their order</source>
         <translation>les probabilités ne correspondent pas aux catégories dans leur ordre</translation>
+    </message>
+    <message>
+        <source>its reference mesh is too large</source>
+        <translation>son maillage de référence est trop grand</translation>
     </message>
     <message>
         <source>its second answer is the first one</source>
@@ -5212,6 +5284,18 @@ Son volume est inconnu.</translation>
     <message>
         <source>the profile is not usable</source>
         <translation>le profil n’est pas utilisable</translation>
+    </message>
+    <message>
+        <source>the solver crashed</source>
+        <translation>le solveur a planté</translation>
+    </message>
+    <message>
+        <source>the solver needed too much memory</source>
+        <translation>le solveur a demandé trop de mémoire</translation>
+    </message>
+    <message>
+        <source>the solver took too long</source>
+        <translation>le solveur a pris trop de temps</translation>
     </message>
     <message>
         <source>the time limit was reached</source>
@@ -5788,6 +5872,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}, and {plates} over walls that are plates: consider shells (Prepare mesh says whether they can be made).</source>
         <translation>{share} de la surface recouvre des parois plus minces que {limit}, {part} du côté médian de {middle}, et {plates} des plaques : envisager des éléments de coque (Préparer le maillage dit s’ils sont possibles).</translation>
+    </message>
+    <message>
+        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: consider shells (Prepare mesh says whether they can be made).</source>
+        <translation>{share} de la surface recouvre des parois plus minces que {limit}, {part} du côté médian de {middle} : envisager des éléments de coque (Préparer le maillage dit s’ils sont possibles).</translation>
     </message>
     <message>
         <source>{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: refine the mesh there.</source>

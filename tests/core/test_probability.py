@@ -35,8 +35,8 @@ def test_a_plate_a_block_with_a_rib_and_a_block_are_sure():
 
 
 def test_a_part_between_two_categories_is_unsure():
-    # 72 % over thin walls and 35 % over plates: barely thin.
-    verdict = classified(part((1, 1, 1), 0.5, walls=[(0.05, 0.72)], plates=0.35))
+    # 72 % over thin walls that are little wider than thick: barely thin.
+    verdict = classified(part((1, 1, 1), 0.5, walls=[(0.05, 0.72)], ratio=0.6))
     assert verdict.category == "thin" and verdict.borderline
     assert verdict.probabilities["thin"] < CALIBRATED.probability.unsure_under
 
@@ -57,8 +57,18 @@ def test_the_formula():
 def test_what_was_not_measured_has_no_probability_and_the_margin_decides():
     verdict = classified(part(walls=[(0.577, 1.0)], plates=None), load_profile("paper"))
     assert verdict.probabilities is None
+    content = copy.deepcopy(CALIBRATED.content)
+    content["probability"]["steps"][0]["terms"].append({"quantity": "plate_share", "weight": 1.0})
     measured = part(walls=[(0.577, 1.0)], plates=None)
-    assert CALIBRATED.probability.probabilities(measured, 1e-4) is None
+    assert profile_from(content).probability.probabilities(measured, 1e-4) is None
+
+
+def test_walls_of_an_open_surface_count_as_plates():
+    walls = [(0.05, 0.8)]
+    closed, wire, open_surface = (part(fill=fill, walls=walls, ratio=ratio)
+                                  for fill, ratio in ((0.5, 1.0), (0.5, 0.5), (None, 1.0)))
+    assert [classified(each).category for each in (closed, wire, open_surface)] == ["thin", "normal", "thin"]
+    assert classified(closed).probabilities == classified(open_surface).probabilities
 
 
 def test_probabilities_do_not_overflow():

@@ -41,6 +41,8 @@ class WeightedQuantity:
         """The weighted value, float; None where the quantity could not be measured."""
         value = self.quantity.evaluate(descriptors, area_floor)
         if value is None:
+            value = self.quantity.absent_means
+        if value is None or math.isinf(value):
             return None
         if self.log_offset is not None:
             value = math.log10(max(value, 0.0) + self.log_offset)

@@ -29,7 +29,7 @@ def verdict_sentence(record):
         return None
     # The least bound is the one below which walls are shown as thin.
     quantity, condition, row = min(by_walls, key=lambda found: found[0].bounds[1])
-    plates = next((each for each in row["conditions"] if each["quantity"] == "plate_share"), None)
+    plates = {each["quantity"]: each["value"] for each in row["conditions"]}
     return _of_walls(record, quantity, condition, plates)
 
 
@@ -45,11 +45,16 @@ def _of_walls(record, quantity, condition, plates):
         return message(
             "Only {share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: "
             "mesh it with solids.", share=share, limit=limit, part=part, middle=middle)
-    if plates is not None:
+    if "plate_ratio" in plates:
+        return message(
+            "{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: consider "
+            "shells (Prepare mesh says whether they can be made).",
+            share=share, limit=limit, part=part, middle=middle)
+    if plates.get("plate_share") is not None:
         return message(
             "{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}, and "
             "{plates} over walls that are plates: consider shells (Prepare mesh says whether they can be made).",
-            share=share, limit=limit, part=part, middle=middle, plates=Share(plates["value"]))
+            share=share, limit=limit, part=part, middle=middle, plates=Share(plates["plate_share"]))
     return message(
         "{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: refine "
         "the mesh there.", share=share, limit=limit, part=part, middle=middle)

@@ -173,7 +173,7 @@ def measure(mesh, settings, report=None, is_fine_enough=None):
     else:
         least = nonparallel_minimum(mesh, rays, field, box.diagonal, portion(report, RAYS_DONE, 1.0))
     local = None
-    if rays is not None:
+    if rays is not None and box.dimensions[2] > 0.0:  # a flat open surface has no inside
         local = local_distribution(local_thickness(mesh, field, rays, float(box.dimensions[2])),
                                    field.area[field.area > 0.0], float(box.dimensions[1]))
     report_progress(report, 1.0)
