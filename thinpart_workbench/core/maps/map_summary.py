@@ -12,6 +12,9 @@ MOST_OF_THE_AREA, OUTLYING = 0.9, 1.5
 """Where the range would end at more than so many times the thickness below which most of the area lies, what lies beyond is
 not walls but rims, whose rays run along the wall: the range ends at that thickness."""
 
+ONE_THICKNESS = 1.01
+"""Up to this ratio of the ends of a range a part has one thickness: colours would tell errors from errors."""
+
 
 @dataclass(frozen=True)
 class FaceSummary:
@@ -101,7 +104,8 @@ def typical_range(parts):
     It goes from the thinnest wall that the records name, which has some extent and is confirmed, or else from the 2nd
     percentile of the area, to the 98th, at least to twice its beginning. From the least thickness of all facets, half of the
     colours would be for the edge of a tapered letter; up to the greatest, a cup would get one colour for all of its wall,
-    because a ray from its rim measures the length of the cup (see `OUTLYING`).
+    because a ray from its rim measures the length of the cup (see `OUTLYING`). Both ends are equal where a part has one
+    thickness (see `ONE_THICKNESS`).
     """
     ends = thickness_range(parts)
     if ends is None:
@@ -114,7 +118,8 @@ def typical_range(parts):
                        for share in (TYPICAL[0], MOST_OF_THE_AREA, TYPICAL[1]))
     high = most if high > OUTLYING * most else high
     low = max(ends[0], min((_thinnest_wall(part) for part in parts), default=0.0) or low)
-    return low, max(min(ends[1], max(high, 2.0 * low)), low)
+    high = max(min(ends[1], max(high, 2.0 * low)), low)
+    return (high, high) if high < ONE_THICKNESS * low else (low, high)
 
 
 def _thinnest_wall(part):
