@@ -199,9 +199,9 @@ def test_accuracy_compares_the_samples_with_a_finer_reference_and_keeps_it(tmp_p
     assert found["reference_seconds"] is None and len(list((tmp_path / "reference").rglob("*.json"))) == 3
     assert found["verdicts"]["calibrated"] == {"differ": 0, "borderline": 0}
     rows = {row["name"]: row for row in found["quantities"]}
-    assert {"F[0;0.05]", "F[0;0.25]", "F[0.05;0.29]", "F[0.3;0.7]", "K[0;0.15]", "K[0;0.08]", "P[0;0.06]", "plate_share",
+    assert {"F[0;0.05]", "F[0;0.25]", "F[0.05;0.29]", "F[0.3;0.7]", "K[0;0.12]", "K[0;0.08]", "P[0;0.05]", "plate_ratio",
             "thinnest wall", "V", "V/VBB"} <= rows.keys()
-    assert {rows[name]["stated"]["parts"] for name in ("F[0;0.05]", "K[0;0.15]", "V")} == {3}
+    assert {rows[name]["stated"]["parts"] for name in ("F[0;0.05]", "K[0;0.12]", "V")} == {3}
     # Two parts are flat, on which both are exact; a taper makes some difference.
     assert 0.0 < rows["F[0;0.25]"]["greatest"] < 0.005
     assert rows["thinnest wall"]["stated"]["parts"] == 3

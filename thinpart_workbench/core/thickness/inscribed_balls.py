@@ -20,6 +20,10 @@ DENSE = 8.0
 """A ball whose radius is this many distances between points of the cloud is bounded well by the cloud where the surface is
 curved like the ball: there it would nearly touch thousands of triangles."""
 
+NEAR = 1.0
+"""A ball whose radius is known to be less than this many of these distances has few triangles near it: the cloud says nothing
+that they do not say as fast."""
+
 AS_CURVED = 0.5
 """From this curvature on, in radii of the ball, the surface is curved like the ball."""
 
@@ -107,7 +111,7 @@ class LargestBalls:
         report : callable, optional
             Called with the fraction done; may raise to stop.
         """
-        self._bound_by_cloud(balls)
+        self._bound_by_cloud(balls[self.radius[balls] > NEAR * self._cloud[2]])
         report_progress(report, 0.3)
         for start in range(0, len(balls), _BALLS_AT_ONCE):
             self._bound_by_tree(balls[start:start + _BALLS_AT_ONCE])
