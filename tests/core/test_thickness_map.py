@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from thinpart_workbench.core.analysis_settings import RAY, SPHERE, AnalysisSettings
+from thinpart_workbench.core.analysis_settings import LOCAL, RAY, SPHERE, AnalysisSettings
 from thinpart_workbench.core.errors import ThinPartError
 from thinpart_workbench.core.maps.facet_refinement import cut_sides, side_keys
 from thinpart_workbench.core.maps.map_summary import (
@@ -260,11 +260,21 @@ def test_a_ball_of_a_map_ends_at_its_diameter():
     assert end == pytest.approx(point - (0.0, 0.0, 2.0), abs=1e-4)
 
 
-def test_a_map_file_keeps_the_measure(tmp_path):
-    shown = thickness_map(measure(surface_mesh(*made_meshes.wedge()), AnalysisSettings()), by=SPHERE)
+def test_by_local_thickness_a_plate_is_as_thick_at_its_rim_and_balls_that_touch_are_no_larger():
+    measured = measure(surface_mesh(*made_meshes.moved(made_meshes.box(100, 80, 2), TURNED)), AnalysisSettings())
+    local, balls = (thickness_map(measured, by=by) for by in (LOCAL, SPHERE))
+    assert local.measure == LOCAL and _closed(local) and local.ends == pytest.approx((2.0, 2.0), rel=1e-4)
+    assert balls.ends[0] < 1.0, "at the edges of the rim, balls that touch go down to nothing"
+    low, high = typical_range([MappedPart({}, local)])
+    assert low == high, "one thickness has one colour"
+
+
+@pytest.mark.parametrize("by", [SPHERE, LOCAL])
+def test_a_map_file_keeps_the_measure(by, tmp_path):
+    shown = thickness_map(measure(surface_mesh(*made_meshes.wedge()), AnalysisSettings()), by=by)
     write_maps(str(tmp_path / "maps.npz"), [MappedPart({}, shown)])
     read, = read_maps(str(tmp_path / "maps.npz"))
-    assert read.map.measure == SPHERE
+    assert read.map.measure == by
     np.testing.assert_array_equal(read.map.thickness, shown.thickness)
 
 

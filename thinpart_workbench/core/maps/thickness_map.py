@@ -237,14 +237,18 @@ def _too_many(facets, cut, most):
 def _touching(measurement, rays):
     """The diameters of the largest balls that touch points of triangles, as a function."""
     mesh = measurement.field.mesh
-    return lambda points, parent, report: inscribed_balls(
-        mesh, smooth_samples(mesh, points, parent, np.zeros(len(points))), rays, report)
+    return lambda points, parent, report: inscribed_balls(mesh, _samples(mesh, points, parent), rays, report)
 
 
 def _reaching(measurement, rays):
     """The local thickness at points, as such a function."""
     field, most = measurement.field, measurement.box_mm[2]
-    return lambda points, parent, report: local_thickness(field.mesh, field, rays, most, points, report)
+    return lambda points, parent, report: local_thickness(
+        field.mesh, field, rays, most, _samples(field.mesh, points, parent), report)
+
+
+def _samples(mesh, points, parent):
+    return smooth_samples(mesh, points, parent, np.zeros(len(points)))
 
 
 _DIAMETERS = {SPHERE: _touching, LOCAL: _reaching}

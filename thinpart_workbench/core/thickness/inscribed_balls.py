@@ -21,8 +21,8 @@ DENSE = 8.0
 curved like the ball: there it would nearly touch thousands of triangles."""
 
 NEAR = 1.0
-"""A ball whose radius is known to be less than this many of these distances has few triangles near it: the cloud says nothing
-that they do not say as fast."""
+"""A ball whose radius is known to be less than this many of these distances has few triangles near it: the cloud says
+nothing that they do not say as fast."""
 
 AS_CURVED = 0.5
 """From this curvature on, in radii of the ball, the surface is curved like the ball."""

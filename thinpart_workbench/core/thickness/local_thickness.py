@@ -33,7 +33,8 @@ def local_thickness(mesh, field, rays, most, at=None, report=None):
     that meet there, while ribs, teeth and run-outs have a thickness of their own.
 
     Balls are taken in the order of their size, and each marks the samples that it reaches and no larger one has. One whose
-    upper bound reaches only marked samples is never found exactly.
+    upper bound reaches only marked samples is never found exactly. Where walls are thinner than balls are far apart, a
+    sample has the wall that its ray meets, and one that sees none across, as on a rim, that of the nearest which does.
 
     Parameters
     ----------
@@ -44,8 +45,8 @@ def local_thickness(mesh, field, rays, most, at=None, report=None):
         Rays over the mesh.
     most : float, mm
         Greatest diameter of a ball, the shortest side of the box.
-    at : ndarray of shape (m, 3), mm, optional
-        Points of the surface, in the coordinates of the mesh.
+    at : SurfaceSamples, optional
+        Others of the mesh.
     report : callable, optional
         Called with the fraction done; may raise to stop.
     """
@@ -57,7 +58,36 @@ def local_thickness(mesh, field, rays, most, at=None, report=None):
     balls.bound_by_walls(field.distance[centres], field.opposite[centres])
     np.minimum(balls.radius, 0.5 * most, out=balls.radius)
     added = SPACING * float(np.sqrt(field.area.sum() / len(centres)))
-    return 2.0 * _Marks(balls, rays.turned(samples.points[counted] if at is None else at).T, added).radii(report)
+    if at is None:
+        at = SurfaceSamples(samples.points[counted], samples.triangle[counted], samples.area[counted])
+    radii = _Marks(balls, rays.turned(at.points).T, added).radii(report)
+    close = np.flatnonzero(radii < added)
+    if len(close):
+        _raise_to_walls(radii, close, mesh, at, rays, added)
+    return 2.0 * radii
+
+
+def _raise_to_walls(radii, close, mesh, at, rays, spacing):
+    """Raise the radii of samples between the balls of thin walls to those of the walls that their rays meet.
+
+    Parameters
+    ----------
+    radii : ndarray of shape (m,), mm
+    close : ndarray of shape (k,), int64
+        Samples whose balls are smaller than what is added to their reach.
+    mesh, at, rays
+        Of `local_thickness`.
+    spacing : float, mm
+        Half of the distance between balls.
+    """
+    own = LargestBalls(mesh, SurfaceSamples(at.points[close], at.triangle[close], at.area[close]), rays)
+    own.bound_by_rays()
+    across = own.radius <= 2.0 * spacing
+    radii[close[across]] = np.maximum(radii[close[across]], own.radius[across])
+    along, walls = close[~across], np.setdiff1d(np.arange(len(radii)), close[~across], assume_unique=True)
+    if len(along) and len(walls):
+        _, nearest = cKDTree(at.points[walls]).query(at.points[along])
+        radii[along] = np.maximum(radii[along], radii[walls[nearest]])
 
 
 class _Marks:
@@ -82,18 +112,13 @@ class _Marks:
         self._is_found = np.zeros(len(balls.radius), bool)
 
     def radii(self, report):
-        """Radius of the largest ball that reaches each sample: ndarray of shape (m,), mm."""
+        """Radius of the largest ball that reaches each sample: ndarray of shape (m,), mm; 0 where none does."""
         bound = self._balls.radius
         largest = float(bound.max(initial=0.0))
         while self._waits.any():
             most = float(bound[self._waits].max())
             self._mark_from(SAME * most)
             report_progress(report, 1.0 - most / largest)
-        # Where balls are farther apart than a wall is thick, some samples lie beside all that they reach.
-        missed = np.flatnonzero(self._radii == 0.0)
-        if len(missed):
-            _, nearest = cKDTree(self._balls.points.T).query(self._points[missed])
-            self._radii[missed] = bound[nearest]
         return self._radii
 
     def _mark_from(self, level):
