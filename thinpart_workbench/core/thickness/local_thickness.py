@@ -21,6 +21,11 @@ SAME = 0.9
 _AT_ONCE = 64, 4096
 """Balls that are looked for before the next are looked over again: at first, and at most."""
 
+MANY = 60.0
+"""Balls that reach as much of the surface as so many places are compared with all samples: a tree is slower then."""
+
+_DENSE = 64
+
 _GOLDEN = 0.6180339887498949
 
 
@@ -105,7 +110,7 @@ class _Marks:
     def __init__(self, balls, points, added):
         self._balls, self._points, self._added = balls, points, added
         self._radii = np.zeros(len(points))
-        self._tree = cKDTree(points)
+        self._squares, self._tree = (points ** 2).sum(axis=1), cKDTree(points)
         # Spread over the surface in any part of the order, so that few of them reach most of it.
         self._order = np.argsort(np.arange(len(balls.radius)) * _GOLDEN % 1.0)
         self._waits = np.ones(len(balls.radius), bool)
@@ -148,7 +153,14 @@ class _Marks:
             self._mark(ready)
 
     def _mark(self, balls):
-        radius = self._balls.radius[balls]
-        reached = self._tree.query_ball_point(self._balls.centres(balls), REACH * radius + self._added, return_sorted=False)
-        for own, samples in zip(radius, reached):
+        radius, centres = self._balls.radius[balls], self._balls.centres(balls)
+        reach = REACH * radius + self._added
+        large = np.pi * reach ** 2 > MANY * (self._added / SPACING) ** 2
+        for part in np.array_split(np.flatnonzero(large), max(1, np.count_nonzero(large) // _DENSE)):
+            square = self._squares[:, None] - 2.0 * self._points @ centres[part].T + (centres[part] ** 2).sum(axis=1)
+            own = np.where(square <= reach[part] ** 2, radius[part], 0.0).max(axis=1, initial=0.0)
+            np.maximum(self._radii, own, out=self._radii)
+        small = np.flatnonzero(~large)
+        reached = self._tree.query_ball_point(centres[small], reach[small], return_sorted=False)
+        for own, samples in zip(radius[small], reached):
             self._radii[samples] = np.maximum(self._radii[samples], own)
