@@ -8,6 +8,7 @@ The samples are made after what the text of the paper says of its figures: Giann
 """
 
 import argparse
+import json
 import os
 import re
 import sys
@@ -18,13 +19,20 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, os.fspath(ROOT))
 
 import thinpart_workbench as thinpart  # noqa: E402
-from benchmarks.table_text import Table, markdown  # noqa: E402
+from benchmarks.places import RESULTS  # noqa: E402
+from benchmarks.table_text import MISSING, Table, markdown  # noqa: E402
 from thinpart_workbench.core.judging.criteria import load_profile  # noqa: E402
 from thinpart_workbench.core.judging.paper_verdict import paper_sentence  # noqa: E402
 from thinpart_workbench.core.judging.verdict_sentence import verdict_sentence  # noqa: E402
 
 DOCUMENT = ROOT / "docs" / "method.md"
 SAMPLES = ROOT / "resources" / "samples"
+
+SOLVED = RESULTS / "2026-11-25-paper-examples.json"
+"""What benchmarks/solver_truth.py found of those samples that are not thin as a whole."""
+
+KNOWN, TROUBLE = 0.02, 0.04
+"""Change from one reference mesh to the next up to which an error is known; and the error from which a mesh is no good."""
 
 _MARK = re.compile(r"<!-- paper examples -->\n.*?<!-- end of paper examples -->", re.DOTALL)
 
@@ -91,14 +99,16 @@ def example_table(records):
     records : dict of PartRecord
         See `sample_records`.
     """
-    return Table("The paper's examples", ["figure", "sample", "the paper", "`paper`", "`calibrated`", "where they differ"],
-                 [_row(example, records[example.sample]) for example in EXAMPLES])
+    solved = json.loads(SOLVED.read_text(encoding="utf-8"))["solved"]
+    return Table("The paper's examples", ["figure", "sample", "the paper", "`paper`", "`calibrated`", "automatic mesh",
+                                         "where they differ"],
+                 [_row(example, records[example.sample], solved.get(example.sample)) for example in EXAMPLES])
 
 
-def _row(example, record):
+def _row(example, record, solved):
     stated = _verdict(example.category, example.criteria)
     return [example.figure, f"`{example.sample}`", f"{example.says}: {stated}", _verdict(**record["paper"]),
-            _verdict(record["category"], record["criteria"]), _difference(record)]
+            _verdict(record["category"], record["criteria"]), _mesh(solved), _difference(record, solved)]
 
 
 def _verdict(category, criteria):
@@ -106,13 +116,30 @@ def _verdict(category, criteria):
     return f"{word} ({', '.join(map(str, criteria))})" if criteria else word
 
 
-def _difference(record):
-    """What the paper found, and what `calibrated` says of it; empty where they agree."""
+def _mesh(solved):
+    """How far the automatic mesh is off, by the solver."""
+    if solved is None:
+        return MISSING
+    refused = "refused, " if solved["is_tangled"] else ""
+    if solved["error"] is None:
+        return f"{refused}untangled too"
+    about = "" if solved["change"] is not None and solved["change"] <= KNOWN else "about "
+    return f"{refused}{'untangled ' if refused else ''}{about}{100 * solved['error']:.1f} % off"
+
+
+def _difference(record, solved):
+    """What the paper found, what `calibrated` says of it, and the solver of a normal part; empty where they agree."""
     found = paper_sentence(record, load_profile("calibrated"))
     if not found:
         return ""
     figures = found.fields["figures"]
-    return f"`paper`: {figures}. `calibrated`: {verdict_sentence(record)}".replace("\u00a0", " ")
+    sentences = [f"`paper`: {figures}.", f"`calibrated`: {verdict_sentence(record)}"]
+    if solved and record["category"] == "normal":
+        if solved["error"] is None or solved["error"] > TROUBLE:
+            sentences.append("The solver bears out `paper`.")
+        elif not solved["is_tangled"]:
+            sentences.append("The solver bears out `calibrated`.")
+    return " ".join(sentences).replace("\u00a0", " ")
 
 
 def with_table(text, table):
