@@ -559,14 +559,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Quader, {}</translation>
     </message>
     <message>
-        <source>By the thresholds of the paper: {}</source>
-        <translation>Nach den Schwellen des Fachartikels: {}</translation>
-    </message>
-    <message>
-        <source>By the thresholds of the paper: {} (criteria {})</source>
-        <translation>Nach den Schwellen des Fachartikels: {} (Kriterien {})</translation>
-    </message>
-    <message>
         <source>By which the process is chosen, as in --check</source>
         <translation>Damit wird das Verfahren gewählt, wie bei --check</translation>
     </message>
@@ -3462,6 +3454,22 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Messing, kleines Gussteil</translation>
     </message>
     <message>
+        <source>By the paper's criteria: unknown. {reason}</source>
+        <translation>Nach den Kriterien des Artikels: unbekannt. {reason}</translation>
+    </message>
+    <message>
+        <source>By the paper's criteria: {category} (criterion {number}: {figures}).</source>
+        <translation>Nach den Kriterien des Artikels: {category} (Kriterium {number}: {figures}).</translation>
+    </message>
+    <message>
+        <source>By the paper's criteria: {category} (criterion {number}: {figures}; also {others}).</source>
+        <translation>Nach den Kriterien des Artikels: {category} (Kriterium {number}: {figures}; auch {others}).</translation>
+    </message>
+    <message>
+        <source>By the paper's criteria: {category} (no criterion holds).</source>
+        <translation>Nach den Kriterien des Artikels: {category} (kein Kriterium ist erfüllt).</translation>
+    </message>
+    <message>
         <source>By the paper’s thresholds</source>
         <translation>Nach den Schwellen des Artikels</translation>
     </message>
@@ -3874,6 +3882,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Kein Kriterium ist erfüllt: Die Wände sind überall dick.</translation>
     </message>
     <message>
+        <source>No parallel walls are thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
+        <translation>Keine parallele Wand ist dünner als {limit}, {part} der mittleren Seite von {middle}: mit Volumenelementen vernetzen.</translation>
+    </message>
+    <message>
         <source>No part is labelled {categories}: label at least {needed} parts of every category.</source>
         <translation>Kein Bauteil ist als {categories} eingeordnet: Ordnen Sie mindestens {needed} Bauteile in jede Kategorie ein.</translation>
     </message>
@@ -3944,6 +3956,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>One of the given paths is empty: name a file or a folder.</source>
         <translation>Einer der angegebenen Pfade ist leer: Nennen Sie eine Datei oder einen Ordner.</translation>
+    </message>
+    <message>
+        <source>Only {share} of the surface lies over parallel walls thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
+        <translation>Nur {share} der Oberfläche liegen über parallelen Wänden, die dünner als {limit} sind, {part} der mittleren Seite von {middle}: mit Volumenelementen vernetzen.</translation>
     </message>
     <message>
         <source>Only {share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
@@ -4978,6 +4994,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>sie lässt sich nicht entpacken</translation>
     </message>
     <message>
+        <source>it fills {share} of its box</source>
+        <translation>füllt {share} seines Hüllquaders</translation>
+    </message>
+    <message>
         <source>it has no triangles</source>
         <translation>sie hat keine Dreiecke</translation>
     </message>
@@ -5036,6 +5056,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>it stores a resource as '{path}'</source>
         <translation>es legt eine Ressource als „{path}“ ab</translation>
+    </message>
+    <message>
+        <source>its box is flat, {long} by {middle} by {short}</source>
+        <translation>flacher Hüllquader, {long} mal {middle} mal {short}</translation>
     </message>
     <message>
         <source>its mesh is incomplete: is the disk full?</source>
@@ -5360,6 +5384,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>volumes by the HXT method, which is quicker</source>
         <translation>Volumen nach dem Verfahren HXT, das schneller ist</translation>
+    </message>
+    <message>
+        <source>walls at {low:g} to {high:g} degrees as near as {nearest}</source>
+        <translation>Wände im Winkel von {low:g} bis {high:g} Grad mit nur {nearest} Abstand</translation>
     </message>
     <message>
         <source>wrong usage of the command</source>
@@ -5880,6 +5908,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: refine the mesh there.</source>
         <translation>{share} der Oberfläche liegen über Wänden, die dünner als {limit} sind, {part} der mittleren Seite von {middle}: das Netz dort verfeinern.</translation>
+    </message>
+    <message>
+        <source>{share} of the surface over walls of {least} to {most}, beside a thick body</source>
+        <translation>{share} der Oberfläche über Wänden von {least} bis {most}, neben einem dicken Körper</translation>
+    </message>
+    <message>
+        <source>{share} of the surface over walls thinner than {most}</source>
+        <translation>{share} der Oberfläche über Wänden dünner als {most}</translation>
     </message>
     <message>
         <source>{thickness} and more</source>

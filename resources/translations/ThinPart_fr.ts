@@ -559,14 +559,6 @@ Son volume est inconnu.</translation>
         <translation>Boîte, {}</translation>
     </message>
     <message>
-        <source>By the thresholds of the paper: {}</source>
-        <translation>Selon les seuils de l'article : {}</translation>
-    </message>
-    <message>
-        <source>By the thresholds of the paper: {} (criteria {})</source>
-        <translation>Selon les seuils de l'article : {} (critères {})</translation>
-    </message>
-    <message>
         <source>By which the process is chosen, as in --check</source>
         <translation>Par lequel le procédé est choisi, comme dans --check</translation>
     </message>
@@ -3462,6 +3454,22 @@ Son volume est inconnu.</translation>
         <translation>Laiton, petite pièce</translation>
     </message>
     <message>
+        <source>By the paper's criteria: unknown. {reason}</source>
+        <translation>Selon les critères de l’article : inconnue. {reason}</translation>
+    </message>
+    <message>
+        <source>By the paper's criteria: {category} (criterion {number}: {figures}).</source>
+        <translation>Selon les critères de l’article : {category} (critère {number} : {figures}).</translation>
+    </message>
+    <message>
+        <source>By the paper's criteria: {category} (criterion {number}: {figures}; also {others}).</source>
+        <translation>Selon les critères de l’article : {category} (critère {number} : {figures} ; aussi {others}).</translation>
+    </message>
+    <message>
+        <source>By the paper's criteria: {category} (no criterion holds).</source>
+        <translation>Selon les critères de l’article : {category} (aucun critère n’est rempli).</translation>
+    </message>
+    <message>
         <source>By the paper’s thresholds</source>
         <translation>D’après les seuils de l’article</translation>
     </message>
@@ -3874,6 +3882,10 @@ Son volume est inconnu.</translation>
         <translation>Aucun critère n’est rempli : ses parois sont épaisses partout.</translation>
     </message>
     <message>
+        <source>No parallel walls are thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
+        <translation>Aucune paroi parallèle n’est plus mince que {limit}, {part} du côté médian de {middle} : mailler en éléments volumiques.</translation>
+    </message>
+    <message>
         <source>No part is labelled {categories}: label at least {needed} parts of every category.</source>
         <translation>Aucune pièce n’est étiquetée {categories} : étiquetez au moins {needed} pièces de chaque catégorie.</translation>
     </message>
@@ -3944,6 +3956,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>One of the given paths is empty: name a file or a folder.</source>
         <translation>Un des chemins donnés est vide : indiquez un fichier ou un dossier.</translation>
+    </message>
+    <message>
+        <source>Only {share} of the surface lies over parallel walls thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
+        <translation>Seulement {share} de la surface recouvre des parois parallèles plus minces que {limit}, {part} du côté médian de {middle} : mailler en éléments volumiques.</translation>
     </message>
     <message>
         <source>Only {share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
@@ -4978,6 +4994,10 @@ Son volume est inconnu.</translation>
         <translation>il ne peut pas être décompressé</translation>
     </message>
     <message>
+        <source>it fills {share} of its box</source>
+        <translation>remplit {share} de sa boîte englobante</translation>
+    </message>
+    <message>
         <source>it has no triangles</source>
         <translation>elle n’a pas de triangles</translation>
     </message>
@@ -5036,6 +5056,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>it stores a resource as '{path}'</source>
         <translation>il range une ressource sous « {path} »</translation>
+    </message>
+    <message>
+        <source>its box is flat, {long} by {middle} by {short}</source>
+        <translation>boîte englobante plate, {long} par {middle} par {short}</translation>
     </message>
     <message>
         <source>its mesh is incomplete: is the disk full?</source>
@@ -5360,6 +5384,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>volumes by the HXT method, which is quicker</source>
         <translation>volumes par la méthode HXT, plus rapide</translation>
+    </message>
+    <message>
+        <source>walls at {low:g} to {high:g} degrees as near as {nearest}</source>
+        <translation>parois de {low:g} à {high:g} degrés, distantes de {nearest} seulement</translation>
     </message>
     <message>
         <source>wrong usage of the command</source>
@@ -5880,6 +5908,14 @@ Son volume est inconnu.</translation>
     <message>
         <source>{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: refine the mesh there.</source>
         <translation>{share} de la surface recouvre des parois plus minces que {limit}, {part} du côté médian de {middle} : y raffiner le maillage.</translation>
+    </message>
+    <message>
+        <source>{share} of the surface over walls of {least} to {most}, beside a thick body</source>
+        <translation>{share} de la surface recouvre des parois de {least} à {most}, à côté d’un corps épais</translation>
+    </message>
+    <message>
+        <source>{share} of the surface over walls thinner than {most}</source>
+        <translation>{share} de la surface recouvre des parois plus minces que {most}</translation>
     </message>
     <message>
         <source>{thickness} and more</source>

@@ -47,6 +47,15 @@ def test_table_names_part_category_criteria_box_fill_and_wall(tmp_path):
     assert re.match(r"Mounting plate\s+thin\s+1, 4, 5\s+[\d.]+ x [\d.]+ x [\d.]+\s+0\.\d+\s+[\d.]+$", row)
 
 
+def test_what_the_paper_would_say_of_a_single_file_stands_below_the_table():
+    said = "Shaft: By the paper's criteria: thin (criterion 4: "
+    assert said in thinpart("classify", SAMPLES / "shaft.FCStd", "--no-info").stdout
+    assert "paper" not in thinpart("classify", SAMPLES / "shaft.FCStd", "--no-info", "--profile", "paper").stdout
+    assert "paper" not in thinpart("classify", SAMPLES / "plate.FCStd", "--no-info").stdout  # thin by both
+    several = thinpart("classify", SAMPLES / "shaft.FCStd", SAMPLES / "plate.FCStd", "--no-info").stdout
+    assert "Shaft" in several and "paper" not in several
+
+
 @pytest.mark.timeout(180)  # all samples are measured
 def test_demo_classifies_the_samples_and_leaves_nothing_behind():
     before = sorted(SAMPLES.iterdir())

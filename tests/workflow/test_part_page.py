@@ -7,6 +7,7 @@ import pytest
 from made_library import record_of, store
 
 from thinpart_workbench.core.figures import Length
+from thinpart_workbench.core.judging.criteria import load_profile
 from thinpart_workbench.core.length_unit import INCH
 from thinpart_workbench.core.message import message
 from thinpart_workbench.core.number_text import percent
@@ -75,6 +76,21 @@ def test_a_record_of_an_earlier_version_has_no_walls_to_list(tmp_path):
     about = {**read_info(store(tmp_path, "plate.step", [record])), "kept": {}, "limits": ()}
     pictures = SimpleNamespace(scale=None, views=list, measure="ray")
     assert "Its walls" not in part_page(record, pictures, [], about, "plate.step", "").decode()
+
+
+def test_what_the_paper_would_say_stands_where_it_differs(tmp_path):
+    said = "By the paper&#39;s criteria: thin features (criterion 5: "
+    record = record_of("ribbed_block")
+    assert record["category"] == "thin_features"
+    about = {**read_info(store(tmp_path, "block.step", [record])), "kept": {}, "limits": ()}
+    pictures = SimpleNamespace(scale=None, views=list, measure="ray")
+    assert said not in part_page(record, pictures, [], about, "block.step", "").decode()
+    calibrated = load_profile("calibrated")
+    by_calibrated = {**record, "category": "normal"}
+    about["profile"] = calibrated.content
+    assert said in part_page(by_calibrated, pictures, [], about, "block.step", "").decode()
+    german = part_page(by_calibrated, pictures, [], about, "block.step", "", "de").decode()
+    assert "Nach den Kriterien des Artikels: teils d\u00fcnn (Kriterium 5: " in german
 
 
 def _record_with_lengths():

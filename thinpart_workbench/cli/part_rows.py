@@ -3,8 +3,10 @@
 import json
 import os
 from collections import namedtuple
+from itertools import zip_longest
 
 from ..core.errors import ThinPartError
+from ..core.judging.paper_verdict import paper_sentence
 from ..core.number_text import percent
 from ..storage.part_table import checked_row, failed_row, part_table, write_table
 from .check_options import check_columns, check_remarks
@@ -55,26 +57,29 @@ _Row = namedtuple("_Row", "file table csv")
 class PartRows:
     """Table and CSV rows of all files of a run, stored as text.
 
-    Records are not stored, because a part record is a hundred times as large as its rows.
+    Records are not stored, except those of a single file, because a part record is a hundred times as large as its rows.
 
     Parameters
     ----------
     tree : str or Path
         Folder that holds all files; files are named by their paths relative to it.
+    profile : Profile
+        That the parts are judged by. Where the paper would say something else of the parts of a single file, a line below
+        the table says it.
     table, csv, regions : bool
         Which kinds of rows are needed; regions are lines below the table.
     limits : tuple of WallLimits
         What the parts were checked against: their ``checks`` get columns of their own.
     """
 
-    def __init__(self, tree, table=True, csv=True, regions=False, limits=()):
-        self._limits = limits
+    def __init__(self, tree, profile, table=True, csv=True, regions=False, limits=()):
+        self._profile, self._limits = profile, limits
         self._form = part_table(each.name for each in limits)
         self._tree = tree
         self._table = table
         self._csv = csv
         self._regions = regions
-        self._rows = []
+        self._rows, self._single = [], None
 
     def __bool__(self):
         return bool(self._rows)
@@ -82,6 +87,7 @@ class PartRows:
     def add(self, outcome):
         """Add the parts and failures of one file, an outcome of `analyse_files`."""
         path = os.path.relpath(outcome["file"], self._tree)
+        self._single = None if self._rows else outcome
         self._rows.append(_Row(
             outcome["file"],
             json.dumps(_table_rows(outcome, path, self._regions)) if self._table else None,
@@ -94,9 +100,12 @@ class PartRows:
         several = len({row.file for row in self._rows}) > 1
         columns = [*_columns(several), *check_columns(self._limits, lambda row: row.get("checks"))]
         print_table(stream, columns, self._loaded_rows)
-        for row in self._loaded_rows():
+        parts = self._single.get("parts", ()) if self._single else ()
+        for row, part in zip_longest(self._loaded_rows(), parts):
             prefix = f"{row['path']}: {row['cells'][0]}" if several else row["cells"][0]
-            for text in [*row["remarks"], *check_remarks(row.get("checks") or (), several), *row.get("regions", ())]:
+            paper = paper_sentence(part, self._profile) if part else ""
+            checks = check_remarks(row.get("checks") or (), several)
+            for text in [*filter(None, [paper]), *row["remarks"], *checks, *row.get("regions", ())]:
                 print_remark(stream, f"{prefix}: {text}")
 
     def _loaded_rows(self):

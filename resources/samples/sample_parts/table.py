@@ -3,8 +3,11 @@
 from dataclasses import dataclass, field
 
 from .assembly import assembly_of_three
+from .castings import solid_casting, thin_walled_casting
 from .normal_parts import block, tapered_plug, vee_block
 from .thin_features import (
+    cuboid_with_rib,
+    endless_screw,
     flange,
     gear_thin_teeth,
     ribbed_block,
@@ -16,9 +19,10 @@ from .thin_parts import (
     bent_sheet_bracket,
     heat_sink,
     nearly_square_dish,
+    pipe_bend,
     plate,
+    plate_with_openings,
     shaft,
-    thin_walled_casting,
     tube,
 )
 
@@ -84,8 +88,8 @@ SAMPLES = (
     Sample(gear_thin_teeth, "Pointed teeth have no parallel faces: their flanks meet at a sharp angle.",
            "thin_features", [6, 7], "thin_features"),
     Sample(spur_gear_on_hub,
-           "Involute teeth that narrow towards their tips: thin features of the paper, sturdy against the width.",
-           "thin_features", [7], "normal"),
+           "Involute teeth that narrow towards their tips: their flanks are not parallel.",
+           "thin_features", [7], "thin_features"),
     Sample(heat_sink, "Most of the surface belongs to thin fins, so the part is thin as a whole.",
            "thin", [4, 5], "thin"),
     Sample(worm_run_out,
@@ -112,4 +116,11 @@ SAMPLES = (
     Sample(nearly_square_dish, "Low and nearly square, but half empty: a dish.", "thin", [2, 4, 5, 7], "thin"),
     Sample(vee_block, "A cut-out alone makes nothing thin: a vee block.", "normal", [], "normal"),
     Sample(tapered_plug, "A compact, slightly tapered plug.", "normal", [], "normal"),
+    Sample(endless_screw, "A thread that the ends and their chamfers cut off to a blade.", "thin_features", [7], "normal"),
+    Sample(cuboid_with_rib, "A rib on a cuboid that is as long as wide as high: three distances inside.",
+           "thin_features", [6], "normal"),
+    Sample(pipe_bend, "A very curved part: a bend of a pipe, with a wall of 2 mm.", "thin", [3, 4], "thin"),
+    Sample(plate_with_openings, "A plate whose openings leave it less than 80 % of its box.", "thin", [1, 2, 4, 5], "thin"),
+    Sample(solid_casting, "The shape of the cast cover, but solid: only flange, ribs and the ring of the bore are thin.",
+           "thin_features", [5, 6, 7], "thin_features"),
 )

@@ -16,17 +16,28 @@ from .body_objects import (
     through_pocket,
 )
 from .edge_choice import is_circle
-from .part_objects import X, add, box, chamfer, cut, cylinder, extrusion, fillet, fuse, polygon
+from .part_objects import X, Z, add, box, chamfer, cut, cylinder, extrusion, fillet, fuse, polygon
 
 PRESSURE_ANGLE = math.radians(20)
 """Of the spur gear's teeth."""
 
+FLANK = math.radians(20)
+"""Of the threads of worms: angle of a flank to the plane across the axis."""
+
 
 def ribbed_block(doc):
-    """The paper's example: a rib of 6 mm, 4.6 % of diag, on a block."""
+    """A rib of 6 mm, 4.6 % of diag, on a block."""
     base = box(doc, "Base", (100, 60, 40))
     rib = box(doc, "Rib", (100, 6, 20), (0, 27, 40))
     return [fuse(doc, "Ribbed block", base, rib)]
+
+
+def cuboid_with_rib(doc):
+    """The paper's figure 6.a: it fills 0.74 of its box, and has three distances inside: 8, 42 and 60 mm."""
+    side, height, rib = 60.0, 42.0, 8.0
+    base = box(doc, "Cuboid", (side, side, height))
+    top = box(doc, "Rib", (side, rib, side - height), (0, (side - rib) / 2, height))
+    return [fuse(doc, "Cuboid with a rib", base, top)]
 
 
 def gear_thin_teeth(doc):
@@ -103,58 +114,91 @@ def _involute_profile(module, teeth, pressure_angle=PRESSURE_ANGLE):
 
 
 def worm_run_out(doc):
-    """A worm whose thread runs out to nothing at both ends; flanks at 40 degrees.
-
-    A sweep cannot change its section on the way, so the flanks and the crest are B-spline
-    surfaces through the section at many places of the helix. The thread is a computed shape: one
-    Boolean operation joins it to its core.
-    """
+    """A worm whose thread runs out to nothing at both ends; flanks at 40 degrees."""
     core_radius, crest_radius, length, lead, turns = 15.0, 21.0, 72.0, 14.0, 3.5
     sunk = core_radius - 1.5  # the thread's foot, inside the core so that the two overlap
     half_crest = 1.7
-    half_foot = half_crest + (crest_radius - sunk) * math.tan(math.radians(20))
+    half_foot = half_crest + (crest_radius - sunk) * math.tan(FLANK)
     run_out = 0.8  # turns over which the section shrinks to where it disappears in the core
     smallest = 0.12  # of the full section, there; less than (core - sunk) / (crest - sunk) = 0.2
-    start = (length - lead * turns) / 2
-    rows_per_turn = 12
 
     def section(turn):
-        """The four corners of the section: (foot, crest) of the lower and the upper flank."""
         grown = min(1.0, turn / run_out, (turns - turn) / run_out)
         # The sine is level where run-out begins, so that there is no kink.
         scale = smallest + (1 - smallest) * math.sin(grown * math.pi / 2)
-        radius = sunk + (crest_radius - sunk) * scale
+        return sunk, half_foot * scale, sunk + (crest_radius - sunk) * scale, half_crest * scale
+
+    thread = _helical_bar(section, (length - lead * turns) / 2, lead, turns)
+    core = Part.makeCylinder(core_radius, length)
+    core = core.makeChamfer(2.0, _rims(core))
+    worm = core.fuse(thread)
+    return [add(doc, "Part::Feature", "Worm", Shape=worm)]
+
+
+def endless_screw(doc):
+    """The paper's figure 1: a thread that the ends, and the chamfers around them, cut off to blades."""
+    root_radius, crest_radius, length, lead, chamfer_size = 15.0, 21.0, 52.0, 14.0, 5.0
+    sunk, half_crest = root_radius - 1.5, 1.5
+    half_foot = half_crest + (crest_radius - sunk) * math.tan(FLANK)
+    turns = length / lead + 1.5  # what is beyond the ends is cut off
+    thread = _helical_bar(lambda turn: (sunk, half_foot, crest_radius, half_crest), -0.75 * lead, lead, turns)
+    screw = Part.makeCylinder(root_radius, 3 * length, Vector(0, 0, -length)).fuse(thread)
+    flat, around = crest_radius - chamfer_size, crest_radius + 10.0
+    # One tool for each end: everything beyond its plane and its cone.
+    for end, outwards in ((0.0, -1), (length, 1)):
+        cone, beyond = end - outwards * (around - flat), end + outwards * length
+        section = [Vector(0, 0, end), Vector(flat, 0, end), Vector(around, 0, cone), Vector(around, 0, beyond),
+                   Vector(0, 0, beyond)]
+        face = Part.Face(Part.makePolygon(section + section[:1]))
+        screw = screw.cut(face.revolve(Vector(), Z, 360))
+    return [add(doc, "Part::Feature", "Endless screw", Shape=screw)]
+
+
+def _rims(cylinder_shape):
+    return [edge for edge in cylinder_shape.Edges if isinstance(edge.Curve, Part.Circle)]
+
+
+def _helical_bar(section, start, lead, turns):
+    """A solid whose section moves along a helix about Z.
+
+    A sweep cannot change its section on the way, so its sides are B-spline surfaces through the section at many
+    places of the helix. It is a computed shape: one Boolean operation joins it to a core, or cuts it out of one.
+
+    Parameters
+    ----------
+    section : callable
+        After so many turns: inner radius, half the width there, outer radius, half the width there, mm.
+    start, lead : float, mm
+        Height of its middle at first, and what it rises by in one turn.
+    turns : float
+    """
+    rows_per_turn = 12
+
+    def corners_at(turn):
+        """The four corners of the section: (inner, outer) of the lower and the upper flank."""
+        inner, half_inner, outer, half_outer = section(turn)
         angle, height = 2 * math.pi * turn, start + lead * turn
 
         def point(r, dz):
             return Vector(r * math.cos(angle), r * math.sin(angle), height + dz)
 
-        return [
-            point(sunk, -half_foot * scale),
-            point(radius, -half_crest * scale),
-            point(radius, half_crest * scale),
-            point(sunk, half_foot * scale),
-        ]
+        return [point(inner, -half_inner), point(outer, -half_outer), point(outer, half_outer), point(inner, half_inner)]
 
     # One face per side over the whole length: joining several end to end is fragile.
     count = math.ceil(turns * rows_per_turn)
-    rows = [section(turns * i / count) for i in range(count + 1)]
+    rows = [corners_at(turns * i / count) for i in range(count + 1)]
     faces = []
     for a, b in ((0, 1), (1, 2), (2, 3), (3, 0)):
         faces.append(_ruled_face([row[a] for row in rows], [row[b] for row in rows]))
     for turn in (0.0, turns):
-        corners = section(turn)
+        corners = corners_at(turn)
         faces.append(Part.Face(Part.makePolygon(corners + corners[:1])))
     shell = Part.makeShell(faces)
     shell.sewShape()
-    thread = Part.makeSolid(Part.Shell(shell.Faces))
-    if thread.Volume < 0:
-        thread.reverse()
-    core = Part.makeCylinder(core_radius, length)
-    rims = [edge for edge in core.Edges if isinstance(edge.Curve, Part.Circle)]
-    core = core.makeChamfer(2.0, rims)
-    worm = core.fuse(thread)
-    return [add(doc, "Part::Feature", "Worm", Shape=worm)]
+    bar = Part.makeSolid(Part.Shell(shell.Faces))
+    if bar.Volume < 0:
+        bar.reverse()
+    return bar
 
 
 def _ruled_face(one, other):

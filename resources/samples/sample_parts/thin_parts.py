@@ -4,7 +4,7 @@ import math
 
 import Part
 import Sketcher
-from FreeCAD import Placement, Rotation, Vector
+from FreeCAD import Vector
 
 from .body_objects import (
     body,
@@ -17,7 +17,7 @@ from .body_objects import (
     through_pocket,
 )
 from .edge_choice import is_line, lies_at
-from .part_objects import X, Z, add, box, cut, cylinder, extrusion, fillet, fuse, hide, polygon
+from .part_objects import X, Z, add, box, cut, cylinder, extrusion, fillet, hide, polygon
 
 
 def plate(doc):
@@ -137,58 +137,27 @@ def heat_sink(doc):
     return [cut(doc, "Heat sink", comb, *holes)]
 
 
-def thin_walled_casting(doc):
-    """A gearbox cover: 3 mm walls, a flange, a bearing boss with ribs, fillets."""
-    length, width, height, wall = 140.0, 90.0, 48.0, 3.0
-    corner, rim, flange = 14.0, 13.0, 5.0
+def plate_with_openings(doc):
+    """The paper's figure 7.a: so many openings that the plate fills less than 80 % of its box; D2/D3 = 13.8."""
+    length, width, thickness = 150, 110, 8
+    part = body(doc, "Cover plate")
+    outline = sketch_on(part, "XY", "Outline")
+    sketch_rectangle(outline, length, width)
+    pad(part, "Plate", outline, thickness)
+    openings = sketch_on(part, "XY", "Openings", offset=thickness)
+    corners = [(x * 54, y * 34, 22) for x in (-1, 1) for y in (-1, 1)]
+    sketch_circles(openings, corners + [(0, 0, 62)])
+    through_pocket(part, "Bores", openings)
+    show_tip_only(part)
+    return [part]
 
-    def vertical(edge):
-        return is_line(edge, Z)
 
-    # The hollow is an offset of the outside (equal walls at the corners, too).
-    outside = box(doc, "Outside block", (length, width, height))
-    outside = fillet(doc, "Outside corners", outside, corner, vertical)
-    outside = fillet(doc, "Outside", outside, 7.0, lambda e: lies_at(e, Z, height))
-    hollow = (length - 2 * wall, width - 2 * wall, height - wall)
-    hollow = box(doc, "Hollow block", hollow, (wall, wall, 0))
-    hollow = fillet(doc, "Hollow corners", hollow, corner - wall, vertical)
-    hollow = fillet(doc, "Hollow", hollow, 7.0 - wall, lambda e: lies_at(e, Z, height - wall))
-
-    rim_block = box(doc, "Rim block", (length + 2 * rim, width + 2 * rim, flange), (-rim, -rim, 0))
-    rim_block = fillet(doc, "Rim", rim_block, corner + rim, vertical)
-    middle_x, middle_y = length / 2, width / 2
-    boss_height = height + 10
-    boss = cylinder(doc, "Bearing boss", 44, 13, (middle_x, middle_y, boss_height - 13))
-    # Four ribs brace the boss against the roof; they start within its wall.
-    ribs = []
-    for i, (dx, dy, reach) in enumerate(((1, 0, 54), (-1, 0, 54), (0, 1, 32), (0, -1, 32)), 1):
-        rib = polygon(doc, f"Rib profile {i}", [
-            (17, 0, height - 1), (reach, 0, height - 1), (reach, 0, height), (21, 0, height + 7),
-            (17, 0, height + 7),
-        ])
-        solid = extrusion(doc, f"Rib {i}", rib, Vector(0, 3, 0))
-        turn = Rotation(X, Vector(dx, dy, 0))
-        start = Vector(middle_x, middle_y, 0) + turn.multVec(Vector(0, -1.5, 0))
-        solid.Placement = Placement(start, turn)
-        ribs.append(solid)
-    walls = fuse(doc, "Cast body", outside, rim_block, boss, *ribs)
-
-    def wall_meets_rim(edge):
-        extent = edge.BoundBox
-        inside_x = extent.XMin > -1 and extent.XMax < length + 1
-        inside_y = extent.YMin > -1 and extent.YMax < width + 1
-        return lies_at(edge, Z, flange) and inside_x and inside_y
-
-    walls = fillet(doc, "Cast body with fillets", walls, 2.5, wall_meets_rim)
-
-    bore = cylinder(doc, "Bearing bore", 32, 40, (middle_x, middle_y, boss_height - 40))
-    bolts = [
-        cylinder(doc, f"Bolt hole {i + 1}", 5.5, flange, (x, y, 0))
-        for i, (x, y) in enumerate(
-            [(-7, 12), (-7, 78), (147, 12), (147, 78), (40, -7), (100, -7), (40, 97), (100, 97)]
-        )
-    ]
-    return [cut(doc, "Gearbox cover", walls, hollow, bore, *bolts)]
+def pipe_bend(doc):
+    """The paper's figure 6.b, a very curved part: a bend of 90 degrees of a pipe with a wall of 2 mm."""
+    outside, inside = (
+        add(doc, "Part::Torus", label, Radius1=50.0, Radius2=radius, Angle3=90.0)
+        for label, radius in (("Outside", 20.0), ("Inside", 18.0)))
+    return [cut(doc, "Pipe bend", outside, inside)]
 
 
 def shaft(doc):

@@ -3,7 +3,8 @@
 from typing import NamedTuple, Optional
 
 from ...core.categories import UNKNOWN
-from ...core.judging.criteria import PAPER, Profile, load_profile
+from ...core.judging import paper_verdict
+from ...core.judging.criteria import Profile
 from ...core.judging.verdict_reasons import deciding_criteria, nearest_other, reason_of
 from ...core.judging.verdict_sentence import verdict_sentence
 from ...core.record.record_types import PartRecord
@@ -58,12 +59,12 @@ def sureness(record: PartRecord) -> Optional[Sureness]:
     return Sureness(record["margin"], None, nearest_other(record), None, record["borderline"])
 
 
-def paper_profile(profile: Profile) -> Optional[Profile]:
-    """The profile with the paper's own thresholds, by which records are judged too; None where they were judged by it alone.
+def paper_sentence(record: PartRecord, profile: Profile) -> str:
+    """What the paper's criteria make of a part, with the figure that decides; empty where that is what the profile says.
 
     Examples
     --------
-    >>> paper_profile(preferred).name
-    'paper'
+    >>> paper_sentence(record, preferred)  # a plate, which is thin by both
+    ''
     """
-    return None if profile.name == PAPER else load_profile(PAPER)
+    return paper_verdict.paper_sentence(record, profile)

@@ -61,12 +61,13 @@ def add_arguments(parser):
 def run(options):
     """Classify and return the exit status."""
     checks = PartChecks(checked_limits(options))
-    rows = PartRows(common_folder(options.paths), table=not options.json, csv=bool(options.csv),
+    profile = load_profile(options.profile)
+    rows = PartRows(common_folder(options.paths), profile, table=not options.json, csv=bool(options.csv),
                     regions=options.regions, limits=checks.limits)
     try:
         with controlled_run(options) as (report, control, undisturbed):
             try:
-                failed = _classify(options, control, report, rows, checks)
+                failed = _classify(options, profile.content, control, report, rows, checks)
             finally:
                 # Also after Ctrl-C, so that finished results are saved.
                 if options.csv and rows:
@@ -79,9 +80,9 @@ def run(options):
     return checks.exit_status(1 if failed else 0)
 
 
-def _classify(options, control, report, rows, checks):
+def _classify(options, profile, control, report, rows, checks):
     """Find the documents and analyse them; returns the number of those that failed."""
-    settings, profile = settings_of(options), load_profile(options.profile).content
+    settings = settings_of(options)
     paths = None if options.only is None else _listed(options)
     file_run = new_file_run(options, control, report, paths)
     if options.info_dir is not None and not options.no_info:

@@ -37,10 +37,18 @@ def _of_walls(record, quantity, condition, plates):
     width = record["descriptors"]["box_mm"][1]
     bound, middle = quantity.bounds[1], Length(width)
     share, limit, part = Share(condition["value"]), Length(bound * width), Share(bound)
+    if not condition["value"] and not quantity.slanted:  # there may be tapered ones
+        return message(
+            "No parallel walls are thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.",
+            limit=limit, part=part, middle=middle)
     if not condition["value"]:
         return message(
             "No walls are thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.",
             limit=limit, part=part, middle=middle)
+    if not condition["holds"] and not quantity.slanted:
+        return message(
+            "Only {share} of the surface lies over parallel walls thinner than {limit}, {part} of the middle side of "
+            "{middle}: mesh it with solids.", share=share, limit=limit, part=part, middle=middle)
     if not condition["holds"]:
         return message(
             "Only {share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: "

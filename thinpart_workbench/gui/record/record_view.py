@@ -77,7 +77,7 @@ class RecordView(QtWidgets.QWidget):
         self._part.setText(record["label"])
         show_text(self._why, reason_text(record, unit))
         show_text(self._confidence, confidence_text(record, profile))
-        show_text(self._paper, paper_text(record, profile))
+        show_text(self._paper, paper_text(record, profile, unit))
         show_text(self._checks, checks_text(record, unit))
         measured = record["descriptors"]
         show_text(self._box, _box(measured, unit))

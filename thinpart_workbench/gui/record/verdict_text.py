@@ -1,7 +1,7 @@
 """Texts about a part's verdict."""
 
 from ...api.window.profiles import known_criteria
-from ...api.window.verdicts import paper_profile, sureness, why
+from ...api.window.verdicts import paper_sentence, sureness, why
 from ...core.categories import NORMAL, UNKNOWN
 from ..application.numbers import percent
 from ..application.qt import translate
@@ -88,17 +88,9 @@ def confidence_text(record, profile):
     return translate("ThinPart", "Probability: {}, next '{}' with {}").format(*words[1:])
 
 
-def paper_text(record, profile):
-    """The verdict by the paper's own thresholds; empty where the profile is the paper's."""
-    judging = paper_profile(profile)
-    if judging is None:
-        return ""
-    paper = record["paper"]
-    title = category_title(paper["category"], judging)
-    if not paper["criteria"]:
-        return translate("ThinPart", "By the thresholds of the paper: {}").format(title)
-    return translate("ThinPart", "By the thresholds of the paper: {} (criteria {})").format(
-        title, ", ".join(map(str, paper["criteria"])))
+def paper_text(record, profile, unit):
+    """What the paper would say, with lengths in a unit; empty where the verdict of the profile is the same."""
+    return translated(paper_sentence(record, profile), unit)
 
 
 def holds_text(holds):

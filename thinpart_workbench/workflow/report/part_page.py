@@ -9,6 +9,7 @@ from ...core.descriptors.descriptor_table import quantity_named
 from ...core.descriptors.distribution_bars import bars, round_up
 from ...core.foreign_text import json_text
 from ...core.judging.criteria import profile_from
+from ...core.judging.paper_verdict import paper_sentence
 from ...core.judging.verdict_reasons import deciding_criteria, nearest_other, reason_of
 from ...core.judging.verdict_sentence import verdict_sentence
 from ...core.judging.wall_check import check_sentence, check_walls
@@ -62,6 +63,7 @@ def part_page(record, pictures, features, about, file, overview, language=ENGLIS
         "part.html", language, unit, part=record, file=file, overview=overview, software=__version__,
         titles=titles, meaning=meanings.get(record["category"], ""), profile=about["profile"],
         reason=_reason(record), deciding=deciding_criteria(record), other=nearest_other(record), chances=_chances(record),
+        paper=paper_sentence(record, profile),
         thickness=record["descriptors"]["thickness_mm"], shares=record["descriptors"]["shares"],
         source=about["source"], settings=about["settings"], kept=_annotations(about["kept"]),
         views=[_view(view) for view in pictures.views()], width=WIDTH, height=HEIGHT,
