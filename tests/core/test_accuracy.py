@@ -79,6 +79,17 @@ def test_an_unmeasured_quantity_and_one_of_an_earlier_version_have_no_error():
     assert error("regions", with_precision(RIBBED)) is None
 
 
+def test_what_the_search_for_slanted_walls_leaves_open_is_in_their_error():
+    known = with_precision(made_meshes.prism([(0, 0), (100, 0), (100, 10), (0, 60)], 50))
+    open_ended = replace(known, precision=replace(known.precision, slanted=0.02))
+    assert error("min_nonparallel[10;55]", known) < 0.005
+    assert 0.02 <= error("min_nonparallel[10;55]", open_ended) < 0.025
+    # Other angles are read off the samples, which no search changes.
+    assert error("min_nonparallel[10;30]", open_ended) == error("min_nonparallel[10;30]", known) is not None
+    more = open_ended.precision.at(36_000)
+    assert more.slanted == pytest.approx(0.02 * (36_000 / open_ended.precision.samples) ** -0.6)
+
+
 def judged_at(threshold, descriptors):
     return classify(descriptors, profile_from({
         "format": "thinpart-profile", "version": 1, "name": "one", "categories": [

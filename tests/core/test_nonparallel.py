@@ -1,3 +1,5 @@
+import math
+
 import made_meshes
 import numpy as np
 import pytest
@@ -12,7 +14,7 @@ from thinpart_workbench.core.rays.ray_packets import PACKET
 from thinpart_workbench.core.rays.tree_descent import Work
 from thinpart_workbench.core.thickness.convex_clipping import areas, clip
 from thinpart_workbench.core.thickness.measurement import measure
-from thinpart_workbench.core.thickness.nonparallel import nonparallel_minimum
+from thinpart_workbench.core.thickness.nonparallel import nonparallel_minimum, sampled_minimum
 from thinpart_workbench.core.thickness.slanted_pairs import slanted_pairs
 from thinpart_workbench.core.thickness.thickness_field import measure_rays
 
@@ -33,11 +35,19 @@ def _finer(shape, times):
 
 
 def _least(shape, minimum=AnalysisSettings.minimum_samples):
-    """Least non-parallel distance in mm, and the mesh."""
+    """Least non-parallel distance, mm, by a search that is never ended, and the mesh; what is stated is within its error."""
     mesh = surface_mesh(*shape)
     rays = InwardRays(mesh)
     field = measure_rays(mesh, surface_samples(mesh, minimum), rays=rays)
-    return nonparallel_minimum(mesh, rays, field, 1.0), mesh
+    exact = nonparallel_minimum(mesh, rays, field, mesh.extent, share_of_rays=math.inf)
+    assert exact.error == 0.0
+    stated = nonparallel_minimum(mesh, rays, field, mesh.extent)
+    if exact.distance is None:
+        assert stated == exact
+        return None, mesh
+    for found in (stated, sampled_minimum(field, mesh.extent)):
+        assert found.distance == pytest.approx(exact.distance, rel=1e-9, abs=found.error)
+    return exact.distance * mesh.extent, mesh
 
 
 @pytest.mark.parametrize("angle", [12, 30, 54])
@@ -118,7 +128,7 @@ def test_one_search_is_enough(shape, nodes, cut, turn):
     mesh = surface_mesh(*made_meshes.moved(shape, turn))
     rays, work = InwardRays(mesh), Work()
     field = measure_rays(mesh, surface_samples(mesh), rays=rays)
-    assert nonparallel_minimum(mesh, rays, field, 1.0, work=work) is not None
+    assert nonparallel_minimum(mesh, rays, field, 1.0, work=work, share_of_rays=math.inf).distance is not None
     assert 0 < work.nodes / (mesh.count / PACKET) < nodes
     assert 0 < work.exact < cut
 
@@ -131,7 +141,8 @@ def test_what_lies_beyond_the_result_is_not_cut(turn):
     # Without samples near the edge, the limit is far beyond the result.
     far = np.flatnonzero(field.distance > 10.0)
     samples = SurfaceSamples(field.samples.points[far], field.samples.triangle[far], field.samples.area[far])
-    least = nonparallel_minimum(mesh, rays, measure_rays(mesh, samples, rays=rays), 1.0, work=work)
+    least = nonparallel_minimum(
+        mesh, rays, measure_rays(mesh, samples, rays=rays), 1.0, work=work, share_of_rays=math.inf).distance
     pairs = sum(len(first) for first, *_ in slanted_pairs(mesh, rays, 10.0))
     seen = samples.area.sum() / mesh.areas.sum()
     assert least == pytest.approx(seen * _least(made_meshes.wedge(30))[0], rel=1e-3)
@@ -185,19 +196,66 @@ def test_the_record_states_the_exact_value():
     assert descriptors.value("min_nonparallel[25;35]") == pytest.approx(0.0, abs=0.001)
 
 
+def _cost(work):
+    """About what a search did, in nodes of the tree that were tested."""
+    return work.nodes + work.pairs + 15.0 * work.overlaps + 37.0 * work.exact
+
+
+@pytest.mark.parametrize("shape", [_ring(30), _ring(480), _finer(made_meshes.wedge(30), 6), _rack(200)])
+def test_it_costs_a_share_of_the_rays_and_says_what_is_left_open(shape):
+    mesh = surface_mesh(*made_meshes.moved(shape, TURNED))
+    rays = InwardRays(mesh)
+    field = measure_rays(mesh, surface_samples(mesh), rays=rays)
+    exact = nonparallel_minimum(mesh, rays, field, mesh.extent, share_of_rays=math.inf).distance
+    errors = []
+    for share in (0.0, 0.2, 2.0, math.inf):
+        work = Work()
+        found = nonparallel_minimum(mesh, rays, field, mesh.extent, work=work, share_of_rays=share)
+        assert found == nonparallel_minimum(mesh, rays, field, mesh.extent, share_of_rays=share)
+        # One portion of pairs, of which the number is not known before.
+        portion = 30_000
+        assert _cost(work) <= share * (5.0 * field.samples.count + rays.work.nodes + rays.work.pairs) + portion
+        assert abs(found.distance - exact) <= found.error + 1e-9
+        assert share > 0.0 or work == Work() and found == sampled_minimum(field, mesh.extent)
+        errors.append(found.error)
+    assert errors == sorted(errors, reverse=True) and errors[0] > 0.0 and errors[-1] == 0.0
+
+
+def test_it_is_searched_for_only_where_samples_are_not_near_enough():
+    mesh = surface_mesh(*made_meshes.prism([(0, 0), (100, 0), (100, 10), (0, 60)], 50))
+    asked = []
+
+    def is_near_enough(known):
+        asked.append((known.min_nonparallel, known.precision.slanted))
+        return len(asked) == 1
+
+    sampled, searched = (measure(mesh, AnalysisSettings(), is_near_enough=is_near_enough) for _ in range(2))
+    assert asked == [(sampled.descriptors.min_nonparallel, sampled.slanted_error)] * 2
+    assert searched.slanted_error == 0.0 < sampled.slanted_error
+    assert abs(sampled.descriptors.min_nonparallel - searched.descriptors.min_nonparallel) <= sampled.slanted_error
+
+
+def test_parts_without_slanted_walls_ask_nobody():
+    def is_near_enough(known):
+        raise AssertionError
+
+    mesh = surface_mesh(*made_meshes.box(100, 60, 40))
+    assert measure(mesh, AnalysisSettings(), is_near_enough=is_near_enough).descriptors.min_nonparallel is None
+
+
 def test_progress_is_reported_and_can_stop_it():
     mesh = surface_mesh(*_finer(made_meshes.wedge(30), 5))
     rays = InwardRays(mesh)
     field = measure_rays(mesh, surface_samples(mesh), rays=rays)
     seen = []
-    nonparallel_minimum(mesh, rays, field, 1.0, seen.append)
+    nonparallel_minimum(mesh, rays, field, 1.0, seen.append, share_of_rays=math.inf)
     assert len(seen) >= 2 and all(0 <= each <= 1 for each in seen)
 
     def stop(fraction):
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        nonparallel_minimum(mesh, rays, field, 1.0, stop)
+        nonparallel_minimum(mesh, rays, field, 1.0, stop, share_of_rays=math.inf)
 
 
 def test_polygons_are_cut_by_half_planes():

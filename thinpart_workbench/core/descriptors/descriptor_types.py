@@ -111,6 +111,7 @@ class PrecisionRecord(TypedDict):
     mean_chord_mm: Length
     area_share: Length
     plate_share: Share
+    slanted: NotRequired[Annotated[Length, LATER]]
     errors: Annotated[list[QuantityError], Restricted(most=1000, distinct="quantity")]
 
 

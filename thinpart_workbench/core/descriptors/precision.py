@@ -43,6 +43,8 @@ class Precision:
         Relative error of the area.
     plate_share : float
         Error of the share of plates, as far as the widths of walls are not certain.
+    slanted : float
+        Error of the least distance of slanted walls, in diagonals, as far as the search for it was ended.
     """
 
     accuracy: str
@@ -52,6 +54,7 @@ class Precision:
     mean_chord_mm: float
     area_share: float
     plate_share: float = 0.0
+    slanted: float = 0.0
 
     @property
     def of_balls(self):
@@ -60,10 +63,11 @@ class Precision:
 
     def at(self, samples, turned=1.0):
         """What to expect of more samples, and of facets at so many times the angle to each other: `Precision`."""
-        chord = turned ** 2
+        chord, samples = turned ** 2, max(samples, self.samples)
         return replace(
-            self, samples=max(samples, self.samples), wall_mm=chord * self.wall_mm, chord_mm=chord * self.chord_mm,
-            mean_chord_mm=chord * self.mean_chord_mm, area_share=chord * self.area_share)
+            self, samples=samples, wall_mm=chord * self.wall_mm, chord_mm=chord * self.chord_mm,
+            mean_chord_mm=chord * self.mean_chord_mm, area_share=chord * self.area_share,
+            slanted=self.slanted * (samples / self.samples) ** STRATIFIED)
 
     def with_blurred_lengths(self, error, body):
         """What is known where the mesh does not resolve lengths: `Precision`.

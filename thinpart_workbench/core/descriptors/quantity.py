@@ -369,12 +369,16 @@ class WallDistance(Quantity):
         return threshold
 
     def error(self, descriptors, area_floor):
-        """float or None: also by what other samples may find, the wall which twice the floor reaches, or one in between."""
+        """float or None: also by what other samples may find, the wall which twice the floor reaches, or one in between, and
+        by what the search for it left open."""
         known = super().error(descriptors, area_floor)
         farther = self.compute(descriptors, 2.0 * area_floor, *self.bounds)
         if known is None or farther is None or descriptors.precision is None:
             return known
-        return known + max(farther + 1.0 / BINS - self.evaluate(descriptors, area_floor), 0.0)
+        value = self.evaluate(descriptors, area_floor)
+        # For other angles and floors the distance is that of the samples, whatever the search found.
+        ended = descriptors.precision.slanted if value == descriptors.min_nonparallel else 0.0
+        return known + max(farther + 1.0 / BINS - value, ended)
 
     def _error(self, descriptors, precision, value):
         return (precision.wall_mm + precision.chord_mm) / descriptors.box.diagonal

@@ -208,6 +208,12 @@ class Profile:
         """All criteria in order."""
         return [criterion for category in self.categories for criterion in category.criteria]
 
+    def is_certain_of_wall_distances(self, descriptors):
+        """Whether no condition on a least distance between walls is within its error."""
+        return all(condition.check(descriptors, self.area_floor).is_certain
+                   for criterion in self.criteria for condition in criterion.conditions
+                   if condition.quantity.is_wall_distance)
+
 
 def load_profile(name_or_file=DEFAULT_PROFILE):
     """Read a profile by a shipped one's name, or from a JSON file; raises ProfileError."""

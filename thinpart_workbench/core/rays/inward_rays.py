@@ -10,6 +10,7 @@ from .box_tree import box_tree
 from .ray_casting import OUTER, first_hits_about, first_hits_in_order, first_hits_within
 from .ray_packets import side_of_cube
 from .space_filling_curve import hilbert_index
+from .tree_descent import Work
 
 ENTRY_SAMPLES = 1000
 """Number of samples that are checked for a surface that intersects itself."""
@@ -29,10 +30,12 @@ class InwardRays:
     tree : BoxTree
     normals : ndarray of shape (3, n)
         Normals of the triangles in the coordinates of the tree.
+    work : Work
+        What casting many rays together has taken so far.
     """
 
     def __init__(self, mesh):
-        self._mesh = mesh
+        self._mesh, self.work = mesh, Work()
         self._axes = dominant_axes(mesh.normals, mesh.areas)
         self.normals = self._axes @ mesh.normals.T
         vertices = self._axes @ mesh.vertices.T
@@ -71,7 +74,7 @@ class InwardRays:
             origins, directions = self._rays(samples, rays)
             distance[rays], triangle[rays] = first_hits_in_order(
                 self.tree, origins, directions, side,
-                portion(report, start / samples.count, (start + len(rays)) / samples.count),
+                portion(report, start / samples.count, (start + len(rays)) / samples.count), self.work,
             )
         return distance, triangle
 

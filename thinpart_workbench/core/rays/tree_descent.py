@@ -9,18 +9,20 @@ from .box_tree import WIDTH
 
 @dataclass
 class Work:
-    """Counters of the work done, which a test compares with expected numbers.
+    """Counters of the work done: the same on every machine, so that work can be limited by them.
 
     Attributes
     ----------
-    nodes, pairs, exact : int
+    nodes, pairs, exact, overlaps : int
         Nodes of the tree whose eight boxes were tested; pairs of a packet and a triangle; pairs of a ray and a
-        triangle that were decided in float64, or of two triangles that were cut.
+        triangle that were decided in float64, or of two triangles that were cut; pairs of triangles that were looked at
+        for an overlap.
     """
 
     nodes: int = 0
     pairs: int = 0
     exact: int = 0
+    overlaps: int = 0
 
 
 def descend(tree, thick, triangle_filter, work=None, node_filter=None):

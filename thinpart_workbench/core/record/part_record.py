@@ -157,7 +157,9 @@ def descriptors_of(record: PartRecord):
 
 def _precision_of(content):
     """`Precision` of a record's ``precision``; None where the record has none."""
-    return None if content is None else Precision(**{each.name: content[each.name] for each in fields(Precision)})
+    # Earlier versions searched for slanted walls to the end.
+    return None if content is None else Precision(**{
+        each.name: content[each.name] for each in fields(Precision) if each.name != "slanted" or each.name in content})
 
 
 def _middle_of(content):

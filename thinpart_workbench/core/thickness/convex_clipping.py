@@ -19,7 +19,7 @@ def clip(points, value):
         Values of the function at the corners.
     """
     count, corners = value.shape
-    ahead, beyond = np.roll(points, -1, axis=1), np.roll(value, -1, axis=1)
+    ahead, beyond = _ahead(points), _ahead(value)
     inside = value >= 0.0
     crossing = inside != (beyond >= 0.0)
     share = value / np.where(crossing, value - beyond, 1.0)
@@ -36,6 +36,11 @@ def clip(points, value):
 
 def areas(points):
     """ndarray of shape (m,): areas of convex polygons, ndarray of shape (m, k, 2)."""
-    ahead = np.roll(points, -1, axis=1)
+    ahead = _ahead(points)
     doubled = points[..., 0] * ahead[..., 1] - points[..., 1] * ahead[..., 0]
     return 0.5 * np.abs(doubled.sum(axis=1))
+
+
+def _ahead(corners):
+    """The same of the next corner: `np.roll` is slow where there are few polygons."""
+    return np.concatenate([corners[:, 1:], corners[:, :1]], axis=1)

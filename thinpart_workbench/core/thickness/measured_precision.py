@@ -33,7 +33,7 @@ def precision_of(measurement, deflections, accuracy):
         accuracy, max(1, int(np.count_nonzero(field.area > 0.0))), most + rounding, float(chord.max()) + 0.5 * rounding,
         float(mesh.areas @ chord / area) + 0.5 * rounding,
         float(OF_AREA * (mesh.areas @ mesh.bend ** 2) / area) + 2.0 * mesh.rounding,
-        measurement.regions.plate_share_error,
+        measurement.regions.plate_share_error, measurement.slanted_error,
     )
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from ..descriptors.descriptor_table import STATED_ANGLES, STATED_FLOOR, Descriptors
 from ..descriptors.distribution import distribution
 from ..descriptors.local_distribution import local_distribution
+from ..descriptors.precision import EXACT
 from ..mesh.bounds import minimal_box, principal_box
 from ..mesh.dominant_directions import dominant_directions
 from ..mesh.mass_properties import area, volume
@@ -18,7 +19,7 @@ from ..progress import portion, report_progress
 from ..rays.inward_rays import InwardRays
 from .face_thickness import Witness, face_thicknesses, witness_of
 from .local_thickness import local_thickness
-from .nonparallel import nonparallel_minimum
+from .nonparallel import LeastSlanted, nonparallel_minimum, sampled_minimum
 from .pair_rule import measure_pairs
 from .thickness_field import ThicknessField, measure_rays
 from .thinnest_wall import thinnest_walls
@@ -48,6 +49,8 @@ class Measurement:
     regions : WallRegions
     thin_samples : ndarray of shape (k,), int64, or None
         The `thinnest_walls` of the field.
+    slanted_error : float
+        How far ``min_nonparallel`` may be off because the search for it was ended, in diagonals.
     """
 
     descriptors: Descriptors
@@ -56,6 +59,7 @@ class Measurement:
     thinnest_wall: Optional[Witness] = None
     regions: WallRegions = WallRegions()
     thin_samples: Optional[np.ndarray] = None
+    slanted_error: float = 0.0
 
     def __repr__(self):
         # The arrays are left out because they would fill a console.
@@ -134,7 +138,7 @@ class Measurement:
         return thinnest, max(float(walls[middle]), least), max(float(walls[order[-1]]), least)
 
 
-def measure(mesh, settings, report=None, is_fine_enough=None):
+def measure(mesh, settings, report=None, is_fine_enough=None, is_near_enough=None):
     """Measure a part: Measurement, or None where the mesh is not fine enough.
 
     Raises MeshError, kind ``zero_volume`` if a closed surface encloses nothing.
@@ -148,6 +152,9 @@ def measure(mesh, settings, report=None, is_fine_enough=None):
     is_fine_enough : callable, optional
         Called with the `Descriptors` that are known once the thickness is, the `ThicknessField` and the samples of the
         thinnest walls in it. Where it returns False, the mesh will give way to a finer one, and nothing more is measured.
+    is_near_enough : callable, optional
+        Called with the `Descriptors` that samples give, among them ``min_nonparallel`` with its error. Where it returns
+        True, the least distance of slanted walls is not searched for.
     """
     report_progress(report, 0.0)
     enclosed = volume(mesh)
@@ -169,18 +176,24 @@ def measure(mesh, settings, report=None, is_fine_enough=None):
     if is_fine_enough is not None and not is_fine_enough(known, field, thinnest):
         return None
     if settings.measure == "pairs":
-        least = shares.nonparallel_minimum(STATED_FLOOR, *STATED_ANGLES)
+        least = LeastSlanted(shares.nonparallel_minimum(STATED_FLOOR, *STATED_ANGLES))
     else:
-        least = nonparallel_minimum(mesh, rays, field, box.diagonal, portion(report, RAYS_DONE, 1.0))
+        least = sampled_minimum(field, box.diagonal)
+        if is_near_enough is None or least.distance is None or not is_near_enough(_with_least(known, least)):
+            least = nonparallel_minimum(mesh, rays, field, box.diagonal, portion(report, RAYS_DONE, 1.0))
     local = None
     if rays is not None and box.dimensions[2] > 0.0:  # a flat open surface has no inside
         local = local_distribution(local_thickness(mesh, field, rays, float(box.dimensions[2])),
                                    field.area[field.area > 0.0], float(box.dimensions[1]))
     report_progress(report, 1.0)
     regions = wall_regions(field, enclosed, wall)
-    descriptors = replace(known, min_nonparallel=least, plate_share=regions.plate_share, regions=regions.counts,
+    descriptors = replace(known, min_nonparallel=least.distance, plate_share=regions.plate_share, regions=regions.counts,
                           local=local)
-    return Measurement(descriptors, field, rays, wall, regions, thinnest)
+    return Measurement(descriptors, field, rays, wall, regions, thinnest, least.error)
+
+
+def _with_least(known, least):
+    return replace(known, min_nonparallel=least.distance, precision=replace(EXACT, slanted=least.error))
 
 
 def _box(mesh, kind, report=None):

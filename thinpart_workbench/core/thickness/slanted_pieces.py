@@ -12,53 +12,62 @@ from .convex_clipping import areas, clip
 
 _BANDS, _LEAST_FACING = 8, 1e-3
 _CERTAIN, _HALVED_EVERY = 1e-9, 6
-_CORNERS = 3 + 3 + 2 + 2
-"""Of a triangle, cut by the three sides of another one, by two ends of distance and by two of a band."""
 
 
 @dataclass(frozen=True)
 class SlantedPieces:
-    """Pieces of triangles, each over one other triangle.
+    """Pieces of triangles, each over one other triangle, as triangles of their own.
 
     Attributes
     ----------
-    points : ndarray of shape (m, k, 2), mm
-        Polygons in the planes of the triangles; corners may be repeated.
-    distance : ndarray of shape (m, k), mm
-        Distance of the corners from the other triangle; linear in between.
+    distance : ndarray of shape (m, 3), mm
+        Distance of the corners from the other triangle, ascending; linear in between.
     area : ndarray of shape (m,), mm2
     """
 
-    points: np.ndarray
     distance: np.ndarray
     area: np.ndarray
 
     @classmethod
     def none(cls):
         """No piece."""
-        return cls(np.empty((0, _CORNERS, 2)), np.empty((0, _CORNERS)), np.empty(0))
+        return cls(np.empty((0, 3)), np.empty(0))
+
+    @classmethod
+    def of(cls, points, distance):
+        """Convex polygons, ndarray of shape (k, c, 2), with the distances of their corners, shape (k, c), mm."""
+        ahead = points - points[:, :1]
+        start = np.broadcast_to(distance[:, :1], distance[:, 2:].shape)
+        corners = np.stack([start, distance[:, 1:-1], distance[:, 2:]], axis=2)
+        spanned = ahead[:, 1:-1, 0] * ahead[:, 2:, 1] - ahead[:, 1:-1, 1] * ahead[:, 2:, 0]
+        area = 0.5 * np.abs(spanned).ravel()
+        left = np.flatnonzero(area > 0.0)
+        return cls(np.sort(corners.reshape(-1, 3)[left], axis=1), area[left])
 
     def and_those(self, other):
         """These pieces and those of another `SlantedPieces`."""
-        return SlantedPieces(np.concatenate([self.points, other.points]), np.concatenate([self.distance, other.distance]),
-                             np.concatenate([self.area, other.area]))
+        return SlantedPieces(np.concatenate([self.distance, other.distance]), np.concatenate([self.area, other.area]))
 
     def area_below(self, level):
         """float, mm2: area over walls nearer than a level, mm."""
-        below = self.distance.max(axis=1) <= level
-        cut = ~below & (self.distance.min(axis=1) < level)
-        left = clip(self.points[cut], level - self.distance[cut])
-        return float(self.area[below].sum() + areas(left).sum())
+        nearest, middle, farthest = self.distance.T
+        share = (farthest <= level).astype(float)
+        # What a level cuts off a triangle, at its nearest or at its farthest corner, is a triangle itself.
+        near = np.flatnonzero((nearest < level) & (level <= middle) & (level < farthest))
+        share[near] = (level - nearest[near]) ** 2 / ((middle[near] - nearest[near]) * (farthest[near] - nearest[near]))
+        far = np.flatnonzero((middle < level) & (level < farthest))
+        share[far] = 1.0 - (farthest[far] - level) ** 2 / ((farthest[far] - middle[far]) * (farthest[far] - nearest[far]))
+        return float((share * self.area).sum())
 
     def distance_of(self, target):
         """float, mm: distance under which an area, mm2, lies; it must not exceed the total area."""
-        nearest, farthest = self.distance.min(axis=1), self.distance.max(axis=1)
+        nearest, farthest = self.distance[:, 0], self.distance[:, 2]
         # At least as far as if all pieces were nowhere farther than where they are nearest, and the other way round.
         low, high = _reached(nearest, self.area, target), _reached(farthest, self.area, target)
         below = farthest <= low
         across = ~below & (nearest < high)
         known = float(self.area[below].sum())
-        others = SlantedPieces(self.points[across], self.distance[across], self.area[across])
+        others = SlantedPieces(self.distance[across], self.area[across])
         if known + others.area_below(low) >= target or low == high:
             return low
         return _zero(lambda level: known + others.area_below(level) - target, low, high)
@@ -185,19 +194,16 @@ def slanted_pieces(mesh, rays, over, limit):
     limit : float, mm
         Only what is nearer counts.
     """
-    points = clip(over.points, _evaluate(over.slope, over.level, over.points))
-    points, which = _banded(points, over.slope, over.level, limit)
-    distance = np.clip(_evaluate(over.slope[which], over.level[which], points), 0.0, limit)
-    area = areas(points)
-    left = np.flatnonzero(area > 0.0)
-    points, distance, area, which = points[left], distance[left], area[left], which[left]
+    points, which = _banded(over.points, over.slope, over.level, limit)
+    distance = np.minimum(np.maximum(_evaluate(over.slope[which], over.level[which], points), 0.0), limit)
     first, second = over.first[which], over.second[which]
     middle, reach = points.mean(axis=1), distance.mean(axis=1)
     corner, along, across = _plane_of(mesh, first)
     centre = corner + middle[:, :1] * along + middle[:, 1:] * across
     counts = _is_slanted(mesh, first, second, centre, reach)
-    counts[counts] = ~rays.is_hidden(SurfaceSamples(centre[counts], first[counts], area[counts]), reach[counts])
-    return SlantedPieces(points[counts], distance[counts], area[counts])
+    counts = np.flatnonzero(counts)
+    counts = counts[~rays.is_hidden(SurfaceSamples(centre[counts], first[counts], np.zeros(len(counts))), reach[counts])]
+    return SlantedPieces.of(points[counts], distance[counts])
 
 
 def _depths(mesh, first, second):
@@ -266,22 +272,20 @@ def _evaluate(slope, level, points):
 
 
 def _banded(points, slope, level, limit):
-    """Cut polygons into bands of distance, so that pieces are small where a polygon may be partly hidden."""
-    distance = _evaluate(slope, level, points)
-    least, most = distance.min(axis=1), distance.max(axis=1)
-    bands, which = [], []
-    for number in range(_BANDS):
-        low, high = limit * number / _BANDS, limit * (number + 1) / _BANDS
-        within = np.flatnonzero((least >= low) & (most <= high))
-        # The first corner again, so that all pieces have the same number of corners.
-        bands.append(points[within][:, [*range(points.shape[1]), 0, 0, 0]])
-        across = np.flatnonzero((least < high) & (most > low) & ((least < low) | (most > high)))
-        band = clip(points[across], distance[across] - low)
-        band = clip(band, high - _evaluate(slope[across], level[across], band))
-        left = np.flatnonzero(areas(band) > 0.0)
-        bands.append(band[left][:, [*range(band.shape[1]), 0]])
-        which += [within, across[left]]
-    return np.concatenate(bands), np.concatenate(which)
+    """Cut polygons into bands of distance, so that pieces are small where a polygon may be partly hidden.
+
+    Returns the pieces, and the indices of the polygons that they are of.
+    """
+    distance, width = _evaluate(slope, level, points), limit / _BANDS
+    first = np.clip(np.floor(distance.min(axis=1) / width), 0, _BANDS - 1).astype(np.int64)
+    last = np.clip(np.ceil(distance.max(axis=1) / width) - 1, first, _BANDS - 1).astype(np.int64)
+    count = last - first + 1
+    which = np.repeat(np.arange(len(points)), count)
+    low = width * (np.arange(len(which)) - np.repeat(np.cumsum(count) - count - first, count))
+    band = clip(points[which], distance[which] - low[:, None])
+    band = clip(band, (low + width)[:, None] - _evaluate(slope[which], level[which], band))
+    left = np.flatnonzero(areas(band) > 0.0)
+    return band[left], which[left]
 
 
 def _is_slanted(mesh, first, second, centre, reach):

@@ -5,6 +5,7 @@ from functools import cached_property
 
 import numpy as np
 
+from ..descriptors.descriptor_table import STATED_ANGLES
 from ..mesh.sampling import SurfaceSamples, corner_samples
 from ..mesh.surface_mesh import SurfaceMesh
 from ..progress import portion, report_progress
@@ -69,6 +70,13 @@ class ThicknessField:
     def nonparallel(self):
         """ndarray of shape (m,), bool: samples that enter the non-parallel table."""
         return ~self.parallel & (self.wedge_angle < NONPARALLEL_BELOW - TOLERANCES.angle)
+
+    @cached_property
+    def slanted(self):
+        """ndarray of shape (k,), int64: samples over walls at `STATED_ANGLES`, nearest first."""
+        low, high = (np.radians(angle) - TOLERANCES.angle for angle in STATED_ANGLES)
+        chosen = np.flatnonzero((self.wedge_angle >= low) & (self.wedge_angle < high))
+        return chosen[np.argsort(self.distance[chosen], kind="stable")]
 
     @property
     def face(self):

@@ -43,8 +43,14 @@ def analyse_part(part, settings, profile, report=None):
     """
     seconds: SecondsRecord = {"read": 0.0, "tessellate": 0.0, "measure": 0.0}
     meshes: dict = {}
+    paper = load_profile(PAPER)
+
+    def is_near_enough(known):
+        return all(each.is_certain_of_wall_distances(known) for each in (profile, paper))
+
     while True:
-        mesh, resolution, error_bound, measurement, warnings = _measure(part, settings, meshes, seconds, report)
+        mesh, resolution, error_bound, measurement, warnings = _measure(
+            part, settings, meshes, seconds, report, is_near_enough)
         classification = classify(measurement.descriptors, profile)
         finer = None if classification.is_certain else _finer_settings(part, settings, measurement, profile)
         if finer is None:
@@ -52,7 +58,7 @@ def analyse_part(part, settings, profile, report=None):
         settings = finer
     measurement = _confirmed(part, measurement, resolution.error)
     classification = classify(measurement.descriptors, profile)
-    paper_classification = classify(measurement.descriptors, load_profile(PAPER))
+    paper_classification = classify(measurement.descriptors, paper)
     diagonal = measurement.descriptors.box.diagonal
     thin_limit_mm = classification.thin_limit_x * diagonal
     faces = face_thicknesses(measurement.field, thin_limit_mm, measurement.thinnest_wall)
@@ -134,7 +140,7 @@ def _would_decide(known, precision, profile):
     return classify(replace(known, precision=precision), profile).is_certain
 
 
-def _measure(part, settings, meshes, seconds, report):
+def _measure(part, settings, meshes, seconds, report, is_near_enough):
     """Tessellate and measure, with finer meshes as long as the chord error is too large for the part.
 
     Adds to `seconds`, and keeps in `meshes` what was tessellated, by linear and angular deflection.
@@ -158,7 +164,7 @@ def _measure(part, settings, meshes, seconds, report):
         if finer is not None:
             linear = finer
             continue
-        measurement, finer = _measured(part, settings, mesh, deflections, resolution, linear, report)
+        measurement, finer = _measured(part, settings, mesh, deflections, resolution, linear, report, is_near_enough)
         seconds["measure"] += time.perf_counter() - tessellated
         if finer is None:
             break
@@ -175,7 +181,7 @@ def _measure(part, settings, meshes, seconds, report):
     return mesh, resolution, wall_error if len(walls) else resolution.error, measurement, warnings
 
 
-def _measured(part, settings, mesh, deflections, resolution, linear, report):
+def _measured(part, settings, mesh, deflections, resolution, linear, report, is_near_enough):
     """The measurement, and the linear deflection that it asks for: one of them is None."""
     finer = None
 
@@ -190,7 +196,8 @@ def _measured(part, settings, mesh, deflections, resolution, linear, report):
             part, settings, mesh, deflections, resolution, linear, smallest, min(unresolved, default=None))
         return finer is None
 
-    measurement = measure(mesh, settings, report and (lambda done: report("measure", done)), is_fine_enough)
+    measurement = measure(
+        mesh, settings, report and (lambda done: report("measure", done)), is_fine_enough, is_near_enough)
     return measurement, finer
 
 
