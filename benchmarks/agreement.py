@@ -53,7 +53,7 @@ LIMITS = {
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("--parts", type=Path, default=_default_folder(), metavar="FOLDER")
+    parser.add_argument("--parts", type=Path, default=default_folder(), metavar="FOLDER")
     parser.add_argument("--profile", default="calibrated", metavar="NAME-or-FILE")
     parser.add_argument("--info-dir", metavar="FOLDER", help="keeps what was measured there for the next run")
     parser.add_argument("--markdown", action="store_true", help="tables as in docs/method.md")
@@ -68,18 +68,31 @@ def main():
     return 0
 
 
-def _default_folder():
+def default_folder():
+    """The folder of labelled parts that the environment names, or that lies beside the checkout: Path or None."""
     named = os.environ.get("THINPART_TRAINING")
     folder = Path(named) if named else ROOT.parent / "shared" / "training"
     return folder if folder.is_dir() else None
 
 
-def labelled_parts(folder, profile, info_dir):
-    """The labelled parts that could be measured: list of LabelledPart, with the repository as group."""
+def manifest(folder):
+    """The rows of the manifest of a folder by file, dict of dict."""
     with (folder / "manifest.csv").open(encoding="utf-8", newline="") as file:
-        labels = {row["file"]: row for row in csv.DictReader(file)}
-    found = []
-    paths = [folder / name for name in labels]
+        return {row["file"]: row for row in csv.DictReader(file)}
+
+
+def labelled_parts(folder, profile, info_dir, files=None):
+    """The labelled parts that could be measured: list of LabelledPart, with the repository as group.
+
+    Parameters
+    ----------
+    folder : Path
+    profile, info_dir : str
+    files : iterable of str, optional
+        Those of the manifest that are wanted; by default all.
+    """
+    labels, found = manifest(folder), []
+    paths = [folder / name for name in (labels if files is None else files)]
     for number, parts in enumerate(thinpart.classify_files(paths, profile, write_info=info_dir), start=1):
         if sys.stderr.isatty():
             print(f"\r{number} of {len(paths)}", end="", file=sys.stderr, flush=True)

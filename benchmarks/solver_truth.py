@@ -1,37 +1,51 @@
 #!/usr/bin/env python3
 """Whether the automatic mesh is good enough, by the solver: first six elastic frequencies of every part of a folder.
 
-    /usr/bin/python3 benchmarks/solver_truth.py [--parts FOLDER] [--most N] [--jobs N] [--minutes M] [--json FILE]
+    /usr/bin/python3 benchmarks/solver_truth.py [--parts FOLDER] [--info-dir FOLDER] [--kept] [--markdown] [--write]
 
 The automatic mesh has tetrahedra of second order, a tenth of the diagonal in size, by Gmsh; the reference is refined until
 its frequencies stay. CalculiX solves both, nothing held. Each part has a process of its own, each mesh and each solution a
 limit of processor time. What was solved is kept, so that a run that was stopped goes on. Of the parts that the folder's
-`manifest.csv` names, all repositories come in turn. Needs Gmsh and CalculiX.
+`manifest.csv` names (see agreement.py), all repositories come in turn.
+
+Then the parts are classified, and the tables say how often the automatic mesh is in trouble by label and by verdict, and how
+well labels, verdicts and quantities foretell it. Needs Gmsh and CalculiX, for the plot matplotlib.
 """
 
 import argparse
-import csv
 import hashlib
 import json
 import os
 import random
 import subprocess
 import sys
+import tempfile
 import time
 from collections import defaultdict
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import fields
 from itertools import chain, zip_longest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
+from benchmarks.agreement import default_folder, labelled_parts, manifest
 from benchmarks.places import CACHE, DEBIAN_PYTHON, ROOT
+from benchmarks.solver_tables import solved_part, tables
+from benchmarks.table_text import markdown, plain, titled
+from thinpart_workbench.core.judging.criteria import load_profile
+from thinpart_workbench.workflow.solving.automatic_mesh import NOT_SOLVED, AutomaticMesh
 
 LIMITS = ("60", "240", "32000")
 """Seconds for a mesh, seconds for a solution, and nodes of a reference mesh."""
 
 MOST_SECONDS = 1500.0
 """For a part."""
+
+DOCUMENT, PLOT = "docs/method.md", "docs/plots/solver_truth.svg"
+MARKS = ("<!-- solver truth -->", "<!-- end of solver truth -->")
+
+PROFILES = ("calibrated", "paper")
 
 
 def main():
@@ -40,56 +54,99 @@ def main():
     parser.add_argument("--most", type=int, metavar="N", help="number of parts; by default all")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N")
     parser.add_argument("--minutes", type=float, default=float("inf"), metavar="M", help="start no part after this time")
-    parser.add_argument("--json", metavar="FILE", help="write the results of all parts that were solved, now or before")
+    parser.add_argument("--kept", action="store_true", help="solve nothing: take what was solved before")
+    parser.add_argument("--profile", action="append", metavar="NAME-or-FILE",
+                        help=f"whose verdicts are compared; may be given several times (default: {', '.join(PROFILES)})")
+    parser.add_argument("--info-dir", metavar="FOLDER", help="keeps what was measured there for the next run")
+    parser.add_argument("--markdown", action="store_true", help="tables as in docs/method.md")
+    parser.add_argument("--plot", metavar="FILE", help="write the plot, as SVG")
+    parser.add_argument("--write", action="store_true", help=f"put the tables into {DOCUMENT}, and the plot beside it")
+    parser.add_argument("--json", metavar="FILE", help="write a row for each part")
     options = parser.parse_args()
     if options.parts is None or not (options.parts / "manifest.csv").is_file():
         parser.error("There is no folder with a manifest.csv: name one with --parts.")
-    solved_parts(options)
+    truth = solved(options.parts, options.most, options.jobs, 0.0 if options.kept else options.minutes)
+    if not truth:
+        parser.error("No part was solved yet: leave --kept out.")
+    profiles = [load_profile(name) for name in options.profile or PROFILES]
+    with tempfile.TemporaryDirectory() as temporary:
+        labelled = labelled_parts(options.parts, profiles[0], options.info_dir or temporary, truth)
+    parts = [solved_part(part, truth[part.file], profiles) for part in labelled]
+    show = markdown if options.markdown else plain
+    print("\n\n".join(titled(table, show) for table in tables(parts, profiles)))
+    if options.write:
+        document = ROOT / DOCUMENT
+        document.write_text(with_tables(document.read_text(encoding="utf-8"), tables(parts, profiles)), encoding="utf-8")
+    for file in filter(None, (options.plot, options.write and ROOT / PLOT)):
+        from benchmarks.solver_plot import write_plot
+
+        write_plot(parts, profiles, file)
+    if options.json:
+        Path(options.json).write_text(json.dumps([part.row(profiles) for part in parts], indent=1), encoding="utf-8")
 
 
-def default_folder():
-    """The folder of labelled parts that the environment names, or that lies beside the checkout: Path or None."""
-    named = os.environ.get("THINPART_TRAINING")
-    folder = Path(named) if named else ROOT.parent / "shared" / "training"
-    return folder if folder.is_dir() else None
+def with_tables(text, results):
+    """A document with other tables between its marks, str."""
+    start, end = (text.index(mark) for mark in MARKS)
+    shown = "\n\n".join(f"**{table.title}**\n\n{markdown(table)}" for table in results)
+    return f"{text[:start]}{MARKS[0]}\n\n{shown}\n\n{text[end:]}"
 
 
-def solved_parts(options):
-    """The results of parts by file, dict."""
-    until = time.monotonic() + 60.0 * options.minutes
-    names = in_turn(options.parts)[:options.most]
+def solved(folder, most, jobs, minutes):
+    """What became of the automatic meshes of parts, dict of AutomaticMesh by file.
 
-    def solved(name):
-        kept = _kept(options.parts / name)
+    Parameters
+    ----------
+    folder : Path
+    most : int or None
+        Number of parts.
+    jobs : int
+        Parts that are solved at the same time.
+    minutes : float
+        After which no part is started.
+    """
+    until = time.monotonic() + 60.0 * minutes
+
+    def result(name, kind, *more):
+        kept = _kept(folder / name, kind)
         if not kept.exists() and time.monotonic() < until:
-            _solve(options.parts / name, kept)
+            _solve(folder / name, kept, more)
             print(name, kept.read_text()[:110], file=sys.stderr, flush=True)
-        return (name, json.loads(kept.read_text())) if kept.exists() else None
+        return json.loads(kept.read_text()) if kept.exists() else None
 
-    with ThreadPoolExecutor(options.jobs) as pool:
-        return dict(filter(None, pool.map(solved, names)))
+    def one(name):
+        found = result(name, "solver_truth")
+        if found and found["outcome"] == NOT_SOLVED and "is_straight" not in found:  # by a version that did not try that
+            found = result(name, "solver_truth_straight", "straight")
+        return found and (name, _automatic_mesh(found))
+
+    with ThreadPoolExecutor(jobs) as pool:
+        return dict(filter(None, pool.map(one, in_turn(folder)[:most])))
 
 
 def in_turn(folder):
     """Files of the manifest with a shape, one of every repository in turn: list of str."""
     of_repository = defaultdict(list)
-    with (folder / "manifest.csv").open(encoding="utf-8", newline="") as file:
-        for row in csv.DictReader(file):
-            if row["kind"] != "mesh":
-                of_repository[row["source_repo"]].append(row["file"])
+    for name, row in manifest(folder).items():
+        if row["kind"] != "mesh":
+            of_repository[row["source_repo"]].append(name)
     order = random.Random(1)
     for files in of_repository.values():
         order.shuffle(files)
     return list(filter(None, chain.from_iterable(zip_longest(*of_repository.values()))))
 
 
-def _kept(file):
+def _automatic_mesh(content):
+    return AutomaticMesh(**{field.name: content[field.name] for field in fields(AutomaticMesh) if field.name in content})
+
+
+def _kept(file, kind):
     key = hashlib.sha256("|".join(LIMITS).encode() + file.read_bytes()).hexdigest()
-    return CACHE / "solver_truth" / f"{key[:32]}.json"
+    return CACHE / kind / f"{key[:32]}.json"
 
 
-def _solve(file, kept):
-    command = [DEBIAN_PYTHON, str(ROOT / "benchmarks" / "children" / "solved_part.py"), str(file), *LIMITS]
+def _solve(file, kept, more):
+    command = [DEBIAN_PYTHON, str(ROOT / "benchmarks" / "children" / "solved_part.py"), str(file), *LIMITS, *more]
     try:
         end = subprocess.run(command, capture_output=True, text=True, timeout=MOST_SECONDS)
         text = end.stdout if end.returncode == 0 else json.dumps(

@@ -25,3 +25,10 @@ def test_every_option_of_the_table_is_one(command, option, capsys):
 def test_every_command_does_arithmetic_and_help_needs_nothing(command):
     assert "python3-numpy" in {row.package for row in requirements.required(command)}
     assert requirements.required(command, ["--help"]) == []
+
+
+@pytest.mark.parametrize("suite, has_it", [("bookworm", True), ("trixie", False), ("forky", True)])
+def test_what_a_debian_lacks_is_not_asked_of_it(suite, has_it, capsys):
+    requirements.main(["--all", "test", suite])
+    packages = {line.partition("\t")[0] for line in capsys.readouterr().out.splitlines()}
+    assert ("calculix-ccx" in packages) == has_it and {"gmsh", "freecad"} <= packages

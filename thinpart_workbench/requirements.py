@@ -4,7 +4,8 @@ The launcher runs this file before every command, so it imports only the standar
 importing them, and takes a few milliseconds::
 
     python3 requirements.py COMMAND [ARGUMENTS]    missing packages, one "package<TAB>why" per line
-    python3 requirements.py --all COMMAND          the same for all packages that the command needs
+    python3 requirements.py --all COMMAND [SUITE]  the same for all packages that the command needs, as far as a Debian has
+                                                   them: trixie, say; by default that of this machine
 
 The result is for the Python that runs this file. The exit status is always 0.
 """
@@ -93,9 +94,11 @@ TABLE = (
     Requirement("python3-rich", "prints the tables and the progress", _module("rich"), CAD + STORED),
     Requirement("python3-jinja2", "fills in the pages of reports", _module("jinja2"), ("report", "gui", "test")),
     Requirement("python3-sklearn", "fits the probabilities of a profile", _module("sklearn"), ("learn", "test")),
-    Requirement("freecad", "reads the CAD files that Gmsh meshes", _freecad, ("learn --from-meshing",)),
+    Requirement("freecad", "reads the CAD files that Gmsh meshes", _freecad,
+                ("learn --from-meshing", "learn --from-solver")),
     Requirement("gmsh", "meshes parts, to label them by it and to try element sizes", _program("gmsh"),
-                ("learn --from-meshing", "size --check", "size --shell", "test")),
+                ("learn --from-meshing", "learn --from-solver", "size --check", "size --shell", "test")),
+    Requirement("calculix-ccx", "solves parts, to label them by it", _program("ccx"), ("learn --from-solver", "test")),
     Requirement("python3-distributed", "spreads the work over a cluster", _module("distributed"),
                 ("classify --dask", "test")),
     Requirement("python3-pytest", "runs the tests", _module("pytest"), ("test",)),
@@ -112,6 +115,20 @@ TABLE = (
 )
 
 
+# Packages that a Debian lacks: what needs them says so itself, and its tests are skipped.
+LACKING = {"trixie": ("calculix-ccx",)}
+
+
+def _suite():
+    """The code name of this machine's Debian; empty elsewhere."""
+    try:
+        with open("/etc/os-release", encoding="utf-8") as file:
+            lines = file.read().splitlines()
+    except OSError:
+        return ""
+    return next((line.partition("=")[2].strip("\"'") for line in lines if line.startswith("VERSION_CODENAME=")), "")
+
+
 def required(command, arguments=()):
     """The rows of the table that a command line needs."""
     asked = {command}
@@ -126,13 +143,15 @@ def required(command, arguments=()):
 
 def missing(command, arguments=()):
     """(package, why) of everything that a command line needs and this Python cannot find."""
-    return _packages(row for row in required(command, arguments) if not row.found())
+    rows = [row for row in required(command, arguments) if not row.found()]
+    return _packages(rows, _suite()) if rows else []
 
 
-def _packages(rows):
+def _packages(rows, suite):
     reasons = {}
     for row in rows:
-        reasons.setdefault(row.package, row.why)
+        if row.package not in LACKING.get(suite, ()):
+            reasons.setdefault(row.package, row.why)
     return list(reasons.items())
 
 
@@ -140,7 +159,7 @@ def main(arguments):
     if sys.version_info < OLDEST_PYTHON:
         lines = [("python3", "ThinPart needs Python {}.{} or newer".format(*OLDEST_PYTHON))]
     elif arguments[:1] == ["--all"]:
-        lines = _packages(required(*arguments[1:2] or [""]))
+        lines = _packages(required(*arguments[1:2] or [""]), (arguments[2:3] or [_suite()])[0])
     else:
         lines = missing(arguments[0], arguments[1:]) if arguments else []
     for package, why in lines:

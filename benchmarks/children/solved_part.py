@@ -1,4 +1,8 @@
-"""Compares the automatic mesh of a part with a converged one, prints a JSON object: FILE MESH_SECONDS SOLVER_SECONDS NODES.
+"""Compares the automatic mesh of one part with a converged one, and prints a JSON object.
+
+    solved_part.py FILE MESH_SECONDS SOLVER_SECONDS NODES [straight]
+
+With the last word, meshes that the solver refuses get straight sides at once.
 
 Meshes are made, and solved, by programs of their own with limits of processor time.
 """
@@ -36,7 +40,7 @@ def main():
         shape = os.path.join(folder, "part.brep")
         part.write_brep(shape)
         found = automatic_mesh_error(shape, part.shape.BoundBox.DiagonalLength, gmsh_program()[0], calculix_program()[0],
-                                     SolvingLimits(*limits), folder)
+                                     SolvingLimits(*limits), folder, untangle=sys.argv[5:] != ["straight"])
     json.dump({**asdict(found), "seconds": round(time.perf_counter() - started, 1)}, out)
     out.close()
 

@@ -4270,6 +4270,14 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die Elementgröße einer Schale ist größer als 0 mm, nicht {value:g}.</translation>
     </message>
     <message>
+        <source>The error of its mesh is not known ({reason}).</source>
+        <translation>Der Fehler seines Netzes ist nicht bekannt ({reason}).</translation>
+    </message>
+    <message>
+        <source>The error of its mesh is not known: the frequencies of the reference still change by {change}.</source>
+        <translation>Der Fehler seines Netzes ist nicht bekannt: Die Frequenzen des Vergleichsnetzes ändern sich noch um {change}.</translation>
+    </message>
+    <message>
         <source>The file</source>
         <translation>Die Datei</translation>
     </message>
@@ -4474,8 +4482,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Das Profil {profile} kann nicht gelesen werden ({problem}).</translation>
     </message>
     <message>
-        <source>The profile {profile} has no category {categories}: labels from meshing are of these.</source>
-        <translation>Das Profil {profile} hat keine Kategorie {categories}: Einordnungen durch Vernetzen sind von diesen.</translation>
+        <source>The profile {profile} has no category {categories}: labels by a program are of these.</source>
+        <translation>Das Profil {profile} hat keine Kategorie {categories}: Einordnungen durch ein Programm sind von diesen.</translation>
     </message>
     <message>
         <source>The script opens {copy}, a copy of the part beside it.</source>
@@ -4504,6 +4512,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>The shell was written to {file}: {elements} elements, {nodes} nodes.</source>
         <translation>Die Schale wurde nach {file} geschrieben: {elements} Elemente, {nodes} Knoten.</translation>
+    </message>
+    <message>
+        <source>The size of elements and the error have to be more than 0: state other ones.</source>
+        <translation>Die Elementgröße und der Fehler müssen größer als 0 sein: Geben Sie andere an.</translation>
     </message>
     <message>
         <source>The sizes were written to {file}: open it in Gmsh.</source>
@@ -4834,6 +4846,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>eine Zahl darin ist zu lang</translation>
     </message>
     <message>
+        <source>a part of {file} is neither measured nor refused</source>
+        <translation>ein Teil von {file} ist weder gemessen noch abgelehnt</translation>
+    </message>
+    <message>
         <source>along the principal axes; diagonal {diagonal}</source>
         <translation>entlang der Hauptachsen; Diagonale {diagonal}</translation>
     </message>
@@ -5090,6 +5106,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>sein Vergleichsnetz ist zu groß</translation>
     </message>
     <message>
+        <source>its reference mesh took too long</source>
+        <translation>sein Vergleichsnetz hat zu lange gedauert</translation>
+    </message>
+    <message>
         <source>its second answer is the first one</source>
         <translation>die zweite Antwort ist gleich der ersten</translation>
     </message>
@@ -5204,6 +5224,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>of the diagonal</source>
         <translation>der Diagonale</translation>
+    </message>
+    <message>
+        <source>one reference mesh is not enough, and a second one too large</source>
+        <translation>ein Vergleichsnetz genügt nicht, und ein zweites ist zu groß</translation>
     </message>
     <message>
         <source>one size, since nothing finer is meshed</source>

@@ -4270,6 +4270,14 @@ Son volume est inconnu.</translation>
         <translation>La taille d’élément d’une coque est supérieure à 0 mm, et non {value:g}.</translation>
     </message>
     <message>
+        <source>The error of its mesh is not known ({reason}).</source>
+        <translation>L’erreur de son maillage n’est pas connue ({reason}).</translation>
+    </message>
+    <message>
+        <source>The error of its mesh is not known: the frequencies of the reference still change by {change}.</source>
+        <translation>L’erreur de son maillage n’est pas connue : les fréquences de la référence changent encore de {change}.</translation>
+    </message>
+    <message>
         <source>The file</source>
         <translation>Le fichier</translation>
     </message>
@@ -4474,8 +4482,8 @@ Son volume est inconnu.</translation>
         <translation>Le profil {profile} ne peut pas être lu ({problem}).</translation>
     </message>
     <message>
-        <source>The profile {profile} has no category {categories}: labels from meshing are of these.</source>
-        <translation>Le profil {profile} n’a pas de catégorie {categories} : les étiquettes par maillage en sont.</translation>
+        <source>The profile {profile} has no category {categories}: labels by a program are of these.</source>
+        <translation>Le profil {profile} n’a pas de catégorie {categories} : les étiquettes par un programme en sont.</translation>
     </message>
     <message>
         <source>The script opens {copy}, a copy of the part beside it.</source>
@@ -4504,6 +4512,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>The shell was written to {file}: {elements} elements, {nodes} nodes.</source>
         <translation>La coque a été écrite dans {file} : {elements} éléments, {nodes} nœuds.</translation>
+    </message>
+    <message>
+        <source>The size of elements and the error have to be more than 0: state other ones.</source>
+        <translation>La taille des éléments et l’erreur doivent être supérieures à 0 : indiquez-en d’autres.</translation>
     </message>
     <message>
         <source>The sizes were written to {file}: open it in Gmsh.</source>
@@ -4834,6 +4846,10 @@ Son volume est inconnu.</translation>
         <translation>un nombre y est trop long</translation>
     </message>
     <message>
+        <source>a part of {file} is neither measured nor refused</source>
+        <translation>une pièce de {file} n’est ni mesurée ni refusée</translation>
+    </message>
+    <message>
         <source>along the principal axes; diagonal {diagonal}</source>
         <translation>selon les axes principaux ; diagonale {diagonal}</translation>
     </message>
@@ -5090,6 +5106,10 @@ Son volume est inconnu.</translation>
         <translation>son maillage de référence est trop grand</translation>
     </message>
     <message>
+        <source>its reference mesh took too long</source>
+        <translation>son maillage de référence a pris trop de temps</translation>
+    </message>
+    <message>
         <source>its second answer is the first one</source>
         <translation>la seconde réponse est la même que la première</translation>
     </message>
@@ -5204,6 +5224,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>of the diagonal</source>
         <translation>de la diagonale</translation>
+    </message>
+    <message>
+        <source>one reference mesh is not enough, and a second one too large</source>
+        <translation>un maillage de référence ne suffit pas, et un second est trop grand</translation>
     </message>
     <message>
         <source>one size, since nothing finer is meshed</source>

@@ -68,12 +68,13 @@ def test_blocks_are_normal_sheets_thin_and_fins_thin_features(library):
     found = {result.file: result for result in meshing.results if result.file != "assembly_of_three.step"}
     assert {file: result.category for file, result in found.items()} == {
         "block.FCStd": "normal", "solid.step": "normal", "sheet.step": "thin", "fin.brep": "thin_features"}
-    assert found["sheet.step"].trouble_share > 0.9 and found["solid.step"].trouble_share == 0.0
-    assert 0.05 < found["fin.brep"].trouble_share < 0.5 and found["fin.brep"].least_ratio < 0.3
+    assert found["sheet.step"].figures["trouble_share"] > 0.9 and found["solid.step"].figures["trouble_share"] == 0.0
+    assert 0.05 < found["fin.brep"].figures["trouble_share"] < 0.5 and found["fin.brep"].figures["least_ratio"] < 0.3
     assert len([result for result in meshing.results if result.file == "assembly_of_three.step"]) == 3
     failure, = meshing.failures
     assert failure["file"] == "triangles.stl" and "triangles" in failure["message"]
-    assert {label.person for label in meshing.labels} == {meshing.person} and meshing.person.startswith("gmsh ")
+    person, = {label.person for label in meshing.labels}
+    assert person == meshing.labelling.person and person.startswith("gmsh ")
     assert {each.symbol for each in meshing.quantities} >= {"V/VBB", "F[0;0.05]", "P[0;0.06]"}
 
 
@@ -81,7 +82,7 @@ def test_blocks_are_normal_sheets_thin_and_fins_thin_features(library):
 def test_the_command_writes_labels_that_learn_reads_and_goes_on_where_it_was(library, tmp_path):
     table = tmp_path / "gmsh.csv"
     run = thinpart("learn", "--from-meshing", library, "--export-labels", table, "--jobs", 2)
-    assert run.returncode == 1 and "7 parts meshed by gmsh" in run.stdout and "Area under ROC" in run.stdout
+    assert run.returncode == 1 and "7 parts labelled by gmsh" in run.stdout and "Area under ROC" in run.stdout
     assert "triangles.stl" in run.stderr and run.stderr.count("\n") == 1
     with table.open(newline="") as file:
         rows = {row["file"]: row for row in csv.DictReader(file)}
@@ -92,15 +93,16 @@ def test_the_command_writes_labels_that_learn_reads_and_goes_on_where_it_was(lib
     assert len(kept) == 6
     kept[0].write_text("{")  # a damaged one is made anew
     content = json.loads(thinpart("learn", "--from-meshing", library, "--json").stdout)
-    assert len(content["parts"]) == 7 and {each["outcome"] for part in kept for each in json.loads(part.read_text())} >= {
-        "meshed"}
+    assert len(content["parts"]) == 7
+    measured = [each["measured"] for part in kept for each in json.loads(part.read_text())]
+    assert sorted(each["elements"] for each in measured if each) == sorted(each["elements"] for each in content["parts"])
     assert content["quantities"][0]["area"] >= content["quantities"][-1]["area"]
 
 
 def test_a_crash_is_one_row_of_trouble_and_no_mesh_at_all(library, other_gmsh):
     other_gmsh("kill -SEGV $$")
     meshing = label_by_meshing(library, limits=LIMITS)
-    assert {result.reason for result in meshing.results} == {"Gmsh crashed"} and len(meshing.results) == 7
+    assert {result.figures["reason"] for result in meshing.results} == {"Gmsh crashed"} and len(meshing.results) == 7
     assert all(result.has_trouble and result.category == "thin" for result in meshing.results)
     assert {(label.is_sure, label.second) for label in meshing.labels} == {(False, "thin_features")}
     assert meshing.quantities == (), "nothing tells trouble from trouble"
@@ -111,13 +113,13 @@ def test_what_takes_too_long_is_ended(library, other_gmsh):
     for name in ("assembly_of_three.step", "block.FCStd", "fin.brep", "triangles.stl"):
         (library / f"{name}.thinpart.json").unlink()
     meshing = label_by_meshing(library, limits=Limits(1.0, 4096, 2))
-    assert [result.reason for result in meshing.results] == ["Gmsh took too long"] * 2
+    assert [result.figures["reason"] for result in meshing.results] == ["Gmsh took too long"] * 2
 
 
 def test_what_gmsh_states_is_the_reason(library, other_gmsh):
     other_gmsh('echo "Info    : well"; echo "Error   : Invalid boundary mesh on surface 7"; exit 1')
     meshing = label_by_meshing(library, limits=LIMITS)
-    assert {result.reason for result in meshing.results} == {"Invalid boundary mesh on surface 7"}
+    assert {result.figures["reason"] for result in meshing.results} == {"Invalid boundary mesh on surface 7"}
 
 
 def test_a_changed_document_is_not_meshed(library):

@@ -1,5 +1,6 @@
 """Learn a profile from parts that people have labelled, and write their labels as a table."""
 
+import math
 import os
 
 from ..core.analysis_limits import Limits
@@ -9,19 +10,23 @@ from ..core.judging.criteria import given_profile, profile_from
 from ..core.message import message
 from ..storage.labels_file import check_labels_output, read_labels, write_labels
 from ..storage.user_profiles import check_profile_file, write_profile
+from ..workflow.learning.automatic_labels import THIN, THIN_FEATURES, AutomaticLabels
 from ..workflow.learning.fit_probabilities import check_scikit_learn
 from ..workflow.learning.kept_labels import kept_labels as kept_labels_of
+from ..workflow.learning.labelling_run import label_library
 from ..workflow.learning.labels import categories_of, check_library, labelled_parts
 from ..workflow.learning.learn_profile import learn_profile
-from ..workflow.learning.meshing_labels import THIN, THIN_FEATURES, Meshing
-from ..workflow.learning.meshing_run import mesh_library
+from ..workflow.learning.mesh_labelling import MeshLabelling
+from ..workflow.learning.solver_labelling import ERROR, SIZE, SolverLabelling
+from ..workflow.meshing.gmsh_program import gmsh_program
+from ..workflow.solving.calculix_program import calculix_program
 
 UNNAMED = "learned"
 """Name of a profile that is written nowhere."""
 
 
-MESHING_LIMITS = Limits(seconds=60.0, megabytes=4096)
-"""For each part: at Gmsh's default size most take less than a second."""
+LABELLING_LIMITS = Limits(seconds=60.0)
+"""For each mesh: at Gmsh's default size most take less than a second."""
 
 
 def learn(library, labels=(), profile=DEFAULT_PROFILE, *, kept_labels=True, output=None, report=None,
@@ -33,7 +38,7 @@ def learn(library, labels=(), profile=DEFAULT_PROFILE, *, kept_labels=True, outp
     library : str or Path
         Folder with info files.
     labels : str, Path, or list of them, optional
-        CSV files; docs/learning.md describes their columns. Also a `Meshing`, for its labels.
+        CSV files; docs/learning.md describes their columns. Also `AutomaticLabels`.
     profile : str, Path, dict or Profile, optional
         Where to start: name of a shipped profile, a JSON file, or the content of a profile.
     kept_labels : bool, optional
@@ -111,7 +116,7 @@ def export_labels(library, output, labels=(), profile=DEFAULT_PROFILE, *, kept_l
     return len(rows)
 
 
-def label_by_meshing(library, profile=DEFAULT_PROFILE, limits=MESHING_LIMITS, *, output=None, control=None, report=None,
+def label_by_meshing(library, profile=DEFAULT_PROFILE, limits=LABELLING_LIMITS, *, output=None, control=None, report=None,
                      overwrite=False, inputs=()):
     """Label the classified parts of a library without a person: by how Gmsh meshes them.
 
@@ -122,7 +127,7 @@ def label_by_meshing(library, profile=DEFAULT_PROFILE, limits=MESHING_LIMITS, *,
     profile : str, Path, dict or Profile, optional
         The quantities of its conditions are examined too. It needs the categories ``thin`` and ``thin_features``.
     limits : Limits, optional
-        Of time for each part, of memory, and the number of workers.
+        Of processor time for each mesh, of memory, and the number of workers.
     output : str or Path, optional
         Where to write the labels as CSV. A file that is none of labels, or that somebody has changed, is not overwritten.
     control : RunControl, optional
@@ -134,7 +139,7 @@ def label_by_meshing(library, profile=DEFAULT_PROFILE, limits=MESHING_LIMITS, *,
 
     Returns
     -------
-    Meshing
+    AutomaticLabels
         With the labels, and how well each quantity foretells trouble.
 
     Raises
@@ -150,20 +155,70 @@ def label_by_meshing(library, profile=DEFAULT_PROFILE, limits=MESHING_LIMITS, *,
     Traceback (most recent call last):
     thinpart_workbench.core.errors.ThinPartError: The profile ... has no category thin_features: ...
     """
+    return _label(library, lambda: MeshLabelling(gmsh_program(), float(limits.seconds)), profile, limits, output, control,
+                  report, overwrite, inputs)
+
+
+def label_by_solver(library, profile=DEFAULT_PROFILE, limits=LABELLING_LIMITS, *, size=SIZE, size_mm=None, error=ERROR,
+                    output=None, control=None, report=None, overwrite=False, inputs=()):
+    """Label the classified parts of a library without a person: by the error of the automatic mesh, from CalculiX.
+
+    Normal is a part whose first six elastic frequencies by the automatic mesh, tetrahedra of second order by Gmsh, are
+    those of a converged mesh.
+
+    Parameters
+    ----------
+    library, profile, limits, output, control, report, overwrite, inputs
+        See `label_by_meshing`. A solution may take four times the time of a mesh.
+    size : float, optional
+        Greatest size of elements of the automatic mesh, as a share of the diagonal of the part.
+    size_mm : float, optional
+        The same in mm; it goes before `size`.
+    error : float, optional
+        Relative error of the frequencies up to which a mesh is good enough.
+
+    Returns
+    -------
+    AutomaticLabels
+        With the labels, and how well each quantity foretells trouble.
+
+    Raises
+    ------
+    ThinPartError
+        If Gmsh or CalculiX is not installed, a size or the error is no positive number, or there are no info files.
+    Cancelled
+        When `control` was asked to stop; what was solved is kept for the next run.
+
+    Examples
+    --------
+    >>> label_by_solver(samples, size_mm=0.0)
+    Traceback (most recent call last):
+    thinpart_workbench.core.errors.ThinPartError: The size of elements and the error have to be more than 0: ...
+    """
+    if not all(math.isfinite(each) and each > 0.0 for each in (size, size if size_mm is None else size_mm, error)):
+        raise ThinPartError(message("The size of elements and the error have to be more than 0: state other ones."), "usage")
+
+    def labelling():
+        return SolverLabelling(gmsh_program(), calculix_program(), float(limits.seconds), float(size),
+                               None if size_mm is None else float(size_mm), float(error))
+
+    return _label(library, labelling, profile, limits, output, control, report, overwrite, inputs)
+
+
+def _label(library, labelling, profile, limits, output, control, report, overwrite, inputs):
     start = given_profile(profile)
     missing = [category for category in (THIN, THIN_FEATURES) if category not in categories_of(start)]
     if missing:
-        raise ThinPartError(message("The profile {profile} has no category {categories}: labels from meshing are of these.",
+        raise ThinPartError(message("The profile {profile} has no category {categories}: labels by a program are of these.",
                                     profile=start.name, categories=", ".join(missing)), "usage")
     if output is not None:
         check_labels_output(output, overwrite, inputs)
-    meshing = mesh_library(library, limits, start, control, report)
+    labels = label_library(library, labelling(), limits, start, control, report)
     if output is not None:
-        rows = [result.row() for result in meshing.results]
-        write_labels(output, meshing.labels, [(key, lambda number, key=key: _cell(rows[number][key]))
-                                              for key in ("elements", "least_ratio", "trouble_share", "reason")],
-                     overwrite, inputs)
-    return meshing
+        figures = [result.figures for result in labels.results]
+        write_labels(output, labels.labels, [(key, lambda number, key=key: _cell(figures[number][key]))
+                                             for key in labels.labelling.columns], overwrite, inputs)
+    return labels
 
 
 def _cell(value):
@@ -193,13 +248,13 @@ def save_profile(content, output, overwrite=False):
 
 
 def _files(labels):
-    return [labels] if isinstance(labels, (str, os.PathLike, Meshing)) else list(labels)
+    return [labels] if isinstance(labels, (str, os.PathLike, AutomaticLabels)) else list(labels)
 
 
 def _labelled(library, files, categories, with_kept, report):
     """The labelled parts, list of LabelledPart; and the labels, list of Label."""
     rows = [row for file in files
-            for row in (file.labels if isinstance(file, Meshing) else read_labels(file, categories))]
+            for row in (file.labels if isinstance(file, AutomaticLabels) else read_labels(file, categories))]
     if with_kept:
         check_library(library)
         rows += kept_labels_of(library, categories, _of_stage(report, "read"))

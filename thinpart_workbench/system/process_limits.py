@@ -122,6 +122,7 @@ def run_limited(command, seconds, folder, environment=None):
             process.kill()
         except PermissionError:
             pass  # confined: what started this process has a limit for it
+        process.stdout.close()
         return ProgramEnd(process.wait(), b"", True)
     timed_out = bool(with_limit) and process.returncode in _CPU_SIGNALS
     return ProgramEnd(process.returncode, output, timed_out)

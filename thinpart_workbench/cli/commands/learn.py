@@ -2,14 +2,14 @@
 
 import argparse
 
-from ...api.learning import MESHING_LIMITS, export_labels, label_by_meshing, learn
+from ...api.learning import ERROR, LABELLING_LIMITS, SIZE, export_labels, label_by_meshing, label_by_solver, learn
 from ...core.analysis_settings import DEFAULT_PROFILE
 from ...core.errors import ThinPartError
 from ...core.foreign_text import json_text, printable
 from ...core.kinds.file_marks import LABELS, PROFILE
 from ...core.run_control import RunControl
+from ..labelling_text import labelling_progress, print_labelling
 from ..learned_text import print_learned
-from ..meshing_text import meshing_progress, print_meshing
 from ..output_options import add_output_option, replacing
 from ..run_options import add_limit_options, limits_of
 from ..stop_signals import stop_signals
@@ -26,11 +26,23 @@ def add_arguments(parser):
                              "(default), or not")
     add_output_option(parser, "--export-labels", mark=LABELS, metavar="FILE",
                       help="only write all these labels as one CSV file")
-    parser.add_argument("--from-meshing", action="store_true",
-                        help="label the parts of LIBRARY by Gmsh instead, without a person: mesh them, say how well each "
-                             "quantity foretells trouble, and learn from these labels if there is -o; --export-labels "
-                             "writes them")
-    add_limit_options(parser, MESHING_LIMITS, "with --from-meshing: ")
+    program = parser.add_mutually_exclusive_group()
+    program.add_argument("--from-meshing", action="store_true",
+                         help="label the parts of LIBRARY by Gmsh instead, without a person: mesh them, say how well each "
+                              "quantity foretells trouble, and learn from these labels if there is -o; --export-labels "
+                              "writes them")
+    program.add_argument("--from-solver", action="store_true",
+                         help="the same by CalculiX: normal is what the automatic mesh gets right, by its first six elastic "
+                              "frequencies")
+    size = parser.add_mutually_exclusive_group()
+    size.add_argument("--mesh-size", type=float, metavar="SHARE",
+                      help="with --from-solver: greatest size of the elements, as a share of the diagonal "
+                           f"(default: {SIZE:g})")
+    size.add_argument("--mesh-size-mm", type=float, metavar="MM", help="with --from-solver: the same in mm")
+    parser.add_argument("--error", type=float, metavar="SHARE",
+                        help="with --from-solver: error of the frequencies up to which a mesh is right "
+                             f"(default: {ERROR:g})")
+    add_limit_options(parser, LABELLING_LIMITS, "with --from-meshing or --from-solver: ")
     parser.add_argument("--profile", default=DEFAULT_PROFILE, metavar="NAME-or-FILE",
                         help="where to start: its categories, criteria and quantities are taken (default: %(default)s)")
     add_output_option(parser, "-o", "--output", mark=PROFILE, metavar="FILE",
@@ -40,8 +52,10 @@ def add_arguments(parser):
 
 def run(options):
     """Learn and return the exit status."""
-    if options.from_meshing:
-        return _mesh(options)
+    if _solver_options(options) and not options.from_solver:
+        raise ThinPartError("--mesh-size, --mesh-size-mm and --error belong to --from-solver: leave them out.", "usage")
+    if options.from_meshing or options.from_solver:
+        return _label(options)
     if options.export_labels is not None:
         return _export(options)
     learned = learn(options.library, options.labels, options.profile, kept_labels=options.kept_labels,
@@ -53,28 +67,34 @@ def run(options):
     return 0
 
 
-def _mesh(options):
+def _solver_options(options):
+    given = {"size": options.mesh_size, "size_mm": options.mesh_size_mm, "error": options.error}
+    return {name: value for name, value in given.items() if value is not None}
+
+
+def _label(options):
+    name, label_by = ("--from-solver", label_by_solver) if options.from_solver else ("--from-meshing", label_by_meshing)
     if options.labels:
-        raise ThinPartError("--from-meshing stands instead of --labels: leave one of them out.", "usage")
+        raise ThinPartError(f"{name} stands instead of --labels: leave one of them out.", "usage")
     control = RunControl()
-    with stop_signals(control), meshing_progress() as report:
-        meshing = label_by_meshing(options.library, options.profile, limits_of(options), output=options.export_labels,
-                                   control=control, report=report, **replacing(options))
+    with stop_signals(control), labelling_progress() as report:
+        labels = label_by(options.library, options.profile, limits_of(options), output=options.export_labels,
+                          control=control, report=report, **_solver_options(options), **replacing(options))
     learned = None
     if options.output is not None:
-        learned = learn(options.library, meshing, options.profile, kept_labels=False, output=options.output,
+        learned = learn(options.library, labels, options.profile, kept_labels=False, output=options.output,
                         **replacing(options))
     if options.json:
-        content = meshing.as_dict()
+        content = labels.as_dict()
         if learned is not None:
             content["learned"] = learned.as_dict()
         print(json_text(content))
     else:
-        print_meshing(meshing, options.export_labels)
+        print_labelling(labels, options.export_labels)
         if learned is not None:
             print()
             print_learned(learned, options.output)
-    return 1 if meshing.failures else 0
+    return 1 if labels.failures else 0
 
 
 def _export(options):

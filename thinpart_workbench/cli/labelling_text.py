@@ -1,4 +1,4 @@
-"""How Gmsh did with the parts of a library, as printed text."""
+"""What programs made of the parts of a library, as printed text."""
 
 import sys
 from collections import Counter
@@ -12,13 +12,13 @@ MOST_REASONS = 10
 
 
 @contextmanager
-def meshing_progress():
+def labelling_progress():
     """For a ``with`` block: a function that shows the number of documents done, where a person sees it."""
     shown = sys.stderr.isatty()
 
     def report(done, total):
         if shown:
-            sys.stderr.write(f"\rMeshed {done} of {total} documents")
+            sys.stderr.write(f"\rLabelled {done} of {total} documents")
             sys.stderr.flush()
 
     try:
@@ -28,35 +28,37 @@ def meshing_progress():
             sys.stderr.write("\r\033[K")
 
 
-def print_meshing(meshing, labels_file):
-    """Print how many parts are in trouble, why some have no mesh, and what foretells it: of a Meshing, and the file
-    of its labels, if one was written.
+def print_labelling(labels, labels_file):
+    """Print how many parts are in trouble, why some have no figures, and what foretells it: of AutomaticLabels, and the file
+    that they were written to, if one was.
     """
-    counts = Counter(result.category for result in meshing.results)
+    counts = Counter(result.category for result in labels.results)
     listed = ", ".join(f"{counts[category]} {category}" for category in ("thin", "thin_features", "normal"))
-    print(f"{len(meshing.results)} parts meshed by {printable(meshing.person)} in {meshing.seconds:.0f} s: {listed}.")
-    _print_unmeshed([result for result in meshing.results if result.trouble_share is None])
+    program = printable(labels.labelling.person)
+    print(f"{len(labels.results)} parts labelled by {program} in {labels.seconds:.0f} s: {listed}.")
+    _print_failed([result for result in labels.results if result.figures["reason"]])
     print()
-    if meshing.quantities:
-        print_table(sys.stdout, _QUANTITY_COLUMNS, lambda: meshing.quantities)
+    if labels.quantities:
+        print_table(sys.stdout, _QUANTITY_COLUMNS, lambda: labels.quantities)
     else:
         print("No quantity can foretell trouble: all of the parts have it, or none.")
     if labels_file is not None:
-        print(f"{len(meshing.results)} labels were written to {printable(labels_file)}.")
-    for failure in meshing.failures:
+        print(f"{len(labels.results)} labels were written to {printable(labels_file)}.")
+    for failure in labels.failures:
         print(f"thinpart: {printable(failure['file'])}: {printable(failure['message'])}", file=sys.stderr)
 
 
-def _print_unmeshed(unmeshed):
-    if unmeshed:
+def _print_failed(failed):
+    if failed:
         print()
         print_table(sys.stdout, (
-            TableColumn("No mesh", lambda result: result.file, style=lambda result: category_style(result.category)),
+            TableColumn("No mesh, or refused", lambda result: result.file,
+                        style=lambda result: category_style(result.category)),
             TableColumn("Part", lambda result: result.part),
-            TableColumn("Why", lambda result: result.reason),
-        ), lambda: unmeshed[:MOST_REASONS])
-    if len(unmeshed) > MOST_REASONS:
-        print(f"... and {len(unmeshed) - MOST_REASONS} more; --json lists all.")
+            TableColumn("Why", lambda result: result.figures["reason"]),
+        ), lambda: failed[:MOST_REASONS])
+    if len(failed) > MOST_REASONS:
+        print(f"... and {len(failed) - MOST_REASONS} more; --json lists all.")
 
 
 _QUANTITY_COLUMNS = (
