@@ -847,6 +847,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Verteilung</translation>
     </message>
     <message>
+        <source>Do not say this again</source>
+        <translation>Nicht noch einmal sagen</translation>
+    </message>
+    <message>
         <source>Double-click a size or a number of layers to change it, for all selected walls. Without the check mark, a wall asks for no small elements.</source>
         <translation>Doppelklick auf eine Größe oder eine Zahl von Schichten ändert sie für alle gewählten Wände. Ohne Häkchen verlangt eine Wand keine kleinen Elemente.</translation>
     </message>
@@ -1705,6 +1709,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Reclassify libraries…</source>
         <translation>Bibliotheken neu klassifizieren …</translation>
+    </message>
+    <message>
+        <source>Reclassify…</source>
+        <translation>Neu klassifizieren …</translation>
     </message>
     <message>
         <source>Recommended: shell.</source>
@@ -3085,6 +3093,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{} info files cannot be read.</source>
         <translation>{} Infodateien sind nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>{} info files were judged by another version of the profile {}.</source>
+        <translation>{} Infodateien wurden nach einer anderen Fassung des Profils {} beurteilt.</translation>
     </message>
     <message>
         <source>{} info files were not changed: {}</source>

@@ -847,6 +847,10 @@ Son volume est inconnu.</translation>
         <translation>Répartition</translation>
     </message>
     <message>
+        <source>Do not say this again</source>
+        <translation>Ne plus le dire</translation>
+    </message>
+    <message>
         <source>Double-click a size or a number of layers to change it, for all selected walls. Without the check mark, a wall asks for no small elements.</source>
         <translation>Double-cliquez sur une taille ou un nombre de couches pour les modifier, pour toutes les parois sélectionnées. Sans coche, une paroi ne demande pas de petits éléments.</translation>
     </message>
@@ -1705,6 +1709,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Reclassify libraries…</source>
         <translation>Reclassifier les bibliothèques…</translation>
+    </message>
+    <message>
+        <source>Reclassify…</source>
+        <translation>Reclassifier…</translation>
     </message>
     <message>
         <source>Recommended: shell.</source>
@@ -3085,6 +3093,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{} info files cannot be read.</source>
         <translation>{} fichiers d’information sont illisibles.</translation>
+    </message>
+    <message>
+        <source>{} info files were judged by another version of the profile {}.</source>
+        <translation>{} fichiers d’information ont été jugés selon une autre version du profil {}.</translation>
     </message>
     <message>
         <source>{} info files were not changed: {}</source>

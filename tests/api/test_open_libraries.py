@@ -1,5 +1,6 @@
 """Libraries that stay open find what a search that opens them finds, also after they were refreshed."""
 
+import json
 import os
 import queue
 
@@ -9,8 +10,10 @@ import time_limit
 
 import thinpart_workbench as thinpart
 from thinpart_workbench.api.found_parts import record_and_profile
+from thinpart_workbench.api.libraries import Libraries
 from thinpart_workbench.api.open_libraries import OpenLibraries
 from thinpart_workbench.api.reclassification import reclassify_folders
+from thinpart_workbench.core.judging.criteria import load_profile, profile_version
 
 
 @pytest.fixture
@@ -109,3 +112,26 @@ def test_libraries_are_judged_again_also_where_one_is_gone(library, tmp_path):
     assert len(files) == len(run) > 0 and not any(file.differs for file in files)
     assert len(parts) == len(thinpart.find(library)) and not any(part.differs for part in parts)
     assert len(reclassify_folders([str(tmp_path)])) == 0
+
+
+def test_they_say_what_another_version_of_a_shipped_profile_has_judged(library, opened):
+    libraries, posted = opened
+    state, = libraries.states
+    assert state.judged_otherwise == []
+    files = sorted(library.rglob("*.thinpart.json"))
+    for number, change in enumerate(({"area_floor": 0.002}, {"borderline_margin": 0.2}, {"name": "house"})):
+        content = json.loads(files[number].read_text())
+        content["profile"].update(change)
+        files[number].write_text(json.dumps(content))
+    libraries.refresh()
+    refresh(libraries, posted)
+    state, = libraries.states
+    assert state.judged_otherwise == [
+        {"profile": "paper", "version": profile_version(load_profile("paper").content), "files": 2}]
+    with Libraries([library]) as same:
+        assert same.judged_otherwise() == {"paper": 2}
+    list(reclassify_folders([str(library)], "paper", write=True))
+    libraries.refresh()
+    refresh(libraries, posted)
+    state, = libraries.states
+    assert state.judged_otherwise == []

@@ -115,6 +115,39 @@ def test_a_part_that_changes_is_shown_in_the_list(library, other_profile):
     assert table().current_part.file == parts.item(0).toolTip()
 
 
+def judged_by_another_version(library, names):
+    """As if the profile *paper* had had another floor when it judged these documents."""
+    for name in names:
+        path = library / f"{name}.thinpart.json"
+        content = json.loads(path.read_text())
+        content["profile"]["area_floor"] = 0.002
+        path.write_text(json.dumps(content))
+
+
+def test_what_another_version_of_a_profile_has_judged_is_said_once(library):
+    note = "ThinPart_JudgedOtherwise"
+    judged_by_another_version(library, ["plate.step", "tube.step"])
+    dock = opened(library)
+    assert window.text(note) == "2 info files were judged by another version of the profile paper."
+    window.click(f"{note}Reclassify")
+    page = dock.findChild(ReclassifyPage)
+    window.wait_until(lambda: not page.is_waiting and window.widget("ThinPart_ReclassifyWrite").isEnabled())
+    assert window.widget("ThinPart_ReclassifyProfile").currentData() == "paper"
+    assert not window.widget(note).isVisible()
+    find_parts.end_find_parts()
+    opened(library)
+    assert not window.widget(note).isVisible()  # said before
+    find_parts.end_find_parts()
+    set_preference_list("ProfileVersionsTold", [f"paper 123456789abc {library}"])  # the profile has changed since
+    opened(library)
+    assert window.widget(note).isVisible()
+    window.click(f"{note}Hide")
+    assert not window.widget(note).isVisible()
+    find_parts.end_find_parts()
+    opened(library)
+    assert not window.widget(note).isVisible()
+
+
 def test_a_profile_that_is_none_is_refused(library, tmp_path):
     dock = opened(library)
     page = reclassify_page(dock)

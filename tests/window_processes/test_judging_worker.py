@@ -109,14 +109,19 @@ def test_the_parts_of_a_change_are_named(library, worker):
     assert row["info_file"] == row["file"] + ".thinpart.json" and row["file"].startswith(str(library))
 
 
-def test_a_record_without_a_quantity_is_to_be_measured_again(tmp_path, worker):
+UNMEASURED_LOCAL = {"bins": [], "area": [], "T05": None, "T50": None, "T75": None, "T99": None}
+
+
+@pytest.mark.parametrize("quantity, key, unmeasured_value", [
+    ("plate_share", "plate_share", None), ("L[0;0.08]", "local", UNMEASURED_LOCAL), ("T05", "local", UNMEASURED_LOCAL)])
+def test_a_record_without_a_quantity_is_to_be_measured_again(tmp_path, worker, quantity, key, unmeasured_value):
     old = record_of("cube", name="Solid2", label="old")
-    del old["descriptors"]["plate_share"]
+    del old["descriptors"][key]
     unmeasured = record_of("cube", name="Solid3", label="unmeasured")
-    unmeasured["descriptors"]["plate_share"] = None
+    unmeasured["descriptors"][key] = unmeasured_value
     store(tmp_path, "Mixed.step", [record_of("cube"), old, unmeasured])
     content = copy.deepcopy(PAPER.content)
-    content["categories"][0]["criteria"][0]["conditions"] = [{"quantity": "plate_share", "comparison": ">", "value": 0.9}]
+    content["categories"][0]["criteria"][0]["conditions"] = [{"quantity": quantity, "comparison": ">", "value": 0.999}]
     worker.ask({"ask": "open", "roots": [str(tmp_path)]}, judge(1, content))
     counts = worker.counted(1)
     assert counts["changes"] == [["normal", "measure_again", 1], ["normal", "unknown", 1]]

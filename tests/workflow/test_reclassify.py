@@ -12,8 +12,8 @@ from thinpart_workbench.api.annotations import annotate_part
 from thinpart_workbench.core.judging.classification import classify
 from thinpart_workbench.core.judging.criteria import load_profile, profile_from
 from thinpart_workbench.core.record.part_record import descriptors_of
-from thinpart_workbench.storage.info.info_file import SUFFIX, read_info
-from thinpart_workbench.workflow.library.reclassify import reclassify_files
+from thinpart_workbench.storage.info.info_file import SUFFIX, change_info, is_current, read_info
+from thinpart_workbench.workflow.library.reclassify import described_document, reclassify_files
 
 PAPER = load_profile("paper").content
 
@@ -98,3 +98,57 @@ def test_a_damaged_info_file_is_one_sentence_and_the_rest_goes_on(info_files, st
         assert {path for path in told if told[path].error} == set(damaged)
         assert all(told[path].error.endswith(".") for path in damaged)
         assert {path: Path(path).read_text() for path in damaged} == damaged
+
+
+@pytest.fixture
+def before(tmp_path):
+    """An info file of a version that did not measure the local thickness, of a plate and a cube."""
+    precision = {"accuracy": "standard", "samples": 6000, "wall_mm": 0.001, "chord_mm": 0.001, "mean_chord_mm": 0.0005,
+                 "area_share": 0.0, "plate_share": 0.0, "errors": []}
+    records = [made_library.record_of("plate", name="Solid1"), made_library.record_of("cube", name="Solid2")]
+    for record in records:
+        record["descriptors"]["precision"] = precision
+        for key in ("local", "plate_ratio"):
+            del record["descriptors"][key]
+    return str(made_library.store(tmp_path / "library", "two.step", records))
+
+
+def by_local_thickness(categories):
+    """The conditions of the paper for a thin part, then one on the local thickness."""
+    profile = copy.deepcopy(PAPER)
+    profile.update(name="local", categories=[profile["categories"][0], {"name": "thin_features", "criteria": [
+        {"id": "local", "conditions": [{"quantity": "L[0;0.08]", "comparison": ">", "value": 0.03}]}]}][:categories])
+    return profile
+
+
+def is_taken(info_file):
+    """Whether an analysis by the profile of an info file takes its verdicts instead of measuring."""
+    content = read_info(info_file)
+    return is_current(content, described_document(info_file, content), content["settings"], content["profile"], info_file)
+
+
+def test_what_an_earlier_version_measured_is_enough_where_it_decides(before):
+    shipped = load_profile("calibrated").content
+    file, = reclassify_files([before], shipped, write=True)
+    assert [(part.after["category"], part.measure_again) for part in file.parts] == [("thin", False), ("normal", False)]
+    assert read_info(before)["profile"] == shipped and is_taken(before)
+
+
+def test_what_it_did_not_measure_is_measured_again(before):
+    file, = reclassify_files([before], by_local_thickness(2), write=True)
+    assert [(part.after["category"], part.measure_again) for part in file.parts] == [("thin", False), ("unknown", True)]
+    assert not is_taken(before)
+    list(reclassify_files([before], by_local_thickness(1), write=True))  # asks for nothing that is not there
+    assert is_taken(before)
+
+
+@pytest.mark.parametrize("share, has_errors, enough", [(0.5, True, True), (0.999, True, False), (0.5, False, False)])
+def test_a_less_exact_quantity_is_enough_where_its_error_cannot_turn_the_verdict(before, share, has_errors, enough):
+    value = descriptors_of(read_info(before)["parts"][0]).named_value("plate_ratio")
+    profile = by_local_thickness(1)
+    profile["categories"][0]["criteria"] = [{"id": "near", "conditions": [
+        {"quantity": "plate_ratio", "comparison": ">", "value": value * share}]}]
+    if not has_errors:  # a version before that
+        change_info(before, lambda content: [part["descriptors"].update(precision=None) for part in content["parts"]])
+    file, = reclassify_files([before], profile, write=True)
+    assert file.parts[0].after["category"] == "thin" and is_taken(before) == enough

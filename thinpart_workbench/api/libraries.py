@@ -9,6 +9,7 @@ from ..storage.common_folder import common_folder
 from ..storage.index.library_index import LibraryIndex
 from ..storage.index.written_query import part_query
 from ..storage.info.stored_records import info_file_of, select_record, single_record
+from ..workflow.library.judged_otherwise import judged_otherwise
 from ..workflow.library.library_search import LibrarySearch
 from ..workflow.library.similar_parts import similar_parts
 from .classified_parts import ClassifiedPart
@@ -54,6 +55,14 @@ class Libraries:
     def close(self):
         """Close the indexes."""
         self._stack.close()
+
+    def judged_otherwise(self):
+        """Info files that a shipped profile has judged by other thresholds than it has now: dict of int, by its name."""
+        files: dict[str, int] = {}
+        for index in self.indexes:
+            for each in judged_otherwise(index):
+                files[each["profile"]] = files.get(each["profile"], 0) + each["files"]
+        return files
 
     def find(self, query, sort="file", descending=False, limit=None):
         """Find the parts that match a `PartQuery`; see `LibrarySearch.find`. Returns a SearchResult."""

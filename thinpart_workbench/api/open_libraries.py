@@ -6,6 +6,7 @@ from typing import Optional
 
 from ..storage.index.library_index import LibraryIndex
 from ..storage.index.written_query import part_query
+from ..workflow.library.judged_otherwise import JudgedOtherwise, judged_otherwise
 from ..workflow.library.library_refresh import LibraryRefresh
 from ..workflow.library.library_search import ChoiceCounts, LibrarySearch
 from ..workflow.library.similar_parts import SimilarPart, similar_parts
@@ -30,6 +31,8 @@ class LibraryState:
         Whether the last refresh was stopped before its end.
     parts : int
         Parts and failures that are found at the moment.
+    judged_otherwise : list of JudgedOtherwise
+        Shipped profiles that had other thresholds when they judged info files of it.
     """
 
     root: str
@@ -37,6 +40,7 @@ class LibraryState:
     busy: bool = True
     stopped: bool = False
     parts: int = 0
+    judged_otherwise: list[JudgedOtherwise] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
@@ -193,6 +197,7 @@ class OpenLibraries:
         self._found, self._similar, self._by_score = self._search.find(part_query()), {}, False
         for root, state in self._states.items():
             state.parts = self._search.total(self._indexes[root])
+            state.judged_otherwise = judged_otherwise(self._indexes[root])
 
     def _most_similar(self, query, record, excluding, same_size):
         """Find the parts most similar to a record; returns their ids by index."""

@@ -233,6 +233,8 @@ PREFERENCES = {declared.name: declared for declared in (
     Preference("FolderJobs", -1, "Files of a folder that are measured at once; -1: as Jobs says"),
     Preference("FolderSeconds", 0, "Seconds that one file of a folder may take; 0: as Seconds says"),
     Preference("Libraries", "[]", "Folders of classified parts that are searched, as JSON"),
+    Preference("ProfileVersionsTold", "[]", "Versions of shipped profiles and libraries of which it was said that another "
+                                            "version has judged info files, as JSON"),
 )}
 
 

@@ -76,6 +76,9 @@ def run(options):
                 print(f"{len(found)} of {found.total} parts: raise --limit for more.", file=sys.stderr)
             elif not found:
                 print("No stored part fulfils all these conditions.", file=sys.stderr)
+        for name, files in opened.judged_otherwise().items():
+            print(f"thinpart: {files} info {'file was' if files == 1 else 'files were'} judged by another version of the "
+                  f"profile {name}: 'thinpart reclassify FOLDER --profile {name}' shows what changes.", file=sys.stderr)
     return status
 
 

@@ -36,7 +36,7 @@ def run(options):
     for sentence in run.problems:
         print(f"thinpart: {printable(sentence)}", file=sys.stderr)
     status = 1 if run.problems else 0
-    changes, counts, changed = Counter(), Counter(), []
+    changes, counts, changed, again = Counter(), Counter(), [], 0
     judged = iter(run)
     with stop_signals(control), closing(judged):
         for file in judged:
@@ -47,18 +47,22 @@ def run(options):
                 before, after = part.before["category"], part.after["category"]
                 counts[after] += 1
                 changes[before, after] += 1
+                again += part.measure_again
                 if options.json:
                     print(json_text(_line(file, part)))
                 elif before != after and len(changed) < MOST_ROWS:
                     changed.append((file, part))
     if not options.json:
         _print_changes(changed, changes, counts, run.profile, options.write)
+    if again:
+        print(f"thinpart: an earlier version did not measure what decides on {again} of these parts: they are unknown until "
+              "'thinpart classify' measures their documents again.", file=sys.stderr)
     return status
 
 
 def _line(file, part):
     return {"file": file.document, "info_file": file.info_file, "name": part.name, "label": part.label,
-            "before": part.before, **part.after, "changed": part.differs}
+            "before": part.before, **part.after, "changed": part.differs, "measure_again": part.measure_again}
 
 
 def _print_changes(changed, changes, counts, profile, written):

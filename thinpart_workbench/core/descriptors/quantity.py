@@ -77,6 +77,12 @@ class Quantity:
             kind = kind.kinds[key]
         return kind
 
+    @property
+    def record_key(self):
+        """str: the key of a record's ``descriptors`` that it is read from. Where a record of an earlier version lacks it,
+        the quantity is computed from others, less exactly, or not known."""
+        return self.keys[0] if self.keys else "distribution"
+
     is_area_share = False
     """Whether it is a share of the surface: "more than 0" then means more than the area floor, and unmeasured surface
     may add to it."""
@@ -257,6 +263,11 @@ class MiddleShare(AreaShare):
 
     slanted: bool = True
 
+    @property
+    def record_key(self):
+        """The shares in units of D2."""
+        return "middle"
+
     def _counts_no_more_than(self, other):
         return other.slanted or not self.slanted
 
@@ -294,6 +305,11 @@ class MiddleShare(AreaShare):
 @dataclass(frozen=True)
 class LocalShare(MiddleShare):
     """A share of the surface, by its local thickness in units of D2."""
+
+    @property
+    def record_key(self):
+        """The shares by local thickness."""
+        return "local"
 
     def _counts_no_more_than(self, other):
         return True

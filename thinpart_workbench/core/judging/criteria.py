@@ -1,5 +1,7 @@
 """Criteria and categories as data: profiles, and whether their conditions hold."""
 
+import hashlib
+import json
 import math
 import os
 from dataclasses import dataclass, replace
@@ -224,6 +226,16 @@ def load_profile(name_or_file=DEFAULT_PROFILE):
         raise ProfileError(message("The profile {profile} cannot be read ({problem}).",
                                    profile=path, problem=str(problem))) from None
     return usable_profile(content, str(path))
+
+
+def profile_version(content):
+    """A text that differs where the content of a profile, dict, does: str, twelve hexadecimal digits."""
+    return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()[:12]
+
+
+def shipped_versions():
+    """The `profile_version` of each shipped profile, dict of str to str, by its name."""
+    return {path.stem: profile_version(load_profile(path.stem).content) for path in sorted(PROFILES.glob("*.json"))}
 
 
 def given_profile(profile=DEFAULT_PROFILE):

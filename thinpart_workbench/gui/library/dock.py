@@ -22,6 +22,7 @@ from .active_record import active_record, not_classified
 from .details import PartDetails, scrolled
 from .filters_page import FiltersPage
 from .found_rows import FoundRows
+from .judged_otherwise_note import JudgedOtherwiseNote
 from .libraries_page import LibrariesPage
 from .results_view import FoundPartsView
 from .search_client import SearchClient
@@ -59,6 +60,8 @@ class FindDock(QtWidgets.QDockWidget):
         column.setContentsMargins(4, 4, 4, 4)
         self._add_words(column)
         self._message = text_line(form, column, "ThinPart_FindMessage")
+        self._judged_otherwise = JudgedOtherwiseNote(form)
+        column.addWidget(self._judged_otherwise)
         self._splitter = QtWidgets.QSplitter(QtCore.Qt.Vertical, form)
         column.addWidget(self._splitter, 1)
         self._add_choices()
@@ -209,6 +212,7 @@ class FindDock(QtWidgets.QDockWidget):
         self._filters.changed.connect(self._start_search)
         self._same_size.toggled.connect(lambda _: self._start_search())
         self._libraries.changed.connect(self._open)
+        self._judged_otherwise.reclassify_requested.connect(self.show_reclassify)
         self._libraries.refresh_requested.connect(self._refresh)
         self._libraries.stop_requested.connect(search.stop_refreshing)
         self._reclassify.written.connect(self._refresh)
@@ -351,6 +355,7 @@ class FindDock(QtWidgets.QDockWidget):
 
     def _show_libraries(self, libraries):
         self._libraries.show_libraries(libraries)
+        self._judged_otherwise.show_libraries(libraries)
         self._choices.setTabText(LIBRARIES, translate("ThinPart", "Libraries") + (
             " \u26a0" if any(library["problems"] for library in libraries) else ""))
         problems = [problem for library in libraries for problem in library["problems"]]

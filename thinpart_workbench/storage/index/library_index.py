@@ -11,6 +11,7 @@ from functools import cache
 from ...core.descriptors.packed_distribution import least_slanted, local_share, middle_share, wall_share
 from ...core.errors import ThinPartError
 from ...core.foreign_text import sql_text
+from ...core.judging.criteria import profile_version
 from ...core.judging.packed_check import packed_walls_pass
 from ...core.message import Message, message, to_data
 from ...core.problem import problem_of
@@ -34,7 +35,8 @@ _ENDINGS = ("", "-wal", "-shm")
 
 _FILES = {
     "path": "BLOB UNIQUE NOT NULL", "bytes": "INTEGER", "modified_ns": "INTEGER", "inode": "INTEGER",
-    "folder": "BLOB", "document": "BLOB", "sha256": "TEXT", "modified": "TEXT", "profile": "TEXT", "words": "TEXT",
+    "folder": "BLOB", "document": "BLOB", "sha256": "TEXT", "modified": "TEXT", "profile": "TEXT", "profile_version": "TEXT",
+    "words": "TEXT",
 }
 _PARTS = {"file": "INTEGER NOT NULL", **{column.name: column.type for column in INDEXED},
           "error_kind": "TEXT", "error_message": "TEXT", "error_data": "TEXT", "verdict": "INTEGER"}
@@ -274,14 +276,15 @@ def _read(root, path):
                     for entry in content.get("failures", ())]
         source = content["source"]
         source_values = (os.fsencode(source.get("folder", "")), os.fsencode(source["file"]),
-                 source["sha256"], source["modified"], sql_text(content["profile"]["name"]))
+                 source["sha256"], source["modified"], sql_text(content["profile"]["name"]),
+                 profile_version(content["profile"]))
     except ThinPartError as error:
         failure = str(error)
     except OSError as error:
         failure = message("The info file {info_file} cannot be read ({problem}).",
                           info_file=name, problem=error.strerror)
     if failure is not None:
-        rows, failures, source_values = [], [(None, None, "info_file", failure)], (b"", None, None, None, None)
+        rows, failures, source_values = [], [(None, None, "info_file", failure)], (b"", None, None, None, None, None)
     return path, stamp, (*source_values, _words(path)), rows, failures
 
 
@@ -295,7 +298,8 @@ def _insert_statement(table, columns):
 
 
 _INSERT_FILE = _insert_statement("files", (
-    "path", "bytes", "modified_ns", "inode", "folder", "document", "sha256", "modified", "profile", "words"))
+    "path", "bytes", "modified_ns", "inode", "folder", "document", "sha256", "modified", "profile", "profile_version",
+    "words"))
 _INSERT_PART = _insert_statement("parts", ("file", *(column.name for column in INDEXED)))
 _VERDICT_PLACES = [[column.name for column in INDEXED].index(name) for name in _VERDICTS]
 _INSERT_LARGE = _insert_statement("distributions", ("id", *LARGE_COLUMNS))

@@ -11,6 +11,7 @@ from pathlib import Path
 from ... import __version__
 from ...core.errors import ThinPartError
 from ...core.file_formats import INFO_ENDING
+from ...core.judging.older_record import is_enough
 from ...core.kinds.file_marks import INFO
 from ...core.message import message, with_messages
 from ...core.regular_file import open_regular
@@ -206,7 +207,8 @@ def is_current(content, document, settings, profile, info_file=None):
     """Whether a new analysis would give the same as an info file.
 
     Size and time of the document and of those that it links to decide; if only the time differs
-    (a copied file), the hash decides.
+    (a copied file), the hash decides. Where an earlier version measured the parts, and they were judged again since, the
+    verdict has to be certain without what it did not measure.
 
     Parameters
     ----------
@@ -226,6 +228,8 @@ def is_current(content, document, settings, profile, info_file=None):
         return False
     source = content["source"]
     if source.get("folder") != _relative_folder(info_file, Path(document)):
+        return False
+    if not all(is_enough(part, profile) for part in content["parts"]):
         return False
     return all(_is_unchanged(entry, path) for entry, path in _entries(source, document))
 

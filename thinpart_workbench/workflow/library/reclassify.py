@@ -10,6 +10,7 @@ from ...core.analysis_limits import Limits
 from ...core.errors import ThinPartError
 from ...core.judging.classification import classify
 from ...core.judging.criteria import Profile, profile_from
+from ...core.judging.older_record import is_to_be_measured
 from ...core.message import message
 from ...core.problem import UNEXPECTED
 from ...core.record.part_record import descriptors_of, judge_again, verdict
@@ -41,6 +42,8 @@ class Verdict(NamedTuple):
     label: str
     before: VerdictRecord
     after: VerdictRecord
+    measure_again: bool
+    """Whether it is ``unknown`` now because an earlier version did not measure what decides."""
 
     @property
     def differs(self):
@@ -190,7 +193,7 @@ def _verdict_of(part, profile, write):
     classification = classify(descriptors_of(part), profile)
     if write:
         judge_again(part, classification)
-    return Verdict(part["name"], part["label"], before, verdict(classification))
+    return Verdict(part["name"], part["label"], before, verdict(classification), is_to_be_measured(part, classification))
 
 
 _profiles: dict[str, Profile] = {}

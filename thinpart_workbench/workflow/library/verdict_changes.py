@@ -10,8 +10,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ...core.categories import MEASURE_AGAIN, UNKNOWN
-from ...core.descriptors.descriptor_table import QUANTITIES
 from ...core.errors import ThinPartError
+from ...core.judging.older_record import lacking
 from ...core.judging.verdict_table import VerdictTable
 from ...core.message import message
 from ...core.record.part_record import descriptors_of
@@ -76,7 +76,7 @@ class VerdictChanges:
         self._parts: list[ChangedPart] = []
         self._profiles: dict[str, str] = {}  # by info file
         self._before: list[str] = []
-        self._missing: list[frozenset] = []
+        self._lacking: list[frozenset] = []
         self._judged: tuple = [], np.zeros(0, int)
 
     @property
@@ -105,8 +105,8 @@ class VerdictChanges:
         names = [*names, MEASURE_AGAIN]
         again = np.zeros(len(numbers), bool)
         for condition, parts in undecided.items():
-            name = condition.quantity.name
-            again |= parts & np.fromiter((name in each for each in self._missing), bool, len(self._missing))
+            key = condition.quantity.record_key
+            again |= parts & np.fromiter((key in each for each in self._lacking), bool, len(self._lacking))
         numbers = np.where(again & (numbers == names.index(UNKNOWN)), names.index(MEASURE_AGAIN), numbers)
         self._judged = names, numbers
         pairs = Counter(zip(self._before, numbers.tolist()))
@@ -148,7 +148,7 @@ class VerdictChanges:
             self._table.add([descriptors_of(part)])
             self._parts.append(ChangedPart(info_file, document, part["name"], part["label"]))
             self._before.append(part["category"])
-            self._missing.append(_missing_quantities(frozenset(part["descriptors"])))
+            self._lacking.append(lacking(part))
 
     def _fail(self, sentence):
         self.failed += 1
@@ -159,13 +159,3 @@ class VerdictChanges:
 def _told(profile):
     """The content of a profile as one text, of which all info files that have it share one."""
     return sys.intern(json.dumps(profile, sort_keys=True))
-
-
-def _missing_quantities(keys):
-    """Names of the quantities that a record with these keys lacks: frozenset of str."""
-    return _NOTHING if _KEYS <= keys else frozenset(
-        quantity.name for quantity in QUANTITIES if quantity.keys and quantity.keys[0] not in keys)
-
-
-_NOTHING: frozenset = frozenset()
-_KEYS = frozenset(quantity.keys[0] for quantity in QUANTITIES if quantity.keys)
