@@ -106,8 +106,11 @@ def test_parts_that_were_measured_before_a_quantity_was_are_told_apart(tmp_path)
     old = record_of("cube", name="Solid2", label="old")
     del old["descriptors"]["plate_share"]
     store(tmp_path / "library", "Two.step", [record_of("cube"), old])
+    content = json.loads((PROFILES / "calibrated.json").read_text())
+    content["categories"][0]["criteria"][0]["conditions"][1]["quantity"] = "plate_share"
+    (tmp_path / "house.json").write_text(json.dumps(content))
     dialog = opened(tmp_path / "library")
-    dialog.choose("calibrated")
+    dialog.choose(str(tmp_path / "house.json"))
     type_into(thresholds(dialog)[0], "0.001")
     type_into(thresholds(dialog)[1], "99")
     type_into(named(dialog, "ConditionMost")[0], "9")
