@@ -60,7 +60,7 @@ def solved_parts(options):
     names = in_turn(options.parts)[:options.most]
 
     def solved(name):
-        kept = _kept(options.parts / name)
+        kept = kept_result(options.parts / name)
         if not kept.exists() and time.monotonic() < until:
             _solve(options.parts / name, kept)
             print(name, kept.read_text()[:110], file=sys.stderr, flush=True)
@@ -83,7 +83,8 @@ def in_turn(folder):
     return list(filter(None, chain.from_iterable(zip_longest(*of_repository.values()))))
 
 
-def _kept(file):
+def kept_result(file):
+    """The file, Path, in which the result of a part is kept."""
     key = hashlib.sha256("|".join(LIMITS).encode() + file.read_bytes()).hexdigest()
     return CACHE / "solver_truth" / f"{key[:32]}.json"
 

@@ -24,6 +24,8 @@ def test_a_plate_is_thin_with_figures_and_the_advice_to_use_shells(document):
         "93\u00a0% over walls that are plates: consider shells (Prepare mesh says whether they can be made).")
     assert window.text("ThinPart_HowSure").startswith("Probability: 92\u00a0%, next 'Part with thin features' with ")
     assert window.text("ThinPart_PaperVerdict") == "By the thresholds of the paper: Thin part (criteria 1, 4, 5)"
+    assert window.text("ThinPart_MeshRisk").startswith("Risk of the automatic mesh: ")
+    assert "walls thinner than 5.83\u00a0mm over 93\u00a0% of the surface" in window.text("ThinPart_MeshRisk")
 
 
 def test_a_bar_is_normal_where_the_paper_calls_it_thin(document):

@@ -3,8 +3,10 @@
 import json
 import os
 from collections import namedtuple
+from itertools import islice
 
 from ..core.errors import ThinPartError
+from ..core.judging.risk_sentence import risk_sentence
 from ..core.number_text import percent
 from ..storage.part_table import checked_row, failed_row, part_table, write_table
 from .check_options import check_columns, check_remarks
@@ -25,6 +27,11 @@ def _thinnest(part):
     return "-" if value is None else f"{value:.4g}"
 
 
+def _risk(part):
+    value = part.get("mesh_risk", {}).get("risk")
+    return "-" if value is None else f"{100 * value:.0f} %"
+
+
 def _name(part):
     count = f" ({part['instances']}x)" if part["instances"] > 1 else ""
     return part["label"] + count
@@ -37,6 +44,7 @@ def _category(part):
 TABLE = (
     ("Part", _name, False),
     ("Category", _category, False),
+    ("Mesh risk", _risk, True),
     ("Criteria", lambda part: ", ".join(map(str, part["criteria"])) or "none", False),
     ("D1 x D2 x D3 mm", _box, True),
     ("V/VBB", _ratio, True),
@@ -94,8 +102,11 @@ class PartRows:
         several = len({row.file for row in self._rows}) > 1
         columns = [*_columns(several), *check_columns(self._limits, lambda row: row.get("checks"))]
         print_table(stream, columns, self._loaded_rows)
+        is_alone = len(list(islice(self._loaded_rows(), 2))) == 1
         for row in self._loaded_rows():
             prefix = f"{row['path']}: {row['cells'][0]}" if several else row["cells"][0]
+            if "risk" in row and is_alone:
+                print_remark(stream, row["risk"])
             for text in [*row["remarks"], *check_remarks(row.get("checks") or (), several), *row.get("regions", ())]:
                 print_remark(stream, f"{prefix}: {text}")
 
@@ -125,7 +136,7 @@ def _table_rows(outcome, path, with_regions=False):
             "style": category_style(part["category"]),
             "remarks": [text for text in [part["reason"], *part["warnings"]] if text],
             "regions": list(_region_lines(part)) if with_regions else [],
-            "checks": part.get("checks"),
+            "checks": part.get("checks"), "risk": risk_sentence(part),
         })
     for error in _errors(outcome):
         rows.append({"path": path, "failed": True, "style": FAILURE, "remarks": [],
