@@ -34,10 +34,10 @@ from thinpart_workbench.core.tolerances import TOLERANCES
 from thinpart_workbench.workflow.learning.fit_probabilities import check_scikit_learn, fitted_logistic
 from thinpart_workbench.workflow.learning.validation import calibration_error, folds, reliability
 
-TERMS = ({"quantity": "F[0;0.05]"}, {"quantity": "edge_x", "log_offset": 1e-5}, {"quantity": "flattened_share"})
+TERMS = ({"quantity": "F[0;0.05]"}, {"quantity": "short_edges", "log_offset": 1.0}, {"quantity": "flattened_share"})
 """Of the model, without weights."""
 
-SINGLE = ("F[0;0.05]", "V/VBB", "K[0;0.08]", "L[0;0.08]", "T05", "plate_share", "edge_x", "short_edges",
+SINGLE = ("F[0;0.05]", "V/VBB", "K[0;0.08]", "L[0;0.08]", "T05", "plate_share", "short_edges",
           "narrow_faces", "faces", "tight_share", "flattened_share", "knife_edges", "min_nonparallel[10;55]")
 """Quantities that are tried alone."""
 

@@ -3790,10 +3790,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Länge der kürzesten Kante</translation>
     </message>
     <message>
-        <source>Length of the shortest edge in diagonals</source>
-        <translation>Länge der kürzesten Kante in Diagonalen</translation>
-    </message>
-    <message>
         <source>Length, {unit}</source>
         <translation>Länge, {unit}</translation>
     </message>
@@ -5502,16 +5498,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{constant} ist keine Zahl in JSON</translation>
     </message>
     <message>
+        <source>{count:.0f} edges shorter than {limit}, the shortest {shortest}, 1/{part:.0f} of an element</source>
+        <translation>{count:.0f} Kanten kürzer als {limit}, die kürzeste {shortest}, 1/{part:.0f} eines Elements</translation>
+    </message>
+    <message>
         <source>{count} documents of the library are called {file!r}: write the path</source>
         <translation>{count} Dokumente der Bibliothek heißen {file!r}: Schreiben Sie den Pfad</translation>
     </message>
     <message>
         <source>{count} duplicate triangles were left out.</source>
         <translation>{count} doppelte Dreiecke wurden weggelassen.</translation>
-    </message>
-    <message>
-        <source>{count} edges shorter than {limit}, the shortest {shortest}, 1/{part:.0f} of an element</source>
-        <translation>{count} Kanten kürzer als {limit}, die kürzeste {shortest}, 1/{part:.0f} eines Elements</translation>
     </message>
     <message>
         <source>{count} more faces</source>

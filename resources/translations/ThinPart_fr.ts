@@ -3790,10 +3790,6 @@ Son volume est inconnu.</translation>
         <translation>Longueur de l'arête la plus courte</translation>
     </message>
     <message>
-        <source>Length of the shortest edge in diagonals</source>
-        <translation>Longueur de l'arête la plus courte en diagonales</translation>
-    </message>
-    <message>
         <source>Length, {unit}</source>
         <translation>Longueur, {unit}</translation>
     </message>
@@ -5502,16 +5498,16 @@ Son volume est inconnu.</translation>
         <translation>{constant} n’est pas un nombre en JSON</translation>
     </message>
     <message>
+        <source>{count:.0f} edges shorter than {limit}, the shortest {shortest}, 1/{part:.0f} of an element</source>
+        <translation>{count:.0f} arêtes plus courtes que {limit}, la plus courte {shortest}, 1/{part:.0f} d'un élément</translation>
+    </message>
+    <message>
         <source>{count} documents of the library are called {file!r}: write the path</source>
         <translation>{count} documents de la bibliothèque s’appellent {file!r} : écrivez le chemin</translation>
     </message>
     <message>
         <source>{count} duplicate triangles were left out.</source>
         <translation>{count} triangles en double ont été omis.</translation>
-    </message>
-    <message>
-        <source>{count} edges shorter than {limit}, the shortest {shortest}, 1/{part:.0f} of an element</source>
-        <translation>{count} arêtes plus courtes que {limit}, la plus courte {shortest}, 1/{part:.0f} d'un élément</translation>
     </message>
     <message>
         <source>{count} more faces</source>

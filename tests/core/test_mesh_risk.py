@@ -18,7 +18,7 @@ from thinpart_workbench.storage.part_table import measured_row
 from thinpart_workbench.workflow.library.find_parts import find_parts
 
 EASY = part(box=(100.0, 80.0, 60.0), fill=0.8, walls=[(0.4, 0.9)])
-EDGES = {**A_BLOCK, "faces": 60, "shortest_edge_mm": 0.05, "shortest_edge_x": 0.05 / EASY.box.diagonal, "short_edges": 40,
+EDGES = {**A_BLOCK, "faces": 60, "shortest_edge_mm": 0.05, "short_edges": 40,
          "narrowest_face_mm": 0.04, "narrow_faces": 12}
 HARD = replace(part(box=(100.0, 80.0, 60.0), fill=0.1, walls=[(0.01, 0.9)]), hazards=EDGES)
 
@@ -39,7 +39,7 @@ def test_a_thick_block_has_little_and_a_thin_part_with_small_edges_much():
 
 @pytest.mark.parametrize("change", [
     lambda step: part(box=(100.0, 80.0, 60.0), fill=0.8, walls=[(0.01, 0.3 * step), (0.4, 0.9 - 0.3 * step)]),
-    lambda step: replace(EASY, hazards={**A_BLOCK, "shortest_edge_x": 0.3 / 10 ** step}),
+    lambda step: replace(EASY, hazards={**A_BLOCK, "short_edges": 10 * step}),
     lambda step: replace(EASY, hazards={**A_BLOCK, "flattened_share": 0.2 * step}),
 ])
 def test_it_rises_with_each_hazard(change):

@@ -24,8 +24,6 @@ def test_a_plate_is_thin_with_figures_and_the_advice_to_use_shells(document):
         "93\u00a0% over walls that are plates: consider shells (Prepare mesh says whether they can be made).")
     assert window.text("ThinPart_HowSure").startswith("Probability: 92\u00a0%, next 'Part with thin features' with ")
     assert window.text("ThinPart_PaperVerdict") == "By the thresholds of the paper: Thin part (criteria 1, 4, 5)"
-    assert window.text("ThinPart_MeshRisk").startswith("Risk of the automatic mesh: ")
-    assert "walls thinner than 5.83\u00a0mm over 93\u00a0% of the surface" in window.text("ThinPart_MeshRisk")
 
 
 def test_a_bar_is_normal_where_the_paper_calls_it_thin(document):
@@ -56,3 +54,11 @@ def test_between_two_categories_it_is_unsure_and_names_both(document):
     window.classify()
     text = window.text("ThinPart_HowSure")
     assert text.startswith("Unsure: '") and text.count("%") == 2 and " or '" in text
+
+
+def test_the_risk_of_the_automatic_mesh_stands_beside_the_verdict_with_its_reasons(document):
+    window.add(document, "Plate", Part.makeBox(100, 60, 3))
+    window.classify()
+    text = window.text("ThinPart_MeshRisk")
+    assert text.startswith("Risk of the automatic mesh: ") and "%: " in text
+    assert "walls thinner than 5.83\u00a0mm over 93\u00a0% of the surface" in text

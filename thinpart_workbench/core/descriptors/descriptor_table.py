@@ -275,8 +275,6 @@ QUANTITIES = (
     Quantity("face_count", "faces", "", "Number of faces", _of_hazards("faces"), keys=("hazards", "faces")),
     Quantity("edge_mm", "edge_mm", "mm", "Length of the shortest edge",
              _of_hazards("shortest_edge_mm"), keys=("hazards", "shortest_edge_mm")),
-    Quantity("edge_x", "edge_x", "", "Length of the shortest edge in diagonals",
-             _of_hazards("shortest_edge_x"), keys=("hazards", "shortest_edge_x"), in_table=False),
     Quantity("short_edges", "short_edges", "", "Number of edges shorter than 0.3 elements of the automatic mesh",
              _of_hazards("short_edges"), keys=("hazards", "short_edges")),
     Quantity("face_width_mm", "face_width_mm", "mm", "Least width of a face: twice its area by the length of its border",

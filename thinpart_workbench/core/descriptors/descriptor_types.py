@@ -99,7 +99,6 @@ class HazardsRecord(TypedDict):
 
     faces: Optional[Annotated[int, Whole(0)]]
     shortest_edge_mm: Optional[Length]
-    shortest_edge_x: Optional[Share]
     short_edges: Optional[Annotated[int, Whole(0)]]
     narrowest_face_mm: Optional[Length]
     narrow_faces: Optional[Annotated[int, Whole(0)]]

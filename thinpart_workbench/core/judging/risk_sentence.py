@@ -52,13 +52,13 @@ def _thin_walls(quantity, value, measured, element):
                    limit=Length(quantity.bounds[1] * measured["diagonal_mm"]), share=Share(value))
 
 
-def _shortest_edge(quantity, value, measured, element):
-    hazards, part = measured["hazards"], AUTOMATIC_SHARE / value
-    shortest, count = Length(hazards["shortest_edge_mm"]), hazards["short_edges"]
-    if count < 2:
-        return message("an edge of {shortest}, 1/{part:.0f} of an element", shortest=shortest, part=part)
-    return message("{count} edges shorter than {limit}, the shortest {shortest}, 1/{part:.0f} of an element",
-                   count=count, limit=Length(SHORT * element), shortest=shortest, part=part)
+def _short_edges(quantity, value, measured, element):
+    shortest = measured["hazards"]["shortest_edge_mm"]
+    part = element / shortest
+    if value == 1:
+        return message("an edge of {shortest}, 1/{part:.0f} of an element", shortest=Length(shortest), part=part)
+    return message("{count:.0f} edges shorter than {limit}, the shortest {shortest}, 1/{part:.0f} of an element",
+                   count=value, limit=Length(SHORT * element), shortest=Length(shortest), part=part)
 
 
 def _flattened(quantity, value, measured, element):
@@ -66,5 +66,5 @@ def _flattened(quantity, value, measured, element):
                    part=Share(FLATTENED), share=Share(value))
 
 
-_WORDS = {"F": _thin_walls, "edge_x": _shortest_edge, "flattened_share": _flattened}
+_WORDS = {"F": _thin_walls, "short_edges": _short_edges, "flattened_share": _flattened}
 """By name of a quantity: functions of it, its value, ``descriptors`` of the part, and the size of an element, mm."""

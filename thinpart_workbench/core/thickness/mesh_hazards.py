@@ -52,11 +52,9 @@ def mesh_hazards(field, diagonal, lengths) -> HazardsRecord:
     bordered = lengths.borders > 0.0  # a ball has no border
     widths = 2.0 * areas[bordered] / lengths.borders[bordered]
     tight, flattened = _curved_shares(field, element)
-    shortest = _least(lengths.edges)
     return {
         "faces": len(lengths.borders),
-        "shortest_edge_mm": shortest,
-        "shortest_edge_x": None if shortest is None else shortest / diagonal,
+        "shortest_edge_mm": _least(lengths.edges),
         "short_edges": int(np.count_nonzero(lengths.edges < SHORT * element)),
         "narrowest_face_mm": _least(widths),
         "narrow_faces": int(np.count_nonzero(widths < SHORT * element)),
