@@ -10,6 +10,10 @@ from thinpart_workbench.core.mesh.bounds import OrientedBox
 
 ONE_PLATE = {"thinnest_mm": 0.1, "count": 1, **dict.fromkeys(REGION_KINDS, 0), PLATE: 1}
 
+A_BLOCK = {"faces": 6, "shortest_edge_mm": 0.5, "short_edges": 0, "narrowest_face_mm": 0.3,
+           "narrow_faces": 0, "knife_edges": 0.0, "tight_share": 0.0, "flattened_share": 0.0}
+"""Hazards of a part that is easy to mesh."""
+
 
 def part(box=(1.0, 1.0, 1.0), fill=0.5, walls=(), slanted=(), unmet=0.0, plates=0.5, ratio=1.0):
     """Descriptors as wanted: walls are (x, share), slanted are (x, degrees, share); the local thickness is that of walls.
@@ -34,4 +38,4 @@ def part(box=(1.0, 1.0, 1.0), fill=0.5, walls=(), slanted=(), unmet=0.0, plates=
         thickness, share = np.array(walls, float).T
         local = local_distribution(thickness * own.diagonal, share, box[1])
         area = area if volume is None else 2.0 * volume / (ratio * local.quantiles["T50"] * box[1])
-    return Descriptors(volume, area, own, shares, least, plates, ONE_PLATE, local=local)
+    return Descriptors(volume, area, own, shares, least, plates, ONE_PLATE, A_BLOCK, local=local)

@@ -1395,6 +1395,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Netzdatei</translation>
     </message>
     <message>
+        <source>Mesh risk</source>
+        <translation>Netzrisiko</translation>
+    </message>
+    <message>
         <source>Mesh settings</source>
         <translation>Netzeinstellungen</translation>
     </message>
@@ -1785,6 +1789,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Reversed</source>
         <translation>Umgekehrt</translation>
+    </message>
+    <message>
+        <source>Risk of the automatic mesh</source>
+        <translation>Risiko des automatischen Netzes</translation>
     </message>
     <message>
         <source>S&amp;hare</source>
@@ -3774,8 +3782,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Kleinster Abstand, in Diagonalen, zwischen Wänden im Winkel von {low:g} bis {high:g} Grad</translation>
     </message>
     <message>
+        <source>Least width of a face: twice its area by the length of its border</source>
+        <translation>Kleinste Breite einer Fläche: das Doppelte ihres Inhalts durch die Länge ihres Randes</translation>
+    </message>
+    <message>
         <source>Least, {unit}</source>
         <translation>Kleinste, {unit}</translation>
+    </message>
+    <message>
+        <source>Length of knife's edges, faces that meet at under 30 degrees, in diagonals</source>
+        <translation>Länge der Messerkanten, an denen sich Flächen unter weniger als 30 Grad treffen, in Diagonalen</translation>
+    </message>
+    <message>
+        <source>Length of the shortest edge</source>
+        <translation>Länge der kürzesten Kante</translation>
     </message>
     <message>
         <source>Length, {unit}</source>
@@ -3934,6 +3954,18 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Notizen</translation>
     </message>
     <message>
+        <source>Number of edges shorter than 0.3 elements of the automatic mesh</source>
+        <translation>Anzahl der Kanten, die kürzer als 0,3 Elemente des automatischen Netzes sind</translation>
+    </message>
+    <message>
+        <source>Number of faces</source>
+        <translation>Anzahl der Flächen</translation>
+    </message>
+    <message>
+        <source>Number of faces narrower than 0.3 elements of the automatic mesh</source>
+        <translation>Anzahl der Flächen, die schmaler als 0,3 Elemente des automatischen Netzes sind</translation>
+    </message>
+    <message>
         <source>Number of wall regions that are bars, shafts, wires or rings</source>
         <translation>Anzahl der Wandbereiche, die Stäbe, Wellen, Drähte oder Ringe sind</translation>
     </message>
@@ -4066,6 +4098,26 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Ergebnis</translation>
     </message>
     <message>
+        <source>Risk of the automatic mesh: unknown, an earlier version measured the part. Classify it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Risk of the automatic mesh: unknown, not all that it depends on could be measured.</source>
+        <translation>Risiko des automatischen Netzes: unbekannt, nicht alles, wovon es abhängt, konnte gemessen werden.</translation>
+    </message>
+    <message>
+        <source>Risk of the automatic mesh: unknown, triangles have no edges and faces.</source>
+        <translation>Risiko des automatischen Netzes: unbekannt, Dreiecke haben keine Kanten und Flächen.</translation>
+    </message>
+    <message>
+        <source>Risk of the automatic mesh: {risk}.</source>
+        <translation>Risiko des automatischen Netzes: {risk}.</translation>
+    </message>
+    <message>
+        <source>Risk of the automatic mesh: {risk}: {reasons}.</source>
+        <translation>Risiko des automatischen Netzes: {risk}: {reasons}.</translation>
+    </message>
+    <message>
         <source>SLA printing</source>
         <translation>SLA-Druck</translation>
     </message>
@@ -4094,6 +4146,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Anteil am Hüllquader, V/VBB</translation>
     </message>
     <message>
+        <source>Share of the area over curved walls that elements of the automatic mesh change by a twentieth</source>
+        <translation>Anteil der Oberfläche über gekrümmten Wänden, deren Dicke Elemente des automatischen Netzes um ein Zwanzigstel ändern</translation>
+    </message>
+    <message>
         <source>Share of the area over parallel walls from a to b of the middle side</source>
         <translation>Anteil der Fläche über parallelen Wänden von a bis b der mittleren Seite</translation>
     </message>
@@ -4112,6 +4168,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Share of the area whose rays met nothing at all</source>
         <translation>Anteil der Oberfläche, deren Strahl auf nichts traf</translation>
+    </message>
+    <message>
+        <source>Share of the area with a radius below 0.25 elements of the automatic mesh</source>
+        <translation>Anteil der Oberfläche mit einem Radius unter 0,25 Elementen des automatischen Netzes</translation>
     </message>
     <message>
         <source>Share of the area with no wall opposite</source>
@@ -4854,6 +4914,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>entlang der Hauptachsen; Diagonale {diagonal}</translation>
     </message>
     <message>
+        <source>an edge of {shortest}, 1/{part:.0f} of an element</source>
+        <translation>eine Kante von {shortest}, 1/{part:.0f} eines Elements</translation>
+    </message>
+    <message>
         <source>an entry has no header</source>
         <translation>ein Eintrag hat keinen Kopf</translation>
     </message>
@@ -4944,6 +5008,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>coordinates are not numbers</source>
         <translation>Koordinaten sind keine Zahlen</translation>
+    </message>
+    <message>
+        <source>curved walls that elements change by over {part} of their thickness on {share} of the surface</source>
+        <translation>gekrümmte Wände, die Elemente um mehr als {part} ihrer Dicke verändern, an {share} der Oberfläche</translation>
     </message>
     <message>
         <source>different wall distribution</source>
@@ -5426,6 +5494,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Wände im Winkel von {low:g} bis {high:g} Grad mit nur {nearest} Abstand</translation>
     </message>
     <message>
+        <source>walls thinner than {limit} over {share} of the surface</source>
+        <translation>Wände dünner als {limit} auf {share} der Oberfläche</translation>
+    </message>
+    <message>
         <source>wrong usage of the command</source>
         <translation>der Befehl wurde falsch aufgerufen</translation>
     </message>
@@ -5476,6 +5548,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{constant} is not a JSON number</source>
         <translation>{constant} ist keine Zahl in JSON</translation>
+    </message>
+    <message>
+        <source>{count:.0f} edges shorter than {limit}, the shortest {shortest}, 1/{part:.0f} of an element</source>
+        <translation>{count:.0f} Kanten kürzer als {limit}, die kürzeste {shortest}, 1/{part:.0f} eines Elements</translation>
     </message>
     <message>
         <source>{count} documents of the library are called {file!r}: write the path</source>
@@ -5742,6 +5818,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{first} {next}</translation>
     </message>
     <message>
+        <source>{first}; {next}</source>
+        <translation>{first}; {next}</translation>
+    </message>
+    <message>
         <source>{folder} already exists and is not the folder of a report: it was not changed; give a new or an empty folder.</source>
         <translation>{folder} gibt es schon und ist kein Berichtsordner: Der Ordner blieb unverändert; geben Sie einen neuen oder leeren an.</translation>
     </message>
@@ -5920,6 +6000,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{quantities} could not be measured, so criterion {criteria} cannot be decided.</source>
         <translation>{quantities} konnte nicht gemessen werden, daher lässt sich Kriterium {criteria} nicht entscheiden.</translation>
+    </message>
+    <message>
+        <source>{quantity} = {value:.3g}</source>
+        <translation>{quantity} = {value:.3g}</translation>
     </message>
     <message>
         <source>{sentence} It was not changed.</source>

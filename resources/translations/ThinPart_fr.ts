@@ -1395,6 +1395,10 @@ Son volume est inconnu.</translation>
         <translation>Fichier de maillage</translation>
     </message>
     <message>
+        <source>Mesh risk</source>
+        <translation>Risque de maillage</translation>
+    </message>
+    <message>
         <source>Mesh settings</source>
         <translation>Paramètres de maillage</translation>
     </message>
@@ -1785,6 +1789,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Reversed</source>
         <translation>Inversées</translation>
+    </message>
+    <message>
+        <source>Risk of the automatic mesh</source>
+        <translation>Risque du maillage automatique</translation>
     </message>
     <message>
         <source>S&amp;hare</source>
@@ -3774,8 +3782,20 @@ Son volume est inconnu.</translation>
         <translation>Plus petite distance, en diagonales, entre parois à un angle de {low:g} à {high:g} degrés</translation>
     </message>
     <message>
+        <source>Least width of a face: twice its area by the length of its border</source>
+        <translation>Plus petite largeur d'une face : deux fois son aire par la longueur de son bord</translation>
+    </message>
+    <message>
         <source>Least, {unit}</source>
         <translation>Minimum, {unit}</translation>
+    </message>
+    <message>
+        <source>Length of knife's edges, faces that meet at under 30 degrees, in diagonals</source>
+        <translation>Longueur des arêtes vives, où des faces se rejoignent sous moins de 30 degrés, en diagonales</translation>
+    </message>
+    <message>
+        <source>Length of the shortest edge</source>
+        <translation>Longueur de l'arête la plus courte</translation>
     </message>
     <message>
         <source>Length, {unit}</source>
@@ -3934,6 +3954,18 @@ Son volume est inconnu.</translation>
         <translation>Notes</translation>
     </message>
     <message>
+        <source>Number of edges shorter than 0.3 elements of the automatic mesh</source>
+        <translation>Nombre d'arêtes plus courtes que 0,3 élément du maillage automatique</translation>
+    </message>
+    <message>
+        <source>Number of faces</source>
+        <translation>Nombre de faces</translation>
+    </message>
+    <message>
+        <source>Number of faces narrower than 0.3 elements of the automatic mesh</source>
+        <translation>Nombre de faces plus étroites que 0,3 élément du maillage automatique</translation>
+    </message>
+    <message>
         <source>Number of wall regions that are bars, shafts, wires or rings</source>
         <translation>Nombre de régions de paroi qui sont des barres, arbres, fils ou anneaux</translation>
     </message>
@@ -4066,6 +4098,26 @@ Son volume est inconnu.</translation>
         <translation>Résultat</translation>
     </message>
     <message>
+        <source>Risk of the automatic mesh: unknown, an earlier version measured the part. Classify it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Risk of the automatic mesh: unknown, not all that it depends on could be measured.</source>
+        <translation>Risque du maillage automatique : inconnu, tout ce dont il dépend n'a pas pu être mesuré.</translation>
+    </message>
+    <message>
+        <source>Risk of the automatic mesh: unknown, triangles have no edges and faces.</source>
+        <translation>Risque du maillage automatique : inconnu, des triangles n'ont ni arêtes ni faces.</translation>
+    </message>
+    <message>
+        <source>Risk of the automatic mesh: {risk}.</source>
+        <translation>Risque du maillage automatique : {risk}.</translation>
+    </message>
+    <message>
+        <source>Risk of the automatic mesh: {risk}: {reasons}.</source>
+        <translation>Risque du maillage automatique : {risk} : {reasons}.</translation>
+    </message>
+    <message>
         <source>SLA printing</source>
         <translation>Impression SLA</translation>
     </message>
@@ -4094,6 +4146,10 @@ Son volume est inconnu.</translation>
         <translation>Part de sa boîte, V/VBB</translation>
     </message>
     <message>
+        <source>Share of the area over curved walls that elements of the automatic mesh change by a twentieth</source>
+        <translation>Part de l'aire sur des parois courbes dont les éléments du maillage automatique changent l'épaisseur d'un vingtième</translation>
+    </message>
+    <message>
         <source>Share of the area over parallel walls from a to b of the middle side</source>
         <translation>Part de la surface sur des parois parallèles de a à b du côté médian</translation>
     </message>
@@ -4112,6 +4168,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Share of the area whose rays met nothing at all</source>
         <translation>Part de la surface dont le rayon n’a rien rencontré</translation>
+    </message>
+    <message>
+        <source>Share of the area with a radius below 0.25 elements of the automatic mesh</source>
+        <translation>Part de l'aire de rayon inférieur à 0,25 élément du maillage automatique</translation>
     </message>
     <message>
         <source>Share of the area with no wall opposite</source>
@@ -4854,6 +4914,10 @@ Son volume est inconnu.</translation>
         <translation>selon les axes principaux ; diagonale {diagonal}</translation>
     </message>
     <message>
+        <source>an edge of {shortest}, 1/{part:.0f} of an element</source>
+        <translation>une arête de {shortest}, 1/{part:.0f} d'un élément</translation>
+    </message>
+    <message>
         <source>an entry has no header</source>
         <translation>une entrée n'a pas d'en-tête</translation>
     </message>
@@ -4944,6 +5008,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>coordinates are not numbers</source>
         <translation>des coordonnées ne sont pas des nombres</translation>
+    </message>
+    <message>
+        <source>curved walls that elements change by over {part} of their thickness on {share} of the surface</source>
+        <translation>parois courbes que les éléments changent de plus de {part} de leur épaisseur sur {share} de la surface</translation>
     </message>
     <message>
         <source>different wall distribution</source>
@@ -5426,6 +5494,10 @@ Son volume est inconnu.</translation>
         <translation>parois de {low:g} à {high:g} degrés, distantes de {nearest} seulement</translation>
     </message>
     <message>
+        <source>walls thinner than {limit} over {share} of the surface</source>
+        <translation>parois plus minces que {limit} sur {share} de la surface</translation>
+    </message>
+    <message>
         <source>wrong usage of the command</source>
         <translation>la commande a été mal appelée</translation>
     </message>
@@ -5476,6 +5548,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{constant} is not a JSON number</source>
         <translation>{constant} n’est pas un nombre en JSON</translation>
+    </message>
+    <message>
+        <source>{count:.0f} edges shorter than {limit}, the shortest {shortest}, 1/{part:.0f} of an element</source>
+        <translation>{count:.0f} arêtes plus courtes que {limit}, la plus courte {shortest}, 1/{part:.0f} d'un élément</translation>
     </message>
     <message>
         <source>{count} documents of the library are called {file!r}: write the path</source>
@@ -5742,6 +5818,10 @@ Son volume est inconnu.</translation>
         <translation>{first} {next}</translation>
     </message>
     <message>
+        <source>{first}; {next}</source>
+        <translation>{first} ; {next}</translation>
+    </message>
+    <message>
         <source>{folder} already exists and is not the folder of a report: it was not changed; give a new or an empty folder.</source>
         <translation>{folder} existe déjà et n’est pas le dossier d’un rapport : il est resté inchangé ; indiquez un dossier nouveau ou vide.</translation>
     </message>
@@ -5920,6 +6000,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{quantities} could not be measured, so criterion {criteria} cannot be decided.</source>
         <translation>{quantities} n’a pas pu être mesuré, le critère {criteria} reste donc indécis.</translation>
+    </message>
+    <message>
+        <source>{quantity} = {value:.3g}</source>
+        <translation>{quantity} = {value:.3g}</translation>
     </message>
     <message>
         <source>{sentence} It was not changed.</source>

@@ -55,3 +55,11 @@ def test_between_two_categories_it_is_unsure_and_names_both(document):
     window.classify()
     text = window.text("ThinPart_HowSure")
     assert text.startswith("Unsure: '") and text.count("%") == 2 and " or '" in text
+
+
+def test_the_risk_of_the_automatic_mesh_stands_beside_the_verdict_with_its_reasons(document):
+    window.add(document, "Plate", Part.makeBox(100, 60, 3))
+    window.classify()
+    text = window.text("ThinPart_MeshRisk")
+    assert text.startswith("Risk of the automatic mesh: ") and "%: " in text
+    assert "walls thinner than 5.83\u00a0mm over 93\u00a0% of the surface" in text

@@ -115,7 +115,7 @@ def test_every_quantity_that_records_have_can_get_a_range(library):
     dock = opened(library)
     combo = window.widget("ThinPart_FindQuantity")
     names = [combo.itemData(row) for row in range(1, combo.count())]
-    assert names == [each.name for each in QUANTITIES if each.keys and each.name not in ("d1_mm", "volume_ratio")]
+    assert names == ["risk", *(each.name for each in QUANTITIES if each.keys and each.name not in ("d1_mm", "volume_ratio"))]
     combo.setCurrentIndex(combo.findData("d2_d3"))
     combo.activated.emit(combo.currentIndex())
     answered(dock)

@@ -110,5 +110,5 @@ def test_tables_and_documents_have_it(told):
 
 
 def test_what_is_there_since_the_first_version_is_no_later_entry():
-    assert set(DESCRIPTORS.later) == {"precision", "middle", "local", "plate_ratio", "plate_share", "regions"}
+    assert set(DESCRIPTORS.later) == {"precision", "middle", "local", "plate_ratio", "plate_share", "regions", "hazards"}
     assert not DESCRIPTORS.optional

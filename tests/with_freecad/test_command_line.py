@@ -43,8 +43,8 @@ def test_table_names_part_category_criteria_box_fill_and_wall(tmp_path):
     run = thinpart("classify", SAMPLES / "plate.FCStd", "--info-dir", tmp_path, "--profile", "paper")
     assert run.returncode == 0
     header, row = run.stdout.splitlines()[:2]
-    assert header.split() == "Part Category Criteria D1 x D2 x D3 mm V/VBB Thinnest mm".split()
-    assert re.match(r"Mounting plate\s+thin\s+1, 4, 5\s+[\d.]+ x [\d.]+ x [\d.]+\s+0\.\d+\s+[\d.]+$", row)
+    assert header.split() == "Part Category Mesh risk Criteria D1 x D2 x D3 mm V/VBB Thinnest mm".split()
+    assert re.match(r"Mounting plate\s+thin\s+\d+ %\s+1, 4, 5\s+[\d.]+ x [\d.]+ x [\d.]+\s+0\.\d+\s+[\d.]+$", row)
 
 
 def test_what_the_paper_would_say_of_a_single_file_stands_below_the_table():

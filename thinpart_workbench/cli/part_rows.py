@@ -7,6 +7,7 @@ from itertools import zip_longest
 
 from ..core.errors import ThinPartError
 from ..core.judging.paper_verdict import paper_sentence
+from ..core.judging.risk_sentence import risk_sentence
 from ..core.number_text import percent
 from ..storage.part_table import checked_row, failed_row, part_table, write_table
 from .check_options import check_columns, check_remarks
@@ -27,6 +28,11 @@ def _thinnest(part):
     return "-" if value is None else f"{value:.4g}"
 
 
+def _risk(part):
+    value = part.get("mesh_risk", {}).get("risk")
+    return "-" if value is None else f"{100 * value:.0f} %"
+
+
 def _name(part):
     count = f" ({part['instances']}x)" if part["instances"] > 1 else ""
     return part["label"] + count
@@ -39,6 +45,7 @@ def _category(part):
 TABLE = (
     ("Part", _name, False),
     ("Category", _category, False),
+    ("Mesh risk", _risk, True),
     ("Criteria", lambda part: ", ".join(map(str, part["criteria"])) or "none", False),
     ("D1 x D2 x D3 mm", _box, True),
     ("V/VBB", _ratio, True),
@@ -104,8 +111,9 @@ class PartRows:
         for row, part in zip_longest(self._loaded_rows(), parts):
             prefix = f"{row['path']}: {row['cells'][0]}" if several else row["cells"][0]
             paper = paper_sentence(part, self._profile) if part else ""
+            risk = row.get("risk") if len(parts) == 1 else None
             checks = check_remarks(row.get("checks") or (), several)
-            for text in [*filter(None, [paper]), *row["remarks"], *checks, *row.get("regions", ())]:
+            for text in [*filter(None, [paper, risk]), *row["remarks"], *checks, *row.get("regions", ())]:
                 print_remark(stream, f"{prefix}: {text}")
 
     def _loaded_rows(self):
@@ -134,7 +142,7 @@ def _table_rows(outcome, path, with_regions=False):
             "style": category_style(part["category"]),
             "remarks": [text for text in [part["reason"], *part["warnings"]] if text],
             "regions": list(_region_lines(part)) if with_regions else [],
-            "checks": part.get("checks"),
+            "checks": part.get("checks"), "risk": risk_sentence(part),
         })
     for error in _errors(outcome):
         rows.append({"path": path, "failed": True, "style": FAILURE, "remarks": [],

@@ -32,6 +32,10 @@ def _number(name, digits):
     return text
 
 
+def _risk(part):
+    return "-" if part.risk is None else f"{100 * part.risk:.0f} %"
+
+
 def _label(part):
     count = f" ({part.instances}x)" if part.instances and part.instances > 1 else ""
     return (part.label or "") + count
@@ -53,6 +57,7 @@ def _notes(part):
 _COLUMNS = (
     TableColumn("Part", _label),
     TableColumn("Category", _category, style=_style),
+    TableColumn("Mesh risk", _risk, True),
     TableColumn("Criteria", lambda part: ", ".join(part.criteria) or "none"),
     TableColumn("D1 x D2 x D3 mm", _box, True),
     TableColumn("V/VBB", _number("volume_ratio", 3), True),

@@ -72,12 +72,14 @@ class Tolerances:
 TOLERANCES = Tolerances()
 
 ELSEWHERE = (
+    "core.descriptors.automatic_mesh",  # short edges, narrow faces, tight curves, knife's edges
     "core.descriptors.precision",  # errors of shares, of the volume and of the area
     "core.descriptors.quantity",  # where an edge of a bin is blurred
     "core.descriptors.similarity",  # how near two parts are that are alike
     "core.judging.classification",  # the thin limit of a profile that states none
     "core.judging.criteria",  # the greatest margin of a profile
     "core.judging.limit_bands",  # walls just above a limit
+    "core.judging.mesh_risk",  # what raises a risk
     "core.judging.threshold_search",  # steps of learned thresholds
     "core.judging.wall_check",  # a mesh that is too coarse for a limit, thick and thin walls, walls near a limit
     "core.maps.jump_lines",  # jumps of thickness along the sides of facets

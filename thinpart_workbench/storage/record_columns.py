@@ -99,6 +99,7 @@ COLUMNS = (
     RecordColumn("criteria", "TEXT", lambda part, measured: f",{','.join(map(str, part['criteria']))},", "criteria",
                  lambda part, measured: " ".join(map(str, part["criteria"]))),
     _of_record("margin", "margin"),
+    RecordColumn("risk", "REAL", lambda part, measured: part.get("mesh_risk", {}).get("risk"), "risk"),
     RecordColumn("borderline", "INTEGER", lambda part, measured: int(part["borderline"]), "borderline"),
     *(_quantity_column(quantity) for quantity in sorted(QUANTITIES, key=_is_no_length) if quantity.keys),
     RecordColumn("thinnest_mm", "REAL", lambda part, measured: measured["thickness_mm"]["min"], "thinnest_mm"),

@@ -5,6 +5,7 @@ from typing import NamedTuple, Optional
 from ...core.categories import UNKNOWN
 from ...core.judging import paper_verdict
 from ...core.judging.criteria import Profile
+from ...core.judging.risk_sentence import risk_sentence
 from ...core.judging.verdict_reasons import deciding_criteria, nearest_other, reason_of
 from ...core.judging.verdict_sentence import verdict_sentence
 from ...core.record.record_types import PartRecord
@@ -57,6 +58,17 @@ def sureness(record: PartRecord) -> Optional[Sureness]:
         other = max((each for each in chances if each != own), key=lambda each: chances[each])
         return Sureness(None, chances[own], other, chances[other], record["borderline"])
     return Sureness(record["margin"], None, nearest_other(record), None, record["borderline"])
+
+
+def mesh_risk(record: PartRecord) -> str:
+    """The risk of the automatic mesh of a part, and what raises it; or why it is unknown.
+
+    Examples
+    --------
+    >>> mesh_risk(record).startswith("Risk of the automatic mesh: ")
+    True
+    """
+    return risk_sentence(record)
 
 
 def paper_sentence(record: PartRecord, profile: Profile) -> str:

@@ -81,6 +81,9 @@ class Descriptors:
     regions : Mapping or None
         Of the wall regions: ``thinnest_mm``, the least median, ``count``, and the number of each of
         `REGION_KINDS`; None in records of versions that did not find them.
+    hazards : Mapping or None
+        What makes it hard to mesh, `HazardsRecord`; None for triangles without faces, and in records of versions that did
+        not measure it.
     length_error : float, mm
         Error of every length where the surface mesh could not be made fine enough for the part; 0 where it is fine
         enough.
@@ -97,6 +100,7 @@ class Descriptors:
     min_nonparallel: Optional[float]
     plate_share: Optional[float] = None
     regions: Optional[Mapping] = None
+    hazards: Optional[Mapping] = None
     length_error: float = 0.0
     precision: Optional[Precision] = None
     local: Optional["LocalDistribution"] = None
@@ -202,6 +206,10 @@ def _of_regions(key):
     return lambda descriptors: None if descriptors.regions is None else descriptors.regions[key]
 
 
+def _of_hazards(key):
+    return lambda descriptors: None if descriptors.hazards is None else descriptors.hazards[key]
+
+
 QUANTITIES = (
     Quantity("volume_mm3", "V", "mm3", "Volume of the part", lambda d: d.volume,
              error_of=lambda d, precision, value: precision.volume_mm3(d.area)),
@@ -264,6 +272,22 @@ QUANTITIES = (
              _of_regions(TAPER), keys=("regions", TAPER), in_table=False),
     Quantity("tooth_regions", "tooth_regions", "", "Number of wall regions that are teeth, of gears or threads",
              _of_regions(TOOTH), keys=("regions", TOOTH), in_table=False),
+    Quantity("face_count", "faces", "", "Number of faces", _of_hazards("faces"), keys=("hazards", "faces")),
+    Quantity("edge_mm", "edge_mm", "mm", "Length of the shortest edge",
+             _of_hazards("shortest_edge_mm"), keys=("hazards", "shortest_edge_mm")),
+    Quantity("short_edges", "short_edges", "", "Number of edges shorter than 0.3 elements of the automatic mesh",
+             _of_hazards("short_edges"), keys=("hazards", "short_edges")),
+    Quantity("face_width_mm", "face_width_mm", "mm", "Least width of a face: twice its area by the length of its border",
+             _of_hazards("narrowest_face_mm"), keys=("hazards", "narrowest_face_mm")),
+    Quantity("narrow_faces", "narrow_faces", "", "Number of faces narrower than 0.3 elements of the automatic mesh",
+             _of_hazards("narrow_faces"), keys=("hazards", "narrow_faces")),
+    Quantity("knife_edges", "knife_edges", "", "Length of knife's edges, faces that meet at under 30 degrees, in diagonals",
+             _of_hazards("knife_edges"), keys=("hazards", "knife_edges")),
+    Quantity("tight_share", "tight_share", "", "Share of the area with a radius below 0.25 elements of the automatic mesh",
+             _of_hazards("tight_share"), keys=("hazards", "tight_share")),
+    Quantity("flattened_share", "flattened_share", "",
+             "Share of the area over curved walls that elements of the automatic mesh change by a twentieth",
+             _of_hazards("flattened_share"), keys=("hazards", "flattened_share")),
     WallDistance("min_nonparallel", "min_nonparallel", "",
                  "Least distance, in diagonals, between walls at a to b degrees",
                  _nonparallel_minimum, bounds=STATED_ANGLES, absent_means=math.inf, in_table=False),

@@ -94,6 +94,19 @@ class RegionCounts(TypedDict):
     tooth: Optional[int]
 
 
+class HazardsRecord(TypedDict):
+    """What makes a part hard to mesh at the size of the automatic mesh; None for a part that has no faces and edges."""
+
+    faces: Optional[Annotated[int, Whole(0)]]
+    shortest_edge_mm: Optional[Length]
+    short_edges: Optional[Annotated[int, Whole(0)]]
+    narrowest_face_mm: Optional[Length]
+    narrow_faces: Optional[Annotated[int, Whole(0)]]
+    knife_edges: Optional[Length]
+    tight_share: Optional[Share]
+    flattened_share: Optional[Share]
+
+
 class QuantityError(TypedDict):
     """How far a quantity may be off; None where that is not known."""
 
@@ -144,3 +157,4 @@ class DescriptorsRecord(TypedDict):
         "bin k covers local thicknesses in [k/100, (k+1)/100) D2; empty for measurements by pairs")), LATER]]
     plate_share: NotRequired[Annotated[Optional[Share], LATER]]
     regions: NotRequired[Annotated[RegionCounts, LATER]]
+    hazards: NotRequired[Annotated[HazardsRecord, LATER]]

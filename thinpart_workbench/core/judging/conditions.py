@@ -16,8 +16,20 @@ _COMPARISON = re.compile("([<>]=?)")
 
 
 @dataclass(frozen=True)
+class JudgedValue:
+    """A number of a record that is judged, not measured: its ``name``; it has no ``bounds``."""
+
+    name: str
+    bounds: tuple = ()
+
+
+JUDGED = (JudgedValue("risk"),)
+"""What conditions may name beside quantities: the risk of the automatic mesh, from 0 to 1."""
+
+
+@dataclass(frozen=True)
 class SearchCondition:
-    """A quantity, one of `COMPARISONS`, and a value in the quantity's unit."""
+    """A quantity or a `JudgedValue`, one of `COMPARISONS`, and a value in its unit."""
 
     quantity: object
     comparison: str
@@ -54,11 +66,12 @@ def _condition(part, text):
         raise ThinPartError(message("{number!r} in the condition {condition!r} is not a number.",
                                     number=number, condition=text), "usage")
     try:
-        quantity = quantity_named(name)
+        quantity = next((judged for judged in JUDGED if judged.name == name), None) or quantity_named(name)
     except KeyError:
         raise ThinPartError(
             message("There is no quantity {quantity!r} in the condition {condition!r}: there are {known}.",
-                    quantity=name, condition=text, known=quantity_symbols()), "usage",
+                    quantity=name, condition=text,
+                    known=", ".join([quantity_symbols(), *(judged.name for judged in JUDGED)])), "usage",
         ) from None
     return SearchCondition(quantity, comparison, value)
 

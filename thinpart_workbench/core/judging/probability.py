@@ -10,12 +10,15 @@ from ..kinds.compound_kinds import ListOf, Record
 from ..kinds.value_kinds import LARGEST, Number, OrNull, Text
 from ..message import message
 
+TERM, OFFSET = {"quantity": Text(), "weight": Number()}, {"log_offset": OrNull(Number(1 / LARGEST))}
+"""Kinds of the keys of a term, those that it has and that it may have."""
+
 PROBABILITY = Record({
     "unsure_under": Number(0, 1),
     "steps": ListOf(Record({
         "category": Text(),
         "intercept": Number(),
-        "terms": ListOf(Record({"quantity": Text(), "weight": Number()}, {"log_offset": OrNull(Number(1 / LARGEST))})),
+        "terms": ListOf(Record(TERM, OFFSET)),
     }), most=1000),
 })
 """Kind of the entry ``probability`` of a profile."""
@@ -90,7 +93,7 @@ class ProbabilityModel:
             values = [term.value(descriptors, area_floor) for term in step.terms]
             if None in values:
                 return None
-            share = _logistic(step.intercept + math.fsum(values))
+            share = logistic(step.intercept + math.fsum(values))
             found[step.category] = remaining * share
             remaining *= 1.0 - share
         found[NORMAL] = remaining
@@ -111,17 +114,27 @@ def probability_model(content, categories):
     """
     steps = tuple(
         Step(step["category"], float(step["intercept"]), tuple(
-            _term(term, f"probability.steps[{number}].terms[{place}]") for place, term in enumerate(step["terms"])))
+            weighted_quantity(term, f"probability.steps[{number}].terms[{place}]")
+            for place, term in enumerate(step["terms"])))
         for number, step in enumerate(content["steps"]))
     if [step.category for step in steps] != list(categories):
         raise ValueError(message("its probabilities are not of its categories, in their order"))
     return ProbabilityModel(float(content["unsure_under"]), steps)
 
 
-def _term(content, place):
+def weighted_quantity(content, place):
+    """The term of a model: WeightedQuantity; raises ValueError as `named_quantity` does.
+
+    Parameters
+    ----------
+    content : dict
+        Keys of `TERM` and `OFFSET`.
+    place : str
+        Of the term in its file.
+    """
     offset = content.get("log_offset")
     return WeightedQuantity(named_quantity(content["quantity"], place), float(content["weight"]),
-                None if offset is None else float(offset))
+                            None if offset is None else float(offset))
 
 
 def named_quantity(text, place):
@@ -142,5 +155,6 @@ def named_quantity(text, place):
                                  place=place, quantity=text, known=quantity_symbols())) from None
 
 
-def _logistic(x):
+def logistic(x):
+    """The probability, float, whose odds have the logarithm x."""
     return 1.0 / (1.0 + math.exp(-x)) if x >= 0.0 else math.exp(x) / (1.0 + math.exp(x))

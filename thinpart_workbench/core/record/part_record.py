@@ -6,6 +6,7 @@ It is a plain dict with the keys of the info file, because it is passed between 
 
 import math
 from dataclasses import fields, replace
+from typing import Optional
 
 import numpy as np
 
@@ -17,7 +18,7 @@ from ..descriptors.precision import Precision
 from ..descriptors.recorded_descriptors import recorded_descriptors
 from ..mesh.bounds import OrientedBox
 from ..mesh.resolution import error_to_judge_with, smallest_side
-from .record_types import EvidenceRow, PartRecord, VerdictRecord
+from .record_types import EvidenceRow, MeshRiskRecord, PartRecord, VerdictRecord
 
 SIGNIFICANT_DIGITS = 9
 """Number of digits that are written. Further ones are rounding errors and differ between processors."""
@@ -33,7 +34,8 @@ def face_number(entry):
     return int(entry["face"][len("Face"):]) - 1
 
 
-def part_record(part, mesh, measurement, classification, paper, faces, error_bound, deflection) -> PartRecord:
+def part_record(part, mesh, measurement, classification, paper, faces, error_bound, deflection,
+                risk=None) -> PartRecord:
     """Assemble the record of one part: PartRecord.
 
     Parameters
@@ -45,6 +47,7 @@ def part_record(part, mesh, measurement, classification, paper, faces, error_bou
         By the active profile, and by the paper's own thresholds.
     faces : list of FaceThickness
     error_bound, deflection : float, mm
+    risk : MeshRiskRecord, optional
     """
     return _rounded({
         "name": part.name,
@@ -59,6 +62,7 @@ def part_record(part, mesh, measurement, classification, paper, faces, error_bou
         "thin_limit_mm": classification.thin_limit_x * measurement.descriptors.box.diagonal,
         "faces": [_face(face) for face in faces],
         "regions": _regions(measurement.regions),
+        **({} if risk is None else {"mesh_risk": risk}),
         "notes": "",
         "warnings": [*part.warnings, *mesh.warnings],
         "triangles": mesh.count,
@@ -78,7 +82,7 @@ def verdict(classification) -> VerdictRecord:
     }
 
 
-def judge_again(record: PartRecord, classification):
+def judge_again(record: PartRecord, classification, risk: Optional[MeshRiskRecord] = None):
     """Replace the verdict in a stored record; the measurements stay.
 
     Parameters
@@ -86,8 +90,12 @@ def judge_again(record: PartRecord, classification):
     record : PartRecord
         Modified in place.
     classification : Classification
+    risk : MeshRiskRecord, optional
+        Where it is not given, that of before stays.
     """
     record.update(verdict(classification))
+    if risk is not None:
+        record["mesh_risk"] = risk
     record["reason"] = classification.reason
     record["evidence"] = _rounded(evidence(classification))
     record.pop("probabilities", None)
@@ -147,12 +155,18 @@ def descriptors_of(record: PartRecord):
         content["min_nonparallel"],
         content.get("plate_share"),  # records of earlier versions lack it
         content.get("regions"),  # and this
+        _hazards_of(content.get("hazards")),
         precision=_precision_of(content.get("precision")),
         local=_local_of(content.get("local")),
     )
     of_side = max(wall["error_bound"], 2.0 * record.get("deflection_mm", 0.0))
     error = error_to_judge_with([(smallest_side(measured), of_side), (wall["min"], wall["error_bound"])])
     return replace(measured, length_error=error)
+
+
+def _hazards_of(content):
+    """``hazards`` of a record; None where it has none, or only says that there are no faces."""
+    return None if content is None or content["faces"] is None else content
 
 
 def _precision_of(content):

@@ -125,6 +125,21 @@ class CategoryProbability(TypedDict):
     probability: Share
 
 
+class RiskReason(TypedDict):
+    """A quantity that raises the risk of the automatic mesh, its value, and what it adds to the logarithm of the odds."""
+
+    quantity: str
+    value: float
+    raises: float
+
+
+class MeshRiskRecord(TypedDict):
+    """How probable it is that the automatic mesh of a part goes wrong, None if unknown; and why, the most first."""
+
+    risk: Optional[Share]
+    reasons: Annotated[list[RiskReason], Restricted(most=100)]
+
+
 class SecondsRecord(TypedDict):
     """Time spent on a part, seconds."""
 
@@ -237,6 +252,8 @@ class PartRecord(_Judged, Annotations):
 
     regions: NotRequired[Annotated[RegionsRecord, Restricted(
         about="connected walls of like thickness, the thinnest first"), LATER]]
+    mesh_risk: NotRequired[Annotated[MeshRiskRecord, Restricted(
+        about="how probable it is that a mesh of a tenth of the diagonal goes wrong, and why"), LATER]]
 
 
 class FailureRecord(TypedDict):

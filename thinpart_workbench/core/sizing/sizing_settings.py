@@ -6,11 +6,12 @@ from typing import Optional
 
 import numpy as np
 
+from ..descriptors.automatic_mesh import AUTOMATIC_SHARE
 from ..errors import ThinPartError
 from ..message import message
 
-GLOBAL_SHARE = 0.1
-"""Greatest element size as a share of the diagonal: Gmsh's own default."""
+GLOBAL_SHARE = AUTOMATIC_SHARE
+"""Greatest element size as a share of the diagonal."""
 
 LAYERS_OF_ORDER = {1: 2.0, 2: 1.0}
 """Elements through a wall by the order of the elements: one of second order bends as well as two of the first."""

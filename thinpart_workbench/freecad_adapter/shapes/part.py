@@ -11,6 +11,7 @@ from ...core.mesh.surface_mesh import surface_mesh, unchecked_mesh
 from ...core.mesh.thinned_facets import thinned_facets
 from ...core.message import message
 from .brep_file import write_brep
+from .edge_lengths import edge_lengths
 from .exact_wall import exact_wall
 from .solid_measures import SolidMeasures
 from .solid_mesher import SolidMesher, missing_faces
@@ -58,6 +59,11 @@ class SolidPart(Part):
     def measures(self):
         """The `SolidMeasures` of the shape."""
         return SolidMeasures(self.shape)
+
+    @cached_property
+    def edge_lengths(self):
+        """The `EdgeLengths` of the shape."""
+        return edge_lengths(self.shape)
 
     @property
     def can_be_finer(self):
@@ -112,6 +118,9 @@ class MeshedPart(Part):
 
     points: np.ndarray = None
     triangles: np.ndarray = None
+
+    edge_lengths = None
+    """There are no edges, only triangles."""
 
     @property
     def can_be_finer(self):

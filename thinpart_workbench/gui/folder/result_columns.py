@@ -4,7 +4,7 @@ from ..application.numbers import number
 from ..application.qt import translate
 from ..application.sentences import translated
 from ..record.label_button import labels_sentence
-from ..record.part_columns import category_column, measured, quantity_columns
+from ..record.part_columns import category_column, measured, quantity_columns, risk_column
 from ..record.verdict_text import criterion_titles
 from ..record.wall_checks import SYMBOLS
 from ..tables.column import Column, count, figures
@@ -45,6 +45,7 @@ def result_columns(profile, limits):
         figures("instances", translate("ThinPart", "Instances"), lambda row: row.instances, count),
         Column("labels", translate("ThinPart", "Labels"), lambda row: labels_sentence(getattr(row, "said", ()), profile),
                most=_MOST),
+        risk_column(),
     ]
     return columns + quantity_columns({column.key for column in columns})
 

@@ -9,6 +9,7 @@ from ...storage.index.part_query import FAILED, RANGED
 from ..application.qt import QtCore, QtWidgets, Signal, grouped, translate
 from ..application.sentences import translated
 from ..record.category_marks import colour_icon, group_title
+from ..record.part_columns import RISK, risk_title
 from ..record.record_view import show_warning, text_line
 from ..record.verdict_text import category_colour, criterion_titles
 from ..widgets.flow_layout import add_flow
@@ -158,6 +159,7 @@ class FiltersPage(QtWidgets.QWidget):
         """The choice of a further quantity; it then has a range as well."""
         self._quantity = combo = narrow_combo(self, "ThinPart_FindQuantity", 10)
         combo.addItem("+ {}\u2026".format(translate("ThinPart", "Quantity")))
+        combo.addItem(risk_title(), RISK)
         for quantity in QUANTITIES:
             if quantity.name in RANGED and quantity.name not in self._ranges:
                 combo.addItem(translated(quantity.meaning), quantity.name)
@@ -169,9 +171,9 @@ class FiltersPage(QtWidgets.QWidget):
         if name is not None:
             self._quantity.removeItem(self._quantity.currentIndex())
             self._quantity.setCurrentIndex(0)
-            quantity = next(quantity for quantity in QUANTITIES if quantity.name == name)
-            title = translated(quantity.meaning).replace("{", "{{").replace("}", "}}")
-            self._add_range(name, name, f"{title}, {{}}" if quantity.unit == "mm" else title)
+            quantity = next((quantity for quantity in QUANTITIES if quantity.name == name), None)
+            title = translated(quantity.meaning).replace("{", "{{").replace("}", "}}") if quantity else risk_title()
+            self._add_range(name, name, f"{title}, {{}}" if quantity and quantity.unit == "mm" else title)
             self.changed.emit()
 
     def _add_conditions(self, column):

@@ -4,7 +4,7 @@ import os
 
 from ..application.qt import QtCore, translate
 from ..application.sentences import translated, translated_list
-from ..record.part_columns import category_column, measured, quantity_columns
+from ..record.part_columns import category_column, measured, quantity_columns, risk_column
 from ..tables.column import Column
 from ..tables.fetched_rows import FetchedRows
 from .thumbnails import neutral_picture
@@ -62,6 +62,7 @@ class FoundRows(FetchedRows):
             measured("thinnest_mm", translate("ThinPart", "Thinnest, {}"), most=_MOST),
             measured("d1_mm", translate("ThinPart", "Longest, {}"), most=_MOST),
             Column("file", translate("ThinPart", "File"), lambda part: part.place, is_path=True, most=_MOST),
+            risk_column(),
         ]
         return columns + quantity_columns({column.key for column in columns}, is_sortable=False)
 

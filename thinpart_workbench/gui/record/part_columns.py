@@ -4,11 +4,14 @@ from dataclasses import replace
 
 from ...core.descriptors.descriptor_table import QUANTITIES
 from ...core.errors import KINDS
-from ..application.numbers import number
+from ..application.numbers import number, percent
 from ..application.qt import translate
 from ..application.sentences import translated
 from ..tables.column import Column, figures, length, square
 from .verdict_text import category_colour, category_title
+
+RISK = "risk"
+"""Key of the risk of the automatic mesh."""
 
 
 def category_column(profile, **more):
@@ -28,6 +31,17 @@ def measured(key, title, shown=length, **more):
     """A column of the attribute `key` of rows; see `figures`. Failures have nothing there, also no dash."""
     column = figures(key, title, lambda row: getattr(row, key), shown, **more)
     return replace(column, text=lambda row, unit: "" if row.error_kind else shown(getattr(row, key), unit))
+
+
+def risk_column():
+    """The risk of the automatic mesh, which the user may choose to see."""
+    return measured(RISK, translate("ThinPart", "Mesh risk"), lambda value, unit: percent(value), meaning=risk_title(),
+                    is_hidden=True)
+
+
+def risk_title():
+    """What the risk is called where there is room for it."""
+    return translate("ThinPart", "Risk of the automatic mesh")
 
 
 def quantity_columns(but, **more):

@@ -9,7 +9,7 @@ from .criteria_tree import CriteriaTree
 from .distribution_chart import DistributionChart
 from .label_button import LabelButton, labels_sentence, own_label
 from .regions_table import RegionsTable
-from .verdict_text import category_colour, category_title, confidence_text, paper_text, reason_text
+from .verdict_text import category_colour, category_title, confidence_text, paper_text, reason_text, risk_text
 from .wall_checks import checks_text
 
 
@@ -46,6 +46,7 @@ class RecordView(QtWidgets.QWidget):
         self._why = text_line(self, column, "ThinPart_Why")
         self._confidence = text_line(self, column, "ThinPart_HowSure")
         self._paper = text_line(self, column, "ThinPart_PaperVerdict")
+        self._risk = text_line(self, column, "ThinPart_MeshRisk")
         self._checks = text_line(self, column, "ThinPart_Checks")
         self._legend = QtWidgets.QWidget(self)
         self._legend.setObjectName("ThinPart_Legend")
@@ -78,6 +79,7 @@ class RecordView(QtWidgets.QWidget):
         show_text(self._why, reason_text(record, unit))
         show_text(self._confidence, confidence_text(record, profile))
         show_text(self._paper, paper_text(record, profile, unit))
+        show_text(self._risk, risk_text(record, unit))
         show_text(self._checks, checks_text(record, unit))
         measured = record["descriptors"]
         show_text(self._box, _box(measured, unit))

@@ -1,7 +1,7 @@
 """Texts about a part's verdict."""
 
 from ...api.window.profiles import known_criteria
-from ...api.window.verdicts import paper_sentence, sureness, why
+from ...api.window.verdicts import mesh_risk, paper_sentence, sureness, why
 from ...core.categories import NORMAL, UNKNOWN
 from ..application.numbers import percent
 from ..application.qt import translate
@@ -86,6 +86,11 @@ def confidence_text(record, profile):
     if sure.borderline:
         return translate("ThinPart", "Unsure: '{}' ({}) or '{}' ({})").format(*words)
     return translate("ThinPart", "Probability: {}, next '{}' with {}").format(*words[1:])
+
+
+def risk_text(record, unit):
+    """The risk of the automatic mesh, and what raises it, with lengths in a unit; or why it is unknown."""
+    return translated(mesh_risk(record), unit)
 
 
 def paper_text(record, profile, unit):

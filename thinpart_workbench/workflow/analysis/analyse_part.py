@@ -11,6 +11,7 @@ from ...core.errors import MeshError, ThinPartError
 from ...core.figures import Length
 from ...core.judging.classification import classify
 from ...core.judging.criteria import PAPER, load_profile
+from ...core.judging.mesh_risk import judged_risk
 from ...core.mesh.mass_properties import area, volume
 from ...core.mesh.resolution import Resolution, error_to_judge_with, is_turned_too_far, smallest_side
 from ...core.message import message
@@ -20,6 +21,7 @@ from ...core.record.record_types import SecondsRecord
 from ...core.thickness.face_thickness import face_thicknesses, witness_of
 from ...core.thickness.measured_precision import chords_of, precision_of
 from ...core.thickness.measurement import measure
+from ...core.thickness.mesh_hazards import mesh_hazards
 from ...core.thickness.thinnest_wall import touching_sample
 from ...system.exit_cause import is_out_of_memory
 
@@ -63,7 +65,8 @@ def analyse_part(part, settings, profile, report=None):
     thin_limit_mm = classification.thin_limit_x * diagonal
     faces = face_thicknesses(measurement.field, thin_limit_mm, measurement.thinnest_wall)
     record = part_record(
-        part, mesh, measurement, classification, paper_classification, faces, error_bound, resolution.deflection
+        part, mesh, measurement, classification, paper_classification, faces, error_bound, resolution.deflection,
+        judged_risk(measurement.descriptors)
     )
     record["warnings"] += warnings + _plausibility_warnings(part, mesh, measurement.field, diagonal)
     record["seconds"] = seconds
@@ -174,11 +177,18 @@ def _measure(part, settings, meshes, seconds, report, is_near_enough):
     wall_error = float(resolution.wall_error(chords_of(measurement.field, walls, deflections)).max(initial=0.0))
     error = error_to_judge_with([(side, resolution.error), (wall, wall_error)])
     precision = precision_of(measurement, deflections, settings.accuracy)
-    measurement = replace(
-        measurement, descriptors=replace(measurement.descriptors, length_error=error, precision=precision))
+    measurement = replace(measurement, descriptors=replace(
+        measurement.descriptors, length_error=error, precision=precision, hazards=_hazards(part, measurement)))
     is_enough = resolution.is_enough_for(side) and resolution.is_enough_for(wall, wall_error)
     warnings = [] if is_enough else [_resolution_warning(measurement, resolution, wall_error)]
     return mesh, resolution, wall_error if len(walls) else resolution.error, measurement, warnings
+
+
+def _hazards(part, measurement):
+    """What makes a part hard to mesh, HazardsRecord; None for triangles without faces."""
+    if part.edge_lengths is None:
+        return None
+    return mesh_hazards(measurement.field, measurement.descriptors.box.diagonal, part.edge_lengths)
 
 
 def _measured(part, settings, mesh, deflections, resolution, linear, report, is_near_enough):

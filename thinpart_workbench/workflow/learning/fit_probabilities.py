@@ -63,15 +63,22 @@ class ProbabilityFit:
             no = self._truth[rows, number + 1:].sum(axis=1)
             intercept, weights = step.intercept, [term.weight for term in step.terms]
             if step.terms and yes.any() and no.any():
-                intercept, weights = _fitted(self._values[number][rows], yes, no)
+                intercept, weights = fitted_logistic(self._values[number][rows], yes, no)
             steps.append({"category": step.category, "intercept": _readable(intercept), "terms": [
                 {"quantity": term.quantity.symbol, **({} if term.log_offset is None else {"log_offset": term.log_offset}),
                  "weight": _readable(weight)} for term, weight in zip(step.terms, weights)]})
         return {"unsure_under": self._model.unsure_under, "steps": steps}
 
 
-def _fitted(values, yes, no):
-    """Intercept and weights of a logistic regression, by weights of each row as an example for and against the category."""
+def fitted_logistic(values, yes, no):
+    """Intercept, float, and weights, list of float, of a logistic regression.
+
+    Parameters
+    ----------
+    values : ndarray of shape (n, k)
+    yes, no : ndarray of shape (n,)
+        Weights of each row as an example for and against what is foretold.
+    """
     centre, scale = values.mean(axis=0), values.std(axis=0)
     scale = np.where(scale > 1e-9, scale, 1.0)
     scaled = (values - centre) / scale

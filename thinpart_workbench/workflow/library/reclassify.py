@@ -10,6 +10,7 @@ from ...core.analysis_limits import Limits
 from ...core.errors import ThinPartError
 from ...core.judging.classification import classify
 from ...core.judging.criteria import Profile, profile_from
+from ...core.judging.mesh_risk import judged_risk
 from ...core.judging.older_record import is_to_be_measured
 from ...core.message import message
 from ...core.problem import UNEXPECTED
@@ -190,9 +191,10 @@ def _failure(info_file, sentence):
 def _verdict_of(part, profile, write):
     before = VerdictRecord(category=part["category"], criteria=part["criteria"], margin=part["margin"],
                            borderline=part["borderline"])
-    classification = classify(descriptors_of(part), profile)
+    descriptors = descriptors_of(part)
+    classification = classify(descriptors, profile)
     if write:
-        judge_again(part, classification)
+        judge_again(part, classification, None if descriptors.hazards is None else judged_risk(descriptors))
     return Verdict(part["name"], part["label"], before, verdict(classification), is_to_be_measured(part, classification))
 
 

@@ -10,6 +10,7 @@ from ...core.descriptors.distribution_bars import bars, round_up
 from ...core.foreign_text import json_text
 from ...core.judging.criteria import profile_from
 from ...core.judging.paper_verdict import paper_sentence
+from ...core.judging.risk_sentence import risk_sentence
 from ...core.judging.verdict_reasons import deciding_criteria, nearest_other, reason_of
 from ...core.judging.verdict_sentence import verdict_sentence
 from ...core.judging.wall_check import check_sentence, check_walls
@@ -71,7 +72,7 @@ def part_page(record, pictures, features, about, file, overview, language=ENGLIS
         chart=_chart(record, unit), evidence=_evidence(record, unit), faces=_faces(record, features), features=features,
         regions=region_groups(record, about["kept"].get("region_notes") or ()), other_regions=record.get("regions"),
         shown_faces=SHOWN_FACES,
-        checks=_checks(record, about["limits"]),
+        checks=_checks(record, about["limits"]), risk=risk_sentence(record),
     )
 
 
