@@ -4098,8 +4098,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Ergebnis</translation>
     </message>
     <message>
-        <source>Risk of the automatic mesh: unknown, an earlier version measured the part. Classify it again.</source>
-        <translation type="unfinished"></translation>
+        <source>Risk of the automatic mesh: unknown, an earlier version measured the part. Measure it again (classify --force).</source>
+        <translation>Risiko des automatischen Netzes: unbekannt, eine frühere Version hat das Teil gemessen. Messen Sie es noch einmal (classify --force).</translation>
     </message>
     <message>
         <source>Risk of the automatic mesh: unknown, not all that it depends on could be measured.</source>

@@ -4098,8 +4098,8 @@ Son volume est inconnu.</translation>
         <translation>Résultat</translation>
     </message>
     <message>
-        <source>Risk of the automatic mesh: unknown, an earlier version measured the part. Classify it again.</source>
-        <translation type="unfinished"></translation>
+        <source>Risk of the automatic mesh: unknown, an earlier version measured the part. Measure it again (classify --force).</source>
+        <translation>Risque du maillage automatique : inconnu, une version antérieure a mesuré la pièce. Mesurez-la de nouveau (classify --force).</translation>
     </message>
     <message>
         <source>Risk of the automatic mesh: unknown, not all that it depends on could be measured.</source>

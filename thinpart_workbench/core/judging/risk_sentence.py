@@ -19,7 +19,8 @@ def risk_sentence(record):
     found, hazards = record.get("mesh_risk"), record["descriptors"].get("hazards")
     if found is None or found["risk"] is None:
         if hazards is None:
-            return message("Risk of the automatic mesh: unknown, an earlier version measured the part. Classify it again.")
+            return message("Risk of the automatic mesh: unknown, an earlier version measured the part. "
+                           "Measure it again (classify --force).")
         if hazards["faces"] is None:
             return message("Risk of the automatic mesh: unknown, triangles have no edges and faces.")
         return message("Risk of the automatic mesh: unknown, not all that it depends on could be measured.")
