@@ -5,7 +5,8 @@
 
 The automatic mesh has tetrahedra of second order, a tenth of the diagonal in size, by Gmsh; the reference is refined until
 its frequencies stay. CalculiX solves both, nothing held. Each part has a process of its own, each mesh and each solution a
-limit of processor time. What was solved is kept, so that a run that was stopped goes on. Of the parts that the folder's
+limit of processor time. What was solved is kept, by the content of the file, so that a run that was stopped goes on; that of
+`results/solver_truth.json` need not be solved anew. Of the parts that the folder's
 `manifest.csv` names (see agreement.py), all repositories come in turn.
 
 Then the parts are classified, and the tables say how often the automatic mesh is in trouble by label and by verdict, and how
@@ -30,11 +31,14 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from benchmarks.agreement import default_folder, labelled_parts, manifest
-from benchmarks.places import CACHE, DEBIAN_PYTHON, ROOT
+from benchmarks.places import CACHE, DEBIAN_PYTHON, RESULTS, ROOT
 from benchmarks.solver_tables import solved_part, tables
 from benchmarks.table_text import markdown, plain, titled
 from thinpart_workbench.core.judging.criteria import load_profile
 from thinpart_workbench.workflow.solving.automatic_mesh import NOT_SOLVED, AutomaticMesh
+
+KINDS = ("solver_truth", "solver_truth_straight")
+"""What is solved: the automatic mesh; and with straight edges where the solver refuses it otherwise."""
 
 LIMITS = ("60", "240", "32000")
 """Seconds for a mesh, seconds for a solution, and nodes of a reference mesh."""
@@ -43,6 +47,9 @@ MOST_SECONDS = 1500.0
 """For a part."""
 
 DOCUMENT, PLOT = "docs/method.md", "docs/plots/solver_truth.svg"
+SHIPPED = RESULTS / "solver_truth.json"
+"""What was solved, by what and by the content of the file, of parts that are not named."""
+
 MARKS = ("<!-- solver truth -->", "<!-- end of solver truth -->")
 
 PROFILES = ("calibrated", "paper")
@@ -76,6 +83,7 @@ def main():
     print("\n\n".join(titled(table, show) for table in tables(parts, profiles)))
     if options.write:
         document = ROOT / DOCUMENT
+        SHIPPED.write_text(json.dumps(_all_kept(), indent=0, sort_keys=True) + "\n", encoding="utf-8")
         document.write_text(with_tables(document.read_text(encoding="utf-8"), tables(parts, profiles)), encoding="utf-8")
     for file in filter(None, (options.plot, options.write and ROOT / PLOT)):
         from benchmarks.solver_plot import write_plot
@@ -106,18 +114,21 @@ def solved(folder, most, jobs, minutes):
         After which no part is started.
     """
     until = time.monotonic() + 60.0 * minutes
+    shipped = json.loads(SHIPPED.read_text(encoding="utf-8")) if SHIPPED.exists() else {}
 
     def result(name, kind, *more):
         kept = _kept(folder / name, kind)
+        if not kept.exists() and f"{kind}/{kept.stem}" in shipped:
+            return shipped[f"{kind}/{kept.stem}"]
         if not kept.exists() and time.monotonic() < until:
             _solve(folder / name, kept, more)
             print(name, kept.read_text()[:110], file=sys.stderr, flush=True)
         return json.loads(kept.read_text()) if kept.exists() else None
 
     def one(name):
-        found = result(name, "solver_truth")
+        found = result(name, KINDS[0])
         if found and found["outcome"] == NOT_SOLVED and "is_straight" not in found:  # by a version that did not try that
-            found = result(name, "solver_truth_straight", "straight")
+            found = result(name, KINDS[1], "straight")
         return found and (name, _automatic_mesh(found))
 
     with ThreadPoolExecutor(jobs) as pool:
@@ -143,6 +154,15 @@ def _automatic_mesh(content):
 def _kept(file, kind):
     key = hashlib.sha256("|".join(LIMITS).encode() + file.read_bytes()).hexdigest()
     return CACHE / kind / f"{key[:32]}.json"
+
+
+def _all_kept():
+    """All results, dict: those of before and those that were kept since."""
+    found = json.loads(SHIPPED.read_text(encoding="utf-8")) if SHIPPED.exists() else {}
+    for kind in KINDS:
+        for kept in (CACHE / kind).glob("*.json"):
+            found[f"{kind}/{kept.stem}"] = json.loads(kept.read_text(encoding="utf-8"))
+    return found
 
 
 def _solve(file, kept, more):
