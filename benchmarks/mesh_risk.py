@@ -27,9 +27,9 @@ from benchmarks.solver_truth import solved
 from benchmarks.table_text import Table, markdown, plain, titled
 from thinpart_workbench.core.categories import NORMAL
 from thinpart_workbench.core.descriptors.descriptor_table import quantity_named
-from thinpart_workbench.core.judging.mesh_risk import SHIPPED
 from thinpart_workbench.core.judging.probability import logistic, weighted_quantity
 from thinpart_workbench.core.record.part_record import descriptors_of
+from thinpart_workbench.core.risk.mesh_risk import SHIPPED
 from thinpart_workbench.core.tolerances import TOLERANCES
 from thinpart_workbench.workflow.learning.fit_probabilities import check_scikit_learn, fitted_logistic
 from thinpart_workbench.workflow.learning.validation import calibration_error, folds, reliability

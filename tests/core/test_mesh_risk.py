@@ -8,10 +8,10 @@ import pytest
 from made_descriptors import A_BLOCK, part
 
 from thinpart_workbench.core.judging.conditions import search_conditions
-from thinpart_workbench.core.judging.mesh_risk import SHIPPED, judged_risk, read_mesh_risk, shipped_mesh_risk
-from thinpart_workbench.core.judging.risk_sentence import risk_sentence
 from thinpart_workbench.core.record.part_record import descriptors_of
 from thinpart_workbench.core.record.record_types import PART
+from thinpart_workbench.core.risk.mesh_risk import SHIPPED, judged_risk, read_mesh_risk, shipped_mesh_risk
+from thinpart_workbench.core.risk.risk_sentence import risk_sentence
 from thinpart_workbench.storage.index.library_index import LibraryIndex
 from thinpart_workbench.storage.index.part_query import PartQuery
 from thinpart_workbench.storage.part_table import measured_row

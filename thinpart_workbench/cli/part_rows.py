@@ -7,8 +7,8 @@ from itertools import zip_longest
 
 from ..core.errors import ThinPartError
 from ..core.judging.paper_verdict import paper_sentence
-from ..core.judging.risk_sentence import risk_sentence
 from ..core.number_text import percent
+from ..core.risk.risk_sentence import risk_sentence
 from ..storage.part_table import checked_row, failed_row, part_table, write_table
 from .check_options import check_columns, check_remarks
 from .terminal_table import FAILURE, TableColumn, category_style, print_remark, print_table

@@ -79,7 +79,7 @@ ELSEWHERE = (
     "core.judging.classification",  # the thin limit of a profile that states none
     "core.judging.criteria",  # the greatest margin of a profile
     "core.judging.limit_bands",  # walls just above a limit
-    "core.judging.mesh_risk",  # what raises a risk
+    "core.risk.mesh_risk",  # what raises a risk
     "core.judging.threshold_search",  # steps of learned thresholds
     "core.judging.wall_check",  # a mesh that is too coarse for a limit, thick and thin walls, walls near a limit
     "core.maps.jump_lines",  # jumps of thickness along the sides of facets

@@ -5,10 +5,10 @@ from typing import NamedTuple, Optional
 from ...core.categories import UNKNOWN
 from ...core.judging import paper_verdict
 from ...core.judging.criteria import Profile
-from ...core.judging.risk_sentence import risk_sentence
 from ...core.judging.verdict_reasons import deciding_criteria, nearest_other, reason_of
 from ...core.judging.verdict_sentence import verdict_sentence
 from ...core.record.record_types import PartRecord
+from ...core.risk.risk_sentence import risk_sentence
 
 
 class Why(NamedTuple):

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from ...core.thickness.mesh_hazards import EdgeLengths
+from ...core.sizing.mesh_hazards import EdgeLengths
 
 
 def edge_lengths(shape):

@@ -11,17 +11,17 @@ from ...core.errors import MeshError, ThinPartError
 from ...core.figures import Length
 from ...core.judging.classification import classify
 from ...core.judging.criteria import PAPER, load_profile
-from ...core.judging.mesh_risk import judged_risk
 from ...core.mesh.mass_properties import area, volume
 from ...core.mesh.resolution import Resolution, error_to_judge_with, is_turned_too_far, smallest_side
 from ...core.message import message
 from ...core.problem import problem_of
 from ...core.record.part_record import part_record
 from ...core.record.record_types import SecondsRecord
+from ...core.risk.mesh_risk import judged_risk
+from ...core.sizing.mesh_hazards import mesh_hazards
 from ...core.thickness.face_thickness import face_thicknesses, witness_of
 from ...core.thickness.measured_precision import chords_of, precision_of
 from ...core.thickness.measurement import measure
-from ...core.thickness.mesh_hazards import mesh_hazards
 from ...core.thickness.thinnest_wall import touching_sample
 from ...system.exit_cause import is_out_of_memory
 

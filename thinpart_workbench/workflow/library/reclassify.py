@@ -10,12 +10,12 @@ from ...core.analysis_limits import Limits
 from ...core.errors import ThinPartError
 from ...core.judging.classification import classify
 from ...core.judging.criteria import Profile, profile_from
-from ...core.judging.mesh_risk import judged_risk
 from ...core.judging.older_record import is_to_be_measured
 from ...core.message import message
 from ...core.problem import UNEXPECTED
 from ...core.record.part_record import descriptors_of, judge_again, verdict
 from ...core.record.record_types import VerdictRecord
+from ...core.risk.mesh_risk import judged_risk
 from ...core.run_control import RunControl
 from ...storage.info.info_file import change_info, read_info
 from ..workers.task_run import task_workers

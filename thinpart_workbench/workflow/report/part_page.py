@@ -10,7 +10,6 @@ from ...core.descriptors.distribution_bars import bars, round_up
 from ...core.foreign_text import json_text
 from ...core.judging.criteria import profile_from
 from ...core.judging.paper_verdict import paper_sentence
-from ...core.judging.risk_sentence import risk_sentence
 from ...core.judging.verdict_reasons import deciding_criteria, nearest_other, reason_of
 from ...core.judging.verdict_sentence import verdict_sentence
 from ...core.judging.wall_check import check_sentence, check_walls
@@ -18,6 +17,7 @@ from ...core.length_unit import MILLIMETRE
 from ...core.record.part_record import face_number
 from ...core.record.region_groups import region_groups
 from ...core.rendering.part_views import HEIGHT, WIDTH, thinnest_wall
+from ...core.risk.risk_sentence import risk_sentence
 from ...storage.png import png_bytes
 from .page_language import ENGLISH
 from .page_templates import fill_in

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
+from ..judging.probability import OFFSET, TERM, WeightedQuantity, logistic, weighted_quantity
 from ..kinds.compound_kinds import ListOf, Record
 from ..kinds.json_file import read_json
 from ..kinds.value_kinds import Number, Text, Whole
 from ..record.record_types import MeshRiskRecord
 from ..tolerances import TOLERANCES
-from .probability import OFFSET, TERM, WeightedQuantity, logistic, weighted_quantity
 
 SHIPPED = Path(__file__).resolve().parents[3] / "resources" / "mesh_risk.json"
 
