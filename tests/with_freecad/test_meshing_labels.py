@@ -16,6 +16,7 @@ from program import SAMPLES, environment, thinpart
 from thinpart_workbench.api.learning import label_by_meshing
 from thinpart_workbench.core.analysis_limits import Limits
 from thinpart_workbench.core.errors import ThinPartError
+from thinpart_workbench.core.judging.criteria import load_profile
 
 needs_gmsh = pytest.mark.skipif(shutil.which("gmsh") is None, reason="gmsh is not installed")
 LIMITS = Limits(60.0, 4096, 2)
@@ -75,7 +76,8 @@ def test_blocks_are_normal_sheets_thin_and_fins_thin_features(library):
     assert failure["file"] == "triangles.stl" and "triangles" in failure["message"]
     person, = {label.person for label in meshing.labels}
     assert person == meshing.labelling.person and person.startswith("gmsh ")
-    assert {each.symbol for each in meshing.quantities} >= {"V/VBB", "F[0;0.05]", "P[0;0.06]"}
+    judged = {condition.quantity.symbol for criterion in load_profile().criteria for condition in criterion.conditions}
+    assert {each.symbol for each in meshing.quantities} >= {"V/VBB", "F[0;0.05]", *judged}
 
 
 @needs_gmsh

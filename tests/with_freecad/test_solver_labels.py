@@ -91,7 +91,7 @@ def test_without_a_solver_it_is_one_sentence(library, monkeypatch, tmp_path):
 
 
 @needs_programs
-@pytest.mark.timeout(150)  # two solutions that never end have 6 s of a processor each
+@pytest.mark.timeout(150)  # three solutions that never end have 4 s of a processor each
 def test_what_is_not_known_gets_no_label(library, tmp_path, monkeypatch):
     for name in ("sheet.step", "sheet.step.thinpart.json"):
         shutil.copy2(library / name, tmp_path)
@@ -100,7 +100,7 @@ def test_what_is_not_known_gets_no_label(library, tmp_path, monkeypatch):
     endless.write_text('#!/bin/sh\n[ "$1" = -v ] && echo "This is Version 9.9" && exit\nwhile :; do :; done\n')
     endless.chmod(0o755)
     monkeypatch.setenv("PATH", f"{tmp_path / 'bin'}{os.pathsep}{os.environ['PATH']}")
-    labels = label_by_solver(tmp_path, limits=Limits(1.5, 6144, 1))
+    labels = label_by_solver(tmp_path, limits=Limits(1.0, 6144, 1))
     failure, = labels.failures
     assert labels.results == () and failure["part"] == "Solid1"
     assert failure["message"] == "The error of its mesh is not known (the solver took too long)."

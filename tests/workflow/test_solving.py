@@ -90,14 +90,16 @@ def test_frequencies_depend_neither_on_size_nor_on_place_nor_on_order(beam, tmp_
     assert solved(tmp_path, points, tetrahedra, diagonal=2.0 * SIZE)[0] == pytest.approx(2.0 * first, rel=1e-5)
 
 
-def test_the_automatic_mesh_is_right_of_a_block_and_wrong_of_a_sheet(tmp_path):
+def test_the_automatic_mesh_is_right_of_a_block(tmp_path):
     block = automatic_mesh_error(*box(tmp_path, 100, 20, 15), GMSH, CALCULIX, LIMITS, str(tmp_path))
     assert (block.outcome, block.is_tangled, block.reason) == (SOLVED, False, "")
     assert block.error < 0.03 and block.change < 0.01 and not has_trouble(block)
     assert block.reference_nodes > block.nodes and len(block.frequencies) == len(block.reference) == COUNT
+
+
+def test_the_automatic_mesh_is_wrong_of_a_sheet_and_one_of_the_size_that_its_wall_needs_is_right(tmp_path):
     sheet = automatic_mesh_error(*box(tmp_path, 100, 100, 1), GMSH, CALCULIX, LIMITS, str(tmp_path))
     assert sheet.outcome == SOLVED and sheet.error > 0.05 and has_trouble(sheet)
-    # A mesh of the size that the walls need is right.
     fine = automatic_mesh_error(*box(tmp_path, 100, 100, 1), GMSH, CALCULIX, LIMITS, str(tmp_path), 8.0)
     assert fine.error < 0.02 and fine.nodes > sheet.nodes
 
