@@ -81,7 +81,7 @@ def test_an_unmeasured_quantity_and_one_of_an_earlier_version_have_no_error():
 
 def test_what_the_search_for_slanted_walls_leaves_open_is_in_their_error():
     known = with_precision(made_meshes.prism([(0, 0), (100, 0), (100, 10), (0, 60)], 50))
-    open_ended = replace(known, precision=replace(known.precision, slanted=0.02))
+    known, open_ended = (replace(known, precision=replace(known.precision, slanted=slanted)) for slanted in (0.0, 0.02))
     assert error("min_nonparallel[10;55]", known) < 0.005
     assert 0.02 <= error("min_nonparallel[10;55]", open_ended) < 0.025
     # Other angles are read off the samples, which no search changes.

@@ -198,7 +198,7 @@ def test_the_record_states_the_exact_value():
 
 def _cost(work):
     """About what a search did, in nodes of the tree that were tested."""
-    return work.nodes + work.pairs + 15.0 * work.overlaps + 37.0 * work.exact
+    return work.nodes + work.pairs + 15.0 * work.overlaps + 90.0 * work.exact
 
 
 @pytest.mark.parametrize("shape", [_ring(30), _ring(480), _finer(made_meshes.wedge(30), 6), _rack(200)])
@@ -208,7 +208,7 @@ def test_it_costs_a_share_of_the_rays_and_says_what_is_left_open(shape):
     field = measure_rays(mesh, surface_samples(mesh), rays=rays)
     exact = nonparallel_minimum(mesh, rays, field, mesh.extent, share_of_rays=math.inf).distance
     errors = []
-    for share in (0.0, 0.2, 2.0, math.inf):
+    for share in (0.0, 0.18, 2.0, math.inf):
         work = Work()
         found = nonparallel_minimum(mesh, rays, field, mesh.extent, work=work, share_of_rays=share)
         assert found == nonparallel_minimum(mesh, rays, field, mesh.extent, share_of_rays=share)
@@ -222,7 +222,7 @@ def test_it_costs_a_share_of_the_rays_and_says_what_is_left_open(shape):
 
 
 def test_it_is_searched_for_only_where_samples_are_not_near_enough():
-    mesh = surface_mesh(*made_meshes.prism([(0, 0), (100, 0), (100, 10), (0, 60)], 50))
+    mesh = surface_mesh(*_finer(made_meshes.prism([(0, 0), (100, 0), (100, 10), (0, 60)], 50), 3))
     asked = []
 
     def is_near_enough(known):

@@ -7,7 +7,7 @@ from ..rays.tree_descent import Work
 # Costs, in those of testing the eight boxes of a node for a ray, fitted to the times of real parts. First those of what is
 # counted, then those of beginning something, however little it finds.
 _PER_SAMPLE, _PER_RAY_PAIR = 5.0, 0.8
-_PER_NODE, _PER_PAIR, _PER_OVERLAP, _PER_CUT = 1.5, 1.0, 15.0, 37.0
+_PER_NODE, _PER_PAIR, _PER_OVERLAP, _PER_CUT = 1.5, 1.8, 15.0, 90.0
 _OF_SEARCH, _PER_TRIANGLE, _OF_PORTION, _OF_OVERLAPS, _OF_CUTS = 3_000, 2.0, 1_500, 3_500, 4_500
 
 

@@ -10,7 +10,7 @@ from ..rays.box_tree import WIDTH, children_of_nodes
 from ..rays.ray_packets import PACKET, coherent_order, thick_rays
 from ..rays.tree_descent import cosines, descend
 
-_PACKETS_AT_ONCE = 192
+_PACKETS_AT_ONCE = 96
 _PAIRS_AT_ONCE = 8192
 
 _ROUNDING = 1e-5
