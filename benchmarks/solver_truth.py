@@ -93,11 +93,11 @@ def main():
         Path(options.json).write_text(json.dumps([part.row(profiles) for part in parts], indent=1), encoding="utf-8")
 
 
-def with_tables(text, results):
-    """A document with other tables between its marks, str."""
-    start, end = (text.index(mark) for mark in MARKS)
+def with_tables(text, results, marks=MARKS):
+    """A document with other tables between two marks, str."""
+    start, end = (text.index(mark) for mark in marks)
     shown = "\n\n".join(f"**{table.title}**\n\n{markdown(table)}" for table in results)
-    return f"{text[:start]}{MARKS[0]}\n\n{shown}\n\n{text[end:]}"
+    return f"{text[:start]}{marks[0]}\n\n{shown}\n\n{text[end:]}"
 
 
 def solved(folder, most, jobs, minutes):

@@ -11,7 +11,7 @@ from thinpart_workbench.core.mesh.bounds import OrientedBox
 ONE_PLATE = {"thinnest_mm": 0.1, "count": 1, **dict.fromkeys(REGION_KINDS, 0), PLATE: 1}
 
 A_BLOCK = {"faces": 6, "shortest_edge_mm": 0.5, "short_edges": 0, "narrowest_face_mm": 0.3,
-           "narrow_faces": 0, "knife_edges": 0.0, "tight_share": 0.0, "flattened_share": 0.0}
+           "narrow_faces": 0, "knife_edges": 0.0, "tight_share": 0.0, "flattened_share": 0.0, "thin_x": 0.3}
 """Hazards of a part that is easy to mesh."""
 
 

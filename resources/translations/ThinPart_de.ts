@@ -3814,6 +3814,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Flüssigkristallpolymer</translation>
     </message>
     <message>
+        <source>Local thickness below which 5 % of the area is, in diagonals</source>
+        <translation>Örtliche Dicke in Diagonalen, unter der 5 % der Oberfläche liegen</translation>
+    </message>
+    <message>
         <source>Local thickness, by the middle side, that 5 % of the area is below</source>
         <translation>Örtliche Dicke, durch die mittlere Seite, unter der 5 % der Fläche liegen</translation>
     </message>
@@ -4908,6 +4912,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>a part of {file} is neither measured nor refused</source>
         <translation>ein Teil von {file} ist weder gemessen noch abgelehnt</translation>
+    </message>
+    <message>
+        <source>a twentieth of the surface is thinner than {limit}, 1/{part:.1f} of an element</source>
+        <translation>ein Zwanzigstel der Oberfläche ist dünner als {limit}, 1/{part:.1f} eines Elements</translation>
     </message>
     <message>
         <source>along the principal axes; diagonal {diagonal}</source>

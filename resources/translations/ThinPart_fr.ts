@@ -3814,6 +3814,10 @@ Son volume est inconnu.</translation>
         <translation>Polymère à cristaux liquides</translation>
     </message>
     <message>
+        <source>Local thickness below which 5 % of the area is, in diagonals</source>
+        <translation>Épaisseur locale au-dessous de laquelle se trouvent 5 % de l'aire, en diagonales</translation>
+    </message>
+    <message>
         <source>Local thickness, by the middle side, that 5 % of the area is below</source>
         <translation>Épaisseur locale, par le côté médian, sous laquelle se trouvent 5 % de la surface</translation>
     </message>
@@ -4908,6 +4912,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>a part of {file} is neither measured nor refused</source>
         <translation>une pièce de {file} n’est ni mesurée ni refusée</translation>
+    </message>
+    <message>
+        <source>a twentieth of the surface is thinner than {limit}, 1/{part:.1f} of an element</source>
+        <translation>un vingtième de la surface est plus mince que {limit}, 1/{part:.1f} d'un élément</translation>
     </message>
     <message>
         <source>along the principal axes; diagonal {diagonal}</source>

@@ -19,7 +19,7 @@ from thinpart_workbench.workflow.library.find_parts import find_parts
 
 EASY = part(box=(100.0, 80.0, 60.0), fill=0.8, walls=[(0.4, 0.9)])
 EDGES = {**A_BLOCK, "faces": 60, "shortest_edge_mm": 0.05, "short_edges": 40,
-         "narrowest_face_mm": 0.04, "narrow_faces": 12}
+         "narrowest_face_mm": 0.04, "narrow_faces": 12, "thin_x": 0.01}
 HARD = replace(part(box=(100.0, 80.0, 60.0), fill=0.1, walls=[(0.01, 0.9)]), hazards=EDGES)
 
 
@@ -38,7 +38,8 @@ def test_a_thick_block_has_little_and_a_thin_part_with_small_edges_much():
 
 
 @pytest.mark.parametrize("change", [
-    lambda step: part(box=(100.0, 80.0, 60.0), fill=0.8, walls=[(0.01, 0.3 * step), (0.4, 0.9 - 0.3 * step)]),
+    lambda step: part(box=(100.0, 80.0, 60.0), fill=0.8, walls=[(0.01, 0.3 * step + 1e-9), (0.4, 0.9 - 0.3 * step)]),
+    lambda step: replace(EASY, hazards={**A_BLOCK, "thin_x": 0.3 / 3 ** step}),
     lambda step: replace(EASY, hazards={**A_BLOCK, "short_edges": 10 * step}),
     lambda step: replace(EASY, hazards={**A_BLOCK, "flattened_share": 0.2 * step}),
 ])
@@ -53,7 +54,7 @@ def test_reasons_come_with_the_strongest_first_and_with_figures():
     assert raises == sorted(raises, reverse=True)
     sentence = risk_sentence(record)
     assert sentence.startswith("Risk of the automatic mesh: ") and sentence.endswith(".")
-    assert "walls thinner than 7.07 mm over 90\u00a0% of the surface" in sentence
+    assert "walls thinner than 2.83 mm over 90\u00a0% of the surface" in sentence
     assert "40 edges shorter than 4.24 mm, the shortest 0.05 mm, 1/283 of an element" in sentence
 
 

@@ -62,4 +62,4 @@ def test_the_risk_of_the_automatic_mesh_stands_beside_the_verdict_with_its_reaso
     window.classify()
     text = window.text("ThinPart_MeshRisk")
     assert text.startswith("Risk of the automatic mesh: ") and "%: " in text
-    assert "walls thinner than 5.83\u00a0mm over 93\u00a0% of the surface" in text
+    assert "a twentieth of the surface is thinner than 3\u00a0mm, 1/3.9 of an element" in text

@@ -64,7 +64,8 @@ def moved(shape, scale):
 def test_a_block_has_none():
     found = hazards(box(100, 60, 40))
     assert found == {"faces": 6, "shortest_edge_mm": 40.0, "short_edges": 0, "narrowest_face_mm": pytest.approx(24.0),
-                     "narrow_faces": 0, "knife_edges": 0.0, "tight_share": 0.0, "flattened_share": 0.0}
+                     "narrow_faces": 0, "knife_edges": 0.0, "tight_share": 0.0, "flattened_share": 0.0,
+                     "thin_x": pytest.approx(0.3, abs=0.05)}
 
 
 def test_a_small_chamfer_is_a_narrow_face_between_two_short_edges():
@@ -127,7 +128,8 @@ def test_neither_scale_nor_place_changes_them(made, scale):
     plain, other = hazards(shape), hazards(moved(shape, scale))
     for key, value in plain.items():
         expected = value * scale if key.endswith("_mm") else value
-        assert other[key] == pytest.approx(expected, rel=2e-3, abs=2e-3 if key.endswith("share") else None), key
+        near = 0.06 if key == "thin_x" else 2e-3  # local thickness is of samples, whose places differ
+        assert other[key] == pytest.approx(expected, rel=near, abs=2e-3 if key.endswith("share") else None), key
 
 
 def test_triangles_without_faces_have_unknown_ones():

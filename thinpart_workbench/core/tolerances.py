@@ -79,7 +79,6 @@ ELSEWHERE = (
     "core.judging.classification",  # the thin limit of a profile that states none
     "core.judging.criteria",  # the greatest margin of a profile
     "core.judging.limit_bands",  # walls just above a limit
-    "core.risk.mesh_risk",  # what raises a risk
     "core.judging.threshold_search",  # steps of learned thresholds
     "core.judging.wall_check",  # a mesh that is too coarse for a limit, thick and thin walls, walls near a limit
     "core.maps.jump_lines",  # jumps of thickness along the sides of facets
@@ -100,6 +99,7 @@ ELSEWHERE = (
     "core.record.region_groups",  # walls that are shown as one group
     "core.record.region_notes",  # regions that are the same after a change
     "core.record.thin_faces",  # faces that are shown as thin
+    "core.risk.mesh_risk",  # what raises a risk
     "core.shells.facing_faces",  # sides of a wall
     "core.shells.open_ends",  # free edges of a shell inside the material
     "core.shells.shell_mesh",  # thicknesses of elements that are one property

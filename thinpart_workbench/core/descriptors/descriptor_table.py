@@ -207,7 +207,7 @@ def _of_regions(key):
 
 
 def _of_hazards(key):
-    return lambda descriptors: None if descriptors.hazards is None else descriptors.hazards[key]
+    return lambda descriptors: None if descriptors.hazards is None else descriptors.hazards.get(key)
 
 
 QUANTITIES = (
@@ -288,6 +288,8 @@ QUANTITIES = (
     Quantity("flattened_share", "flattened_share", "",
              "Share of the area over curved walls that elements of the automatic mesh change by a twentieth",
              _of_hazards("flattened_share"), keys=("hazards", "flattened_share")),
+    Quantity("thin_x", "thin_x", "", "Local thickness below which 5 % of the area is, in diagonals",
+             _of_hazards("thin_x"), keys=("hazards", "thin_x"), in_table=False),
     WallDistance("min_nonparallel", "min_nonparallel", "",
                  "Least distance, in diagonals, between walls at a to b degrees",
                  _nonparallel_minimum, bounds=STATED_ANGLES, absent_means=math.inf, in_table=False),

@@ -105,6 +105,7 @@ class HazardsRecord(TypedDict):
     knife_edges: Optional[Length]
     tight_share: Optional[Share]
     flattened_share: Optional[Share]
+    thin_x: NotRequired[Annotated[Optional[Share], LATER]]
 
 
 class QuantityError(TypedDict):

@@ -53,6 +53,12 @@ def _thin_walls(quantity, value, measured, element):
                    limit=Length(quantity.bounds[1] * measured["diagonal_mm"]), share=Share(value))
 
 
+def _thin(quantity, value, measured, element):
+    limit = value * measured["diagonal_mm"]
+    return message("a twentieth of the surface is thinner than {limit}, 1/{part:.1f} of an element", limit=Length(limit),
+                   part=element / limit)
+
+
 def _short_edges(quantity, value, measured, element):
     shortest = measured["hazards"]["shortest_edge_mm"]
     part = element / shortest
@@ -67,5 +73,5 @@ def _flattened(quantity, value, measured, element):
                    part=Share(FLATTENED), share=Share(value))
 
 
-_WORDS = {"F": _thin_walls, "short_edges": _short_edges, "flattened_share": _flattened}
+_WORDS = {"F": _thin_walls, "thin_x": _thin, "short_edges": _short_edges, "flattened_share": _flattened}
 """By name of a quantity: functions of it, its value, ``descriptors`` of the part, and the size of an element, mm."""

@@ -35,7 +35,7 @@ class EdgeLengths:
     borders: np.ndarray
 
 
-def mesh_hazards(field, diagonal, lengths) -> HazardsRecord:
+def mesh_hazards(field, diagonal, lengths, thin) -> HazardsRecord:
     """Measure what makes a part hard to mesh: HazardsRecord.
 
     Parameters
@@ -45,6 +45,8 @@ def mesh_hazards(field, diagonal, lengths) -> HazardsRecord:
     diagonal : float, mm
         Of the part's box.
     lengths : EdgeLengths
+    thin : float or None, mm
+        Local thickness below which a twentieth of the surface is.
     """
     element = AUTOMATIC_SHARE * diagonal
     mesh = field.mesh
@@ -61,6 +63,7 @@ def mesh_hazards(field, diagonal, lengths) -> HazardsRecord:
         "knife_edges": _knife_edges(mesh) / diagonal,
         "tight_share": tight,
         "flattened_share": flattened,
+        "thin_x": None if thin is None else thin / diagonal,
     }
 
 

@@ -188,7 +188,9 @@ def _hazards(part, measurement):
     """What makes a part hard to mesh, HazardsRecord; None for triangles without faces."""
     if part.edge_lengths is None:
         return None
-    return mesh_hazards(measurement.field, measurement.descriptors.box.diagonal, part.edge_lengths)
+    local, box = measurement.descriptors.local, measurement.descriptors.box
+    thin = None if local is None else local.quantiles["T05"] * float(box.dimensions[1])
+    return mesh_hazards(measurement.field, box.diagonal, part.edge_lengths, thin)
 
 
 def _measured(part, settings, mesh, deflections, resolution, linear, report, is_near_enough):
