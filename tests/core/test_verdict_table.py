@@ -53,7 +53,7 @@ def test_what_is_unknown_has_the_conditions_that_are_undecided():
     names, numbers, undecided = filled().categories(load_profile("calibrated"))
     unknown = numbers == names.index("unknown")
     assert unknown.any() and (np.logical_or.reduce(list(undecided.values())) == unknown).all()
-    wide = profile_from({**load_profile("calibrated").content, "categories": [{
+    wide = profile_from({**load_profile("paper").content, "categories": [{
         "name": "thin", "criteria": [{"id": "wide", "conditions": [
             {"quantity": "plate_share", "comparison": ">", "value": 0.5}]}]}]})
     plates, = filled().categories(wide)[2].values()
