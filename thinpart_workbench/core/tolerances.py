@@ -73,6 +73,7 @@ TOLERANCES = Tolerances()
 
 ELSEWHERE = (
     "core.descriptors.automatic_mesh",  # short edges, narrow faces, tight curves, knife's edges
+    "core.descriptors.local_quantiles",  # shares of the surface whose local thickness is recorded
     "core.descriptors.precision",  # errors of shares, of the volume and of the area
     "core.descriptors.quantity",  # where an edge of a bin is blurred
     "core.descriptors.similarity",  # how near two parts are that are alike
@@ -113,6 +114,7 @@ ELSEWHERE = (
     "core.sizing.sizing_settings",  # least and greatest size of elements
     "core.thickness.face_thickness",  # walls of a face that are as thin as the thinnest
     "core.thickness.inscribed_balls",  # when a ball is empty
+    "core.thickness.local_thickness",  # how far a ball reaches
     "core.thickness.measurement",  # progress
     "core.thickness.nonparallel",  # the greatest distance of slanted walls that is searched
     "core.thickness.plate_likeness",  # places of a wall that are plates
