@@ -313,7 +313,7 @@ def _archive():
     content = io.BytesIO()
     package = _ROOT / "thinpart_workbench"
     files = [*package.glob("*.py"), *(_ROOT / "resources" / "profiles").glob("*.json"),
-             _ROOT / "resources" / "colour_maps.json"]
+             *(_ROOT / "resources" / name for name in ("colour_maps.json", "mesh_risk.json"))]
     for layer in _SENT_LAYERS:
         files += (package / layer).rglob("*.py")
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
