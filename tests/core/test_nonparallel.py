@@ -208,7 +208,7 @@ def test_it_costs_a_share_of_the_rays_and_says_what_is_left_open(shape):
     field = measure_rays(mesh, surface_samples(mesh), rays=rays)
     exact = nonparallel_minimum(mesh, rays, field, mesh.extent, share_of_rays=math.inf).distance
     errors = []
-    for share in (0.0, 0.18, 2.0, math.inf):
+    for share in (0.0, 0.16, 2.0, math.inf):
         work = Work()
         found = nonparallel_minimum(mesh, rays, field, mesh.extent, work=work, share_of_rays=share)
         assert found == nonparallel_minimum(mesh, rays, field, mesh.extent, share_of_rays=share)
@@ -222,7 +222,8 @@ def test_it_costs_a_share_of_the_rays_and_says_what_is_left_open(shape):
 
 
 def test_it_is_searched_for_only_where_samples_are_not_near_enough():
-    mesh = surface_mesh(*_finer(made_meshes.prism([(0, 0), (100, 0), (100, 10), (0, 60)], 50), 3))
+    blunt = made_meshes.prism([(0, 0), (100, 0), (100, 10), (0, 60)], 50)
+    mesh = surface_mesh(*made_meshes.moved(_finer(blunt, 2), TURNED))
     asked = []
 
     def is_near_enough(known):
@@ -231,7 +232,7 @@ def test_it_is_searched_for_only_where_samples_are_not_near_enough():
 
     sampled, searched = (measure(mesh, AnalysisSettings(), is_near_enough=is_near_enough) for _ in range(2))
     assert asked == [(sampled.descriptors.min_nonparallel, sampled.slanted_error)] * 2
-    assert searched.slanted_error == 0.0 < sampled.slanted_error
+    assert searched.slanted_error < 0.1 * sampled.slanted_error
     assert abs(sampled.descriptors.min_nonparallel - searched.descriptors.min_nonparallel) <= sampled.slanted_error
 
 

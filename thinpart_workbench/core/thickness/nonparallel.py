@@ -22,7 +22,7 @@ TIMES_THE_AREA = 2, 16
 WIDER = 1.05, 1.25
 """What those are multiplied by: facets and samples may miss by so much."""
 
-SHARE_OF_RAYS = 0.18
+SHARE_OF_RAYS = 0.16
 """What the search may cost, by the cost of the rays: as counts do not tell times exactly, it takes at most a quarter."""
 
 NEARER, NEARER_BY = 0.25, 0.006
