@@ -31,10 +31,10 @@ def test_the_document_has_the_verdicts_and_their_reasons(records):
     for row, measured in zip(rows, table.rows):
         *cells, reason = row
         assert cells == measured[:-1]
-        # Another version of FreeCAD may tessellate a little differently.
+        # Another version of FreeCAD may tessellate a little differently; distances of slanted walls are known to a quarter.
         assert NUMBER.sub("0", reason) == NUMBER.sub("0", measured[-1])
         assert [float(each) for each in NUMBER.findall(reason)] == pytest.approx(
-            [float(each) for each in NUMBER.findall(measured[-1])], rel=0.1, abs=0.1)
+            [float(each) for each in NUMBER.findall(measured[-1])], rel=0.3, abs=0.1)
 
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda example: f"{example.figure}-{example.sample}")
