@@ -220,7 +220,7 @@ def made_parts(count=60):
     return [part(box=(1.0, 0.8, chance.uniform(0.05, 0.8)), fill=None if number % 15 == 0 else chance.uniform(0.05, 0.95),
                  walls=[(0.01, chance.choice([0.0, 0.1])), (0.06, chance.uniform(0.0, 0.8)), (0.4, 0.05)],
                  slanted=[(chance.uniform(0.02, 0.2), 30, 0.05)],
-                 plates=None if number % 7 == 0 else chance.uniform())
+                 unmet=0.6 if number % 7 == 0 else 0.0, plates=chance.uniform())
             for number in range(count)]
 
 
