@@ -5,6 +5,7 @@ import os
 
 from ..core.analysis_limits import Limits
 from ..core.analysis_settings import DEFAULT_PROFILE
+from ..core.descriptors.automatic_mesh import AUTOMATIC_SHARE
 from ..core.errors import ThinPartError
 from ..core.judging.criteria import given_profile, profile_from
 from ..core.message import message
@@ -17,7 +18,7 @@ from ..workflow.learning.labelling_run import label_library
 from ..workflow.learning.labels import categories_of, check_library, labelled_parts
 from ..workflow.learning.learn_profile import learn_profile
 from ..workflow.learning.mesh_labelling import MeshLabelling
-from ..workflow.learning.solver_labelling import ERROR, SIZE, SolverLabelling
+from ..workflow.learning.solver_labelling import ERROR, SolverLabelling
 from ..workflow.meshing.gmsh_program import gmsh_program
 from ..workflow.solving.calculix_program import calculix_program
 
@@ -159,8 +160,8 @@ def label_by_meshing(library, profile=DEFAULT_PROFILE, limits=LABELLING_LIMITS, 
                   report, overwrite, inputs)
 
 
-def label_by_solver(library, profile=DEFAULT_PROFILE, limits=LABELLING_LIMITS, *, size=SIZE, size_mm=None, error=ERROR,
-                    output=None, control=None, report=None, overwrite=False, inputs=()):
+def label_by_solver(library, profile=DEFAULT_PROFILE, limits=LABELLING_LIMITS, *, size=AUTOMATIC_SHARE, size_mm=None,
+                    error=ERROR, output=None, control=None, report=None, overwrite=False, inputs=()):
     """Label the classified parts of a library without a person: by the error of the automatic mesh, from CalculiX.
 
     Normal is a part whose first six elastic frequencies by the automatic mesh, tetrahedra of second order by Gmsh, are

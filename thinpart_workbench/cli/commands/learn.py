@@ -2,8 +2,9 @@
 
 import argparse
 
-from ...api.learning import ERROR, LABELLING_LIMITS, SIZE, export_labels, label_by_meshing, label_by_solver, learn
+from ...api.learning import ERROR, LABELLING_LIMITS, export_labels, label_by_meshing, label_by_solver, learn
 from ...core.analysis_settings import DEFAULT_PROFILE
+from ...core.descriptors.automatic_mesh import AUTOMATIC_SHARE
 from ...core.errors import ThinPartError
 from ...core.foreign_text import json_text, printable
 from ...core.kinds.file_marks import LABELS, PROFILE
@@ -37,7 +38,7 @@ def add_arguments(parser):
     size = parser.add_mutually_exclusive_group()
     size.add_argument("--mesh-size", type=float, metavar="SHARE",
                       help="with --from-solver: greatest size of the elements, as a share of the diagonal "
-                           f"(default: {SIZE:g})")
+                           f"(default: {AUTOMATIC_SHARE:g})")
     size.add_argument("--mesh-size-mm", type=float, metavar="MM", help="with --from-solver: the same in mm")
     parser.add_argument("--error", type=float, metavar="SHARE",
                         help="with --from-solver: error of the frequencies up to which a mesh is right "

@@ -4,6 +4,7 @@ import os
 from dataclasses import dataclass
 
 from ...core.categories import NORMAL
+from ...core.descriptors.automatic_mesh import AUTOMATIC_SHARE
 from ...core.kinds.value_kinds import Number, OrNull, Text, Whole
 from ...core.mesh.tetrahedra import POOR, radius_ratios, surface_share
 from ...core.message import message
@@ -11,9 +12,6 @@ from ...storage.exchange.msh_file import read_tetrahedra
 from ...system.process_limits import WALL_FACTOR
 from ..meshing.gmsh_program import mesh_volume, stated_error
 from .automatic_labels import LOCAL, SPREAD, THIN, THIN_FEATURES, AutomaticLabel, Labelling
-
-SIZE = 0.1
-"""Greatest size of elements, as a share of the diagonal: Gmsh's own default."""
 
 
 @dataclass(frozen=True)
@@ -54,12 +52,13 @@ class MeshLabelling(Labelling):
 
     def key(self):
         """list: limits too, since what took too long might not with others."""
-        return ["2", self.gmsh[1], SIZE, POOR, self.seconds]
+        return ["2", self.gmsh[1], AUTOMATIC_SHARE, POOR, self.seconds]
 
     def measured(self, shape, diagonal, folder):
         """dict"""
         mesh = os.path.join(folder, "part.msh")
-        reason, text = mesh_volume(self.gmsh[0], [shape], mesh, self.seconds, folder, ("-clmax", repr(SIZE * diagonal)))
+        reason, text = mesh_volume(
+            self.gmsh[0], [shape], mesh, self.seconds, folder, ("-clmax", repr(AUTOMATIC_SHARE * diagonal)))
         if reason:
             return _unmeshed(reason)
         points, tetrahedra = read_tetrahedra(mesh)

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Optional
 
 from ...core.categories import NORMAL
+from ...core.descriptors.automatic_mesh import AUTOMATIC_SHARE
 from ...core.errors import ThinPartError
 from ...core.figures import Share
 from ...core.kinds.value_kinds import Flag, Number, OneOf, OrNull, Text, Whole
@@ -13,7 +14,6 @@ from ..solving.automatic_mesh import (
     NO_MESH,
     NOT_SOLVED,
     OTHER_WAYS,
-    SIZE,
     SOLVED,
     UNKNOWN,
     AutomaticMesh,
@@ -57,7 +57,7 @@ class SolverLabelling(Labelling):
     gmsh: tuple
     calculix: tuple
     seconds: float
-    size: float = SIZE
+    size: float = AUTOMATIC_SHARE
     size_mm: Optional[float] = None
     error: float = ERROR
 

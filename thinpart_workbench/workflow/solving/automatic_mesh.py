@@ -8,13 +8,11 @@ from typing import Optional
 
 import numpy as np
 
+from ...core.descriptors.automatic_mesh import AUTOMATIC_SHARE
 from ...core.message import message
 from ...storage.exchange.msh_file import read_tetrahedra
 from ..meshing.gmsh_program import mesh_volume, stated_error
 from .elastic_frequencies import COUNT, elastic_frequencies
-
-SIZE = 0.1
-"""Greatest size of elements of the automatic mesh, as a share of the diagonal: Gmsh's own default."""
 
 FINER = (0.5, 0.7)
 """Ratios of sizes of one reference mesh to the one before: of the first, and of those that follow."""
@@ -144,8 +142,8 @@ def automatic_mesh_error(shape, diagonal, gmsh, calculix, limits, folder, size=N
 
 
 def element_size(diagonal, size=None):
-    """The greatest size of elements, float: as asked for, but at most `SIZE` of the diagonal: Gmsh makes none larger."""
-    return SIZE * diagonal if size is None else min(size, SIZE * diagonal)
+    """The greatest size of elements, float: as asked for, but at most `AUTOMATIC_SHARE`, since Gmsh makes none larger."""
+    return AUTOMATIC_SHARE * diagonal if size is None else min(size, AUTOMATIC_SHARE * diagonal)
 
 
 def largest_change(frequencies, reference):
