@@ -7,6 +7,7 @@ from scipy.spatial.transform import Rotation
 
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
 from thinpart_workbench.core.descriptors.descriptor_table import Descriptors
+from thinpart_workbench.core.descriptors.local_distribution import local_distribution
 from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 from thinpart_workbench.core.rays.inward_rays import InwardRays
 from thinpart_workbench.core.thickness.local_thickness import local_thickness
@@ -107,6 +108,11 @@ def test_quantiles_and_shares_agree():
         value = measured.value(name)
         assert measured.local.share(0.0, value - 0.011) <= share <= measured.local.share(0.0, value + 0.011) + 1e-9
     assert measured.value("L[0;1]") == pytest.approx(1.0)
+
+
+def test_a_ball_as_large_as_the_box_is_no_larger_by_rounding():
+    local = local_distribution(np.array([1.0, 1.0 + 1e-8]), np.ones(2), 1.0)
+    assert max(local.quantiles.values()) == 1.0 and local.share(0.0, 1.0) == pytest.approx(1.0)
 
 
 def test_pairs_have_no_local_thickness():

@@ -89,12 +89,13 @@ def test_faces_that_meet_at_less_than_30_degrees_are_a_knifes_edge(degrees, leng
 
 def test_a_groove_is_no_knifes_edge():
     import FreeCAD
+    import Part
 
-    groove = wedge(20)
-    groove.translate(FreeCAD.Vector(10, 10, -10))
-    block = box(100, 40, 30)
-    cut = block.cut(groove.mirror(FreeCAD.Vector(29, 0, 0), FreeCAD.Vector(1, 0, 0)))
-    assert cut.Volume < block.Volume - 100
+    half = 30 * math.tan(math.radians(10))
+    corners = [FreeCAD.Vector(x, y, -10) for x, y in ((50, 20), (50 + half, 50), (50 - half, 50), (50, 20))]
+    groove = Part.Face(Part.makePolygon(corners)).extrude(FreeCAD.Vector(0, 0, 50))
+    cut = box(100, 40, 30).cut(groove)
+    assert cut.Volume == pytest.approx(100 * 40 * 30 - 20 * 20 * math.tan(math.radians(10)) * 30)
     assert hazards(cut)["knife_edges"] == 0.0
 
 

@@ -51,7 +51,7 @@ def local_distribution(thickness, area, middle):
     middle : float, mm
         D2.
     """
-    x, share = thickness / middle, area / area.sum()
+    x, share = np.minimum(thickness / middle, 1.0), area / area.sum()  # a ball fits in the box, apart from rounding
     number = np.floor((x + TOLERANCES.bin_edge) * MIDDLE_BINS).astype(np.int64)
     per_bin = np.bincount(np.minimum(number, MIDDLE_BINS - 1), share, MIDDLE_BINS)
     order = np.argsort(x, kind="stable")
