@@ -49,6 +49,11 @@ class SurfaceSamples:
         """Number of samples."""
         return len(self.points)
 
+    def chosen(self, which):
+        """Some of these samples, by their numbers: `SurfaceSamples`."""
+        return SurfaceSamples(self.points[which], self.triangle[which], self.area[which],
+                              None if self.normals is None else self.normals[which])
+
     def followed_by(self, other):
         """These samples and then those of another `SurfaceSamples`."""
         return SurfaceSamples(

@@ -118,16 +118,16 @@ class LargestBalls:
             report_progress(report, 0.3 + 0.7 * start / len(balls))
         report_progress(report, 1.0)
 
-    def centres(self, balls):
-        """Centres of some balls: ndarray of shape (k, 3)."""
-        return (np.take(self.points, balls, axis=1) + self.radius[balls] * np.take(self.inward, balls, axis=1)).T
+    @property
+    def centres(self):
+        """ndarray of shape (m, 3), mm."""
+        return (self.points + self.radius * self.inward).T
 
     def bound_by_rays(self):
         """Bound balls by what lies opposite along the normals of the facets."""
         distance, opposite = self._rays.first_hits(self._samples, INNER)
         met = np.flatnonzero(opposite >= 0)
-        along = self._mesh.normals[self._samples.triangle[met]]
-        there = self._samples.points[met] - distance[met, None] * along
+        there = self._samples.points[met] - distance[met, None] * self._samples.normals_on(self._mesh)[met]
         self._bound_by_points(met, opposite[met], self._lifted(opposite[met], there))
 
     def bound_by_walls(self, distance, opposite):
@@ -209,26 +209,28 @@ class LargestBalls:
         """Shrink balls to triangles: pairs, ndarrays of shape (k,), int64, of which a ball may have many."""
         other = np.flatnonzero(triangle != self._samples.triangle[ball])
         ball, triangle = ball[other], triangle[other]
-        radius = np.minimum(self.radius[ball], self._rays.tree.extent)
-        lift, found = np.zeros(len(ball)), np.zeros(len(ball), dtype=bool)
-        corners, facet = self._rays.corners(triangle).transpose(2, 1, 0), np.take(self._facets, triangle, axis=1)
+        extent = self._rays.tree.extent
+        radius, is_found = np.minimum(self.radius, extent), np.zeros(len(self.radius), dtype=bool)
+        corners = np.ascontiguousarray(self._rays.corners(triangle).transpose(2, 1, 0))
+        facet, lift = np.take(self._facets, triangle, axis=1), np.zeros(len(ball))
         point, inward = np.take(self.points, ball, axis=1), np.take(self.inward, ball, axis=1)
-        active = np.arange(len(ball))
         for step in range(_STEPS):
-            own, up, start, along = corners[:, :, active], facet[:, active], point[:, active], inward[:, active]
+            own = radius[ball]
             # Instead of the facet, the ball is moved by the height that the surface had in the step before.
-            weights = closest_weights(start + radius[active] * along - lift[active] * up, own)
-            height = self._surface.heights_at(triangle[active], weights)
-            there = own[:, 0] * weights[0] + own[:, 1] * weights[1] + own[:, 2] * weights[2] + height * up
-            through = _radius(there - start, along)
-            smaller = through < radius[active] * (1.0 - _SAME)
-            radius[active[smaller]], found[active[smaller]] = through[smaller], True
-            moved = (np.abs(height - lift[active]) > _SAME * self._rays.tree.extent) & (step < _LIFTS)
-            lift[active] = height
-            active = active[smaller | moved]
+            weights = closest_weights(point + own * inward - lift * facet, corners)
+            height = self._surface.heights_at(triangle, weights)
+            there = corners[:, 0] * weights[0] + corners[:, 1] * weights[1] + corners[:, 2] * weights[2] + height * facet
+            through = _radius(there - point, inward)
+            smaller = through < own * (1.0 - _SAME)
+            np.minimum.at(radius, ball[smaller], through[smaller])
+            is_found[ball[smaller]] = True
+            # A triangle outside a ball is outside every smaller one that touches the surface at the same point.
+            active = np.flatnonzero(smaller | (np.abs(height - lift) > _SAME * extent) & (step < _LIFTS))
             if not len(active):
                 break
-        np.minimum.at(self.radius, ball[found], radius[found])
+            ball, triangle, lift = ball[active], triangle[active], height[active]
+            point, inward, facet, corners = point[:, active], inward[:, active], facet[:, active], corners[:, :, active]
+        self.radius[is_found] = radius[is_found]
 
 
 def _radius(away, inward):
