@@ -22,6 +22,10 @@ from benchmarks.meshing_tables import family_of
 from benchmarks.table_text import Table, markdown
 from thinpart_workbench.api.mesh_sizes import MESH_SECONDS, MeshRequest, SizeProgress, mesh_sizes
 from thinpart_workbench.core.analysis_limits import Limits
+from thinpart_workbench.core.sizing.sizing_settings import SizingSettings
+
+LAYERS = SizingSettings(order=1, growth=1.4)
+"""Two layers of linear elements in thin walls."""
 
 COLUMNS = ("parts", "no mesh at one size", "of these meshed as proposed", "no mesh as proposed",
            "poor elements at one size", "as proposed", "share of thin walls with layers", "elements", "of a uniform mesh",
@@ -61,7 +65,8 @@ def main():
 def meshed_parts(options):
     """The records of the parts of a folder, list of dict; where a run is interrupted, the next goes on."""
     parts, limits = [], Limits(jobs=options.jobs)
-    for outcome in mesh_sizes(options.folder, MeshRequest(check=True, mesh_seconds=options.mesh_timeout), limits=limits,
+    request = MeshRequest(LAYERS, check=True, mesh_seconds=options.mesh_timeout)
+    for outcome in mesh_sizes(options.folder, request, limits=limits,
                               progress=SizeProgress(counted=lambda outcome, _: print(outcome["file"], file=sys.stderr))):
         parts += outcome.get("parts", ())
     return parts

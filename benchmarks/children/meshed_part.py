@@ -69,7 +69,7 @@ class _PartMeshes:
         self._category, self._seconds, self._folder = record["category"], seconds, folder
         diagonal = self._measurement.descriptors.box.diagonal
         limit = classify(self._measurement.descriptors, profile).thin_limit_x * diagonal
-        settings = SizingSettings()
+        settings = SizingSettings(order=1, growth=1.4)  # layers are compared
         self._proposal = propose_sizes(self._measurement, limit, settings, only_chosen=self._category == NORMAL)
         # Layers are counted for all meshes at the same places, also where none were asked for.
         *places, _ = thin_places(self._measurement, self._proposal)

@@ -383,6 +383,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Ein mitgeliefertes Profil bleibt, wie es ist: unter anderem Namen speichern</translation>
     </message>
     <message>
+        <source>A shell would take about {} triangles.</source>
+        <translation>Eine Schale bräuchte etwa {} Dreiecke.</translation>
+    </message>
+    <message>
         <source>A smaller share of the surface counts as none, because single rays may stray</source>
         <translation>Ein kleinerer Anteil der Oberfläche zählt als keiner, weil einzelne Strahlen danebengehen können</translation>
     </message>
@@ -403,8 +407,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Etwa {} Elemente als Volumen.</translation>
     </message>
     <message>
-        <source>About {} elements, of {} to {}.</source>
-        <translation>Etwa {} Elemente, von {} bis {}.</translation>
+        <source>About {} nodes ({} elements), of {} to {}, for an error of {} in deflections and frequencies. CalculiX takes about {} s for six frequencies.</source>
+        <translation>Etwa {} Knoten ({} Elemente), von {} bis {}, für einen Fehler von {} in Verformungen und Frequenzen. CalculiX braucht für sechs Frequenzen etwa {} s.</translation>
+    </message>
+    <message>
+        <source>About {} nodes ({} elements), of {} to {}.</source>
+        <translation>Etwa {} Knoten ({} Elemente), von {} bis {}.</translation>
+    </message>
+    <message>
+        <source>About {} nodes: more than most analyses need.</source>
+        <translation>Etwa {} Knoten: mehr, als die meisten Berechnungen brauchen.</translation>
     </message>
     <message>
         <source>Accuracy</source>
@@ -469,6 +481,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>An unexpected error occurred ({}): try again, and if it happens again, report it with FreeCAD's log.</source>
         <translation>Ein unerwarteter Fehler ist aufgetreten ({}): Versuchen Sie es noch einmal, und melden Sie es mit FreeCADs Protokoll, wenn es wieder geschieht.</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>Analyse</translation>
     </message>
     <message>
         <source>Angle between neighbouring facets of a curved face</source>
@@ -899,6 +915,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Gleiche Verhältnisse der Dicke liegen gleich weit auseinander, sodass dünne Wände mehr von den Farben bekommen</translation>
     </message>
     <message>
+        <source>Error aimed at</source>
+        <translation>Angestrebter Fehler</translation>
+    </message>
+    <message>
         <source>Error of probabilities</source>
         <translation>Fehler der Wahrscheinlichkeiten</translation>
     </message>
@@ -1047,8 +1067,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Aus {} Profilen, jedes ohne einige Bauteile gelernt und an diesen erprobt. Alle Bauteile liegen in einem Ordner und können ähnlich sein: Die Zahlen sind zu gut. In Klammern: Intervalle von 95 %.</translation>
     </message>
     <message>
-        <source>Gmsh made no mesh ({}): try fewer layers, a smaller largest size, or switch a wall off. Nothing was changed.</source>
-        <translation>Gmsh hat kein Netz erzeugt ({}): Versuchen Sie weniger Schichten oder eine kleinere größte Größe, oder schalten Sie eine Wand aus. Nichts wurde geändert.</translation>
+        <source>Gmsh made no mesh ({}): try another error or fewer layers, a smaller largest size, or switch a wall off. Nothing was changed.</source>
+        <translation>Gmsh hat kein Netz erzeugt ({}): Versuchen Sie einen anderen Fehler oder weniger Schichten oder eine kleinere größte Größe, oder schalten Sie eine Wand aus. Nichts wurde geändert.</translation>
     </message>
     <message>
         <source>Gmsh meshes {}</source>
@@ -1277,6 +1297,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Linear deflection</source>
         <translation>Lineare Abweichung</translation>
+    </message>
+    <message>
+        <source>Linear elements are far too stiff in thin walls.</source>
+        <translation>Lineare Elemente sind in dünnen Wänden viel zu steif.</translation>
     </message>
     <message>
         <source>Linear triangles are far too stiff in CalculiX.</source>
@@ -1517,6 +1541,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Number of files of a folder that are measured at the same time</source>
         <translation>Dateien eines Ordners, die gleichzeitig gemessen werden</translation>
+    </message>
+    <message>
+        <source>OK also makes an analysis, if there is none</source>
+        <translation>OK legt auch eine Analyse an, falls es keine gibt</translation>
+    </message>
+    <message>
+        <source>Of deflections and frequencies, with quadratic elements. It decides the sizes.</source>
+        <translation>Der Verformungen und Frequenzen, mit quadratischen Elementen. Er bestimmt die Größen.</translation>
     </message>
     <message>
         <source>On every save</source>
@@ -1863,6 +1895,14 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Wählen Sie ein Bauteil in der Liste.</translation>
     </message>
     <message>
+        <source>Set "Most elements", or a larger error.</source>
+        <translation>Setzen Sie „Höchstzahl der Elemente“ oder einen größeren Fehler.</translation>
+    </message>
+    <message>
+        <source>Set "Most elements", or fewer layers.</source>
+        <translation>Setzen Sie „Höchstzahl der Elemente“ oder weniger Schichten.</translation>
+    </message>
+    <message>
         <source>Set &amp;mesh size…</source>
         <translation>&amp;Netzweite festlegen…</translation>
     </message>
@@ -2009,6 +2049,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Starting to measure {}</source>
         <translation>Messung von {} beginnt</translation>
+    </message>
+    <message>
+        <source>Steel (replace it)</source>
+        <translation>Stahl (zu ersetzen)</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -2169,6 +2213,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>The least wall; another one is a limit of your own</source>
         <translation>Die kleinste Wand; eine andere ist eine eigene Grenze</translation>
+    </message>
+    <message>
+        <source>The limit costs accuracy: {} would take about {} elements.</source>
+        <translation>Die Höchstzahl kostet Genauigkeit: {} bräuchten etwa {} Elemente.</translation>
     </message>
     <message>
         <source>The limit costs layers: all walls would take about {} elements.</source>
@@ -2559,6 +2607,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Grund: {}</translation>
     </message>
     <message>
+        <source>With CalculiX as its solver, and steel, which you replace. Supports and loads are yours to add.</source>
+        <translation>Mit CalculiX als Löser und Stahl, den Sie ersetzen. Lagerungen und Lasten fügen Sie selbst hinzu.</translation>
+    </message>
+    <message>
         <source>Without the check mark, a wall stays solid and is not in the shell.</source>
         <translation>Ohne Häkchen bleibt eine Wand Volumen und ist nicht in der Schale.</translation>
     </message>
@@ -2691,6 +2743,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Elementgröße {}</translation>
     </message>
     <message>
+        <source>error aimed at: {}, elements: {}</source>
+        <translation>angestrebter Fehler: {}, Elemente: {}</translation>
+    </message>
+    <message>
         <source>excluded: {}</source>
         <translation>ausgeschlossen: {}</translation>
     </message>
@@ -2743,6 +2799,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>es ist das aktive Dokument selbst</translation>
     </message>
     <message>
+        <source>layers instead</source>
+        <translation>stattdessen Schichten</translation>
+    </message>
+    <message>
         <source>layers: {}, elements: {}</source>
         <translation>Lagen: {}, Elemente: {}</translation>
     </message>
@@ -2773,6 +2833,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>min {}</source>
         <translation>min. {}</translation>
+    </message>
+    <message>
+        <source>more than {}</source>
+        <translation>mehr als {}</translation>
     </message>
     <message>
         <source>no</source>
@@ -3362,6 +3426,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>--bands nimmt eine Zahl von 0, für stufenlose Farben, bis 64.</translation>
     </message>
     <message>
+        <source>--error decides the sizes of elements of second order: leave out --layers and --order 1.</source>
+        <translation>--error bestimmt die Größen von Elementen zweiter Ordnung: Lassen Sie --layers und --order 1 weg.</translation>
+    </message>
+    <message>
         <source>--keep goes with --check, which shows what works.</source>
         <translation>--keep gehört zu --check, das zeigt, was sich bewährt.</translation>
     </message>
@@ -3914,6 +3982,14 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Nennen Sie, was geschrieben werden soll: --png DATEI, --vtp DATEI oder --ply DATEI.</translation>
     </message>
     <message>
+        <source>Netgen failed</source>
+        <translation>Netgen ist gescheitert</translation>
+    </message>
+    <message>
+        <source>Netgen took too long</source>
+        <translation>Netgen hat zu lange gebraucht</translation>
+    </message>
+    <message>
         <source>No criterion holds: its walls are thick all over.</source>
         <translation>Kein Kriterium ist erfüllt: Die Wände sind überall dick.</translation>
     </message>
@@ -4332,6 +4408,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>The element size of a shell is more than 0 mm, not {value:g}.</source>
         <translation>Die Elementgröße einer Schale ist größer als 0 mm, nicht {value:g}.</translation>
+    </message>
+    <message>
+        <source>The error aimed at is from {least:g} to {most:g} %, not {value:g} %.</source>
+        <translation>Der angestrebte Fehler liegt zwischen {least:g} und {most:g} %, nicht bei {value:g} %.</translation>
     </message>
     <message>
         <source>The error of its mesh is not known ({reason}).</source>
@@ -4906,6 +4986,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>ein Block seiner Elemente ist leer</translation>
     </message>
     <message>
+        <source>a larger error, a fifth of the elements</source>
+        <translation>ein größerer Fehler, ein Fünftel der Elemente</translation>
+    </message>
+    <message>
         <source>a number in it is too long</source>
         <translation>eine Zahl darin ist zu lang</translation>
     </message>
@@ -4998,6 +5082,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Quader gleich lang</translation>
     </message>
     <message>
+        <source>by Netgen, since Gmsh does not mesh it</source>
+        <translation>mit Netgen, da Gmsh es nicht vernetzt</translation>
+    </message>
+    <message>
         <source>byte {place} is not text in Unicode</source>
         <translation>Byte {place} ist kein Text in Unicode</translation>
     </message>
@@ -5072,6 +5160,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>fine</source>
         <translation>fein</translation>
+    </message>
+    <message>
+        <source>finer at short edges and narrow faces</source>
+        <translation>feiner an kurzen Kanten und schmalen Flächen</translation>
     </message>
     <message>
         <source>finer where Gmsh failed</source>

@@ -383,6 +383,10 @@ Son volume est inconnu.</translation>
         <translation>Un profil fourni avec ThinPart reste inchangé : enregistrez sous un autre nom</translation>
     </message>
     <message>
+        <source>A shell would take about {} triangles.</source>
+        <translation>Une coque demanderait environ {} triangles.</translation>
+    </message>
+    <message>
         <source>A smaller share of the surface counts as none, because single rays may stray</source>
         <translation>Une part plus petite de la surface compte pour nulle, car des rayons isolés peuvent s’égarer</translation>
     </message>
@@ -403,8 +407,16 @@ Son volume est inconnu.</translation>
         <translation>Environ {} éléments en volume.</translation>
     </message>
     <message>
-        <source>About {} elements, of {} to {}.</source>
-        <translation>Environ {} éléments, de {} à {}.</translation>
+        <source>About {} nodes ({} elements), of {} to {}, for an error of {} in deflections and frequencies. CalculiX takes about {} s for six frequencies.</source>
+        <translation>Environ {} nœuds ({} éléments), de {} à {}, pour une erreur de {} sur les déformations et les fréquences. CalculiX prend environ {} s pour six fréquences.</translation>
+    </message>
+    <message>
+        <source>About {} nodes ({} elements), of {} to {}.</source>
+        <translation>Environ {} nœuds ({} éléments), de {} à {}.</translation>
+    </message>
+    <message>
+        <source>About {} nodes: more than most analyses need.</source>
+        <translation>Environ {} nœuds : plus que n'en demandent la plupart des calculs.</translation>
     </message>
     <message>
         <source>Accuracy</source>
@@ -469,6 +481,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>An unexpected error occurred ({}): try again, and if it happens again, report it with FreeCAD's log.</source>
         <translation>Une erreur inattendue s’est produite ({}) : réessayez et, si cela se reproduit, signalez-le avec le journal de FreeCAD.</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>Analyse</translation>
     </message>
     <message>
         <source>Angle between neighbouring facets of a curved face</source>
@@ -899,6 +915,10 @@ Son volume est inconnu.</translation>
         <translation>Des rapports d'épaisseur égaux sont également espacés, si bien que les parois minces reçoivent plus de couleurs</translation>
     </message>
     <message>
+        <source>Error aimed at</source>
+        <translation>Erreur visée</translation>
+    </message>
+    <message>
         <source>Error of probabilities</source>
         <translation>Erreur des probabilités</translation>
     </message>
@@ -1047,8 +1067,8 @@ Son volume est inconnu.</translation>
         <translation>De {} profils, chacun appris sans certaines pièces et essayé sur celles-ci. Toutes les pièces sont dans un seul dossier et peuvent se ressembler : les chiffres sont trop bons. Entre parenthèses : intervalles à 95 %.</translation>
     </message>
     <message>
-        <source>Gmsh made no mesh ({}): try fewer layers, a smaller largest size, or switch a wall off. Nothing was changed.</source>
-        <translation>Gmsh n'a produit aucun maillage ({}) : essayez moins de couches, une plus petite taille maximale, ou désactivez une paroi. Rien n'a été modifié.</translation>
+        <source>Gmsh made no mesh ({}): try another error or fewer layers, a smaller largest size, or switch a wall off. Nothing was changed.</source>
+        <translation>Gmsh n'a produit aucun maillage ({}) : essayez une autre erreur ou moins de couches, une plus petite taille maximale, ou désactivez une paroi. Rien n'a été modifié.</translation>
     </message>
     <message>
         <source>Gmsh meshes {}</source>
@@ -1277,6 +1297,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Linear deflection</source>
         <translation>Déflexion linéaire</translation>
+    </message>
+    <message>
+        <source>Linear elements are far too stiff in thin walls.</source>
+        <translation>Les éléments linéaires sont beaucoup trop raides dans les parois minces.</translation>
     </message>
     <message>
         <source>Linear triangles are far too stiff in CalculiX.</source>
@@ -1517,6 +1541,14 @@ Son volume est inconnu.</translation>
     <message>
         <source>Number of files of a folder that are measured at the same time</source>
         <translation>Fichiers d’un dossier mesurés en même temps</translation>
+    </message>
+    <message>
+        <source>OK also makes an analysis, if there is none</source>
+        <translation>OK crée aussi une analyse, s’il n’y en a pas</translation>
+    </message>
+    <message>
+        <source>Of deflections and frequencies, with quadratic elements. It decides the sizes.</source>
+        <translation>Sur les déformations et les fréquences, avec des éléments quadratiques. Elle détermine les tailles.</translation>
     </message>
     <message>
         <source>On every save</source>
@@ -1863,6 +1895,14 @@ Son volume est inconnu.</translation>
         <translation>Sélectionnez une pièce dans la liste.</translation>
     </message>
     <message>
+        <source>Set "Most elements", or a larger error.</source>
+        <translation>Réglez « Nombre maximal d'éléments », ou une erreur plus grande.</translation>
+    </message>
+    <message>
+        <source>Set "Most elements", or fewer layers.</source>
+        <translation>Réglez « Nombre maximal d'éléments », ou moins de couches.</translation>
+    </message>
+    <message>
         <source>Set &amp;mesh size…</source>
         <translation>Fixer la taille de &amp;maille…</translation>
     </message>
@@ -2009,6 +2049,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Starting to measure {}</source>
         <translation>Début de la mesure de {}</translation>
+    </message>
+    <message>
+        <source>Steel (replace it)</source>
+        <translation>Acier (à remplacer)</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -2169,6 +2213,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>The least wall; another one is a limit of your own</source>
         <translation>La paroi minimale ; une autre est une limite personnelle</translation>
+    </message>
+    <message>
+        <source>The limit costs accuracy: {} would take about {} elements.</source>
+        <translation>La limite coûte de la précision : {} demanderaient environ {} éléments.</translation>
     </message>
     <message>
         <source>The limit costs layers: all walls would take about {} elements.</source>
@@ -2559,6 +2607,10 @@ Son volume est inconnu.</translation>
         <translation>Raison : {}</translation>
     </message>
     <message>
+        <source>With CalculiX as its solver, and steel, which you replace. Supports and loads are yours to add.</source>
+        <translation>Avec CalculiX comme solveur et de l’acier, que vous remplacez. Les appuis et les charges restent à ajouter.</translation>
+    </message>
+    <message>
         <source>Without the check mark, a wall stays solid and is not in the shell.</source>
         <translation>Sans coche, une paroi reste en volume et n’est pas dans la coque.</translation>
     </message>
@@ -2691,6 +2743,10 @@ Son volume est inconnu.</translation>
         <translation>taille d'élément {}</translation>
     </message>
     <message>
+        <source>error aimed at: {}, elements: {}</source>
+        <translation>erreur visée : {}, éléments : {}</translation>
+    </message>
+    <message>
         <source>excluded: {}</source>
         <translation>exclue : {}</translation>
     </message>
@@ -2743,6 +2799,10 @@ Son volume est inconnu.</translation>
         <translation>c’est le document actif lui-même</translation>
     </message>
     <message>
+        <source>layers instead</source>
+        <translation>des couches à la place</translation>
+    </message>
+    <message>
         <source>layers: {}, elements: {}</source>
         <translation>couches : {}, éléments : {}</translation>
     </message>
@@ -2773,6 +2833,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>min {}</source>
         <translation>min. {}</translation>
+    </message>
+    <message>
+        <source>more than {}</source>
+        <translation>plus de {}</translation>
     </message>
     <message>
         <source>no</source>
@@ -3362,6 +3426,10 @@ Son volume est inconnu.</translation>
         <translation>--bands prend un nombre de 0, pour des couleurs continues, à 64.</translation>
     </message>
     <message>
+        <source>--error decides the sizes of elements of second order: leave out --layers and --order 1.</source>
+        <translation>--error détermine les tailles d'éléments du second ordre : omettez --layers et --order 1.</translation>
+    </message>
+    <message>
         <source>--keep goes with --check, which shows what works.</source>
         <translation>--keep va avec --check, qui montre ce qui marche.</translation>
     </message>
@@ -3914,6 +3982,14 @@ Son volume est inconnu.</translation>
         <translation>Indiquez ce qui est à écrire : --png FICHIER, --vtp FICHIER ou --ply FICHIER.</translation>
     </message>
     <message>
+        <source>Netgen failed</source>
+        <translation>Netgen a échoué</translation>
+    </message>
+    <message>
+        <source>Netgen took too long</source>
+        <translation>Netgen a mis trop de temps</translation>
+    </message>
+    <message>
         <source>No criterion holds: its walls are thick all over.</source>
         <translation>Aucun critère n’est rempli : ses parois sont épaisses partout.</translation>
     </message>
@@ -4332,6 +4408,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>The element size of a shell is more than 0 mm, not {value:g}.</source>
         <translation>La taille d’élément d’une coque est supérieure à 0 mm, et non {value:g}.</translation>
+    </message>
+    <message>
+        <source>The error aimed at is from {least:g} to {most:g} %, not {value:g} %.</source>
+        <translation>L'erreur visée va de {least:g} à {most:g} %, et non {value:g} %.</translation>
     </message>
     <message>
         <source>The error of its mesh is not known ({reason}).</source>
@@ -4906,6 +4986,10 @@ Son volume est inconnu.</translation>
         <translation>un bloc de ses éléments est vide</translation>
     </message>
     <message>
+        <source>a larger error, a fifth of the elements</source>
+        <translation>une erreur plus grande, un cinquième des éléments</translation>
+    </message>
+    <message>
         <source>a number in it is too long</source>
         <translation>un nombre y est trop long</translation>
     </message>
@@ -4998,6 +5082,10 @@ Son volume est inconnu.</translation>
         <translation>boîte aussi longue</translation>
     </message>
     <message>
+        <source>by Netgen, since Gmsh does not mesh it</source>
+        <translation>par Netgen, car Gmsh ne le maille pas</translation>
+    </message>
+    <message>
         <source>byte {place} is not text in Unicode</source>
         <translation>l'octet {place} n'est pas du texte Unicode</translation>
     </message>
@@ -5072,6 +5160,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>fine</source>
         <translation>fine</translation>
+    </message>
+    <message>
+        <source>finer at short edges and narrow faces</source>
+        <translation>plus fin sur les arêtes courtes et les faces étroites</translation>
     </message>
     <message>
         <source>finer where Gmsh failed</source>

@@ -1,6 +1,7 @@
 """Element sizes of parts whose walls are known, the size field, its boxes, and measures of volume meshes."""
 
 import itertools
+from dataclasses import replace
 
 import made_meshes
 import numpy as np
@@ -18,6 +19,9 @@ from thinpart_workbench.core.sizing.sizing_settings import SizingSettings, divis
 from thinpart_workbench.core.thickness.measurement import measure
 
 RNG = np.random.default_rng(7)
+
+LAYERED = SizingSettings(order=1, growth=1.4)
+"""Two layers of elements of first order in thin walls."""
 
 
 def measured(vertices, triangles, faces=None):
@@ -48,7 +52,7 @@ def test_a_plate_has_elements_that_give_it_the_wanted_layers(plate):
     coarser = propose_sizes(plate, 10.0, SizingSettings(layers=1))
     # The rims of the plate are narrow faces.
     assert coarser.least_size == pytest.approx(2.0, rel=0.05) and coarser.elements < proposal.elements / 7
-    assert propose_sizes(plate, 10.0, SizingSettings(order=2)).layers == 1.0
+    assert propose_sizes(plate, 10.0, SizingSettings(order=2, error=None)).layers == 1.0
 
 
 def test_each_element_is_counted_for_one_region():
@@ -75,33 +79,33 @@ def test_the_estimate_is_the_volume_by_that_of_an_element(plate):
 def test_elements_larger_than_a_wall_is_thick_are_flat_and_as_many_as_its_area_asks_for(plate):
     """Gmsh makes 7.1 to 8.2 for each square of a plate or tube from a quarter of its thickness on."""
     for size in (2.0, 4.0, 8.0):
-        found = propose_sizes(plate, 0.0, SizingSettings(size=size)).elements
+        found = propose_sizes(plate, 0.0, replace(LAYERED, size=size)).elements
         assert found == pytest.approx(7.2 * 100 * 80 / size ** 2, rel=0.15)
 
 
 def test_only_chosen_walls_ask_for_sizes(ribbed):
     """As in a part that is called normal."""
-    free = propose_sizes(ribbed, 5.0, SizingSettings())
+    free = propose_sizes(ribbed, 5.0, LAYERED)
     number = free.regions[0].number
-    none = propose_sizes(ribbed, 5.0, SizingSettings(), only_chosen=True)
+    none = propose_sizes(ribbed, 5.0, LAYERED, only_chosen=True)
     assert none.is_uniform and not none.regions and none.left_out == len(free.regions) and free.left_out == 0
-    off = propose_sizes(ribbed, 5.0, SizingSettings(), {number: None}, only_chosen=True)
+    off = propose_sizes(ribbed, 5.0, LAYERED, {number: None}, only_chosen=True)
     assert off.is_uniform and off.left_out == none.left_out
-    chosen = propose_sizes(ribbed, 5.0, SizingSettings(), {number: 1.0}, only_chosen=True)
+    chosen = propose_sizes(ribbed, 5.0, LAYERED, {number: 1.0}, only_chosen=True)
     region, = chosen.regions
     assert region.number == number and region.size == pytest.approx(1.0) and chosen.left_out == none.left_out - 1
 
 
 def test_a_part_without_thin_walls_has_one_size():
     block = measured(*made_meshes.box(100, 80, 60))
-    proposal = propose_sizes(block, 10.0, SizingSettings())
+    proposal = propose_sizes(block, 10.0, LAYERED)
     diagonal = block.descriptors.box.diagonal
     assert proposal.is_uniform and proposal.least_size == proposal.global_size == pytest.approx(0.1 * diagonal)
     assert not proposal.regions and proposal.layers == 0.0
 
 
 def test_only_the_thin_wall_is_fine(ribbed):
-    proposal = propose_sizes(ribbed, 5.0, SizingSettings())
+    proposal = propose_sizes(ribbed, 5.0, LAYERED)
     size = 3.0 / divisions_of(2)
     on_rib, below = np.array([[30.0, 30.0, 50.0]]), np.array([[5.0, 5.0, 50.0]])
     low, high = ribbed.field.mesh.vertices.min(axis=0), ribbed.field.mesh.vertices.max(axis=0)
@@ -118,8 +122,8 @@ def test_a_narrow_face_asks_for_elements_as_small_as_it_is():
     """A thin plate with a chamfer of 0.2 mm along one edge."""
     outline = [(0, 0), (100, 0), (100, 1.8), (99.8, 2.0), (0, 2.0)]
     vertices, triangles = made_meshes.prism(outline, 80)
-    with_chamfer = propose_sizes(measured(vertices, triangles), 10.0, SizingSettings())
-    without = propose_sizes(measured(*made_meshes.box(100, 80, 2)), 10.0, SizingSettings())
+    with_chamfer = propose_sizes(measured(vertices, triangles), 10.0, LAYERED)
+    without = propose_sizes(measured(*made_meshes.box(100, 80, 2)), 10.0, LAYERED)
     assert with_chamfer.least_size < 0.3 < without.least_size
 
 
@@ -138,26 +142,27 @@ def test_a_budget_is_kept_and_says_what_it_costs(ribbed, budget):
 def test_a_budget_is_saved_first_where_a_knife_edge_takes_most_of_the_elements():
     """A plate of 2 mm, 100 long, that ends in a blade of 0.05 mm; the walls that are not the blade keep their layers."""
     bladed = measured(*made_meshes.prism([(0, 0), (2, 0), (2, 100), (0.05, 102), (0, 102)], 80))
-    free = propose_sizes(bladed, 10.0, SizingSettings())
+    free = propose_sizes(bladed, 10.0, LAYERED)
     coarser = without_thinnest(bladed, free)
     assert coarser.elements < 0.5 * free.elements and coarser.layers == free.layers == 2.0
     between = (coarser.elements + free.elements) // 2
-    found = propose_sizes(bladed, 10.0, SizingSettings(budget=between))
+    found = propose_sizes(bladed, 10.0, replace(LAYERED, budget=between))
     assert 0.9 * between < found.elements <= between and found.layers == 2.0 and found.unbounded.elements == free.elements
     assert 0.05 < found.layered_from < coarser.layered_from
-    found = propose_sizes(bladed, 10.0, SizingSettings(budget=coarser.elements // 3))
+    found = propose_sizes(bladed, 10.0, replace(LAYERED, budget=coarser.elements // 3))
     assert found.elements <= coarser.elements // 3 and 0.0 < found.layers < 2.0
     assert found.layered_from == coarser.layered_from
 
 
 def test_walls_of_one_thickness_have_no_thinnest(plate, ribbed):
     for part in (plate, ribbed):
-        free = propose_sizes(part, 10.0, SizingSettings())
+        free = propose_sizes(part, 10.0, LAYERED)
         assert without_thinnest(part, free) is None and free.layered_from == 0.0
 
 
-@pytest.mark.parametrize("wrong", [{"order": 3}, {"layers": 0.0}, {"layers": float("nan")}, {"layers": 1e9}, {"growth": 1.0},
-                                   {"growth": float("inf")}, {"size": 0.0}, {"size": float("nan")}, {"budget": 0}])
+@pytest.mark.parametrize("wrong", [
+    {"order": 3}, {"error": 0.0}, {"error": 0.3}, {"error": float("nan")}, {"layers": 0.0}, {"layers": float("nan")},
+    {"layers": 1e9}, {"growth": 1.0}, {"growth": float("inf")}, {"size": 0.0}, {"size": float("nan")}, {"budget": 0}])
 def test_settings_out_of_range_are_refused(wrong):
     with pytest.raises(ThinPartError) as refused:
         SizingSettings(**wrong)
@@ -251,7 +256,7 @@ def test_nodes_on_the_surface():
 
 
 def test_a_large_thin_plate_takes_few_boxes_and_keeps_its_size(plate):
-    proposal = propose_sizes(plate, 10.0, SizingSettings())
+    proposal = propose_sizes(plate, 10.0, LAYERED)
     mesh, inner = plate.field.mesh, proposal.inner.points.reshape(-1, 3)
     boxes = size_boxes(proposal.field, *(end(mesh.vertices, axis=0) + mesh.origin for end in (np.min, np.max)), inner)
     assert len(boxes.sizes) < 5000
@@ -262,5 +267,5 @@ def test_a_large_thin_plate_takes_few_boxes_and_keeps_its_size(plate):
 
 
 def test_points_within_a_part_have_its_volume(ribbed):
-    inner = propose_sizes(ribbed, 5.0, SizingSettings()).inner
+    inner = propose_sizes(ribbed, 5.0, LAYERED).inner
     assert inner.volumes.sum() == pytest.approx(ribbed.descriptors.volume, rel=1e-9)

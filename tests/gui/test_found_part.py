@@ -162,8 +162,9 @@ def test_mesh_settings_are_fields_and_what_they_cannot_show_is_kept(library):
     settings = window.widget("ThinPart_MeshSettings")
     for row in range(settings.rowCount()):
         shown[settings.item(row, 0).text()] = settings.item(row, 1).text()
-    assert shown == {"Largest size, mm": "2.5", "Layers in thin walls": "3", "Order of the elements": "", "Growth": "",
-                     "Most elements": "", "algorithm": "HXT", "zones": "2 entries", "optimised": "yes", "": ""}
+    assert shown == {"Largest size, mm": "2.5", "Error aimed at": "", "Layers in thin walls": "3",
+                     "Order of the elements": "", "Growth": "", "Most elements": "", "algorithm": "HXT",
+                     "zones": "2 entries", "optimised": "yes", "": ""}
     assert "{" not in "".join(shown.values()) and window.widget("ThinPart_KeptMesh").text() == ""
     assert not window.widget("ThinPart_KeepNotes").isEnabled()
     set_mesh("layers", "")

@@ -37,6 +37,13 @@ def open_panel():
     window.wait_until(lambda: window.is_shown("ThinPart_MeshEstimate") or window.text("ThinPart_Message"))
 
 
+def ask_for_layers():
+    """Two layers of linear elements in thin walls, in place of an error that is aimed at."""
+    estimate = window.text("ThinPart_MeshEstimate")
+    window.widget("ThinPart_MeshOrder").setCurrentIndex(0)
+    window.wait_until(lambda: window.text("ThinPart_MeshEstimate") != estimate)
+
+
 def meshes(document):
     return [each for each in document.Objects if each.isDerivedFrom("Fem::FemMeshObject")]
 
@@ -57,6 +64,7 @@ def test_ok_makes_the_fem_mesh_in_one_step_of_undo_and_again_updates_it(document
     document.UndoMode = 1
     feature = part(document)
     open_panel()
+    ask_for_layers()
     table = window.widget("ThinPart_WallSizes")
     assert [row["thickness"] for row in table.rows] == [pytest.approx(2.0, rel=0.02)]
     steps = document.UndoCount
@@ -78,6 +86,7 @@ def test_ok_makes_the_fem_mesh_in_one_step_of_undo_and_again_updates_it(document
     assert meshes(document) == [] and regions(document) == [] and feature.Visibility
     document.redo()
     open_panel()
+    ask_for_layers()
     window.edit_cell("ThinPart_WallSizes", 0, 1, "2.5")
     press_ok()
     window.wait_until(lambda: open_session() is None)
@@ -122,9 +131,80 @@ def test_colours_of_sizes_are_not_read_by_the_colour_bar_of_a_thickness_map(docu
     window.wait_until(lambda: has_bar(document))
 
 
+def aim():
+    """The error that is aimed at; None where layers are chosen."""
+    return window.widget("ThinPart_MeshAim").currentData()
+
+
+def set_aim(text):
+    """Choose a row of the errors by its text; whether there is one."""
+    combo = window.widget("ThinPart_MeshAim")
+    combo.setCurrentIndex(combo.findText(text))
+    return combo.currentText() == text
+
+
+def elements():
+    """The sum of the walls' elements, as estimated."""
+    return sum(row["elements"] or 0 for row in window.widget("ThinPart_WallSizes").rows)
+
+
+def test_the_error_aimed_at_decides_the_sizes_and_a_smaller_one_takes_more_elements(document):
+    part(document)
+    open_panel()
+    combo = window.widget("ThinPart_MeshAim")
+    assert [combo.itemText(row) for row in range(combo.count())] == [
+        "1\u00a0%", "2\u00a0%", "5\u00a0%", "10\u00a0%", "layers instead"]
+    assert aim() == 0.02 and window.widget("ThinPart_MeshOrder").currentIndex() == 1
+    assert "for an error of 2\u00a0% in deflections and frequencies" in window.text("ThinPart_MeshEstimate")
+    found = {}
+    for percent in (10, 5, 1):
+        assert set_aim(f"{percent}\u00a0%")
+        said = f"for an error of {percent}\u00a0% in"
+        window.wait_until(lambda said=said: said in window.text("ThinPart_MeshEstimate"))
+        found[percent] = elements()
+    assert found[10] < found[5] < found[1]
+
+
+def test_layers_the_order_and_the_error_go_together(document):
+    part(document)
+    open_panel()
+    layers, order = window.widget("ThinPart_MeshLayers"), window.widget("ThinPart_MeshOrder")
+    assert not layers.isEnabled()
+    # Linear elements have no error that could be aimed at.
+    ask_for_layers()
+    assert aim() is None and layers.isEnabled() and layers.value() == 2.0
+    table = window.widget("ThinPart_WallSizes")
+    assert table.rows[0]["size"] == pytest.approx(2.0 / 2.3, rel=0.02)
+    # An error is one of quadratic elements.
+    assert set_aim("5\u00a0%")
+    assert order.currentIndex() == 1 and aim() == 0.05 and not layers.isEnabled()
+    window.wait_until(lambda: "for an error of 5\u00a0% in" in window.text("ThinPart_MeshEstimate"))
+    # Quadratic elements may be asked for by layers too: one bends by itself.
+    assert set_aim("layers instead")
+    assert order.currentIndex() == 1 and layers.isEnabled() and layers.value() == 1.0
+    window.wait_until(lambda: table.rows[0]["size"] == pytest.approx(2.0, rel=0.02))
+    assert "error" not in window.text("ThinPart_MeshEstimate")
+    order.setCurrentIndex(0)
+    order.setCurrentIndex(1)
+    assert aim() == 0.02 and not layers.isEnabled()
+
+
+def test_a_mesh_that_few_computers_solve_is_said_first(document):
+    window.add(document, "Sheet", Part.makeBox(300, 200, 2))
+    open_panel()
+    assert "more than most analyses need" not in window.text("ThinPart_MeshEstimate")
+    assert set_aim("layers instead")
+    window.widget("ThinPart_MeshLayers").setValue(3.0)
+    window.wait_until(lambda: "more than most analyses need" in window.text("ThinPart_MeshEstimate"))
+    estimate = window.text("ThinPart_MeshEstimate")
+    assert estimate.startswith("About ") and estimate.index("nodes: more than most analyses need.") < 20
+    assert "Set \"Most elements\", or fewer layers. A shell would take about" in estimate
+
+
 def test_sizes_are_edited_and_the_estimate_follows(document):
     part(document)
     open_panel()
+    ask_for_layers()
     table, before = window.widget("ThinPart_WallSizes"), window.text("ThinPart_MeshEstimate")
     window.edit_cell("ThinPart_WallSizes", 0, 2, "4")
     window.wait_until(lambda: window.text("ThinPart_MeshEstimate") != before)
@@ -140,7 +220,13 @@ def test_what_a_limit_of_the_elements_costs_is_said(document):
     outline = [V(0, 0, 0), V(2, 0, 0), V(2, 50, 0), V(0.05, 52, 0), V(0, 52, 0), V(0, 0, 0)]
     window.add(document, "Blade", Part.Face(Part.makePolygon(outline)).extrude(V(0, 0, 40)))
     open_panel()
-    assert "layers" not in window.text("ThinPart_MeshEstimate")
+    assert "limit" not in window.text("ThinPart_MeshEstimate")
+    window.widget("ThinPart_MeshBudget").setValue(500)
+    window.wait_until(lambda: "The limit costs accuracy: 2\u00a0% would take about" in window.text("ThinPart_MeshEstimate"))
+    window.widget("ThinPart_MeshBudget").setValue(0)
+    window.wait_until(lambda: "limit" not in window.text("ThinPart_MeshEstimate"))
+    ask_for_layers()
+    assert "costs layers" not in window.text("ThinPart_MeshEstimate")
     window.widget("ThinPart_MeshBudget").setValue(100_000)
     window.wait_until(lambda: "The limit costs layers: all walls would take about" in window.text("ThinPart_MeshEstimate"))
     assert "have fewer layers: they would take most of the elements." in window.text("ThinPart_MeshEstimate")
@@ -151,6 +237,7 @@ def test_what_a_limit_of_the_elements_costs_is_said(document):
 def test_the_fem_regions_have_the_sizes_of_the_mesh_also_before_a_new_estimate(document):
     part(document)
     open_panel()
+    ask_for_layers()
     window.edit_cell("ThinPart_WallSizes", 0, 1, "2.5")
     press_ok()  # at once: the estimate still says the former size
     window.wait_until(lambda: open_session() is None)
@@ -164,6 +251,8 @@ def test_a_normal_part_has_one_size_until_a_wall_is_ticked(document):
     shape = Part.makeBox(50, 40, 30).cut(Part.makeBox(6, 2, 3, V(20, 1, 27)))
     window.add(document, "Block", shape)
     open_panel()
+    assert "A normal part" not in window.text("ThinPart_MeshEstimate")  # the error aimed at asks for sizes of all parts
+    ask_for_layers()
     table = window.widget("ThinPart_WallSizes")
     assert [row["size"] for row in table.rows] == [None]
     assert window.text("ThinPart_MeshEstimate").startswith("A normal part: one size is enough.")
@@ -265,6 +354,7 @@ def test_settings_that_worked_are_kept_with_the_part_and_offered_again(document,
     window.wait_until(info.exists)
     end_session()
     open_panel()
+    ask_for_layers()
     window.widget("ThinPart_MeshLayers").setValue(1.0)
     table = window.widget("ThinPart_WallSizes")
     window.wait_until(lambda: table.rows[0]["layers"] == pytest.approx(1.0, rel=0.02))
@@ -278,12 +368,37 @@ def test_settings_that_worked_are_kept_with_the_part_and_offered_again(document,
     open_panel()
     window.wait_until(lambda: window.is_shown("ThinPart_UseMeshSettings"))
     assert "Settings that worked for this part: layers: 1" in window.text("ThinPart_MeshOffer")
-    assert window.widget("ThinPart_MeshLayers").value() == 2.0
+    assert aim() == 0.02
     window.click("ThinPart_UseMeshSettings")
     table = window.widget("ThinPart_WallSizes")
     window.wait_until(lambda: table.rows[0]["size"] == pytest.approx(1.6))
-    assert window.widget("ThinPart_MeshLayers").value() == 1.0
+    assert window.widget("ThinPart_MeshLayers").value() == 1.0 and aim() is None
+    assert window.widget("ThinPart_MeshOrder").currentIndex() == 0
     assert not window.is_shown("ThinPart_UseMeshSettings")
+
+
+@pytest.mark.timeout(180)  # the part is measured three times and meshed twice
+def test_settings_kept_with_an_error_are_offered_with_it(document, tmp_path):
+    part(document)
+    document.saveAs(str(tmp_path / "fin.FCStd"))
+    info = tmp_path / "fin.FCStd.thinpart.json"
+    window.classify()
+    window.wait_until(info.exists)
+    end_session()
+    open_panel()
+    assert set_aim("5\u00a0%")
+    press_ok()
+    window.wait_until(lambda: open_session() is None and not lifelong.requests.is_busy)
+    meshed = read_info(info)["parts"][0]["meshed"]
+    assert (meshed["error"], meshed["layers"], meshed["order"]) == (0.05, None, 2)
+    assert meshed["elements"] == meshes(document)[0].FemMesh.VolumeCount
+    open_panel()
+    window.wait_until(lambda: window.is_shown("ThinPart_UseMeshSettings"))
+    assert "Settings that worked for this part: error aimed at: 5\u00a0%" in window.text("ThinPart_MeshOffer")
+    assert aim() == 0.02
+    window.click("ThinPart_UseMeshSettings")
+    window.wait_until(lambda: "for an error of 5\u00a0% in" in window.text("ThinPart_MeshEstimate"))
+    assert aim() == 0.05 and not window.widget("ThinPart_MeshLayers").isEnabled()
 
 
 @pytest.mark.timeout(120)  # the part is measured twice, and a library is read

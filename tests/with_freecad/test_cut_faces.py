@@ -5,7 +5,7 @@ import pytest
 
 from thinpart_workbench.core.errors import ThinPartError
 from thinpart_workbench.freecad_adapter.mid_surface.bridges import spread_points
-from thinpart_workbench.freecad_adapter.mid_surface.cut_faces import FEW, StepLimit, faces_cut
+from thinpart_workbench.freecad_adapter.mid_surface.cut_faces import FEW, TimeLimit, faces_cut
 
 
 def grid(count):
@@ -43,9 +43,9 @@ def test_one_face_stays_as_it_is():
 
 def test_what_takes_too_long_is_refused_with_a_sentence():
     with pytest.raises(ThinPartError, match="takes too long.*: mesh it as a solid") as refused:
-        faces_cut(grid(150), 1e-4, seconds=1.0)
+        faces_cut(grid(150), 1e-4, TimeLimit(1.0))
     assert refused.value.kind == "no_shell"
-    limit = StepLimit(0.0)
+    limit = TimeLimit(0.0)
     with pytest.raises(ThinPartError, match="takes too long"):
         sum(range(10**5))
         limit.check()

@@ -81,7 +81,9 @@ def test_the_script_opens_the_mended_part_and_gives_its_mesh(joined, tmp_path):
     assert "Meshed: faces that lie on each other taken out" in thinpart("size", joined, "--check").stdout
 
 
-def test_a_slender_bar_that_fails_at_one_size_gets_sizes_all_over(tmp_path):
+@pytest.fixture
+def bar(tmp_path):
+    """A slender one with a hole in each end."""
     import FreeCAD
     import Part
 
@@ -89,8 +91,12 @@ def test_a_slender_bar_that_fails_at_one_size_gets_sizes_all_over(tmp_path):
     for place, way in ((0, 1), (360, -1)):
         bar = bar.cut(Part.makeCylinder(1.6, 15, FreeCAD.Vector(0, 0, place), FreeCAD.Vector(0, 0, way)))
     bar.exportStep(str(tmp_path / "bar.step"))
+    return tmp_path / "bar.step"
+
+
+def test_a_slender_bar_that_fails_at_one_size_gets_sizes_all_over(bar):
     # As large as a tenth of the diagonal, elements are four times as long as the bar is thick.
-    (line,), run = lines(tmp_path / "bar.step", "--check", "--profile", "calibrated")
+    (line,), run = lines(bar, "--check", "--profile", "calibrated", "--order", 1)
     assert run.returncode == 0, run.stderr
     default, proposed = line["check"]["default"], line["check"]["proposed"]
     if default["elements"]:  # some versions of Gmsh mesh it: then it stays as it was
@@ -98,8 +104,18 @@ def test_a_slender_bar_that_fails_at_one_size_gets_sizes_all_over(tmp_path):
     else:
         assert proposed["elements"] > 500 and proposed["poor_share"] < 0.03
         assert line["least_size"] < 4.0 and line["layers"] == 0.0 and line["regions"] == []
-        assert "since it is not meshed at one size" in thinpart("size", tmp_path / "bar.step", "--check", "--profile",
-                                                                "calibrated").stdout
+        assert "since it is not meshed with larger ones" in thinpart("size", bar, "--check", "--profile", "calibrated",
+                                                                     "--order", 1).stdout
+
+
+def test_where_elements_for_a_large_error_cross_a_bar_they_get_no_larger_than_it_is_thick(bar):
+    """Some versions of Gmsh get lost between facets that cross, in an endless loop."""
+    (line,), run = lines(bar, "--check", "--error", 10, "--mesh-timeout", 5)
+    assert run.returncode == 0, run.stderr
+    proposed = line["check"]["proposed"]
+    assert proposed["elements"] > 100 and line["order"] == 2
+    assert (line["error"] is None) == any(each["what"] == "no element larger than the part is thick there"
+                                          for each in proposed["tries"])
 
 
 HXT = {"Mesh.Algorithm3D": 10}
@@ -110,8 +126,12 @@ def tries_of(measurement, folder, **settings):
                      str(folder))
 
 
+LAYERED = {"order": 1, "growth": 1.4}
+"""Two layers of elements of first order in thin walls."""
+
+
 def test_a_mesh_that_takes_too_long_is_tried_in_a_quicker_way_and_then_with_a_fifth_of_the_elements(tmp_path):
-    tries = tries_of(measure(surface_mesh(*made_meshes.box(100, 80, 2)), AnalysisSettings()), tmp_path)
+    tries = tries_of(measure(surface_mesh(*made_meshes.box(100, 80, 2)), AnalysisSettings()), tmp_path, **LAYERED)
     proposal, quicker = tries.first.proposal, tries.after(tries.first, TIMEOUT, "")
     assert tries.first.options == {} and quicker.options == HXT and quicker.proposal is proposal
     fewer = tries.after(quicker, TIMEOUT, "")
@@ -122,24 +142,44 @@ def test_a_mesh_that_takes_too_long_is_tried_in_a_quicker_way_and_then_with_a_fi
 
 def test_many_elements_are_made_in_the_quicker_way_at_first(tmp_path):
     plate = measure(surface_mesh(*made_meshes.box(300, 200, 2)), AnalysisSettings())
-    tries = tries_of(plate, tmp_path)
+    tries = tries_of(plate, tmp_path, **LAYERED)
     assert tries.first.proposal.elements > 400_000 and tries.first.options == HXT
     other = tries.after(tries.first, "Gmsh should be compiled with Hxt to enable that option",
                         "Error   : Gmsh should be compiled with Hxt to enable that option")
     assert other.options == {} and other.proposal is tries.first.proposal
-    assert tries_of(plate, tmp_path).after(tries.first, "Invalid boundary mesh", "").options == {}
+    assert tries_of(plate, tmp_path, **LAYERED).after(tries.first, "Invalid boundary mesh", "").options == {}
 
 
 def test_a_knife_edge_that_takes_too_many_elements_gets_fewer_layers_and_the_walls_keep_theirs(tmp_path):
     """A plate of 2 mm, 100 long, that has a blade of 0.05 mm and 2 mm on one side."""
     blade = [(0, 0), (2, 0), (2, 100), (0.05, 102), (0, 102)]
-    tries = tries_of(measure(surface_mesh(*made_meshes.prism(blade, 80)), AnalysisSettings()), tmp_path)
+    tries = tries_of(measure(surface_mesh(*made_meshes.prism(blade, 80)), AnalysisSettings()), tmp_path, **LAYERED)
     quicker = tries.first if tries.first.options else tries.after(tries.first, TIMEOUT, "")
     proposal, coarser = quicker.proposal, tries.after(quicker, TIMEOUT, "")
     assert coarser.proposal.elements < 0.5 * proposal.elements and coarser.proposal.layers == 2.0
     assert coarser.proposal.least_size > 2.0 * proposal.least_size and 0.05 < coarser.proposal.layered_from <= 2.01
     fewer = tries.after(coarser, TIMEOUT, "")
     assert fewer is None or fewer.proposal.elements <= proposal.elements / 5
+
+
+def test_where_few_elements_for_an_error_take_too_long_they_get_no_larger_than_the_part_is_thick(tmp_path):
+    tries = tries_of(measure(surface_mesh(*made_meshes.box(200, 8, 8)), AnalysisSettings()), tmp_path, error=0.1)
+    first = tries.first.proposal
+    smaller = tries.after(tries.first, TIMEOUT, "")
+    assert first.error == 0.1 and first.least_size > 8.0 >= smaller.proposal.field.at(first.inner.points[0]).max()
+    assert smaller.proposal.elements > first.elements and smaller.proposal.error is None
+    quicker = tries.after(smaller, TIMEOUT, "")
+    assert quicker.options == HXT and quicker.proposal is smaller.proposal
+
+
+def test_many_elements_for_an_error_get_fewer_and_the_error_is_said(tmp_path):
+    block = measure(surface_mesh(*made_meshes.box(100, 80, 60)), AnalysisSettings())
+    tries = tries_of(block, tmp_path, error=0.005, size=3.0)
+    first = tries.first.proposal
+    assert first.elements > 20_000
+    fewer = tries.after(tries.after(tries.first, TIMEOUT, ""), TIMEOUT, "")
+    assert fewer.what == "a larger error, a fifth of the elements" and fewer.proposal.elements <= first.elements / 5
+    assert fewer.proposal.error > first.error == 0.005 and fewer.proposal.layered_from == 0.0
 
 
 def test_a_crash_is_tried_once_more_in_another_way(tmp_path):
@@ -180,9 +220,35 @@ def test_settings_that_worked_are_kept_and_taken_for_a_part_alike(library):
     assert line["global_size"] == pytest.approx(12.0, rel=1e-3)  # as large by the part
 
 
+def test_an_error_that_worked_is_kept_and_taken_for_a_part_alike(library):
+    known, new = library / "library" / "library.step", library / "new" / "new.step"
+    _, run = lines(known, "--check", "--keep", "--error", 5)
+    assert run.returncode == 0, run.stderr
+    meshed = read_info(library / "library" / "library.step.thinpart.json")["parts"][0]["meshed"]
+    assert (meshed["error"], meshed["layers"], meshed["order"]) == (0.05, None, 2)
+    (line,), _ = lines(new, "--like", library / "library")
+    assert (line["error"], line["order"]) == (0.05, 2)
+    # What is said beside it counts.
+    (line,), _ = lines(new, "--like", library / "library", "--error", 1)
+    assert line["error"] == 0.01
+    (line,), _ = lines(new, "--like", library / "library", "--layers", 2)
+    assert (line["error"], line["wanted_layers"], line["order"]) == (None, 2.0, 2)
+
+
+def test_an_error_counts_beside_layers_of_elements_of_first_order_that_worked(library):
+    known, new = library / "library" / "library.step", library / "new" / "new.step"
+    _, run = lines(known, "--check", "--keep", "--order", 1)
+    assert run.returncode == 0, run.stderr
+    (line,), _ = lines(new, "--like", library / "library")
+    assert (line["error"], line["order"], line["wanted_layers"]) == (None, 1, 2.0)
+    (line,), _ = lines(new, "--like", library / "library", "--error", 5)
+    assert (line["error"], line["order"]) == (0.05, 2)
+
+
 def test_without_settings_it_says_so_and_goes_on(library):
     run = thinpart("size", library / "new" / "new.step", "--like", library / "library")
     assert run.returncode == 0 and "has mesh settings that worked: the usual ones are used" in run.stdout
+    assert "for an error of 2 % in deflections and frequencies" in run.stdout
 
 
 @pytest.mark.parametrize("arguments, sentence", [

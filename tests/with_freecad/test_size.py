@@ -13,12 +13,24 @@ import pytest
 from program import SAMPLES, thinpart
 
 from thinpart_workbench.api.mesh_sizes import MeshRequest, SizeProgress, mesh_sizes
+from thinpart_workbench.core.analysis_settings import AnalysisSettings
 from thinpart_workbench.core.errors import ThinPartError
+from thinpart_workbench.core.judging.criteria import load_profile
+from thinpart_workbench.core.sizing.size_proposal import propose_sizes
 from thinpart_workbench.core.sizing.sizing_settings import SizingSettings
+from thinpart_workbench.freecad_adapter.reading.part_files import read_parts
 from thinpart_workbench.storage.exchange.msh_file import read_tetrahedra
+from thinpart_workbench.workflow.analysis.analyse_part import analyse_part
+from thinpart_workbench.workflow.meshing.gmsh_program import mesh_volume
+from thinpart_workbench.workflow.meshing.mesh_check import MESH, checked_sizes
+from thinpart_workbench.workflow.solving.elastic_frequencies import COUNT, elastic_frequencies
 from thinpart_workbench.workflow.workers.reported_failure import reported_failure
 
 pytestmark = pytest.mark.skipif(shutil.which("gmsh") is None, reason="gmsh is not installed")
+
+
+LAYERED = "--layers", 2, "--order", 1
+"""Elements through thin walls decide the sizes, not an error that is aimed at."""
 
 
 @pytest.fixture(autouse=True)
@@ -53,8 +65,8 @@ def lines():
 
 
 def test_a_thin_part_is_meshed_better_and_has_its_layers(parts, lines):
-    (line,), run = lines(parts / "bracket.step", "--check")
-    assert run.returncode == 0 and line["category"] == "thin"
+    (line,), run = lines(parts / "bracket.step", "--check", *LAYERED)
+    assert run.returncode == 0 and line["category"] == "thin" and line["error"] is None
     default, proposed = line["check"]["default"], line["check"]["proposed"]
     assert proposed["layers_share"] > 0.9 > 0.5 > default["layers_share"]
     assert proposed["poor_share"] < 0.01 and proposed["gamma_mean"] > default["gamma_mean"]
@@ -67,24 +79,24 @@ def test_a_thin_part_is_meshed_better_and_has_its_layers(parts, lines):
     assert "sources" not in line
 
 
-def test_a_part_without_thin_walls_stays_as_it_was(parts, lines):
-    (line,), run = lines(parts / "block.brep", "--check")
+def test_with_layers_a_part_without_thin_walls_stays_as_it_was(parts, lines):
+    (line,), run = lines(parts / "block.brep", "--check", *LAYERED)
     assert run.returncode == 0 and line["check"]["default"] == line["check"]["proposed"]
     assert line["least_size"] == line["global_size"] and line["regions"] == []
 
 
-def test_a_normal_part_stays_as_it_was_though_it_has_a_thin_wall(lines, tmp_path):
+def test_with_layers_a_normal_part_stays_as_it_was_though_it_has_a_thin_wall(lines, tmp_path):
     import FreeCAD
     import Part
 
     file = tmp_path / "groove.brep"
     Part.makeBox(50, 40, 30).cut(Part.makeBox(6, 2, 3, FreeCAD.Vector(20, 1, 27))).exportBrep(str(file))
-    (line,), _ = lines(file, "--check")
+    (line,), _ = lines(file, "--check", *LAYERED)
     assert line["category"] == "normal" and line["left_out"] == 1 and line["regions"] == []
     assert line["check"]["default"] == line["check"]["proposed"] and line["least_size"] == line["global_size"]
-    told = thinpart("size", file).stdout
+    told = thinpart("size", file, *LAYERED).stdout
     assert "a thin wall of this normal part is meshed as the rest (--all-walls gives it layers)" in told
-    (line,), _ = lines(file, "--all-walls")
+    (line,), _ = lines(file, "--all-walls", *LAYERED)
     assert line["left_out"] == 0 and [row["layers"] for row in line["regions"]] == [pytest.approx(2.0, rel=0.05)]
 
 
@@ -104,7 +116,7 @@ def test_a_script_of_many_elements_has_the_quicker_method(parts, tmp_path):
 
     Part.makeBox(300, 200, 2).exportBrep(str(tmp_path / "sheet.brep"))
     for file, has_option in ((tmp_path / "sheet.brep", True), (parts / "bracket.step", False)):
-        assert thinpart("size", file, "--geo", tmp_path / "sizes.geo").returncode == 0
+        assert thinpart("size", file, "--geo", tmp_path / "sizes.geo", *LAYERED).returncode == 0
         assert ("Mesh.Algorithm3D = 10;" in (tmp_path / "sizes.geo").read_text()) == has_option
 
 
@@ -116,12 +128,12 @@ def test_a_document_is_opened_by_hand(tmp_path):
 
 
 def test_a_budget_is_kept_by_the_mesh(parts, lines):
-    (free,), _ = lines(parts / "bracket.step")
+    (free,), _ = lines(parts / "bracket.step", *LAYERED)
     budget = free["elements"] // 4
-    (line,), _ = lines(parts / "bracket.step", "--budget", budget, "--check")
+    (line,), _ = lines(parts / "bracket.step", "--budget", budget, "--check", *LAYERED)
     assert line["elements"] <= budget and line["unbounded"]["elements"] == free["elements"]
     assert line["check"]["proposed"]["elements"] <= 1.35 * budget
-    text = thinpart("size", parts / "bracket.step", "--budget", budget).stdout
+    text = thinpart("size", parts / "bracket.step", "--budget", budget, *LAYERED).stdout
     assert "The budget costs layers: 2 layers in all thin walls would take about" in text
 
 
@@ -129,14 +141,117 @@ def test_a_budget_is_kept_where_the_wall_is_a_thousand_times_smaller_than_the_pa
     import Part
 
     Part.makeBox(600, 400, 0.6).exportBrep(str(tmp_path / "foil.brep"))
-    (line,), run = lines(tmp_path / "foil.brep", "--budget", 20_000, "--check")
+    (line,), run = lines(tmp_path / "foil.brep", "--budget", 20_000, "--check", *LAYERED)
     assert run.returncode == 0 and 0 < line["elements"] <= 20_000 < 1_000_000 < line["unbounded"]["elements"]
     assert 0 < line["check"]["proposed"]["elements"] <= 1.1 * 20_000
 
 
 def test_elements_of_second_order_need_one_layer(parts, lines):
-    (line,), _ = lines(parts / "bracket.step", "--order", 2, "--check")
-    assert line["wanted_layers"] == 1.0 and line["check"]["proposed"]["elements"] > 0
+    (line,), _ = lines(parts / "bracket.step", "--layers", 1, "--check")
+    proposed = line["check"]["proposed"]
+    assert (line["order"], line["wanted_layers"], line["error"]) == (2, 1.0, None)
+    assert proposed["layers_share"] > 0.9 and proposed["nodes"] > proposed["elements"]
+
+
+def test_the_error_that_is_aimed_at_decides_the_sizes(parts, lines):
+    found = {}
+    for error in (1, 2, 10):
+        (found[error],), run = lines(parts / "bracket.step", "--error", error, "--check")
+        assert run.returncode == 0 and found[error]["error"] == pytest.approx(0.01 * error) and found[error]["order"] == 2
+    for finer, coarser in ((found[1], found[2]), (found[2], found[10])):
+        assert finer["nodes"] > coarser["nodes"] and finer["least_size"] < coarser["least_size"]
+        assert finer["check"]["proposed"]["nodes"] > coarser["check"]["proposed"]["nodes"]
+    (usual,), _ = lines(parts / "bracket.step")
+    assert usual["error"] == SizingSettings.error == 0.02 and usual["nodes"] == found[2]["nodes"]
+    assert "for an error of 10 % in deflections and frequencies" in thinpart(
+        "size", parts / "bracket.step", "--error", 10).stdout
+
+
+@pytest.mark.parametrize("file", ["bracket.step", "block.brep"])
+def test_nodes_and_elements_are_about_as_many_as_estimated(parts, lines, file):
+    (line,), _ = lines(parts / file, "--check")
+    proposed = line["check"]["proposed"]
+    for key in ("nodes", "elements"):
+        assert proposed[key] == pytest.approx(line[key], rel=0.5)
+    assert proposed["nodes"] > 1.3 * proposed["elements"] > 0
+
+
+def test_a_budget_costs_accuracy_and_that_is_said(parts, lines):
+    (free,), _ = lines(parts / "bracket.step")
+    budget = free["elements"] // 3
+    (line,), run = lines(parts / "bracket.step", "--budget", budget, "--check")
+    assert run.returncode == 0 and line["elements"] <= budget and line["unbounded"]["nodes"] == free["nodes"]
+    assert line["error"] > free["error"] and line["check"]["proposed"]["elements"] <= 1.35 * budget
+    text = thinpart("size", parts / "bracket.step", "--budget", budget).stdout
+    assert f"The budget costs accuracy: without it, about {free['nodes']:,} nodes" in text
+
+
+def test_a_part_of_one_size_is_not_filled_with_elements_as_small_as_its_holes(perforated, lines):
+    """At one size and without a field, Gmsh has the sizes at holes everywhere."""
+    (line,), _ = lines(perforated, "--error", 20, "--check")
+    default, proposed = line["check"]["default"], line["check"]["proposed"]
+    assert line["least_size"] == line["global_size"]
+    assert 0 < proposed["nodes"] < 0.2 * default["nodes"]
+    assert "it needs no finer one" in thinpart("size", perforated, "--error", 20).stdout
+
+
+@pytest.fixture(scope="module")
+def perforated(tmp_path_factory):
+    """A plate with holes that are small by its elements."""
+    import FreeCAD
+    import Part
+
+    plate = Part.makeBox(60, 40, 10)
+    for place in ((12, 12), (30, 12), (48, 12), (12, 28), (30, 28), (48, 28)):
+        plate = plate.cut(Part.makeCylinder(1, 30, FreeCAD.Vector(*place, -5)))
+    file = tmp_path_factory.mktemp("perforated") / "perforated.step"
+    plate.exportStep(str(file))
+    return file
+
+
+def test_sides_that_turn_elements_inside_out_are_straightened(perforated, lines):
+    (line,), _ = lines(perforated, "--check")
+    for mesh in line["check"].values():
+        assert 0 < mesh["straightened"] < 0.3 * mesh["nodes"]
+    (line,), _ = lines(perforated, "--check", "--order", 1)
+    assert {mesh["straightened"] for mesh in line["check"].values()} == {0}
+
+
+@pytest.mark.skipif(shutil.which("ccx") is None, reason="calculix-ccx is not installed")
+def test_the_solver_takes_the_mesh_though_it_refuses_that_of_gmsh(perforated, tmp_path):
+    part, = read_parts(str(perforated)).parts
+    measurement, _ = analyse_part(part, AnalysisSettings(), load_profile())
+    shape, gmsh, folder = str(tmp_path / "part.brep"), shutil.which("gmsh"), str(tmp_path)
+    part.write_brep(shape)
+    check, _ = checked_sizes(gmsh, shape, measurement, propose_sizes(measurement, 1.0, SizingSettings()), 60.0, folder,
+                             default={"elements": 0, "reason": ""})
+    points, tetrahedra = read_tetrahedra(tmp_path / MESH, 2)
+    assert check["proposed"]["straightened"] > 0 and len(points) == check["proposed"]["nodes"]
+    diagonal = measurement.descriptors.box.diagonal
+    found, reason = elastic_frequencies(points, tetrahedra, diagonal, shutil.which("ccx"), 60.0, folder)
+    assert reason == "" and len(found) == COUNT
+    # What Gmsh makes of the same script.
+    assert mesh_volume(gmsh, [str(tmp_path / "size.geo")], str(tmp_path / "own.msh"), 60.0, folder)[0] == ""
+    own, same = read_tetrahedra(tmp_path / "own.msh", 2)
+    assert (same == tetrahedra).all() and (own != points).any()
+    refused, reason = elastic_frequencies(own, same, diagonal, shutil.which("ccx"), 60.0, folder)
+    assert len(refused) == 0 and "nonpositive jacobian determinant" in reason
+
+
+def test_many_nodes_are_said_first_and_what_to_do(tmp_path):
+    import Part
+
+    Part.makeBox(300, 200, 2).exportBrep(str(tmp_path / "sheet.brep"))
+    first, second, *_ = thinpart("size", tmp_path / "sheet.brep", "--layers", 3).stdout.splitlines()
+    assert re.match(r"sheet.brep: .*: about \d,\d{3},\d{3} nodes, which few computers solve: --budget N takes at", first)
+    assert re.search(r"a shell \(--shell\) would take about [\d,]+ triangles\.$", first)
+    assert second.startswith("sheet.brep: ")
+    assert "few computers" not in thinpart("size", tmp_path / "sheet.brep").stdout
+
+
+def test_elements_of_first_order_are_said_to_be_too_stiff(parts):
+    assert "far too stiff in bending" in thinpart("size", parts / "bracket.step", "--order", 1).stdout
+    assert "stiff" not in thinpart("size", parts / "bracket.step").stdout
 
 
 def test_a_folder_with_a_table_and_what_fails_in_it(parts, tmp_path):
@@ -249,6 +364,10 @@ def test_without_gmsh_it_says_how_to_have_it(parts, monkeypatch, tmp_path):
     (("--layers", "0"), "Layers are from"), (("--growth", "9"), "The growth from element to element"),
     (("--size", "-1"), "The greatest element size"), (("--budget", "0"), "A budget is at least 1 element"),
     (("--geo", "sizes.msh"), "give it the ending .geo"),
+    (("--error", "0"), "The error aimed at is from 0.5 to 20 %, not 0 %."),
+    (("--error", "50"), "The error aimed at is from 0.5 to 20 %, not 50 %."),
+    (("--error", "2", "--layers", "2"), "--error decides the sizes of elements of second order: leave out --layers"),
+    (("--error", "2", "--order", "1"), "--error decides the sizes of elements of second order: leave out --layers"),
 ])
 def test_wrong_options_are_told_in_a_sentence(parts, arguments, sentence):
     run = thinpart("size", parts / "block.brep", *arguments)

@@ -10,7 +10,7 @@ import pytest
 from program import SAMPLES
 
 from thinpart_workbench.core.errors import ThinPartError
-from thinpart_workbench.storage.exchange.msh_file import read_tetrahedra
+from thinpart_workbench.storage.exchange.msh_file import read_tetrahedra, read_triangles
 from thinpart_workbench.workflow.meshing.gmsh_program import mesh_volume
 from thinpart_workbench.workflow.solving.automatic_mesh import (
     NO_MESH,
@@ -24,6 +24,7 @@ from thinpart_workbench.workflow.solving.automatic_mesh import (
 from thinpart_workbench.workflow.solving.calculix_program import CRASHED, TIMEOUT, calculix_program
 from thinpart_workbench.workflow.solving.elastic_frequencies import COUNT, SIZE, elastic_frequencies
 from thinpart_workbench.workflow.solving.mesh_trouble import has_trouble
+from thinpart_workbench.workflow.solving.tip_deflection import FORCE, tip_deflection
 
 GMSH, CALCULIX = shutil.which("gmsh"), shutil.which("ccx")
 pytestmark = pytest.mark.skipif(None in (GMSH, CALCULIX), reason="gmsh or calculix-ccx is not installed")
@@ -67,6 +68,47 @@ def test_a_slender_beam_bends_as_euler_and_bernoulli_say(beam, tmp_path):
     assert found[0] == pytest.approx(expected[0], rel=0.015)
     assert np.all(found[:6:2] <= expected), "shear and the turning of sections, which that theory leaves out, make it softer"
     assert found[1::2] == pytest.approx(found[::2], rel=2e-3), "either way, as its section is a square"
+
+
+@pytest.fixture(scope="module")
+def held_beam(tmp_path_factory):
+    """A beam of 200 x 10 x 10 mm, the triangles of its two ends, and a folder."""
+    folder = tmp_path_factory.mktemp("held")
+    points, tetrahedra = mesh(folder, 10, 200, 10, 10)
+    _, triangles, _ = read_triangles(folder / "box.msh", 2)
+    at = points[triangles][:, :, 0]
+    return points, tetrahedra, triangles[(at == 0.0).all(axis=1)], triangles[(at == 200.0).all(axis=1)], folder
+
+
+def bent(held_beam, direction, points=None):
+    own, tetrahedra, held, loaded, folder = held_beam
+    points = own if points is None else points
+    return tip_deflection(points, tetrahedra, held, loaded, np.asarray(direction, float), CALCULIX, 40, str(folder))
+
+
+@pytest.mark.parametrize("direction", [(0, 1, 0), (0, 0, -1), (0, 0.6, 0.8)])
+def test_a_cantilever_bends_as_euler_and_bernoulli_say(held_beam, direction):
+    deflection, reason = bent(held_beam, direction)
+    assert reason == ""
+    assert deflection == pytest.approx(FORCE * 200.0 ** 3 / (3.0 * YOUNG * 10.0 ** 4 / 12.0), rel=0.02)
+
+
+def test_a_cantilever_that_is_pulled_gets_longer_as_hooke_says(held_beam):
+    # A little shorter than that: the section cannot get narrower where it is held.
+    assert bent(held_beam, (1, 0, 0))[0] == pytest.approx(FORCE * 200.0 / (YOUNG * 100.0), rel=0.01)
+
+
+def test_a_deflection_grows_as_a_part_shrinks_and_depends_on_no_place(held_beam):
+    first = bent(held_beam, (0, 1, 0))[0]
+    assert bent(held_beam, (0, 1, 0), 0.1 * held_beam[0] + 7.0)[0] == pytest.approx(10.0 * first, rel=1e-4)
+
+
+def test_a_deflection_that_is_not_solved_has_a_reason(held_beam):
+    points, tetrahedra, held, loaded, folder = held_beam
+    tangled = tetrahedra.copy()
+    tangled[0] = tangled[0][[1, 0, 2, 3, 4, 6, 5, 7, 8, 9]]
+    deflection, reason = tip_deflection(points, tangled, held, loaded, np.array([0.0, 1.0, 0.0]), CALCULIX, 40, str(folder))
+    assert math.isnan(deflection) and "nonpositive jacobian determinant" in reason
 
 
 def test_a_free_square_plate_has_leissas_frequencies(tmp_path):

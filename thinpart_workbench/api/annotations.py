@@ -167,7 +167,7 @@ def keep_mesh_settings(path, part, settings, global_size, diagonal, rows, figure
 
     Examples
     --------
-    >>> settings = {"order": 2, "layers": None, "growth": 1.4, "size": None, "budget": None}
+    >>> settings = {"order": 2, "error": 0.02, "layers": None, "growth": 1.5, "size": None, "budget": None}
     >>> figures = {"elements": 900, "poor_share": 0.0, "gamma_least": 0.3, "layers_share": 1.0, "tries": []}
     >>> keep_mesh_settings(plate, None, settings, 8.0, 100.0, [], figures)["elements"]
     900

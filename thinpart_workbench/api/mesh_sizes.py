@@ -145,7 +145,7 @@ def mesh_sizes(paths, request=None, profile=DEFAULT_PROFILE, *, analysis=None, l
 
     Examples
     --------
-    >>> outcome, = mesh_sizes(plate, MeshRequest(SizingSettings(order=2)), limits=Limits(jobs=1))
+    >>> outcome, = mesh_sizes(plate, MeshRequest(SizingSettings(layers=1)), limits=Limits(jobs=1))
     >>> outcome["parts"][0]["regions"][0]["size"]
     8.0
     """
@@ -226,7 +226,7 @@ def write_size_script(path, part, file, solids=1, overwrite=False, inputs=()):
     field = SizeField(sources, part["global_size"], part["growth"])
     low, high = part["box"]
     inner = np.asarray(part["inner"], dtype=np.float64).reshape(-1, 3)
-    boxes = size_boxes(field, low, high, inner) if field.least < part["global_size"] else None
+    boxes = size_boxes(field, low, high, inner) if len(values) else None
     with writing(path):
         check_output(path, SCRIPT, overwrite, [file, *inputs])  # before a copy is made beside it
         opened, copy = _opened_by_script(path, os.path.abspath(file), part.get("mended_shape"), solids)

@@ -3,13 +3,15 @@
 import os
 
 from ..core.foreign_text import printable
+from ..core.sizing.element_estimate import MANY_NODES
+from ..core.sizing.sizing_settings import MOST_ERROR
 from ..storage.part_table import SUBJECT, TableForm
 from .terminal_table import TableColumn, category_style, print_table
 
-_MESH_KEYS = ("elements", "gamma_least", "gamma_1_percent", "gamma_mean", "sicn_least", "sicn_1_percent",
-              "sicn_mean", "poor_share", "layers_share", "seconds", "reason")
+_MESH_KEYS = ("elements", "nodes", "straightened", "gamma_least", "gamma_1_percent", "gamma_mean", "sicn_least",
+              "sicn_1_percent", "sicn_mean", "poor_share", "layers_share", "seconds", "reason")
 _PART_KEYS = ("category", "order", "wanted_layers", "layers", "layered_from", "global_size", "least_size", "thin_limit",
-              "elements", "uniform_elements")
+              "elements", "nodes", "error", "uniform_elements")
 
 _IDEALISATION_KEYS = ("advice", "plate_volume_share", "plate_area_share", "width_to_thickness", "solid_elements",
                       "shell_elements")
@@ -73,6 +75,32 @@ def print_sizes(stream, parts):
 
 def _sentences(file, part):
     name = printable(f"{os.path.basename(file)}: {part['label']}")
+    text = f"{name}: {_count(part)}, {_sizes(part)}"
+    if part["nodes"] > MANY_NODES:
+        triangles = part["idealisation"]["shell_elements"]
+        offers = ["--budget N takes at most N elements, and says what that costs"]
+        offers += [f"a shell (--shell) would take about {triangles:,} triangles"] if triangles else []
+        text = f"{name}: about {part['nodes']:,} nodes, which few computers solve: {'; '.join(offers)}.\n{text}"
+    if part["order"] == 1:
+        text += "\nElements of first order are far too stiff in bending: take their results for thin walls as too small."
+    wider = part["unbounded"]
+    if wider is not None and part["error"] is not None:
+        text += (f"\nThe budget costs accuracy: without it, about {wider['nodes']:,} nodes ({wider['elements']:,} "
+                 f"elements), from {wider['least_size']:.3g} mm.")
+    elif wider is not None and part["layers"]:
+        text += (f"\nThe budget costs layers: {wider['layers']:.3g} layers in all thin walls would take about "
+                 f"{wider['elements']:,} elements, from {wider['least_size']:.3g} mm.")
+    if part["layered_from"]:
+        text += f"\nWalls under {part['layered_from']:.3g} mm have fewer layers: they would take most of the elements."
+    return text
+
+
+def _count(part):
+    return f"about {part['nodes']:,} nodes ({part['elements']:,} elements of {('first', 'second')[part['order'] - 1]} order)"
+
+
+def _sizes(part):
+    """The sizes of a part, and why they are such, str."""
     if part["least_size"] >= part["global_size"]:
         why = "no wall is thinner than {:.4g} mm".format(part["thin_limit"])
         if part["unbounded"] is not None:
@@ -83,20 +111,20 @@ def _sentences(file, part):
             why = f"{walls} meshed as the rest (--all-walls gives {them} layers)"
         elif part["regions"] or _was_changed(part):
             why = "nothing finer is meshed"
-        return (f"{name}: one element size of {part['global_size']:.4g} mm, about {part['elements']:,} elements; {why}.")
+        elif part["error"] is not None:
+            why = f"for an error of {_percent(part['error'])} it needs no finer one"
+        return f"of one size, {part['global_size']:.4g} mm; {why}."
+    sizes = f"from {part['least_size']:.3g} to {part['global_size']:.4g} mm"
+    if part["error"] is not None:
+        return f"{sizes}, for an error of {_percent(part['error'])} in deflections and frequencies."
     if not part["layers"]:
-        return (f"{name}: elements from {part['least_size']:.3g} mm where it is curved or slender to "
-                f"{part['global_size']:.4g} mm, since it is not meshed at one size; about {part['elements']:,} elements.")
-    text = (f"{name}: elements from {part['least_size']:.3g} mm in thin walls to {part['global_size']:.4g} mm, "
-            f"{part['layers']:.3g} layers in walls under {part['thin_limit']:.4g} mm; about {part['elements']:,} elements "
-            f"(one size of {part['least_size']:.3g} mm everywhere: {part['uniform_elements']:,}).")
-    wider = part["unbounded"]
-    if wider is not None:
-        text += (f"\nThe budget costs layers: {wider['layers']:.3g} layers in all thin walls would take about "
-                 f"{wider['elements']:,} elements, from {wider['least_size']:.3g} mm.")
-    if part["layered_from"]:
-        text += f"\nWalls under {part['layered_from']:.3g} mm have fewer layers: they would take most of the elements."
-    return text
+        return f"{sizes}: small where it is curved or slender, since it is not meshed with larger ones."
+    return (f"{sizes}, {part['layers']:.3g} layers in walls under {part['thin_limit']:.4g} mm (one size of "
+            f"{part['least_size']:.3g} mm everywhere: {part['uniform_elements']:,} elements).")
+
+
+def _percent(share):
+    return f"{100.0 * share:.2g} %" if share <= MOST_ERROR else f"more than {100.0 * MOST_ERROR:.2g} %"
 
 
 _ADVICE = {"shell": "Shell or solid: a shell suits it", "mixed": "Shell or solid: shells for its walls, solids for the rest",
@@ -151,6 +179,7 @@ _REGION_COLUMNS = (
 _MESH_COLUMNS = (
     TableColumn("Mesh", lambda row: row[0]),
     TableColumn("Elements", lambda row: _outcome(row[1]), True),
+    TableColumn("Nodes", lambda row: f"{row[1]['nodes']:,}", True),
     TableColumn("Worst gamma", lambda row: _number(row[1]["gamma_least"]), True),
     TableColumn("Worst 1 %", lambda row: _number(row[1]["gamma_1_percent"]), True),
     TableColumn("Mean", lambda row: _number(row[1]["gamma_mean"]), True),
@@ -168,6 +197,7 @@ _PART_COLUMNS = (
     TableColumn("Element mm", lambda row: f"{row[1]['least_size']:.3g} to {row[1]['global_size']:.3g}", True),
     TableColumn("Layers", lambda row: _number(row[1]["layers"], 2) if row[1]["layers"] else "-", True),
     TableColumn("Elements", lambda row: f"{row[1]['elements']:,}", True),
+    TableColumn("Nodes", lambda row: f"{row[1]['nodes']:,}", True),
 )
 
 _CHECK_COLUMNS = (

@@ -92,6 +92,7 @@ ELSEWHERE = (
     "core.mesh.box_refinement",  # the least gain for which a box is turned
     "core.mesh.resolution",  # facets whose normals are turned
     "core.mesh.smooth_normals",  # creases
+    "core.mesh.second_order",  # elements that are inside out
     "core.mesh.surface_mesh",  # slits in a mesh that counts as closed
     "core.mesh.tetrahedra",  # poor tetrahedra
     "core.rays.ray_casting",  # boxes that a ray grazes
@@ -107,6 +108,7 @@ ELSEWHERE = (
     "core.shells.shell_or_solid",  # parts to be meshed as shells
     "core.shells.shell_settings",  # element sizes of shells
     "core.sizing.element_estimate",  # elements in a volume and under a surface
+    "core.sizing.error_law",  # sizes for an error of an analysis
     "core.sizing.size_boxes",  # cubes outside of the part
     "core.sizing.size_field",  # sizes that are searched together
     "core.sizing.size_proposal",  # how near to the budget a proposal has to be

@@ -44,19 +44,22 @@ from ..size_text import SIZES, print_part, print_sizes
 def add_arguments(parser):
     """Declare the options."""
     add_file_options(parser)
+    parser.add_argument("--error", type=float, metavar="PERCENT",
+                        help="the error that is aimed at, of deflections and frequencies: it decides the sizes (default: "
+                             f"{100.0 * SizingSettings.error:g})")
     parser.add_argument("--layers", type=float, metavar="N",
-                        help="elements through the thickness of a thin wall (default: {:g}; of second order {:g})".format(
-                            *LAYERS_OF_ORDER.values()))
+                        help="elements through the thickness of thin walls instead; other walls have the greatest size")
     parser.add_argument("--order", type=int, choices=tuple(LAYERS_OF_ORDER),
-                        help="order of the elements (default: 1)")
+                        help="order of the elements (default: 2); those of first order are far too stiff in thin walls, and "
+                             f"have {LAYERS_OF_ORDER[1]:g} layers there by default")
     parser.add_argument("--growth", type=float, metavar="X",
                         help=f"greatest ratio of the sizes of neighbouring elements (default: {SizingSettings.growth:g})")
     parser.add_argument("--size", type=float, metavar="MM",
                         help="greatest element size (default: a tenth of the part's diagonal)")
     parser.add_argument("--budget", type=int, metavar="N",
-                        help="at most so many elements: walls get fewer layers, and it says how many")
+                        help="at most so many elements: they get larger, and it says what that costs")
     parser.add_argument("--all-walls", action="store_true",
-                        help="layers in the thin walls of normal parts too, which otherwise have one size")
+                        help="with layers: in the thin walls of normal parts too, which otherwise have one size")
     add_output_option(parser, "--geo", mark={".geo": SCRIPT}, metavar="FILE",
                       help="write the sizes of the part as a script for Gmsh, FILE.geo, which opens the part too")
     add_output_option(parser, "--shell", mark=SHELLS, metavar="FILE",
@@ -149,8 +152,14 @@ def run(options):
 
 def _settings(options):
     """The settings, and the sizes of walls by number, that the options ask for or that worked for a part like this one."""
-    given = {"order": options.order, "layers": options.layers, "growth": options.growth, "size": options.size}
+    given = {"order": options.order, "layers": options.layers, "growth": options.growth, "size": options.size,
+             "error": None if options.error is None else 0.01 * options.error}
+    if options.error is not None and (options.layers is not None or options.order == 1):
+        raise ThinPartError(message("--error decides the sizes of elements of second order: leave out --layers and "
+                                    "--order 1."), "usage")
     if not options.like:
+        if given["error"] is None and options.layers is None:
+            given["error"] = SizingSettings.error
         given["order"] = given["order"] or SizingSettings.order
         given["growth"] = given["growth"] or SizingSettings.growth
         return SizingSettings(**given, budget=options.budget), {}
@@ -160,15 +169,19 @@ def _settings(options):
     offer = settings_that_worked(record, options.like, info_location(options.paths[0], options.info_dir))
     if offer is None:
         _say(options, no_settings(record["label"]))
-        offer = {"settings": {}, "sizes": ()}
+        offer = {"settings": {"error": SizingSettings.error}, "sizes": ()}
     else:
         _say(options, message("Settings that worked for {part} ({alike:.0f} % alike) in {file}.", part=offer["label"],
                               alike=offer["alike"], file=offer["file"]))
     known = {key: value for key, value in offer["settings"].items() if value is not None}
     wanted = {**known, **{key: value for key, value in given.items() if value is not None}}
-    if options.order not in (None, known.get("order")) and options.layers is None:
+    if options.error is not None or options.order not in (None, known.get("order")) and options.layers is None:
         wanted.pop("layers", None)  # those of the other order
-    return SizingSettings(**{**wanted, "budget": options.budget}), dict(map(tuple, offer["sizes"]))
+    if options.error is not None:
+        wanted["order"] = 2
+    if options.layers is not None:
+        wanted.pop("error", None)
+    return SizingSettings(**{"error": None, **wanted, "budget": options.budget}), dict(map(tuple, offer["sizes"]))
 
 
 def _keep(options, settings, sizes, file, part):

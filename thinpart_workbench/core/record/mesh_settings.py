@@ -15,8 +15,8 @@ def worked_settings(settings, global_size, diagonal, rows, figures, when, versio
     Parameters
     ----------
     settings : dict
-        ``order``, ``layers`` (None for those of the order), ``growth``, ``size`` (None for a tenth of the diagonal) and
-        ``budget`` (or None), of `SizingSettings`.
+        ``order``, ``error`` (aimed at, or None), ``layers`` (None for those of the order), ``growth``, ``size`` (None for a
+        tenth of the diagonal) and ``budget`` (or None), of `SizingSettings`.
     global_size, diagonal : float, mm
     rows : list of dict
         The walls: ``kind``, ``thickness``, ``size`` (None where switched off), and ``is_changed``, whether people chose it.
@@ -26,7 +26,9 @@ def worked_settings(settings, global_size, diagonal, rows, figures, when, versio
     version : str
         Of ThinPart.
     """
-    kept = {"when": when, "version": version, "order": settings["order"], "layers": settings["layers"],
+    is_by_error = settings["order"] == 2 and settings["layers"] is None
+    kept = {"when": when, "version": version, "order": settings["order"],
+            "error": settings.get("error") if is_by_error else None, "layers": settings["layers"],
             "growth": settings["growth"], "size_mm": settings["size"], "budget": settings["budget"],
             "global_size_mm": _rounded(global_size), "diagonal_mm": _rounded(diagonal),
             "walls": [{"kind": row["kind"], "thickness_mm": _rounded(row["thickness"]),
@@ -49,7 +51,8 @@ def settings_for(meshed, diagonal):
         Of the part.
     """
     size = meshed["size_mm"]
-    return {"order": meshed["order"], "layers": meshed["layers"], "growth": meshed["growth"], "budget": None,
+    return {"order": meshed["order"], "error": meshed.get("error"), "layers": meshed["layers"],
+            "growth": meshed["growth"], "budget": None,
             "size": None if size is None else _rounded(size * diagonal / meshed["diagonal_mm"])}
 
 

@@ -192,6 +192,7 @@ class MeshedRecord(TypedDict):
     when: Time
     version: Annotated[str, Text(200, about="of ThinPart")]
     order: Annotated[int, OneOf((1, 2))]
+    error: NotRequired[Annotated[Optional[Annotated[float, Number(0.0, 1.0)]], LATER]]
     layers: Optional[Annotated[float, Number(0.1, 20.0)]]
     growth: Annotated[float, Number(1.05, 3.0)]
     size_mm: Optional[Annotated[_ElementSize, Restricted(about="greatest element size; null for a tenth of the diagonal")]]

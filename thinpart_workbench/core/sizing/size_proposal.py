@@ -6,7 +6,8 @@ from typing import Optional
 
 import numpy as np
 
-from .element_estimate import elements_by_sample
+from .element_estimate import FINER, elements_by_sample, nodes_of, of_few
+from .error_law import error_at
 from .inner_points import InnerPoints, inner_points
 from .size_field import SizeField
 from .size_sources import NO_REGION, SizeSources, regions_of, size_sources
@@ -60,10 +61,11 @@ class SizeProposal:
     global_size : float, mm
         Greatest size.
     layers : float
-        Elements through a thin wall: fewer than wanted where the budget does not allow them.
+        Elements through a thin wall: fewer than wanted where the budget does not allow them. 1 for an error aimed at, 0
+        where no wall has a size.
     sources : SizeSources
-        Without any, the part has no thin wall, and all of it the global size.
-    elements : int
+        Without any, all of the part has the global size, as where layers decide and it has no thin wall.
+    elements, nodes : int
         Estimated.
     uniform_elements : int
         Estimated of a mesh that has the least size everywhere.
@@ -81,6 +83,8 @@ class SizeProposal:
         Whether no walls have sizes but those of `region_sizes`.
     left_out : int
         Thin wall regions that have no size of their own for that reason.
+    error : float or None
+        Of an analysis, expected: that aimed at, more where the budget does not allow it; None where layers decide.
     """
 
     settings: SizingSettings
@@ -89,6 +93,7 @@ class SizeProposal:
     layers: float
     sources: SizeSources
     elements: int
+    nodes: int
     uniform_elements: int
     regions: tuple
     inner: InnerPoints
@@ -97,6 +102,7 @@ class SizeProposal:
     region_sizes: Optional[dict] = None
     only_chosen: bool = False
     left_out: int = 0
+    error: Optional[float] = None
 
     @cached_property
     def field(self):
@@ -110,16 +116,16 @@ class SizeProposal:
 
     @property
     def is_uniform(self):
-        """bool: whether all of the part has the global size."""
+        """bool: whether all of the part has the global size, without a field of sizes."""
         return self.sources.count == 0
 
 
-def propose_sizes(measurement, thin_limit, settings, region_sizes=None, has_details=True, only_chosen=False):
+def propose_sizes(measurement, thin_limit, settings, region_sizes=None, has_details=None, only_chosen=False):
     """Propose element sizes for a measured part: SizeProposal.
 
     For a budget, the thinnest walls get no smaller elements than the others, where they take most of the elements: see
     `without_thinnest`. If that is not enough, all sizes are multiplied alike, up to the global size, until the estimate is
-    within the budget: so walls keep equal numbers of layers, only fewer.
+    within the budget: so walls keep equal numbers of layers, only fewer, and the error that is expected gets greater.
 
     Parameters
     ----------
@@ -129,21 +135,25 @@ def propose_sizes(measurement, thin_limit, settings, region_sizes=None, has_deta
     settings : SizingSettings
     region_sizes : dict, optional
         Sizes that people want on wall regions instead of the proposed ones: see `SizeSources.with_region_sizes`.
-    has_details : bool
-        Whether narrow faces and short edges ask for sizes too.
+    has_details : bool or None
+        Whether narrow faces and short edges ask for sizes too; None for where layers decide.
     only_chosen : bool
         Whether nothing asks for sizes but the regions to which `region_sizes` gives one: for parts that are called normal,
-        which mesh well at one size, whatever small walls they have.
+        which mesh well at one size, whatever small walls they have. For an error aimed at, all of every part has sizes.
     """
     global_size = settings.global_size(measurement.descriptors.box.diagonal)
-    wanted = size_sources(measurement, thin_limit, settings.divisions, has_details and not only_chosen).below(global_size)
+    only_chosen = only_chosen and not settings.is_by_error
+    if has_details is None:
+        has_details = not settings.is_by_error
+    asking = size_sources(measurement, thin_limit, settings, has_details and not only_chosen)
+    wanted = _bounded(asking, global_size, settings)
     left_out = 0
     if only_chosen:
         chosen = {number for number, size in (region_sizes or {}).items() if size is not None}
         left_out = len(set(wanted.region.tolist()) - chosen - {NO_REGION})
         wanted = wanted.of_regions(chosen)
     if region_sizes:
-        wanted = wanted.with_region_sizes(region_sizes).below(global_size)
+        wanted = _bounded(wanted.with_region_sizes(region_sizes), global_size, settings)
     inner = inner_points(measurement)
 
     def proposed(sources, layers, most=global_size):
@@ -165,8 +175,11 @@ def propose_sizes(measurement, thin_limit, settings, region_sizes=None, has_deta
 def without_thinnest(measurement, proposal):
     """A proposal whose elements are no smaller than all but the thinnest walls want, `THINNEST` of the thin area.
 
-    Returns a SizeProposal or None: None where that saves too little: see `WORTH`.
+    Returns a SizeProposal or None: None where that saves too little, see `WORTH`, and for an error aimed at, where the
+    thinnest places ask for no more than others anyway.
     """
+    if proposal.settings.is_by_error:
+        return None
     field = measurement.field
     thin = np.flatnonzero((field.area > 0.0) & field.parallel & (field.distance < proposal.thin_limit))
     if not len(thin):
@@ -186,11 +199,11 @@ def with_sources(measurement, proposal, sources):
     found = _proposed(measurement, proposal.thin_limit, proposal.settings, proposal.global_size, sources, proposal.layers,
                       proposal.inner)
     return replace(found, unbounded=proposal.unbounded, region_sizes=proposal.region_sizes, only_chosen=proposal.only_chosen,
-                   left_out=proposal.left_out, layered_from=proposal.layered_from)
+                   left_out=proposal.left_out, layered_from=proposal.layered_from, error=proposal.error)
 
 
 def propose_everywhere(measurement, thin_limit, settings):
-    """Propose sizes for a part without thin walls that is not meshed at one size.
+    """Propose sizes for a part that is not meshed at one size, or not with those for an error aimed at.
 
     Returns a SizeProposal: no element is larger than the part is thick there, nor than the curvature, narrow faces and short
     edges allow. It has no layers, and no regions.
@@ -202,7 +215,7 @@ def propose_everywhere(measurement, thin_limit, settings):
     settings : SizingSettings
     """
     everywhere = propose_sizes(measurement, np.inf, replace(settings, layers=1.0))
-    return replace(everywhere, settings=settings, thin_limit=thin_limit, layers=0.0, regions=())
+    return replace(everywhere, settings=settings, thin_limit=thin_limit, layers=0.0, regions=(), error=None)
 
 
 def _least_raised(proposed, settings, wanted, coarser):
@@ -226,7 +239,9 @@ def _within_budget(proposed, settings, global_size, wanted):
     for _ in range(_MOST_STEPS):
         # The number falls with about the square of the size, so halving the logarithm is quick enough.
         factor = float(np.exp(0.5 * (low + high)))
-        found = proposed(wanted.scaled(factor).below(global_size), layers_of(settings.divisions / factor))
+        found = proposed(_bounded(wanted.scaled(factor), global_size, settings), layers_of(settings.divisions / factor))
+        if settings.is_by_error:
+            found = replace(found, error=error_at(settings.error, factor))
         if found.elements > settings.budget:
             low = np.log(factor)
             continue
@@ -236,22 +251,42 @@ def _within_budget(proposed, settings, global_size, wanted):
     if best is not None:
         return best
     # Not even the global size is within it: that has to grow.
-    none = wanted.below(0.0)
-    alone = proposed(none, 0.0)
-    return alone if alone.elements <= settings.budget else proposed(
-        none, 0.0, global_size * (alone.elements / settings.budget) ** 0.5)
+    none = _bounded(wanted.scaled(np.inf), global_size, settings)
+    found, size = proposed(none, 0.0), global_size
+    if found.elements > settings.budget:
+        size *= (found.elements / settings.budget) ** 0.5
+        found = proposed(_bounded(wanted.scaled(np.inf), size, settings), 0.0, size)
+    if settings.is_by_error:
+        found = replace(found, error=error_at(settings.error, size / (wanted.sizes.min() if wanted.count else global_size)))
+    return found
+
+
+def _bounded(sources, size, settings):
+    """Sources that count beside a greatest size.
+
+    For an error aimed at, all of them: where there are none, Gmsh spreads the sizes at small holes into the volume.
+    """
+    return sources.at_most(size) if settings.is_by_error else sources.below(size)
 
 
 def _proposed(measurement, thin_limit, settings, global_size, sources, layers, inner):
     size_field, count = SizeField(sources, global_size, settings.growth), len(measurement.field.area)
+    if settings.is_by_error:
+        layers = settings.wanted_layers
     by_sample = elements_by_sample(inner, size_field, count)
     uniform = elements_by_sample(inner, SizeField(sources.below(0.0), size_field.least, settings.growth), count)
-    return SizeProposal(settings, thin_limit, global_size, layers if sources.count else 0.0, sources,
-                        max(1, round(float(by_sample.sum()))), max(1, round(float(uniform.sum()))),
-                        tuple(_region_sizes(measurement, sources, by_sample)), inner)
+    found, everywhere = float(by_sample.sum()), float(uniform.sum())
+    if settings.is_by_error:
+        faces = int(measurement.field.mesh.face_of_triangle.max()) + 1
+        found, everywhere, by_sample = of_few(found, faces), of_few(everywhere, faces), FINER * by_sample
+    elements = max(1, round(found))
+    regions = tuple(_region_sizes(measurement, sources.below(global_size), by_sample, settings.is_by_error))
+    return SizeProposal(settings, thin_limit, global_size, layers if sources.count else 0.0, sources, elements,
+                        nodes_of(elements, settings.order), max(1, round(everywhere)), regions, inner,
+                        error=settings.error if settings.is_by_error else None)
 
 
-def _region_sizes(measurement, sources, by_sample):
+def _region_sizes(measurement, sources, by_sample, is_by_error):
     field = measurement.field
     region_of_sample = regions_of(measurement.regions.listed, field.face, field.distance)
     for number, region in enumerate(measurement.regions.listed):
@@ -259,4 +294,5 @@ def _region_sizes(measurement, sources, by_sample):
         if len(sizes):
             size = float(np.median(sizes))
             elements = max(1, round(float(by_sample[region_of_sample == number].sum())))
-            yield RegionSize(number, region, size, layers_of(region.median / size), elements)
+            layers = layers_of(region.median / size)
+            yield RegionSize(number, region, size, max(1.0, layers) if is_by_error else layers, elements)

@@ -1,11 +1,15 @@
-"""Places of a part that ask for small elements: thin walls, narrow faces, short edges."""
+"""Places of a part that ask for small elements: walls, curves, narrow faces, short edges."""
 
 from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.spatial import cKDTree
 
+from ..rays.inward_rays import InwardRays
+from ..thickness.local_thickness import local_thickness
 from ..thickness.walls import NONPARALLEL_BELOW
+from .error_law import on_curves, size_for_error, without_thinnest_places
+from .size_field import SizeField
 from .sizing_settings import LEAST_SHARE
 
 NO_REGION = -1
@@ -23,6 +27,9 @@ OF_REGION = 1.5
 
 NARROW = 0.1
 """Share of the extent below which a face may be narrow for some size."""
+
+LEAST_DETAIL = 0.25
+"""Share of the size for an error aimed at to which a narrow face or a short edge makes elements smaller at most."""
 
 _MOST_ON_SIDE = 64
 
@@ -61,6 +68,10 @@ class SizeSources:
         chosen = self.sizes < size
         return SizeSources(*(getattr(self, name)[chosen] for name in self.__dataclass_fields__))
 
+    def at_most(self, size):
+        """All of them, which ask for no more than a size, mm."""
+        return replace(self, sizes=np.minimum(self.sizes, size))
+
     def with_region_sizes(self, sizes):
         """Sources of which some wall regions have other sizes: SizeSources.
 
@@ -92,32 +103,52 @@ class SizeSources:
                              for name in self.__dataclass_fields__))
 
 
-def size_sources(measurement, thin_limit, divisions, has_details=True):
+def size_sources(measurement, thin_limit, settings, has_details=True):
     """Find the sources of a part: SizeSources.
 
-    The size on a wall of thickness t is t / divisions, and no more than the chord of a curved side that is a quarter of the
-    wall off: sqrt(2 R t) at a radius of curvature R. Across a taper, the thickness is that between its sides, not along the
-    ray.
+    For an error that is aimed at, sizes follow from the local thickness everywhere: see `error_law`. With layers, they are
+    those of thin walls. A wall of thickness t has the size t / divisions, and no more than the chord of a curved side that
+    is a quarter of the wall off: sqrt(2 R t) at a radius of curvature R. Across a taper, the thickness is that between its
+    sides, not along the ray.
     A narrow face asks for elements as small as it is wide, an edge for as small as it is long: else the mesher makes needles
-    of them, or facets that cross.
+    of them, or facets that cross. Beside sizes for an error, they ask for no less than `LEAST_DETAIL` of the size there.
 
     Parameters
     ----------
     measurement : Measurement
     thin_limit : float, mm
         Walls that are thinner are thin.
-    divisions : float
-        Thickness of a thin wall by the element size there; see `divisions_of`.
+    settings : SizingSettings
     has_details : bool
         Whether narrow faces and short edges ask for sizes too.
     """
-    walls = _of_walls(measurement, thin_limit, divisions)
+    diagonal = measurement.descriptors.box.diagonal
+    walls = _for_error(measurement, settings.error) if settings.is_by_error else _of_walls(
+        measurement, thin_limit, settings.divisions)
     if not walls.count:
         return walls
-    mesh, least = measurement.field.mesh, LEAST_SHARE * measurement.descriptors.box.diagonal
+    mesh, least = measurement.field.mesh, LEAST_SHARE * diagonal
     if not has_details:
         return walls.scaled(1.0, least)
-    return walls.followed_by(_of_narrow_faces(mesh)).followed_by(_of_short_edges(mesh)).scaled(1.0, least)
+    details = _of_narrow_faces(mesh).followed_by(_of_short_edges(mesh))
+    if settings.is_by_error:
+        there = SizeField(walls, settings.global_size(diagonal), settings.growth).at(details.points)
+        details = replace(details, sizes=np.maximum(details.sizes, LEAST_DETAIL * there))
+    return walls.followed_by(details).scaled(1.0, least)
+
+
+def _for_error(measurement, error):
+    """Sizes from the local thickness, at all samples and half-way through the wall under them."""
+    field = measurement.field
+    counted = np.flatnonzero(field.area > 0.0)
+    box = measurement.descriptors.box
+    rays = measurement.rays or InwardRays(field.mesh)
+    thickness = local_thickness(field.mesh, field, rays, float(box.dimensions[2]))
+    size = size_for_error(thickness, box.diagonal, error)
+    size = on_curves(size, _radius(field.mesh)[field.samples.triangle[counted]])
+    size = without_thinnest_places(size, field.area[counted])
+    region = regions_of(measurement.regions.listed, field.face[counted], field.distance[counted])
+    return _through(field, counted, np.minimum(field.distance[counted], thickness), size, region)
 
 
 def _of_walls(measurement, thin_limit, divisions):
@@ -133,11 +164,15 @@ def _of_walls(measurement, thin_limit, divisions):
     sizes = np.maximum(thickness, least) / divisions
     radius = _radius(field.mesh)[field.samples.triangle[thin]]
     sizes = np.minimum(sizes, np.sqrt(8.0 * CHORD_SHARE * radius * thickness))
-    here, region = field.samples.points[thin] + field.mesh.origin, regions_of(
-        measurement.regions.listed, field.face[thin], thickness)
-    # Half-way through the wall too, or else the size has grown there before the other side is near.
-    middle = here - 0.5 * field.distance[thin, None] * field.normals[thin]
-    radius = SPACING * np.sqrt(field.area[thin])
+    region = regions_of(measurement.regions.listed, field.face[thin], thickness)
+    return _through(field, thin, field.distance[thin], sizes, region)
+
+
+def _through(field, samples, depth, sizes, region):
+    """Sources at samples and half-way through the wall, or else the size has grown there before the other side is near."""
+    here = field.samples.points[samples] + field.mesh.origin
+    middle = here - 0.5 * depth[:, None] * field.normals[samples]
+    radius = SPACING * np.sqrt(field.area[samples])
     return SizeSources(np.concatenate([here, middle]), np.tile(sizes, 2), np.tile(region, 2), np.tile(radius, 2))
 
 

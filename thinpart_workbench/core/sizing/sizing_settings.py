@@ -9,6 +9,10 @@ import numpy as np
 from ..descriptors.automatic_mesh import AUTOMATIC_SHARE
 from ..errors import ThinPartError
 from ..message import message
+from .error_law import AIM, AIMS
+
+LEAST_ERROR, MOST_ERROR = AIMS
+"""Of those that can be aimed at."""
 
 GLOBAL_SHARE = AUTOMATIC_SHARE
 """Greatest element size as a share of the diagonal."""
@@ -34,6 +38,9 @@ class SizingSettings:
     ----------
     order : int
         Of the elements, 1 or 2.
+    error : float or None
+        Of an analysis, aimed at; it decides the sizes of elements of second order where no layers are named. None for
+        layers.
     layers : float or None
         Elements through the thickness of a thin wall; None for that of `LAYERS_OF_ORDER`.
     growth : float
@@ -44,15 +51,20 @@ class SizingSettings:
         Most elements.
     """
 
-    order: int = 1
+    order: int = 2
+    error: Optional[float] = AIM
     layers: Optional[float] = None
-    growth: float = 1.4
+    growth: float = 1.5
     size: Optional[float] = None
     budget: Optional[int] = None
 
     def __post_init__(self):
         if self.order not in LAYERS_OF_ORDER:
             raise ThinPartError(message("The order of elements is 1 or 2, not {value}.", value=self.order), "usage")
+        if self.error is not None and not LEAST_ERROR <= self.error <= MOST_ERROR:
+            raise ThinPartError(message("The error aimed at is from {least:g} to {most:g} %, not {value:g} %.",
+                                        least=100.0 * LEAST_ERROR, most=100.0 * MOST_ERROR,
+                                        value=100.0 * self.error), "usage")
         if self.layers is not None and not 0.1 <= self.layers <= _MOST_LAYERS:
             raise ThinPartError(message("Layers are from 0.1 to {most:g}, not {value:g}.", most=_MOST_LAYERS,
                                         value=self.layers), "usage")
@@ -64,6 +76,11 @@ class SizingSettings:
                                 "usage")
         if self.budget is not None and self.budget < 1:
             raise ThinPartError(message("A budget is at least 1 element, not {value}.", value=self.budget), "usage")
+
+    @property
+    def is_by_error(self):
+        """bool: whether sizes follow from the error aimed at, not from layers."""
+        return self.error is not None and self.order == 2 and self.layers is None
 
     @property
     def wanted_layers(self):

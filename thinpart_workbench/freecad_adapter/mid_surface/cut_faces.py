@@ -17,21 +17,36 @@ from ..shapes.brep_file import read_brep, write_brep
 FEW = 40
 """Faces up to which they are cut within this process: that takes less than to start another one."""
 
-SECONDS = 20.0
-"""Of processor time, for each step. Mid-surfaces of real parts take up to 10 s to be made, or minutes, without a shell at
-the end: hundreds of pieces that nearly lie on each other."""
+SECONDS = 18.0
+"""Of processor time, for a mid-surface. Those of real parts take up to 10 s to be made, or minutes, without a shell at the
+end: hundreds of pieces that nearly lie on each other."""
 
 
-class StepLimit:
-    """The time limit of a step that is made of many short operations."""
+LEAST_SECONDS = 1.0
+"""That a process is given to start."""
+
+
+class TimeLimit:
+    """The time limit of a mid-surface, which is made by many short operations and by processes of their own."""
 
     def __init__(self, seconds=SECONDS):
-        self._end = time.process_time() + seconds
+        self._end = _processor_time() + seconds
+
+    @property
+    def left(self):
+        """float, s"""
+        return max(self._end - _processor_time(), 0.0)
 
     def check(self):
-        """Raise a ThinPartError of the kind ``no_shell`` where the step has taken too long."""
-        if time.process_time() > self._end:
+        """Raise a ThinPartError of the kind ``no_shell`` where it has taken too long."""
+        if not self.left:
             raise too_long()
+
+
+def _processor_time():
+    """That of this process and of those that it has waited for, float, s."""
+    times = os.times()
+    return time.process_time() + times.children_user + times.children_system
 
 
 def too_long():
@@ -40,7 +55,7 @@ def too_long():
                                  "that nearly touch: mesh it as a solid."), "no_shell")
 
 
-def faces_cut(faces, tolerance, seconds=SECONDS):
+def faces_cut(faces, tolerance, limit=None):
     """Cut faces by each other: list of Part.Face, the pieces; those that meet share their edges.
 
     Raises ThinPartError, kind ``no_shell`` where it takes too long, or fails.
@@ -50,8 +65,8 @@ def faces_cut(faces, tolerance, seconds=SECONDS):
     faces : list of Part.Face
     tolerance : float, mm
         Edges that are nearer to each other are one.
-    seconds : float, optional
-        Limit of processor time where there are more than `FEW`.
+    limit : TimeLimit, optional
+        Where there are more than `FEW`.
     """
     import Part
 
@@ -62,7 +77,8 @@ def faces_cut(faces, tolerance, seconds=SECONDS):
     with tempfile.TemporaryDirectory(prefix="thinpart-cut-") as folder:
         given, found = os.path.join(folder, "faces.brep"), os.path.join(folder, "cut.brep")
         write_brep(Part.makeCompound(faces), given)
-        end = run_module_limited(__spec__.name, [given, found, repr(tolerance)], seconds, folder)
+        left = max((limit or TimeLimit()).left, LEAST_SECONDS)
+        end = run_module_limited(__spec__.name, [given, found, repr(tolerance)], left, folder)
         if end is None:
             return faces[0].generalFuse(faces[1:], tolerance)[0].Faces
         if end.timed_out:

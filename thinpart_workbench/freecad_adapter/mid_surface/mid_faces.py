@@ -10,7 +10,7 @@ from ...core.problem import problem_of
 from ...core.shells.walls_through import sides_of
 from ..bootstrap import load_freecad
 from .bridges import bridges, connected_faces, is_bridge, lies_on, spread_points
-from .cut_faces import StepLimit, faces_cut
+from .cut_faces import TimeLimit, faces_cut
 from .mid_shapes import MidPlane, mid_shape
 from .smooth_cuts import smooth_cuts
 
@@ -202,9 +202,9 @@ def mid_surface(shape, pairs, mesh, rays, report=None, solid_walls=()):
     walls = [wall for wall, stays in zip(walls, is_solid) if not stays]
     if not walls:
         raise ThinPartError(message("All walls are to stay solid: choose at least one for the shell."), "no_shell")
-    test = _Support(mesh, rays, len(shape.Faces))
+    test, limit = _Support(mesh, rays, len(shape.Faces)), TimeLimit()
     try:
-        middle = _welded(_trimmed(shape, walls, test, report or (lambda fraction: None)), walls, test)
+        middle = _welded(_trimmed(shape, walls, test, report or (lambda fraction: None), limit), walls, test, limit)
         return replace(middle, solid_walls=left)
     except ThinPartError:
         raise
@@ -236,10 +236,10 @@ class _Support:
         return float(area[known].sum() / area.sum())
 
 
-def _trimmed(shape, walls, test, report):
+def _trimmed(shape, walls, test, report, limit):
     """Faces on the mid-surfaces, within the solid: list of Part.Face."""
     cuts = smooth_cuts(shape, walls)
-    found, limit = [], StepLimit()
+    found = []
     for number, wall in enumerate(walls):
         report(0.8 * number / len(walls))
         margin = BEYOND * max(max(each.thickness for each in walls if each.faces & wall.faces or each is wall),
@@ -255,7 +255,7 @@ def _trimmed(shape, walls, test, report):
     return found
 
 
-def _welded(faces, walls, test):
+def _welded(faces, walls, test, limit):
     """All faces, cut where they meet, without what stands out."""
     import Part
 
@@ -263,7 +263,7 @@ def _welded(faces, walls, test):
         raise _too_thick()
     # What OCC says of which piece comes of which face is incomplete, so each is asked for its wall again.
     thinnest = min(wall.thickness for wall in walls)
-    cut, limit, shares = faces_cut(faces, WELD * thinnest), StepLimit(), []
+    cut, shares = faces_cut(faces, WELD * thinnest, limit), []
     spread = [spread_points(piece, thinnest) for piece in cut]
     for piece, own in zip(cut, spread):
         limit.check()

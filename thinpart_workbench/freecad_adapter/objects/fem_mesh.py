@@ -171,16 +171,16 @@ def join_analysis(document, owner, analysis, members):
     if analysis is None:
         return
     for each in list(analysis.Group):
-        if each not in members and hasattr(each, SETTINGS) and owner in _meshed_owners(each):
+        if each not in members and hasattr(each, SETTINGS) and owner in meshed_owners(each):
             analysis.removeObject(each)
     for each in members:
         if each not in analysis.Group:
             analysis.addObject(each)
 
 
-def _meshed_owners(made):
+def meshed_owners(made):
     """What a mesh or a thickness by ThinPart is of: the object itself, also where it refers to its mid-surface."""
-    found = [owner for owner, _ in getattr(made, "References", ())]
+    found = [owner for owner, *_ in getattr(made, "References", ())]
     if made.isDerivedFrom("Fem::FemMeshObject"):
         found.append(getattr(made, part_property(made)))
     return found + [getattr(each, SHELL_OF) for each in found if hasattr(each, SHELL_OF)]

@@ -94,6 +94,7 @@ class MeshSettings(QtWidgets.QTableWidget):
     def _titles(self):
         return {
             _SIZE: translate("ThinPart", "Largest size, {}").format(self._unit.symbol),
+            "error": translate("ThinPart", "Error aimed at"),
             "layers": translate("ThinPart", "Layers in thin walls"),
             "order": translate("ThinPart", "Order of the elements"),
             "growth": translate("ThinPart", "Growth"),

@@ -21,7 +21,7 @@ from ..document.task_dialog import TaskDialog
 from ..document.transaction import transaction
 from ..processes.size_client import SizeClient
 from ..record.regions_table import kind_word
-from .active_analysis import active_analysis
+from .active_analysis import analysis_to_join
 from .panel import MeshSizesPanel
 from .size_view import SizeView
 from .wall_sizes import WallSizes
@@ -225,8 +225,8 @@ class MeshSizesController(TaskController):
         if not found["mesh"]:
             self._is_accepted = False
             self._form.show_message(translate(
-                "ThinPart", "Gmsh made no mesh ({}): try fewer layers, a smaller largest size, or switch a wall off. "
-                            "Nothing was changed.").format(translated(found["proposed"]["reason"])))
+                "ThinPart", "Gmsh made no mesh ({}): try another error or fewer layers, a smaller largest size, or switch a "
+                            "wall off. Nothing was changed.").format(translated(found["proposed"]["reason"])))
         elif self._is_accepted:
             self._make()
 
@@ -285,7 +285,8 @@ class MeshSizesController(TaskController):
             return translate("ThinPart", "{} of {}: elements of {}").format(
                 kind_word(row["kind"]), unit.text(row["thickness"]), unit.text(row["size"]))
 
-        self._part.set_mesh(self._check, *self._request(), label, active_analysis(self._document))
+        self._part.set_mesh(self._check, *self._request(), label,
+                            analysis_to_join(self._document, self._part.owner, self._form.makes_analysis))
 
     def _set_shell(self):
         unit = length_unit(self._document)
@@ -294,7 +295,7 @@ class MeshSizesController(TaskController):
         self._part.set_shell(
             self._shell, shell_files(self.measured.folder), self._form.shell.settings(), labels,
             lambda thickness: translate("ThinPart", "{} thick").format(unit.text(thickness)),
-            active_analysis(self._document))
+            analysis_to_join(self._document, self._part.owner, self._form.makes_analysis))
 
     def _select_faces(self, faces):
         if not self._has_left:

@@ -1,6 +1,6 @@
 """The panel that prepares a mesh: settings, walls with their sizes, the estimate, and what Gmsh makes of them."""
 
-from ...core.sizing.sizing_settings import SizingSettings
+from ...core.sizing.sizing_settings import LAYERS_OF_ORDER, MOST_ERROR, SizingSettings
 from ..application.icons import icon
 from ..application.length_unit import MILLIMETRE
 from ..application.numbers import marked, number, percent
@@ -14,6 +14,11 @@ from .quality_chart import QualityChart
 from .scale_bar import ScaleBar
 from .shell_box import ShellBox
 from .wall_table import WallSizesTable
+
+AIM = SizingSettings.error
+
+ERRORS = (0.01, AIM, 0.05, 0.1)
+"""Errors that can be aimed at; below them stands the choice of layers."""
 
 
 class MeshSizesPanel(QtWidgets.QWidget):
@@ -80,6 +85,12 @@ class MeshSizesPanel(QtWidgets.QWidget):
         self.chart = QualityChart(self)
         rows.addWidget(self.chart)
         self.poor = self._check(rows, "ThinPart_PoorElements", "", True)
+        self._analysis = named(QtWidgets.QCheckBox(translate(
+            "ThinPart", "OK also makes an analysis, if there is none"), self), "ThinPart_MakeAnalysis")
+        self._analysis.setToolTip(translate("ThinPart", "With CalculiX as its solver, and steel, which you replace. "
+                                                        "Supports and loads are yours to add."))
+        self._analysis.setChecked(True)
+        column.addWidget(self._analysis)
         column.addStretch(1)
         self.show_message("")
         self.show_check(None)
@@ -92,17 +103,26 @@ class MeshSizesPanel(QtWidgets.QWidget):
         """Whether a shell is wanted, not a solid mesh."""
         return self._kind.currentIndex() == 1
 
+    @property
+    def makes_analysis(self):
+        """Whether an analysis is to be made where the document has none."""
+        return self._analysis.isChecked()
+
     def settings(self):
         """The fields as arguments of `SizingSettings`: dict."""
         size, budget = self._size.exact(), self._budget.value()
-        return {"order": 1 + self._order.currentIndex(), "layers": self._layers.exact(), "growth": self._growth.exact(),
-                "size": size if size > 0.0 else None, "budget": budget or None}
+        error = self._aim.currentData()
+        return {"order": 1 + self._order.currentIndex(), "error": error, "growth": self._growth.exact(),
+                "layers": self._layers.exact() if error is None else None, "size": size if size > 0.0 else None,
+                "budget": budget or None}
 
     def show_settings(self, settings):
         """Show settings in the fields: as of `settings`."""
         with blocked(self):
             self._order.setCurrentIndex(settings["order"] - 1)
-            self._layers.show_exact(settings["layers"])  # after the order, which changes them too
+            self._show_aim(None if settings["layers"] is not None or settings["order"] == 1 else settings["error"])
+            # After the order, which changes them too.
+            self._layers.show_exact(settings["layers"] or LAYERS_OF_ORDER[settings["order"]])
             self._growth.show_exact(settings["growth"])
             self._size.show_exact(settings["size"] or 0.0)
             self._budget.setValue(settings["budget"] or 0)
@@ -146,19 +166,21 @@ class MeshSizesPanel(QtWidgets.QWidget):
         self.walls.setVisible(bool(found["regions"]))
         if not self._size.exact():
             self._size.setSpecialValueText(translate("ThinPart", "automatic: {}").format(unit.text(found["global_size"])))
-        lines = [translate("ThinPart", "About {} elements, of {} to {}.").format(
-            grouped(_rounded(found["elements"])), unit.number(found["least_size"]), unit.text(found["global_size"]))]
+        lines = [self._sizes(found)]
         if found["left_out"] and found["least_size"] >= found["global_size"]:
             lines = [translate("ThinPart", "A normal part: one size is enough. About {} elements of {}. Tick a wall to give "
                                            "it layers.").format(grouped(_rounded(found["elements"])),
                                                                 unit.text(found["global_size"]))]
-        if not found["regions"]:
+        if not found["regions"] and found["error"] is None:
             lines = [translate("ThinPart", "No thin walls: one size is enough. About {} elements of {}.").format(
                 grouped(_rounded(found["elements"])), unit.text(found["global_size"]))]
-        elif found["least_size"] < found["global_size"]:
+        elif found["error"] is None and found["least_size"] < found["global_size"]:
             lines.append(translate("ThinPart", "The smallest size everywhere would take {}.").format(
                 grouped(_rounded(found["uniform_elements"]))))
-        if found["unbounded_elements"] is not None:
+        if found["unbounded_elements"] is not None and found["error"] is not None:
+            lines.append(translate("ThinPart", "The limit costs accuracy: {} would take about {} elements.").format(
+                _percent(found["wanted_error"]), grouped(_rounded(found["unbounded_elements"]))))
+        elif found["unbounded_elements"] is not None:
             lines.append(translate(
                 "ThinPart", "The limit costs layers: {} instead of {}, which would take about {} elements.").format(
                     marked(f"{found['layers']:.2g}"), marked(f"{found['wanted_layers']:.2g}"),
@@ -168,7 +190,7 @@ class MeshSizesPanel(QtWidgets.QWidget):
         if found["layered_from"]:
             lines.append(translate("ThinPart", "Walls under {} have fewer layers: they would take most of the elements.")
                          .format(unit.text(found["layered_from"])))
-        show_text(self._estimate, " ".join(lines))
+        show_text(self._estimate, " ".join(self._many(found) + lines))
         show_text(self._advice, idealisation_text(found["idealisation"]))
         self._legend.show_scale(scale, unit)
 
@@ -187,6 +209,30 @@ class MeshSizesPanel(QtWidgets.QWidget):
         show_text(self._figures, "\n".join(lines))
         self.chart.show_histograms(found["default"]["histogram"], found["proposed"]["histogram"])
         self.poor.setText(translate("ThinPart", "Show poor elements ({})").format(grouped(found["poor_count"])))
+
+    @staticmethod
+    def _many(found):
+        """A sentence first where the mesh is larger than most are, and what to do: list of str."""
+        if not found["is_large"]:
+            return []
+        lines = [translate("ThinPart", "About {} nodes: more than most analyses need.").format(
+            grouped(_rounded(found["nodes"]))),
+            translate("ThinPart", "Set \"Most elements\", or fewer layers.") if found["error"] is None else
+            translate("ThinPart", "Set \"Most elements\", or a larger error.")]
+        if found["idealisation"]["shell_elements"]:
+            lines.append(translate("ThinPart", "A shell would take about {} triangles.").format(
+                grouped(_rounded(found["idealisation"]["shell_elements"]))))
+        return lines
+
+    def _sizes(self, found):
+        unit = self._unit
+        counts = grouped(_rounded(found["nodes"])), grouped(_rounded(found["elements"]))
+        sizes = unit.number(found["least_size"]), unit.text(found["global_size"])
+        if found["error"] is None:
+            return translate("ThinPart", "About {} nodes ({} elements), of {} to {}.").format(*counts, *sizes)
+        return translate("ThinPart", "About {} nodes ({} elements), of {} to {}, for an error of {} in deflections and "
+                                     "frequencies. CalculiX takes about {} s for six frequencies.").format(
+            *counts, *sizes, _percent(found["error"]), grouped(max(1, round(found["solver_seconds"]))))
 
     def _add_kind(self, rows):
         form = QtWidgets.QFormLayout()
@@ -209,7 +255,15 @@ class MeshSizesPanel(QtWidgets.QWidget):
         form = QtWidgets.QFormLayout()
         form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
         rows.addLayout(form)
+        self._aim = named(QtWidgets.QComboBox(self), "ThinPart_MeshAim")
+        for error in ERRORS:
+            self._aim.addItem(_percent(error), error)
+        self._aim.addItem(translate("ThinPart", "layers instead"), None)
+        self._aim.setToolTip(translate("ThinPart", "Of deflections and frequencies, with quadratic elements. It decides the "
+                                                   "sizes."))
         self._order = order_combo("ThinPart_MeshOrder", self)
+        self._order.setCurrentIndex(SizingSettings.order - 1)
+        self._order.setToolTip(translate("ThinPart", "Linear elements are far too stiff in thin walls."))
         self._layers = self._field("ThinPart_MeshLayers", 2.0, 0.1, 20.0)
         self._size = self._field("ThinPart_MeshSize", 0.0, 0.0, 1e6)
         self._growth = self._field("ThinPart_MeshGrowth", SizingSettings.growth, 1.05, 3.0)
@@ -218,19 +272,42 @@ class MeshSizesPanel(QtWidgets.QWidget):
         self._budget.setSingleStep(10_000)
         self._budget.setKeyboardTracking(False)
         self._budget.setSpecialValueText(translate("ThinPart", "no limit"))
-        for text, field in ((translate("ThinPart", "Elements"), self._order),
+        for text, field in ((translate("ThinPart", "Error aimed at"), self._aim),
+                            (translate("ThinPart", "Elements"), self._order),
                             (translate("ThinPart", "Layers in thin walls"), self._layers),
                             (translate("ThinPart", "Largest size"), self._size),
                             (translate("ThinPart", "Growth"), self._growth),
                             (translate("ThinPart", "Most elements"), self._budget)):
             form.addRow(text, field)
+        self._show_aim(AIM)
         self._order.currentIndexChanged.connect(self._on_order)
+        self._aim.currentIndexChanged.connect(self._on_aim)
         self._budget.valueChanged.connect(lambda *_: self.changed.emit())
 
     def _on_order(self, *_):
         # One quadratic element through a wall bends as well as two linear ones.
-        self._layers.show_exact((2.0, 1.0)[self._order.currentIndex()])
+        order = 1 + self._order.currentIndex()
+        self._layers.show_exact(LAYERS_OF_ORDER[order])
+        if order == 1 or self._aim.currentData() is None:
+            with blocked(self):
+                self._show_aim(AIM if order == 2 else None)
         self.changed.emit()
+
+    def _on_aim(self, *_):
+        self._layers.setEnabled(self._aim.currentData() is None)
+        if self._aim.currentData() is not None and self._order.currentIndex() == 0:
+            self._order.setCurrentIndex(1)  # which says that it changed, and keeps the error
+            return
+        self.changed.emit()
+
+    def _show_aim(self, error):
+        """Show an error, one of others too, or None for layers."""
+        row = next((row for row in range(self._aim.count()) if self._aim.itemData(row) == error), -1)
+        if row < 0:
+            row = self._aim.count() - 1
+            self._aim.insertItem(row, _percent(error), error)
+        self._aim.setCurrentIndex(row)
+        self._layers.setEnabled(error is None)
 
     def _field(self, name, value, least, most):
         field = number_field(name, self, value, least, most)
@@ -271,6 +348,12 @@ def _figures(figures):
     if figures["layers_share"] is not None:
         text += translate("ThinPart", ", layers in {} of the thin walls").format(percent(figures["layers_share"]))
     return text
+
+
+def _percent(share):
+    if share > MOST_ERROR:
+        return translate("ThinPart", "more than {}").format(percent(MOST_ERROR))
+    return marked(f"{100.0 * share:.2g}\u00a0%")
 
 
 def _rounded(count):

@@ -4,6 +4,7 @@ from ...api.window.part_sizes import rows_to_keep
 from ...core.number_text import percent
 from ...core.sizing.sizing_settings import LAYERS_OF_ORDER
 from ..application import lifelong
+from ..application.numbers import marked
 from ..application.qt import QtCore, Signal, grouped, translate
 
 
@@ -30,7 +31,8 @@ class WorkedSettings(QtCore.QObject):
     def offered(self):
         """The settings, dict, and the sizes of walls, list of pairs, that were found."""
         settings = self._offer["settings"]
-        return {**settings, "layers": settings["layers"] or LAYERS_OF_ORDER[settings["order"]]}, self._offer["sizes"]
+        layers = settings["layers"] if settings["error"] else settings["layers"] or LAYERS_OF_ORDER[settings["order"]]
+        return {**settings, "layers": layers}, self._offer["sizes"]
 
     def keep(self, record, settings, sizes, meshed):
         """Keep what worked with a part, for it and for parts like it; a document that was never saved keeps nothing."""
@@ -48,8 +50,12 @@ class WorkedSettings(QtCore.QObject):
         if request is not self._request or offer is None:
             return
         self._offer, meshed = offer, offer["meshed"]
-        made = translate("ThinPart", "layers: {}, elements: {}").format(
-            f"{meshed['layers'] or LAYERS_OF_ORDER[meshed['order']]:g}", grouped(meshed["elements"]))
+        if meshed.get("error"):
+            made = translate("ThinPart", "error aimed at: {}, elements: {}").format(
+                marked(f"{100.0 * meshed['error']:.2g}\u00a0%"), grouped(meshed["elements"]))
+        else:
+            made = translate("ThinPart", "layers: {}, elements: {}").format(
+                f"{meshed['layers'] or LAYERS_OF_ORDER[meshed['order']]:g}", grouped(meshed["elements"]))
         if offer["is_own"]:
             self.found.emit(translate("ThinPart", "Settings that worked for this part: {}").format(made))
         else:

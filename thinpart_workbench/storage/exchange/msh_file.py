@@ -66,6 +66,53 @@ def read_triangles(path, order=1):
     return points, np.concatenate(triangles), np.concatenate(surface).astype(np.int64)
 
 
+def move_points(path, points):
+    """Give all points of a mesh other places, in its own file, one that Gmsh has made in a temporary folder.
+
+    Parameters
+    ----------
+    path : str or Path
+        In the binary MSH format 2.2.
+    points : ndarray of shape (v, 3)
+        In the order of `read_tetrahedra`.
+    """
+    content = bytearray(read_regular(path, LARGEST))
+    count, start = _count_after(content, b"$Nodes\n")
+    np.frombuffer(content, _NODE, count, start)["point"][:] = points
+    with open(path, "wb") as file:
+        file.write(content)
+
+
+def write_mesh(path, points, tetrahedra, triangles, surface):
+    """Write a mesh in the binary MSH format 2.2.
+
+    Parameters
+    ----------
+    path : str or Path
+    points : ndarray of shape (v, 3)
+    tetrahedra : ndarray of int, shape (n, 4) or (n, 10)
+    triangles : ndarray of int, shape (k, 3) or (k, 6)
+    surface : ndarray of int, shape (k,)
+        Number of the surface that each triangle lies on, from 1.
+    """
+    nodes = np.zeros(len(points), _NODE)
+    nodes["number"], nodes["point"] = np.arange(1, len(points) + 1), points
+    kinds = {4: 4, 10: 11, 3: 2, 6: 9}
+    with open(path, "wb") as file:
+        file.write(b"$MeshFormat\n2.2 1 8\n" + np.array([1], "<i4").tobytes() + b"\n$EndMeshFormat\n")
+        file.write(b"$Nodes\n%d\n" % len(nodes) + nodes.tobytes() + b"\n$EndNodes\n")
+        file.write(b"$Elements\n%d\n" % (len(triangles) + len(tetrahedra)))
+        first = 1
+        for elements, entity in ((triangles, surface), (tetrahedra, np.ones(len(tetrahedra), int))):
+            if not len(elements):
+                continue
+            numbers = np.arange(first, first + len(elements))
+            file.write(np.array([kinds[elements.shape[1]], len(elements), 2], "<i4").tobytes())
+            file.write(np.column_stack([numbers, entity, entity, elements + 1]).astype("<i4").tobytes())
+            first += len(elements)
+        file.write(b"\n$EndElements\n")
+
+
 def _read(path):
     try:
         return _elements(read_regular(path, LARGEST))

@@ -28,6 +28,9 @@ ALIKE = 4.0
 """Of the faces that Gmsh names beside a place, what has up to so many times the size of the place gets finer too: the
 facets of two sides that cross in one place do so all along."""
 
+LOST = 20_000
+"""Estimated elements up to which Gmsh takes seconds: where so few take too long, it is lost between sides that cross."""
+
 FEWER = 0.2
 """Share of the elements that is tried where Gmsh took too long."""
 
@@ -93,7 +96,8 @@ class MeshTries:
     def __init__(self, measurement, proposal, shape, folder):
         self._measurement, self._shape, self._folder = measurement, shape, folder
         self.first = MeshTry(message("as proposed"), proposal, usual_options(proposal))
-        self._steps = [self._mended, self._finer, self._finer, self._finer_delaunay, self._without_details]
+        self._steps = [self._mended, self._finer, self._finer, self._finer_delaunay, self._details,
+                       self._no_larger_than_thick]
         self._stated, self._is_long = "", False
 
     def after(self, last, reason, stated):
@@ -111,6 +115,8 @@ class MeshTries:
         if reason in (TIMEOUT, MEMORY):
             if not self._is_long:
                 self._is_long, self._steps = True, [self._quick, self._without_thinnest, self._fewer]
+                if last.proposal.elements <= LOST:
+                    self._steps.insert(0, self._no_larger_than_thick)
         elif reason == INCOMPLETE:
             return None
         elif reason == CRASHED:
@@ -136,14 +142,13 @@ class MeshTries:
             if not full.is_uniform:
                 self.first = MeshTry(message("layers in its thin walls"), full)
                 return self.first
-        return MeshTry(message("no element larger than the part is thick there"),
-                       propose_everywhere(self._measurement, proposal.thin_limit, proposal.settings))
+        return self._everywhere(self.first)
 
     def one_size(self):
         """What remains where a part is meshed at one size, and in no other way: MeshTry."""
         proposal = self.first.proposal
-        return MeshTry(message("one size, since nothing finer is meshed"),
-                       with_sources(self._measurement, proposal, proposal.sources.below(0.0)))
+        found = with_sources(self._measurement, proposal, proposal.sources.below(0.0))
+        return MeshTry(message("one size, since nothing finer is meshed"), replace(found, error=None))
 
     def _mended(self, last):
         # Imported here since the adapter loads FreeCAD.
@@ -161,14 +166,27 @@ class MeshTries:
         return replace(last, what=message("finer where Gmsh failed, surfaces by Delaunay's method"),
                        proposal=self._finer_sizes(last), options={**last.options, **DELAUNAY})
 
-    def _without_details(self, last):
-        """The sizes at first, but not those of edges and faces so small that they may be flaws of the model."""
+    def _details(self, last):
+        """The sizes at first, with those of short edges and narrow faces, or without them where they had them: so small ones
+        may be flaws of the model."""
         first = self.first.proposal
-        proposal = propose_sizes(self._measurement, first.thin_limit, first.settings, first.region_sizes, has_details=False)
+        is_by_error = first.settings.is_by_error
+        proposal = propose_sizes(self._measurement, first.thin_limit, first.settings, first.region_sizes,
+                                 has_details=is_by_error)
         if proposal.is_uniform:
             return None
-        return replace(last, what=message("short edges and narrow faces not finer than the walls"), proposal=proposal,
-                       options={})
+        what = message("finer at short edges and narrow faces") if is_by_error else message(
+            "short edges and narrow faces not finer than the walls")
+        return replace(last, what=what, proposal=proposal, options={})
+
+    def _no_larger_than_thick(self, last):
+        """Elements for an error aimed at may be larger: then their facets may cross the other side of a wall."""
+        return self._everywhere(last) if last.proposal.settings.is_by_error and last.proposal.layers else None
+
+    def _everywhere(self, last):
+        proposal = self.first.proposal
+        return MeshTry(message("no element larger than the part is thick there"), propose_everywhere(
+            self._measurement, proposal.thin_limit, proposal.settings), usual_options(last.proposal), last.mended)
 
     def _quick(self, last):
         if QUICK.items() <= last.options.items():
@@ -188,8 +206,10 @@ class MeshTries:
         if last.proposal.elements <= budget or first.is_uniform:
             return None
         settings = replace(first.settings, budget=budget)
-        return replace(last, what=message("fewer layers, a fifth of the elements"), proposal=propose_sizes(
-            self._measurement, first.thin_limit, settings, first.region_sizes))
+        what = message("a larger error, a fifth of the elements") if settings.is_by_error else message(
+            "fewer layers, a fifth of the elements")
+        return replace(last, what=what, proposal=propose_sizes(self._measurement, first.thin_limit, settings,
+                                                               first.region_sizes))
 
     def _finer_sizes(self, last):
         proposal = last.proposal

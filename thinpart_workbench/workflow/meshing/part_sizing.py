@@ -9,6 +9,7 @@ from ...core.maps.facet_refinement import cut_sides, side_lengths
 from ...core.mesh.tetrahedra import POOR, radius_ratios
 from ...core.message import message
 from ...core.shells.shell_or_solid import idealisation_values
+from ...core.sizing.element_estimate import MANY_NODES, solver_seconds
 from ...core.sizing.size_proposal import propose_sizes
 from ...core.sizing.size_sources import size_sources
 from .gmsh_program import convert_mesh
@@ -57,11 +58,15 @@ class PartSizing:
         proposal = self._proposal(settings, region_sizes)
         unbounded = proposal.unbounded
         return {
-            "elements": proposal.elements, "uniform_elements": proposal.uniform_elements, "layers": proposal.layers,
+            "elements": proposal.elements, "nodes": proposal.nodes, "is_large": proposal.nodes > MANY_NODES,
+            "solver_seconds": solver_seconds(proposal.nodes), "error": proposal.error,
+            "wanted_error": settings.error if settings.is_by_error else None,
+            "uniform_elements": proposal.uniform_elements, "layers": proposal.layers,
             "wanted_layers": settings.wanted_layers, "layered_from": proposal.layered_from,
             "global_size": proposal.global_size,
             "least_size": proposal.least_size, "order": settings.order, "growth": settings.growth,
             "unbounded_elements": None if unbounded is None else unbounded.elements,
+            "unbounded_nodes": None if unbounded is None else unbounded.nodes,
             "regions": self._rows(proposal, settings), "left_out": proposal.left_out,
             "idealisation": idealisation_values(self._measurement, proposal.elements, self.no_shell),
         }
@@ -146,7 +151,7 @@ class PartSizing:
     def _rows(self, proposal, settings):
         """A row for each region that asks for sizes, also for those that people have switched off."""
         proposed = {each.number: each for each in proposal.regions}
-        sources = size_sources(self._measurement, self._thin_limit, settings.divisions).below(
+        sources = size_sources(self._measurement, self._thin_limit, settings, not settings.is_by_error).below(
             settings.global_size(self._measurement.descriptors.box.diagonal))
         rows = []
         for number, region in enumerate(self._measurement.regions.listed):

@@ -13,7 +13,8 @@ _SIZE = Number(1e-12, 1e15)
 _POINT = ListOf(Number(-1e15, 1e15), 3, 3)
 
 MESH_FIGURES = Record({
-    "reason": Text(), "elements": _COUNT, "gamma_least": OrNull(Number(0, 2)), "gamma_1_percent": OrNull(Number(0, 2)),
+    "reason": Text(), "elements": _COUNT, "nodes": _COUNT, "straightened": _COUNT,
+    "gamma_least": OrNull(Number(0, 2)), "gamma_1_percent": OrNull(Number(0, 2)),
     "gamma_mean": OrNull(Number(0, 2)), "poor_share": OrNull(_SHARE), "sicn_least": OrNull(Number(-2, 2)),
     "sicn_1_percent": OrNull(Number(-2, 2)), "sicn_mean": OrNull(Number(-2, 2)),
     "layers_share": OrNull(_SHARE), "seconds": Number(0.0), "attempts": Whole(1, 100),
@@ -51,8 +52,8 @@ PART_SIZES = Record({
     "name": Text(), "label": Text(), "category": Text(), "diagonal": _LENGTH, "thin_limit": _LENGTH, "order": OneOf((1, 2)),
     "growth": Number(1.0, 10.0), "wanted_layers": Number(0.0), "layers": Number(0.0), "layered_from": _LENGTH,
     "global_size": _SIZE,
-    "least_size": _SIZE, "elements": _COUNT, "uniform_elements": _COUNT,
-    "unbounded": OrNull(Record({"layers": Number(0.0), "least_size": _LENGTH, "elements": _COUNT})),
+    "least_size": _SIZE, "elements": _COUNT, "nodes": _COUNT, "error": OrNull(Number(0.0)), "uniform_elements": _COUNT,
+    "unbounded": OrNull(Record({"layers": Number(0.0), "least_size": _LENGTH, "elements": _COUNT, "nodes": _COUNT})),
     "regions": ListOf(_REGION, most=10_000), "left_out": Whole(0, 10_000), "idealisation": _IDEALISATION,
     "check": OrNull(Record({"default": MESH_FIGURES, "proposed": MESH_FIGURES})),
     "gmsh_options": ListOf(Record({"name": OneOf(OPTIONS), "value": Number()}), most=20),

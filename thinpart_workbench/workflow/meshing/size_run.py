@@ -15,7 +15,7 @@ from .size_result import known_values, sizes_fault
 from .size_steps import StepNote, watched_steps
 from .size_task import propose_for_document
 
-_VERSION = 9
+_VERSION = 10
 """Changes when proposals do."""
 
 _LARGEST = 1 << 30

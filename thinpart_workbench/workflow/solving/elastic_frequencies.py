@@ -5,6 +5,7 @@ import os
 import numpy as np
 
 from .calculix_program import solve
+from .solid_model import solid_text
 
 COUNT = 6
 """Elastic frequencies that are compared: as many as a body has rigid motions."""
@@ -17,8 +18,6 @@ SIZE = 100.0
 
 ZERO = 1e-3
 """Frequencies below this share of the highest one that is asked for are rigid motions."""
-
-STEEL = "*MATERIAL, NAME=STEEL\n*ELASTIC\n210000,0.3\n*DENSITY\n7.85e-9\n"
 
 JOB = "modes"
 
@@ -43,25 +42,15 @@ def elastic_frequencies(points, tetrahedra, diagonal, program, seconds, folder):
     folder : str
         Working directory, temporary.
     """
-    used, tetrahedra = np.unique(tetrahedra, return_inverse=True)
-    points, tetrahedra = points[used], tetrahedra.reshape(-1, 10)
     with open(os.path.join(folder, JOB + ".inp"), "w", encoding="ascii") as file:
-        file.write(_input(SIZE / diagonal * (points - points.mean(axis=0)), tetrahedra))
+        file.write(solid_text(SIZE / diagonal * (points - points.mean(axis=0)), tetrahedra))
+        file.write(f"*STEP\n*FREQUENCY\n{RIGID + COUNT}\n*END STEP\n")
     reason = solve(program, JOB, seconds, folder)
     if reason:
         return np.zeros(0), reason
     frequencies = _frequencies(os.path.join(folder, JOB + ".dat"))
     elastic = frequencies[frequencies > ZERO * frequencies.max(initial=0.0)]
     return elastic[:COUNT], ""
-
-
-def _input(points, tetrahedra):
-    # Gmsh has the last two nodes of a tetrahedron the other way round.
-    tetrahedra = tetrahedra[:, [0, 1, 2, 3, 4, 5, 6, 7, 9, 8]] + 1
-    nodes = "".join(f"{row},{x:.12g},{y:.12g},{z:.12g}\n" for row, (x, y, z) in enumerate(points.tolist(), start=1))
-    elements = "".join(f"{row},{','.join(map(str, own))}\n" for row, own in enumerate(tetrahedra.tolist(), start=1))
-    return (f"*NODE, NSET=ALL\n{nodes}*ELEMENT, TYPE=C3D10, ELSET=SOLID\n{elements}{STEEL}"
-            f"*SOLID SECTION, ELSET=SOLID, MATERIAL=STEEL\n*STEP\n*FREQUENCY\n{RIGID + COUNT}\n*END STEP\n")
 
 
 def _frequencies(path):
