@@ -12,9 +12,7 @@ from thinpart_workbench.core.sizing.error_law import (
     AIMS,
     FLAT,
     IGNORED,
-    LEAST_ROUND,
     error_at,
-    on_curves,
     size_for_error,
     without_thinnest_places,
 )
@@ -77,13 +75,6 @@ def test_the_error_that_is_left_is_that_for_which_the_sizes_are(error):
     assert error_at(AIM, factor) == pytest.approx(error) and error_at(AIM, 1.0) == AIM
 
 
-def test_curvature_makes_elements_smaller_down_to_a_share_of_the_size():
-    size, radius = np.full(60, 2.0), np.append(np.geomspace(0.01, 100.0, 59), np.inf)
-    found = on_curves(size, radius)
-    assert found[-1] == 2.0 and found[0] == pytest.approx(LEAST_ROUND * 2.0) and LEAST_ROUND < 1.0
-    assert (np.diff(found) >= 0.0).all() and len(np.unique(found)) > 3
-
-
 def test_the_thinnest_places_ask_for_no_more_than_the_rest():
     area = np.full(1000, 2.0)
     size = np.linspace(5.0, 6.0, 1000)
@@ -140,14 +131,6 @@ def test_a_knife_s_edge_asks_for_no_more_than_the_plate_that_it_is_on():
     assert edged.least_size == pytest.approx(plain.least_size, rel=0.1)
     assert edged.elements == pytest.approx(plain.elements, rel=0.1)
     assert without_thinnest(bladed, edged) is None, "of the sizes for layers, it would be raised"
-
-
-def test_a_round_bar_has_smaller_elements_than_a_square_one_as_thick():
-    square = measured(*made_meshes.box(2, 2, 165))
-    along = np.linspace(0.0, 0.85, 600)[:, None]
-    round_bar = measured(*made_meshes.wire(200.0 * np.hstack([np.cos(along), np.sin(along), 0.0 * along]), 1.0))
-    of_round, of_square = (np.median(sizes_inside(proposed(part))) for part in (round_bar, square))
-    assert of_round == pytest.approx(LEAST_ROUND * of_square, rel=0.15)
 
 
 @pytest.mark.parametrize("share", [0.8, 0.4, 0.2])

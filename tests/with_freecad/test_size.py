@@ -21,7 +21,7 @@ from thinpart_workbench.core.sizing.sizing_settings import SizingSettings
 from thinpart_workbench.freecad_adapter.reading.part_files import read_parts
 from thinpart_workbench.storage.exchange.msh_file import read_tetrahedra
 from thinpart_workbench.workflow.analysis.analyse_part import analyse_part
-from thinpart_workbench.workflow.meshing.gmsh_program import mesh_volume
+from thinpart_workbench.workflow.meshing.gmsh_program import gmsh_program, mesh_volume
 from thinpart_workbench.workflow.meshing.mesh_check import MESH, checked_sizes
 from thinpart_workbench.workflow.solving.elastic_frequencies import COUNT, elastic_frequencies
 from thinpart_workbench.workflow.workers.reported_failure import reported_failure
@@ -189,9 +189,9 @@ def test_a_budget_costs_accuracy_and_that_is_said(parts, lines):
 def test_a_part_of_one_size_is_not_filled_with_elements_as_small_as_its_holes(perforated, lines):
     """At one size and without a field, Gmsh has the sizes at holes everywhere."""
     (line,), _ = lines(perforated, "--error", 20, "--check")
-    default, proposed = line["check"]["default"], line["check"]["proposed"]
+    proposed = line["check"]["proposed"]
     assert line["least_size"] == line["global_size"]
-    assert 0 < proposed["nodes"] < 0.2 * default["nodes"]
+    assert 0 < proposed["nodes"] < 5000  # of Gmsh 4.8, 64,000 without a field
     assert "it needs no finer one" in thinpart("size", perforated, "--error", 20).stdout
 
 
@@ -211,8 +211,10 @@ def perforated(tmp_path_factory):
 
 def test_sides_that_turn_elements_inside_out_are_straightened(perforated, lines):
     (line,), _ = lines(perforated, "--check")
-    for mesh in line["check"].values():
-        assert 0 < mesh["straightened"] < 0.3 * mesh["nodes"]
+    straightened = {name: mesh["straightened"] / mesh["nodes"] for name, mesh in line["check"].items()}
+    assert max(straightened.values()) < 0.3
+    if gmsh_program()[1].startswith("4.8."):
+        assert min(straightened.values()) > 0  # later versions leave none in this part
     (line,), _ = lines(perforated, "--check", "--order", 1)
     assert {mesh["straightened"] for mesh in line["check"].values()} == {0}
 
@@ -226,14 +228,16 @@ def test_the_solver_takes_the_mesh_though_it_refuses_that_of_gmsh(perforated, tm
     check, _ = checked_sizes(gmsh, shape, measurement, propose_sizes(measurement, 1.0, SizingSettings()), 60.0, folder,
                              default={"elements": 0, "reason": ""})
     points, tetrahedra = read_tetrahedra(tmp_path / MESH, 2)
-    assert check["proposed"]["straightened"] > 0 and len(points) == check["proposed"]["nodes"]
+    assert len(points) == check["proposed"]["nodes"]
     diagonal = measurement.descriptors.box.diagonal
     found, reason = elastic_frequencies(points, tetrahedra, diagonal, shutil.which("ccx"), 60.0, folder)
     assert reason == "" and len(found) == COUNT
     # What Gmsh makes of the same script.
     assert mesh_volume(gmsh, [str(tmp_path / "size.geo")], str(tmp_path / "own.msh"), 60.0, folder)[0] == ""
     own, same = read_tetrahedra(tmp_path / "own.msh", 2)
-    assert (same == tetrahedra).all() and (own != points).any()
+    assert (same == tetrahedra).all() and (own != points).any() == (check["proposed"]["straightened"] > 0)
+    if not check["proposed"]["straightened"]:
+        pytest.skip("this version of Gmsh leaves no element inside out here")
     refused, reason = elastic_frequencies(own, same, diagonal, shutil.which("ccx"), 60.0, folder)
     assert len(refused) == 0 and "nonpositive jacobian determinant" in reason
 

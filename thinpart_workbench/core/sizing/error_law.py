@@ -21,12 +21,6 @@ BY_ERROR = 0.35
 FLAT = 6.0
 """Greatest length of an element by the thickness of its wall: flatter ones have poor shapes, and bend too stiffly."""
 
-ROUND = 1.0
-"""Greatest length of an element by the radius of curvature of its side, six around a circle."""
-
-LEAST_ROUND = 0.5
-"""Share of the size to which curvature makes elements smaller at most: small holes and fillets bear no part's stiffness."""
-
 IGNORED = 0.05
 """Share of the surface whose thinnest places ask for no more than the rest: a knife's edge has no stiffness of its own."""
 
@@ -51,19 +45,6 @@ def size_for_error(thickness, diagonal, error):
 def error_at(error, factor):
     """The error that is left where all sizes are larger by a factor than for the error aimed at: float."""
     return error * factor ** (1.0 / BY_ERROR)
-
-
-def on_curves(size, radius):
-    """Element sizes where the surface is curved, ndarray of shape (m,), mm.
-
-    Parameters
-    ----------
-    size : ndarray of shape (m,), mm
-        Elsewhere.
-    radius : ndarray of shape (m,), mm
-        Of curvature; inf where the surface is plane.
-    """
-    return np.minimum(size, np.maximum(ROUND * radius, LEAST_ROUND * size))
 
 
 def without_thinnest_places(size, area):

@@ -8,7 +8,7 @@ from scipy.spatial import cKDTree
 from ..rays.inward_rays import InwardRays
 from ..thickness.local_thickness import local_thickness
 from ..thickness.walls import NONPARALLEL_BELOW
-from .error_law import on_curves, size_for_error, without_thinnest_places
+from .error_law import size_for_error, without_thinnest_places
 from .size_field import SizeField
 from .sizing_settings import LEAST_SHARE
 
@@ -144,9 +144,7 @@ def _for_error(measurement, error):
     box = measurement.descriptors.box
     rays = measurement.rays or InwardRays(field.mesh)
     thickness = local_thickness(field.mesh, field, rays, float(box.dimensions[2]))
-    size = size_for_error(thickness, box.diagonal, error)
-    size = on_curves(size, _radius(field.mesh)[field.samples.triangle[counted]])
-    size = without_thinnest_places(size, field.area[counted])
+    size = without_thinnest_places(size_for_error(thickness, box.diagonal, error), field.area[counted])
     region = regions_of(measurement.regions.listed, field.face[counted], field.distance[counted])
     return _through(field, counted, np.minimum(field.distance[counted], thickness), size, region)
 
