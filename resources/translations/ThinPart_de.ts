@@ -5162,8 +5162,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>fein</translation>
     </message>
     <message>
-        <source>finer at short edges and narrow faces</source>
-        <translation>feiner an kurzen Kanten und schmalen Flächen</translation>
+        <source>finer at curves, short edges and narrow faces</source>
+        <translation>feiner an Rundungen, kurzen Kanten und schmalen Flächen</translation>
     </message>
     <message>
         <source>finer where Gmsh failed</source>

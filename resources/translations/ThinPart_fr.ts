@@ -5162,8 +5162,8 @@ Son volume est inconnu.</translation>
         <translation>fine</translation>
     </message>
     <message>
-        <source>finer at short edges and narrow faces</source>
-        <translation>plus fin sur les arêtes courtes et les faces étroites</translation>
+        <source>finer at curves, short edges and narrow faces</source>
+        <translation>plus fin sur les courbes, les arêtes courtes et les faces étroites</translation>
     </message>
     <message>
         <source>finer where Gmsh failed</source>

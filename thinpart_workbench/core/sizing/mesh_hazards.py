@@ -93,7 +93,7 @@ def _knife_edges(mesh):
 
 def _curved_shares(field, element):
     """Shares of the area, floats: tightly curved; over walls that flat elements make thinner or thicker."""
-    curvature = _curvature(field.mesh)
+    curvature = greatest_curvature(field.mesh)
     here = curvature[field.samples.triangle]
     met = field.opposite >= 0
     there = np.where(met, curvature[field.opposite], 0.0)
@@ -111,7 +111,7 @@ def _sag(curvature, element):
     return radius - np.sqrt(radius * radius - half * half)
 
 
-def _curvature(mesh):
+def greatest_curvature(mesh):
     """Greatest curvature along a side of each triangle, 1/mm: ndarray of shape (n,), 0 where the surface is plane."""
     found = np.zeros(mesh.count)
     bent = np.flatnonzero(mesh.is_bent)

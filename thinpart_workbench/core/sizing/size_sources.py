@@ -9,6 +9,7 @@ from ..rays.inward_rays import InwardRays
 from ..thickness.local_thickness import local_thickness
 from ..thickness.walls import NONPARALLEL_BELOW
 from .error_law import size_for_error, without_thinnest_places
+from .mesh_hazards import greatest_curvature
 from .size_field import SizeField
 from .sizing_settings import LEAST_SHARE
 
@@ -28,8 +29,8 @@ OF_REGION = 1.5
 NARROW = 0.1
 """Share of the extent below which a face may be narrow for some size."""
 
-LEAST_DETAIL = 0.25
-"""Share of the size for an error aimed at to which a narrow face or a short edge makes elements smaller at most."""
+LEAST_DETAIL = 0.2
+"""Share of the size for an error aimed at to which a curve, a narrow face or a short edge makes elements smaller at most."""
 
 _MOST_ON_SIDE = 64
 
@@ -111,7 +112,8 @@ def size_sources(measurement, thin_limit, settings, has_details=True):
     is a quarter of the wall off: sqrt(2 R t) at a radius of curvature R. Across a taper, the thickness is that between its
     sides, not along the ray.
     A narrow face asks for elements as small as it is wide, an edge for as small as it is long: else the mesher makes needles
-    of them, or facets that cross. Beside sizes for an error, they ask for no less than `LEAST_DETAIL` of the size there.
+    of them, or facets that cross. Beside sizes for an error, they and curves ask for no less than `LEAST_DETAIL` of the size
+    there.
 
     Parameters
     ----------
@@ -120,10 +122,10 @@ def size_sources(measurement, thin_limit, settings, has_details=True):
         Walls that are thinner are thin.
     settings : SizingSettings
     has_details : bool
-        Whether narrow faces and short edges ask for sizes too.
+        Whether narrow faces and short edges ask for sizes too, and beside sizes for an error curves.
     """
     diagonal = measurement.descriptors.box.diagonal
-    walls = _for_error(measurement, settings.error) if settings.is_by_error else _of_walls(
+    walls = _for_error(measurement, settings.error, has_details) if settings.is_by_error else _of_walls(
         measurement, thin_limit, settings.divisions)
     if not walls.count:
         return walls
@@ -137,14 +139,17 @@ def size_sources(measurement, thin_limit, settings, has_details=True):
     return walls.followed_by(details).scaled(1.0, least)
 
 
-def _for_error(measurement, error):
-    """Sizes from the local thickness, at all samples and half-way through the wall under them."""
+def _for_error(measurement, error, follows_curves):
+    """Sizes from the local thickness, and from curves if wanted, at all samples and half-way through the wall under them."""
     field = measurement.field
     counted = np.flatnonzero(field.area > 0.0)
     box = measurement.descriptors.box
     rays = measurement.rays or InwardRays(field.mesh)
     thickness = local_thickness(field.mesh, field, rays, float(box.dimensions[2]))
     size = without_thinnest_places(size_for_error(thickness, box.diagonal, error), field.area[counted])
+    if follows_curves:
+        curvature = greatest_curvature(field.mesh)[field.samples.triangle[counted]]
+        size /= np.clip(curvature * size, 1.0, 1.0 / LEAST_DETAIL)  # as long as the radius, six around a circle
     region = regions_of(measurement.regions.listed, field.face[counted], field.distance[counted])
     return _through(field, counted, np.minimum(field.distance[counted], thickness), size, region)
 

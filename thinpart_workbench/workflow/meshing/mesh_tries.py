@@ -98,6 +98,9 @@ class MeshTries:
         self.first = MeshTry(message("as proposed"), proposal, usual_options(proposal))
         self._steps = [self._mended, self._finer, self._finer, self._finer_delaunay, self._details,
                        self._no_larger_than_thick]
+        if proposal.settings.is_by_error:
+            self._steps = [self._mended, self._finer, self._details, self._finer, self._finer_delaunay,
+                           self._no_larger_than_thick]
         self._stated, self._is_long = "", False
 
     def after(self, last, reason, stated):
@@ -167,15 +170,15 @@ class MeshTries:
                        proposal=self._finer_sizes(last), options={**last.options, **DELAUNAY})
 
     def _details(self, last):
-        """The sizes at first, with those of short edges and narrow faces, or without them where they had them: so small ones
-        may be flaws of the model."""
+        """The sizes at first, with those of curves, short edges and narrow faces, or without them where they had them: so
+        small ones may be flaws of the model."""
         first = self.first.proposal
         is_by_error = first.settings.is_by_error
         proposal = propose_sizes(self._measurement, first.thin_limit, first.settings, first.region_sizes,
                                  has_details=is_by_error)
         if proposal.is_uniform:
             return None
-        what = message("finer at short edges and narrow faces") if is_by_error else message(
+        what = message("finer at curves, short edges and narrow faces") if is_by_error else message(
             "short edges and narrow faces not finer than the walls")
         return replace(last, what=what, proposal=proposal, options={})
 
