@@ -165,8 +165,9 @@ def _of_walls(measurement, thin_limit, divisions):
     across = known.min_nonparallel and known.min_nonparallel * known.box.diagonal
     least = min((value for value in (measurement.thinnest_mm, across) if value), default=0.0)
     sizes = np.maximum(thickness, least) / divisions
-    radius = _radius(field.mesh)[field.samples.triangle[thin]]
-    sizes = np.minimum(sizes, np.sqrt(8.0 * CHORD_SHARE * radius * thickness))
+    curvature = greatest_curvature(field.mesh)[field.samples.triangle[thin]]
+    squared = np.divide(8.0 * CHORD_SHARE * thickness, curvature, out=np.full(len(thin), np.inf), where=curvature > 0.0)
+    sizes = np.minimum(sizes, np.sqrt(squared))
     region = regions_of(measurement.regions.listed, field.face[thin], thickness)
     return _through(field, thin, field.distance[thin], sizes, region)
 
@@ -177,15 +178,6 @@ def _through(field, samples, depth, sizes, region):
     middle = here - 0.5 * depth[:, None] * field.normals[samples]
     radius = SPACING * np.sqrt(field.area[samples])
     return SizeSources(np.concatenate([here, middle]), np.tile(sizes, 2), np.tile(region, 2), np.tile(radius, 2))
-
-
-def _radius(mesh):
-    """Radius of curvature of the surface by triangle, mm, inf where it is plane: ndarray of shape (n,)."""
-    corners = mesh.corners
-    longest = np.sqrt(np.max(np.sum((corners - np.roll(corners, 1, axis=1)) ** 2, axis=2), axis=1))
-    # A chord of length c under the angle 2 b, where b is the bend at its ends.
-    bend = np.where(mesh.is_bent, mesh.bend, 0.0)
-    return np.divide(0.5 * longest, np.sin(bend), out=np.full(mesh.count, np.inf), where=bend > 0.0)
 
 
 def regions_of(regions, faces, thickness):

@@ -201,8 +201,9 @@ class MeshSizesPanel(QtWidgets.QWidget):
         if found is None:
             show_text(self._figures, "")
             return
-        lines = [translate("ThinPart", "One size: {}").format(_figures(found["default"])),
-                 translate("ThinPart", "As proposed: {}").format(_figures(found["proposed"]))]
+        has_layers = self._aim.currentData() is None  # else one is enough, and every wall has it
+        lines = [translate("ThinPart", "One size: {}").format(_figures(found["default"], has_layers)),
+                 translate("ThinPart", "As proposed: {}").format(_figures(found["proposed"], has_layers))]
         tries = found["proposed"]["tries"]
         if len(tries) > 1:
             lines.append(translate("ThinPart", "Try {}: {}").format(len(tries), translated(tries[-1]["what"])))
@@ -339,13 +340,13 @@ def idealisation_text(found):
     return " ".join(lines)
 
 
-def _figures(figures):
+def _figures(figures, has_layers):
     if not figures["elements"]:
         return translate("ThinPart", "no mesh ({})").format(translated(figures["reason"]))
     text = translate("ThinPart", "{} elements, {} poor, worst {}").format(
         grouped(figures["elements"]), marked(f"{100.0 * figures['poor_share']:.2g}\u00a0%"),
         marked(f"{figures['gamma_least']:.2g}"))
-    if figures["layers_share"] is not None:
+    if has_layers and figures["layers_share"] is not None:
         text += translate("ThinPart", ", layers in {} of the thin walls").format(percent(figures["layers_share"]))
     return text
 
