@@ -57,7 +57,7 @@ class MeshSizesPanel(QtWidgets.QWidget):
         column.addWidget(self._progress)
         self._content = QtWidgets.QWidget(self)
         column.addWidget(self._content)
-        rows = QtWidgets.QVBoxLayout(self._content)
+        rows = content = QtWidgets.QVBoxLayout(self._content)
         rows.setContentsMargins(0, 0, 0, 0)
         self._add_kind(rows)
         self.shell = ShellBox(self)
@@ -90,7 +90,7 @@ class MeshSizesPanel(QtWidgets.QWidget):
         self._analysis.setToolTip(translate("ThinPart", "With CalculiX as its solver, and steel, which you replace. "
                                                         "Supports and loads are yours to add."))
         self._analysis.setChecked(True)
-        column.addWidget(self._analysis)
+        content.addWidget(self._analysis)
         column.addStretch(1)
         self.show_message("")
         self.show_check(None)
