@@ -3,14 +3,16 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
+from .sound_triangles import groups_by_sides
 from .walls_through import sides_of
 
 ALIKE = 1.02
 """Ratio of thicknesses up to which elements share a section."""
+
+FARTHEST = 2.0
+"""Thickness under a triangle by that of its wall up to which it is one: farther, it looks along another wall."""
 
 
 @dataclass(frozen=True)
@@ -46,10 +48,8 @@ class ShellMesh:
 
     @property
     def pieces(self):
-        """Number of pieces that share no node."""
-        first = np.repeat(self.triangles[:, :1], self.triangles.shape[1] - 1, axis=1).ravel()
-        graph = coo_matrix((np.ones(len(first)), (first, self.triangles[:, 1:].ravel())), shape=(len(self.points),) * 2)
-        return connected_components(graph, directed=False)[0]
+        """Number of pieces that share no side."""
+        return int(groups_by_sides(self.triangles).max()) + 1
 
     def sections(self):
         """Elements of about one thickness.
@@ -78,7 +78,7 @@ def shell_mesh(points, triangles, wall, walls, mesh, rays):
     points, triangles, wall
         As of `ShellMesh`.
     walls : list
-        Their ``pairs`` of faces and ``thickness``, by number.
+        Their ``face_pairs`` and ``thickness``, by number.
     mesh : SurfaceMesh
         Of the solid.
     rays : InwardRays
@@ -94,7 +94,7 @@ def shell_mesh(points, triangles, wall, walls, mesh, rays):
     thickness, count = sides.ahead + sides.behind, int(mesh.face_of_triangle.max()) + 1
     for number, each in enumerate(walls):
         own = np.flatnonzero(wall == number)
-        known = sides.is_between([pair.faces for pair in each.pairs], count)[own]
+        known = (sides.is_between(each.face_pairs, count) & (thickness < FARTHEST * each.thickness))[own]
         if not known.all():
             bare = own[~known]
             thickness[bare] = (thickness[own[known]][cKDTree(centre[own[known]]).query(centre[bare])[1]]

@@ -80,6 +80,11 @@ class MidWall:
         return {face for pair in self.pairs for face in pair.faces}
 
     @property
+    def face_pairs(self):
+        """list of tuple of int: the faces of its pairs."""
+        return [pair.faces for pair in self.pairs]
+
+    @property
     def is_flat(self):
         """bool"""
         return isinstance(self.shape, MidPlane)
@@ -164,7 +169,7 @@ def _without_heights(walls, mesh, rays, count):
         for other in walls:
             if other.thickness * THINNER <= wall.thickness:
                 sides = sides_of(mesh, rays, wall.middles, other.shape.normals(wall.middles))
-                inside |= sides.is_between([pair.faces for pair in other.pairs], count)
+                inside |= sides.is_between(other.face_pairs, count)
         if inside.mean() < WITHIN:
             found.append(wall)
     return found

@@ -13,7 +13,7 @@ SMOOTH = math.cos(math.radians(5.0))
 def smooth_cuts(shape, walls):
     """Faces across the walls along the smooth edges between two of them: list of Part.Face for each wall."""
     faces = shape.Faces
-    edges = _edges_between(faces)
+    edges = edges_between(faces)
     opposite = {}
     for number, wall in enumerate(walls):
         for pair in wall.pairs:
@@ -43,7 +43,7 @@ def smooth_cuts(shape, walls):
     return cuts
 
 
-def _edges_between(faces):
+def edges_between(faces):
     """Edges by the two faces that they lie between, the lower first."""
     edges = [(edge, number) for number, face in enumerate(faces) for edge in face.Edges]
     owners = {}

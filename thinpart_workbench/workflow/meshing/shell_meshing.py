@@ -1,8 +1,7 @@
 """The mid-surface of a part as a mesh of triangles: faces by FreeCAD, triangles by Gmsh, thickness by rays."""
 
-import os
-import tempfile
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -14,18 +13,15 @@ from ...core.shells.facing_faces import facing_faces
 from ...core.shells.open_ends import open_ends
 from ...core.shells.shell_mesh import ShellMesh, shell_mesh
 from ...core.shells.shell_settings import SHARE_OF_DIAGONAL, ShellSettings
-from ...freecad_adapter.shapes.brep_file import write_brep
-from ...storage.exchange.msh_file import read_triangles
-from .gmsh_program import INCOMPLETE, mesh_surface
+from ...core.shells.sound_triangles import sound_triangles
+from .one_sided_shell import one_sided_middles, sides_of_part
+from .shell_triangles import shell_triangles
 
 ACROSS = 2.0
 """Elements across the narrowest flat wall; of a round one, its curvature says more."""
 
 THINNEST_ELEMENT = 2.0
 """Least default element size by the thickness of the thinnest wall: a shell knows nothing smaller."""
-
-AROUND = 6
-"""Elements around a circle."""
 
 LEAST_WALLS = 0.4
 """Share of the part's volume that walls with a mid-surface must have before it is made: at joints, it grows into more."""
@@ -35,6 +31,9 @@ LEAST_VOLUME, MOST_VOLUME = 0.6, 1.3
 
 TOLD_INSIDE, MOST_INSIDE = 0.02, 0.5
 """Share of the free edges of a shell that may end inside the material: without a warning, and at all."""
+
+EQUAL_VOLUME = 0.05
+"""Difference of the volume shares of the shells from either side up to which that with fewer triangles is taken."""
 
 LEFT_SHARE = 0.002
 """Share of the surface from which on faces that no wall has are left solid."""
@@ -57,9 +56,11 @@ class PartShell:
         Walls that are no shell: ``kind``, ``thickness``, ``volume_share`` and ``faces`` of the wall region.
     warnings : list of str
     shape : Part.Shape
-        The mid-surface that was meshed.
+        The mid-surface that was meshed, or the side of the wall that was.
     wall_of_face : list of int
         Number of the wall, from 0, that each of its faces belongs to.
+    is_moved : bool
+        Whether a side was meshed and its triangles moved to the middle: they do not lie on the shape.
     """
 
     mesh: ShellMesh
@@ -70,6 +71,7 @@ class PartShell:
     warnings: list
     shape: object
     wall_of_face: list
+    is_moved: bool = False
 
 
 def shell_obstacle(part, measurement):
@@ -82,13 +84,18 @@ def shell_obstacle(part, measurement):
     part : SolidPart or MeshedPart
     measurement : Measurement
     """
-    return shell_walls(part, measurement)[1]
+    obstacle = shell_walls(part, measurement)[1]
+    if not obstacle or not hasattr(part, "shape") or measurement.rays is None or measurement.volume_mm3 is None:
+        return obstacle
+    sides = sides_of_part(part, measurement)
+    is_wall = sides and sides[0].area * sides[0].thickness >= LEAST_VOLUME * measurement.volume_mm3
+    return "" if is_wall else obstacle
 
 
 def shell_walls(part, measurement):
-    """The walls of a measured part that a shell could have, and why one cannot be made: see `shell_obstacle`.
+    """The walls of a measured part that have a mid-surface of their own, and why they make no shell.
 
-    Returns `walls` (list of MidWall) and `obstacle` (str).
+    Returns `walls` (list of MidWall) and `obstacle` (str; see `shell_obstacle`).
     """
     # Imported here since the adapter loads FreeCAD.
     from ...freecad_adapter.mid_surface.mid_faces import mid_walls
@@ -129,35 +136,54 @@ def shell_of_part(part, measurement, program, seconds, settings=None, report=Non
     report : callable, optional
         Called with the fraction that is done.
     """
+    settings, report = settings or ShellSettings(), report or (lambda fraction: None)
+    try:
+        return _from_mid_faces(part, measurement, program, seconds, settings, report)
+    except ThinPartError as error:
+        if error.kind != "no_shell" or settings.solid_walls:
+            raise
+        found = _from_one_side(part, measurement, program, seconds, settings)
+        if found is None:
+            raise
+        return found
+
+
+def _from_mid_faces(part, measurement, program, seconds, settings, report):
+    """The shell whose faces lie half-way between two faces each."""
     # Imported here since the adapter loads FreeCAD.
     from ...freecad_adapter.mid_surface.mid_faces import mid_surface
 
-    obstacle = shell_obstacle(part, measurement)
+    obstacle = shell_walls(part, measurement)[1]
     if obstacle:
         raise ThinPartError(obstacle, "no_shell" if hasattr(part, "shape") else "no_solid")
-    surface, rays = measurement.field.mesh, measurement.rays
-    report = report or (lambda fraction: None)
-    settings = settings or ShellSettings()
-    middle = mid_surface(part.shape, facing_faces(measurement.field), surface, rays, lambda done: report(0.9 * done),
-                         settings.solid_walls)
+    middle = mid_surface(part.shape, facing_faces(measurement.field), measurement.field.mesh, measurement.rays,
+                         lambda done: report(0.9 * done), settings.solid_walls)
     report(0.9)
-    size, order = settings.size or _default_size(middle, measurement), settings.order
-    with tempfile.TemporaryDirectory(prefix="thinpart-shell-") as folder:
-        file, output = os.path.join(folder, "middle.brep"), os.path.join(folder, "middle.msh")
-        write_brep(middle.shape, file)
-        reason, _ = mesh_surface(program, file, output, seconds, folder, size, AROUND, order)
-        if reason:
-            raise ThinPartError(message("The mid-surface of {part} could not be meshed ({problem}): name another element "
-                                        "size.", part=part.label, problem=reason), "no_shell")
-        try:
-            points, triangles, number = read_triangles(output, order)
-        except ThinPartError:
-            raise ThinPartError(message("The mid-surface of {part} could not be meshed ({problem}).", part=part.label,
-                                        problem=INCOMPLETE), "failed") from None
-    if not len(triangles):
-        raise ThinPartError(message("The mid-surface of {part} could not be meshed ({problem}): name another element "
-                                    "size.", part=part.label, problem=message("it has no triangles")), "no_shell")
-    wall = np.array(middle.wall_of_face)[number - 1]
+    size = settings.size or _default_size(middle, measurement)
+    points, triangles, number = shell_triangles(part, middle.shape, program, seconds, size, settings.order)
+    return _part_shell(part, measurement, middle, size, points, triangles, np.array(middle.wall_of_face)[number])
+
+
+def _from_one_side(part, measurement, program, seconds, settings):
+    """The shell whose triangles were moved from one side of the wall; None where that is none either."""
+    if measurement.rays is None or measurement.volume_mm3 is None:
+        return None
+    found = []
+    with suppress(ThinPartError):
+        for middle in one_sided_middles(part, measurement, program, seconds, settings):
+            with suppress(ThinPartError):
+                found.append(replace(_part_shell(part, measurement, middle, middle.size, middle.points, middle.triangles,
+                                                 middle.wall), is_moved=True))
+    off = [abs(shell.volume_share - 1.0) for shell in found]
+    return min((shell for shell, own in zip(found, off) if own <= min(off) + EQUAL_VOLUME),
+               key=lambda shell: len(shell.mesh.triangles), default=None)
+
+
+def _part_shell(part, measurement, middle, size, points, triangles, wall):
+    """The shell with the triangles of a mid-surface, once checked against the part."""
+    surface, rays = measurement.field.mesh, measurement.rays
+    points, triangles, kept = sound_triangles(points, triangles, np.array([each.thickness for each in middle.walls])[wall])
+    wall = wall[kept]
     mesh = shell_mesh(points, triangles, wall, middle.walls, surface, rays)
     share = mesh.volume / measurement.volume_mm3
     left = _left_solid(measurement, middle)
@@ -182,7 +208,7 @@ def _default_size(middle, measurement):
 def _left_solid(measurement, middle):
     """Wall regions most of whose surface is on no side of a wall that became a shell."""
     field = measurement.field
-    pairs = {pair.faces for wall in middle.walls + middle.solid_walls for pair in wall.pairs}
+    pairs = {pair for wall in middle.walls + middle.solid_walls for pair in wall.face_pairs}
     far = np.append(field.mesh.face_of_triangle, -1)[field.opposite]
     covered = np.array([(min(one, other), max(one, other)) in pairs for one, other in zip(field.face, far)], dtype=bool)
     found = []
