@@ -22,6 +22,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
+from thinpart_workbench.core.mesh.second_order import straightened
 from thinpart_workbench.core.thickness.measurement import measure
 from thinpart_workbench.freecad_adapter.bootstrap import load_freecad
 from thinpart_workbench.freecad_adapter.shapes.part import SolidPart
@@ -85,19 +86,20 @@ def _bracket():
     return sheet.cut(Part.makeCylinder(8, 20, FreeCAD.Vector(-5, 30, 45), FreeCAD.Vector(1, 0, 0))).Solids[0]
 
 
-def solid_model(program, shape, size, folder, clamped, loaded):
+def solid_model(program, shape, size, folder, clamped, loaded, around=16):
     """Head of the solver's input for tetrahedra of second order, number of nodes, clamped nodes and share of the force by
     node."""
     from thinpart_workbench.storage.exchange import msh_file
 
     file, output = os.path.join(folder, "solid.brep"), os.path.join(folder, "solid.msh")
     shape.exportBrep(file)
-    reason, _ = mesh_volume(program, [file], output, SECONDS, folder, ("-clmax", repr(size), "-clcurv", "16",
+    reason, _ = mesh_volume(program, [file], output, SECONDS, folder, ("-clmax", repr(size), "-clcurv", str(around),
                                                                       "-order", "2"))
     if reason:
         raise SystemExit(reason)
     points, triangles, _ = msh_file.read_triangles(output, 2)
     tetrahedra = msh_file.read_tetrahedra(output, 2)[1]
+    points, _ = straightened(points, tetrahedra)  # else, CalculiX refuses some of real parts
     # Gmsh has the last two nodes of a tetrahedron the other way round.
     tetrahedra = tetrahedra[:, [0, 1, 2, 3, 4, 5, 6, 7, 9, 8]]
     text = "*NODE, NSET=ALL\n" + "".join(
@@ -106,16 +108,21 @@ def solid_model(program, shape, size, folder, clamped, loaded):
         ",".join(map(str, row)) + "\n" for row in np.column_stack([np.arange(1, len(tetrahedra) + 1), tetrahedra + 1]))
     text += STEEL + "*SOLID SECTION, ELSET=SOLID, MATERIAL=STEEL\n"
     force, low, high = np.zeros(len(points)), points.min(axis=0), points.max(axis=0)
-    (axis, side), near = loaded, 1e-6 * np.ptp(points)
-    end = (low, high)[side][axis]
+    near, axis, end = 1e-6 * np.ptp(points), *_plane(loaded, low, high)
     outer = triangles[(np.abs(points[triangles][:, :, axis] - end) < near).all(axis=1)]
     a, b, c = points[outer[:, :3].T]
     areas = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
     for column in (3, 4, 5):  # the consistent load of a quadratic triangle is all on the middles of its sides
         np.add.at(force, outer[:, column], areas / 3.0)
-    axis, side = clamped
-    held = np.flatnonzero(np.abs(points[:, axis] - (low, high)[side][axis]) < near)
+    axis, end = _plane(clamped, low, high)
+    held = np.flatnonzero(np.abs(points[:, axis] - end) < near)
     return text, len(points), held, force / force.sum()
+
+
+def _plane(place, low, high):
+    """Axis and coordinate of a place: an axis and either a side, int, or a coordinate, float."""
+    axis, at = place
+    return axis, (low, high)[at][axis] if isinstance(at, int) else at
 
 
 def shell_model(shell, about, box, clamped, loaded):
@@ -151,15 +158,16 @@ def solved(model, direction, folder, rotations):
     static = "*STEP\n*STATIC\n*CLOAD\n" + "".join(
         f"{node + 1},{direction + 1},{FORCE * share[node]:.12g}\n" for node in nodes)
     static += "*NODE FILE" + (", OUTPUT=2D" if rotations else "") + "\nU\n*END STEP\n"
-    displaced = _displacements(_run(text + static, folder, "static") + ".frd")
+    displaced = displacements(run_solver(text + static, folder, "static") + ".frd")
     deflection = sum(share[node] * displaced[node + 1][direction] for node in nodes)
-    dat = _run(text + "*STEP\n*FREQUENCY\n2\n*END STEP\n", folder, "modes") + ".dat"
+    dat = run_solver(text + "*STEP\n*FREQUENCY\n2\n*END STEP\n", folder, "modes") + ".dat"
     rows = [line.split() for line in Path(dat).read_text().splitlines()]
     frequency = next(float(row[3]) for row in rows if len(row) >= 4 and row[0] == "1")
     return deflection, frequency
 
 
-def _run(text, folder, name):
+def run_solver(text, folder, name):
+    """Solve the input that a text is; the path of its results, without ending."""
     path = os.path.join(folder, name)
     Path(path + ".inp").write_text(text, encoding="utf-8")
     end = subprocess.run([shutil.which("ccx"), name], cwd=folder, capture_output=True, text=True, timeout=SECONDS,
@@ -169,7 +177,8 @@ def _run(text, folder, name):
     return path
 
 
-def _displacements(path):
+def displacements(path):
+    """Displacements of a file of results by node: dict of lists, mm."""
     found, is_on = {}, False
     with open(path, encoding="ascii", errors="replace") as file:
         for line in file:

@@ -4082,6 +4082,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Einer der angegebenen Pfade ist leer: Nennen Sie eine Datei oder einen Ordner.</translation>
     </message>
     <message>
+        <source>Only {share:.0f} % of the volume of {part} can be cut off as walls.</source>
+        <translation>Nur {share:.0f} % des Volumens von {part} lassen sich als Wände abschneiden.</translation>
+    </message>
+    <message>
         <source>Only {share} of the surface lies over parallel walls thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
         <translation>Nur {share} der Oberfläche liegen über parallelen Wänden, die dünner als {limit} sind, {part} der mittleren Seite von {middle}: mit Volumenelementen vernetzen.</translation>
     </message>
@@ -4320,6 +4324,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Sheet metal</source>
         <translation>Blech</translation>
+    </message>
+    <message>
+        <source>Shell and solid of {part} would count for {share:.0f} % of its volume.</source>
+        <translation>Schale und Volumen von {part} ergäben {share:.0f} % seines Volumens.</translation>
     </message>
     <message>
         <source>Shortest side of the bounding box</source>
@@ -4646,12 +4654,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die Einstellungen wurden bei {part} gespeichert.</translation>
     </message>
     <message>
+        <source>The shell and what is solid, tied to it, were written to {file}: {elements} elements, {nodes} nodes.</source>
+        <translation>Die Schale und das damit verbundene Volumen wurden nach {file} geschrieben: {elements} Elemente, {nodes} Knoten.</translation>
+    </message>
+    <message>
         <source>The shell has {share:.0f} % of the part's volume: the rest is not in the file.</source>
         <translation>Die Schale hat {share:.0f} % des Volumens des Teils: Der Rest ist nicht in der Datei.</translation>
     </message>
     <message>
         <source>The shell is in {count} pieces: what is left solid lies between them.</source>
         <translation>Die Schale besteht aus {count} Stücken: Dazwischen liegt, was massiv bleibt.</translation>
+    </message>
+    <message>
+        <source>The shell of {part} reaches only {share:.0f} % of the cuts between its walls and what is solid.</source>
+        <translation>Die Schale von {part} erreicht nur {share:.0f} % der Schnitte zwischen seinen Wänden und dem Volumen.</translation>
     </message>
     <message>
         <source>The shell was written to {file}: {elements} elements, {nodes} nodes.</source>
@@ -4952,6 +4968,18 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Warnings</source>
         <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>What is solid could not be cut from the walls ({problem}).</source>
+        <translation>Das Volumen ließ sich nicht von den Wänden trennen ({problem}).</translation>
+    </message>
+    <message>
+        <source>What is solid of {part} could not be meshed ({problem}).</source>
+        <translation>Das Volumen von {part} ließ sich nicht vernetzen ({problem}).</translation>
+    </message>
+    <message>
+        <source>What is solid of {part} is not in the file. {problem}</source>
+        <translation>Das Volumen von {part} ist nicht in der Datei. {problem}</translation>
     </message>
     <message>
         <source>Where it is thin</source>

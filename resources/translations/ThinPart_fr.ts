@@ -4082,6 +4082,10 @@ Son volume est inconnu.</translation>
         <translation>Un des chemins donnés est vide : indiquez un fichier ou un dossier.</translation>
     </message>
     <message>
+        <source>Only {share:.0f} % of the volume of {part} can be cut off as walls.</source>
+        <translation>Seuls {share:.0f} % du volume de {part} peuvent être séparés comme parois.</translation>
+    </message>
+    <message>
         <source>Only {share} of the surface lies over parallel walls thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
         <translation>Seulement {share} de la surface recouvre des parois parallèles plus minces que {limit}, {part} du côté médian de {middle} : mailler en éléments volumiques.</translation>
     </message>
@@ -4320,6 +4324,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Sheet metal</source>
         <translation>Tôle</translation>
+    </message>
+    <message>
+        <source>Shell and solid of {part} would count for {share:.0f} % of its volume.</source>
+        <translation>La coque et le solide de {part} compteraient pour {share:.0f} % de son volume.</translation>
     </message>
     <message>
         <source>Shortest side of the bounding box</source>
@@ -4646,12 +4654,20 @@ Son volume est inconnu.</translation>
         <translation>Les réglages ont été enregistrés avec {part}.</translation>
     </message>
     <message>
+        <source>The shell and what is solid, tied to it, were written to {file}: {elements} elements, {nodes} nodes.</source>
+        <translation>La coque et le solide qui lui est lié ont été écrits dans {file} : {elements} éléments, {nodes} nœuds.</translation>
+    </message>
+    <message>
         <source>The shell has {share:.0f} % of the part's volume: the rest is not in the file.</source>
         <translation>La coque a {share:.0f} % du volume de la pièce : le reste n’est pas dans le fichier.</translation>
     </message>
     <message>
         <source>The shell is in {count} pieces: what is left solid lies between them.</source>
         <translation>La coque est en {count} morceaux : ce qui reste solide se trouve entre eux.</translation>
+    </message>
+    <message>
+        <source>The shell of {part} reaches only {share:.0f} % of the cuts between its walls and what is solid.</source>
+        <translation>La coque de {part} n’atteint que {share:.0f} % des coupes entre ses parois et le solide.</translation>
     </message>
     <message>
         <source>The shell was written to {file}: {elements} elements, {nodes} nodes.</source>
@@ -4952,6 +4968,18 @@ Son volume est inconnu.</translation>
     <message>
         <source>Warnings</source>
         <translation>Avertissements</translation>
+    </message>
+    <message>
+        <source>What is solid could not be cut from the walls ({problem}).</source>
+        <translation>Le solide n’a pas pu être séparé des parois ({problem}).</translation>
+    </message>
+    <message>
+        <source>What is solid of {part} could not be meshed ({problem}).</source>
+        <translation>Le solide de {part} n’a pas pu être maillé ({problem}).</translation>
+    </message>
+    <message>
+        <source>What is solid of {part} is not in the file. {problem}</source>
+        <translation>Le solide de {part} n’est pas dans le fichier. {problem}</translation>
     </message>
     <message>
         <source>Where it is thin</source>

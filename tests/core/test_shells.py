@@ -12,6 +12,7 @@ from thinpart_workbench.core.shells.open_ends import open_ends
 from thinpart_workbench.core.shells.shell_mesh import ShellMesh, shell_mesh
 from thinpart_workbench.core.shells.shell_or_solid import idealisation
 from thinpart_workbench.core.shells.shell_settings import ShellSettings
+from thinpart_workbench.core.shells.wall_sides import wall_sides
 from thinpart_workbench.core.thickness.measurement import measure
 
 
@@ -37,7 +38,7 @@ def sheet(measurement, low, high, cells=10):
 
 class _Wall:
     def __init__(self, pairs):
-        self.pairs, self.thickness = pairs, pairs[0].thickness
+        self.face_pairs, self.thickness = [pair.faces for pair in pairs], pairs[0].thickness
 
 
 def test_the_two_sides_of_a_plate_are_a_pair_and_its_rims_are_none(plate):
@@ -45,6 +46,29 @@ def test_the_two_sides_of_a_plate_are_a_pair_and_its_rims_are_none(plate):
     assert len(pairs) == 1
     assert pairs[0].thickness == pytest.approx(2.0, rel=1e-6) and pairs[0].area == pytest.approx(8000.0, rel=0.02)
     assert pairs[0].middles[:, 2] == pytest.approx(plate.field.mesh.origin[2])
+
+
+def test_a_plate_has_two_sides_and_rims_belong_to_none(plate):
+    count = int(plate.field.mesh.face_of_triangle.max()) + 1
+    rims_and_sides = {(first, second): 1.0 for first in range(count) for second in range(first + 1, count)}
+    sides = wall_sides(plate.field, rims_and_sides, count)
+    assert [side.area for side in sides] == [pytest.approx(8000.0, rel=0.02)] * 2
+    assert [len(side.faces) for side in sides] == [1, 1] and sides[0].faces != sides[1].faces
+    assert sides[0].pairs == sides[1].pairs == [tuple(sorted((*sides[0].faces, *sides[1].faces)))]
+    assert sides[0].thickness == pytest.approx(2.0)
+
+
+def test_a_block_has_no_sides():
+    block = measured(*made_meshes.box(50, 40, 30))
+    assert wall_sides(block.field, {}, int(block.field.mesh.face_of_triangle.max()) + 1) == []
+
+
+def test_walls_whose_thickness_varies_have_it_at_their_nodes():
+    points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [2, 0, 0]], dtype=float)
+    shell = ShellMesh(points, np.array([[0, 1, 2], [1, 3, 2], [1, 4, 3]]), np.array([0, 0, 1]), np.array([1.0, 2.0, 5.0]))
+    assert shell.is_tapered.tolist() == [True, True, False]
+    node, thickness = shell.node_thickness(np.array([0, 1]))
+    assert node.tolist() == [0, 1, 2, 3] and thickness.tolist() == [1.0, 1.5, 1.5, 2.0]
 
 
 def test_a_shell_half_way_through_a_plate_has_its_thickness_and_volume(plate):

@@ -45,8 +45,10 @@ def honest():
                   "faces": ["Face1", "Face2"], "size": size, "layers": 2.0, "elements": 40}],
         gmsh_options=[{"name": "Mesh.Algorithm", "value": 5}])
     part["shell"].update(
-        size=5.0, elements=2, nodes=4, volume_share=0.9, reason="", thickness=[1.0, 1.0], wall=[0, 0],
-        triangles=[[0, 1, 2], [0, 2, 3]], points=[[0.0, 0.0, 0.0], [5.0, 0.0, 0.0], [5.0, 5.0, 0.0], [0.0, 5.0, 0.0]],
+        size=5.0, elements=2, nodes=9, volume_share=0.9, reason="", thickness=[1.0, 1.0], wall=[0, 0],
+        triangles=[[0, 2, 8, 1, 5, 4], [0, 8, 6, 4, 7, 3]], points=[[2.5 * (k % 3), 2.5 * (k // 3), 0.0] for k in range(9)],
+        solid={"nodes": 10, "elements": 1, "volume_share": 0.1, "points": [[0.0, 0.0, 1.0 * k] for k in range(10)],
+               "tetrahedra": [list(range(10))], "tied": [0, 1], "sides": [[0, 0]]},
         warnings=["It is one."], walls=[{"wall": 1, "thickness": 1.0, "area": 25.0, "faces": ["Face1", "Face2"]}],
         left_solid=[{"kind": "plate", "thickness": 1.0, "volume_share": 0.1, "faces": ["Face3"]}])
     return task, content

@@ -116,14 +116,17 @@ def test_a_small_piece_that_does_not_meet_the_rest_is_left_solid(tmp_path):
     boss, lug = Part.makeBox(12, 12, 10, FreeCAD.Vector(50, 30, 2)), Part.makeBox(1.5, 12, 12, FreeCAD.Vector(55, 30, 12))
     part = Part.makeBox(120, 80, 2).fuse([boss, lug]).removeSplitter()
     part.exportBrep(str(tmp_path / "lug.brep"))
-    line, run = record(tmp_path / "lug.brep", "--shell", tmp_path / "lug.inp")
+    line, run = record(tmp_path / "lug.brep", "--shell", tmp_path / "lug.msh")
     assert run.returncode == 0, run.stderr
     shell = line["shell"]
     assert [wall["thickness"] for wall in shell["walls"]] == [pytest.approx(2.0)]
     assert any("Pieces that do not meet the rest were left out" in warning for warning in shell["warnings"])
     assert pytest.approx(1.5) in [each["thickness"] for each in shell["left_solid"]]
-    heights = {point[2] for point in read_inp(tmp_path / "lug.inp")[0].values()}
-    assert heights == {1.0}
+    nodes = (tmp_path / "lug.msh").read_text().split("$Nodes\n")[1].split("$EndNodes")[0].splitlines()[1:]
+    assert {float(node.split()[3]) for node in nodes} == {1.0}
+    # For CalculiX, both are solid, and tied to the plate.
+    line, _ = record(tmp_path / "lug.brep", "--shell", tmp_path / "lug.inp")
+    assert line["shell"]["solid"]["elements"] > 20 and line["shell"]["warnings"] == []
 
 
 @pytest.mark.parametrize("ending", ["msh", "unv"])

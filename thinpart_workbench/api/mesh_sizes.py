@@ -24,13 +24,13 @@ from ..core.sizing.size_sources import places
 from ..core.sizing.sizing_settings import SizingSettings
 from ..storage.exchange.geo_file import write_geo
 from ..storage.exchange.gmsh_shape import OPTIONS, gmsh_ending, is_opened_as_shape, stem_for_gmsh
-from ..storage.exchange.shell_files import SHELL_FORMATS, write_shell
+from ..storage.exchange.shell_files import MIXED_FORMATS, SHELL_FORMATS, write_shell
 from ..storage.new_file import write_new
 from ..storage.output_file import check_output, writing
 from ..system.file_paths import relative_path
 from ..workflow.analysis.run_progress import RunProgress
 from ..workflow.meshing.gmsh_program import gmsh_program
-from ..workflow.meshing.shell_meshing import mesh_of_record, shell_of_part
+from ..workflow.meshing.shell_meshing import mesh_of_record, shell_of_part, solid_of_record
 from ..workflow.meshing.size_run import propose_for_documents
 from ..workflow.meshing.size_task import SizeTask
 from .file_run import FileRun
@@ -267,6 +267,17 @@ def check_shell_file(path):
                                     file=os.fspath(path), endings=", ".join(SHELL_FORMATS)), "usage")
 
 
+def takes_solids(path):
+    """Whether a file of this name has the rest of a part too, as a solid that is tied to its shell: bool.
+
+    Examples
+    --------
+    >>> takes_solids("lid.inp"), takes_solids("lid.unv")
+    (True, False)
+    """
+    return os.path.splitext(os.fspath(path))[1].lower() in MIXED_FORMATS
+
+
 def write_shell_file(path, part, overwrite=False, inputs=()):
     """Write the shell of a part, in the format that the ending says: ``.inp``, ``.msh`` or ``.unv``.
 
@@ -274,7 +285,7 @@ def write_shell_file(path, part, overwrite=False, inputs=()):
     ----------
     path : str or Path
     part : dict
-        What `mesh_sizes` yields for a part, with ``shell``.
+        What `mesh_sizes` yields for a part, with ``shell``; what its ``solid`` has is in the file where that `takes_solids`.
     overwrite, inputs
         See `storage.output_file.check_output`.
 
@@ -296,7 +307,8 @@ def write_shell_file(path, part, overwrite=False, inputs=()):
         raise ThinPartError(message("{file} was not written. {reason}", file=os.fspath(path), reason=shell["reason"]),
                             "no_shell")
     with writing(path):
-        write_shell(path, mesh_of_record(shell), part["label"], overwrite, inputs)
+        solid = solid_of_record(shell) if takes_solids(path) else None
+        write_shell(path, mesh_of_record(shell), part["label"], overwrite, inputs, solid)
 
 
 def shell_of(part, measurement, settings=None, seconds=MESH_SECONDS):

@@ -147,6 +147,10 @@ def _shell(shell):
     thick = [wall["thickness"] for wall in shell["walls"]]
     text = (f"Shell: {shell['elements']:,} triangles of up to {shell['size']:.3g} mm, {len(thick)} walls from "
             f"{min(thick):.3g} to {max(thick):.3g} mm thick, {_share(shell['volume_share'])} of the part's volume.")
+    solid = shell["solid"]
+    if solid is not None:
+        text += (f"\nThe rest, {_share(solid['volume_share'])} of the volume, is solid: {solid['elements']:,} tetrahedra, "
+                 f"{solid['nodes']:,} nodes, tied to the shell.")
     for each in shell["left_solid"]:
         text += f"\nLeft solid: a {each['kind']} {each['thickness']:.3g} mm thick, {printable(_some(each['faces']))}."
     return "\n".join([text, *map(printable, shell["warnings"])])

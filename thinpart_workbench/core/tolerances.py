@@ -103,10 +103,14 @@ ELSEWHERE = (
     "core.record.thin_faces",  # faces that are shown as thin
     "core.risk.mesh_risk",  # what raises a risk
     "core.shells.facing_faces",  # sides of a wall
+    "core.shells.mixed_mesh",  # nodes beside a face that they are tied to
+    "core.shells.moved_side",  # nodes that are moved from a side to the middle of a wall
     "core.shells.open_ends",  # free edges of a shell inside the material
     "core.shells.shell_mesh",  # thicknesses of elements that are one property
     "core.shells.shell_or_solid",  # parts to be meshed as shells
     "core.shells.shell_settings",  # element sizes of shells
+    "core.shells.sound_triangles",  # triangles that a solver takes
+    "core.shells.wall_sides",  # faces on one side of a wall
     "core.sizing.element_estimate",  # elements in a volume and under a surface
     "core.sizing.error_law",  # sizes for an error of an analysis
     "core.sizing.size_boxes",  # cubes outside of the part
@@ -129,7 +133,9 @@ ELSEWHERE = (
     "freecad_adapter.mid_surface.cut_faces",  # time for cutting mid-surfaces
     "freecad_adapter.mid_surface.mid_faces",  # walls that have a mid-surface, walls that have one together
     "freecad_adapter.mid_surface.mid_shapes",  # round walls
+    "freecad_adapter.mid_surface.side_faces",  # curvature of most of a face
     "freecad_adapter.mid_surface.smooth_cuts",  # faces that meet smoothly
+    "freecad_adapter.mid_surface.solid_rest",  # walls that go over into a solid, thick bodies
     "freecad_adapter.objects.thickness_probes",  # probes on a surface that was measured again
     "freecad_adapter.shapes.mended_solid",  # solids that are the same after mending
     "freecad_adapter.shapes.solids",  # gaps that sewing closes

@@ -123,8 +123,8 @@ class PartSizes:
         OSError
         """
         try:
-            shell = shell_of_part(self._part, self._measurement, gmsh_program(gmsh)[0], seconds, ShellSettings(**settings),
-                                  self._report)
+            shell = shell_of_part(self._part, self._measurement, gmsh_program(gmsh)[0], seconds,
+                                  ShellSettings(**settings, on_faces=True), self._report)
         except ThinPartError as error:
             if error.kind == "no_shell":
                 self._sizing.no_shell = error.args[0]  # further proposals advise against it

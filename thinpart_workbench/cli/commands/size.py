@@ -14,6 +14,7 @@ from ...api.mesh_sizes import (
     SizeProgress,
     check_shell_file,
     mesh_sizes,
+    takes_solids,
     write_shell_file,
     write_size_script,
 )
@@ -64,7 +65,7 @@ def add_arguments(parser):
                       help="write the sizes of the part as a script for Gmsh, FILE.geo, which opens the part too")
     add_output_option(parser, "--shell", mark=SHELLS, metavar="FILE",
                       help="write the mid-surface of the part as triangles with the thickness of its walls, FILE.inp "
-                           "(CalculiX), FILE.msh (Gmsh) or FILE.unv (I-DEAS)")
+                           "(CalculiX; with what is no wall as a solid tied to it), FILE.msh (Gmsh) or FILE.unv (I-DEAS)")
     parser.add_argument("--shell-size", type=float, metavar="MM",
                         help="greatest element size of the shell (default: from the diagonal and the narrowest wall)")
     parser.add_argument("--shell-order", type=int, choices=(1, 2), default=ShellSettings.order,
@@ -101,7 +102,7 @@ def run(options):
     shell = None
     if options.shell is not None:
         check_shell_file(options.shell)
-        shell = ShellSettings(options.shell_size, options.shell_order)
+        shell = ShellSettings(options.shell_size, options.shell_order, has_rest=takes_solids(options.shell))
     request = MeshRequest(settings, tuple(sizes.items()), options.all_walls, options.check, shell, options.mesh_timeout,
                           has_sources=options.geo is not None,
                           part=None if options.geo is None and options.shell is None else options.part or "")
@@ -141,13 +142,20 @@ def run(options):
     if options.shell is not None:
         part = _chosen(options, found, options.shell)[1]
         write_shell_file(options.shell, part, **replacing(options))
-        _say(options, message("The shell was written to {file}: {elements} elements, {nodes} nodes.",
-                              file=Path(options.shell).name, elements=part["shell"]["elements"],
-                              nodes=part["shell"]["nodes"]))
+        _say(options, _written(Path(options.shell).name, part["shell"]))
     if options.keep:
         for file, part in parts:
             failed += not _keep(options, settings, sizes, file, part)
     return 1 if failed else 0
+
+
+def _written(file, shell):
+    solid = shell["solid"]
+    if solid is None:
+        return message("The shell was written to {file}: {elements} elements, {nodes} nodes.", file=file,
+                       elements=shell["elements"], nodes=shell["nodes"])
+    return message("The shell and what is solid, tied to it, were written to {file}: {elements} elements, {nodes} nodes.",
+                   file=file, elements=shell["elements"] + solid["elements"], nodes=shell["nodes"] + solid["nodes"])
 
 
 def _settings(options):
@@ -207,6 +215,8 @@ def _without_places(part):
     if "shell" in shown:
         shown["shell"] = {key: value for key, value in shown["shell"].items()
                           if key not in ("points", "triangles", "wall", "thickness")}
+        if shown["shell"]["solid"] is not None:
+            shown["shell"]["solid"] = {key: shown["shell"]["solid"][key] for key in ("nodes", "elements", "volume_share")}
     return shown
 
 

@@ -51,6 +51,25 @@ class ShellMesh:
         """Number of pieces that share no side."""
         return int(groups_by_sides(self.triangles).max()) + 1
 
+    @property
+    def is_tapered(self):
+        """ndarray of shape (n,), bool: whether an element is of a wall whose thickness varies."""
+        found = np.zeros(len(self.triangles), dtype=bool)
+        for number in np.unique(self.wall):
+            own = self.wall == number
+            found |= own & (self.thickness[own].max() > ALIKE * self.thickness[own].min())
+        return found
+
+    def node_thickness(self, rows):
+        """Thickness at the nodes of some elements, the mean of these by area.
+
+        Returns `node` (ndarray of int64: rows of the points) and `thickness` (ndarray, mm).
+        """
+        triangles, weight = self.triangles[rows], np.repeat(self.areas[rows], self.triangles.shape[1])
+        node, number = np.unique(triangles, return_inverse=True)
+        thickness = np.repeat(self.thickness[rows], self.triangles.shape[1])
+        return node, np.bincount(number.ravel(), weight * thickness) / np.bincount(number.ravel(), weight)
+
     def sections(self):
         """Elements of about one thickness.
 

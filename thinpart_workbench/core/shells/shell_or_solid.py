@@ -20,8 +20,9 @@ SHELL_WIDTH = 5.0
 SHELL_ELEMENT = 2.0
 """Element of a shell by the thickness of its wall, at least."""
 
-PER_SQUARE = 2.3
-"""Triangles by the squared element size: 4 / sqrt(3)."""
+PER_SQUARE, PER_FACE = 2.9, 4.1
+"""Triangles by the squared element size, and for each face of the part, along whose edges they are smaller: by the shells of
+121 real parts, of which four in five have 0.5 to 3.4 times as many as estimated."""
 
 
 @dataclass(frozen=True)
@@ -78,6 +79,8 @@ def idealisation(measurement, solid_elements, shell_size, no_shell=""):
         for region in walls:
             size = max(SHELL_ELEMENT * region.median, min(shell_size, 0.5 * min(region.width, region.length)))
             elements += PER_SQUARE * 0.5 * region.area / size ** 2
+        if measurement.field.mesh.has_faces:
+            elements += PER_FACE * len(np.unique(measurement.field.mesh.face_of_triangle))
     advice = "solid"
     if volume_share is not None and ratio is not None and ratio >= SHELL_WIDTH:
         advice = "shell" if volume_share >= SHELL_VOLUME else "mixed" if volume_share >= MIXED_VOLUME else "solid"

@@ -22,11 +22,17 @@ class ShellSettings:
         Of the elements, 1 or 2. Shells of first order are far too stiff in CalculiX.
     solid_walls : tuple of tuple of int
         Walls that stay solid although they could be shells, each by its faces, from 0, in rising order.
+    has_rest : bool
+        Whether the rest of the part is wanted too, as tetrahedra of second order that are tied to the shell.
+    on_faces : bool
+        Whether the triangles have to lie on faces, as FreeCAD's FEM finds them by: not those moved there from one side.
     """
 
     size: Optional[float] = None
     order: int = 2
     solid_walls: tuple = ()
+    has_rest: bool = False
+    on_faces: bool = False
 
     def __post_init__(self):
         # Lists, where they came as JSON.

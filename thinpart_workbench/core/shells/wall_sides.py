@@ -7,6 +7,9 @@ import numpy as np
 FARTHEST = 2.0
 """Thickness by its median up to which two faces are the sides of one wall: beyond, they see each other through a rib."""
 
+MOST_ANGLE = np.radians(40.0)
+"""Between two sides of a wall: a rim that is cut at a slant sees one of them at a greater one."""
+
 WALLED = 0.5
 """Share of a face that is such a side from which on it belongs to one: rims see each other across the part."""
 
@@ -54,7 +57,7 @@ def wall_sides(field, meetings, count):
     if not len(known):
         return []
     thickness = _median(field.distance[known], field.area[known])
-    near = known[field.distance[known] < FARTHEST * thickness]
+    near = known[(field.distance[known] < FARTHEST * thickness) & (field.wedge_angle[known] < MOST_ANGLE)]
     here, there = field.face[near], field.mesh.face_of_triangle[field.opposite[near]]
     area = np.bincount(field.face, field.area, count)
     walled = np.bincount(here, field.area[near], count) > WALLED * area

@@ -17,7 +17,7 @@ from ..shapes.brep_file import read_brep, write_brep
 FEW = 40
 """Faces up to which they are cut within this process: that takes less than to start another one."""
 
-SECONDS = 18.0
+SECONDS = 14.0
 """Of processor time, for a mid-surface. Those of real parts take up to 10 s to be made, or minutes, without a shell at the
 end: hundreds of pieces that nearly lie on each other."""
 

@@ -5,10 +5,40 @@ from scipy.spatial import cKDTree
 
 from .smooth_cuts import edges_between
 
+MOST = 0.75
+"""Share of the places of a face that are curved no more than its radius says."""
+
+_GRID = [(0.1 + 0.16 * u, 0.1 + 0.16 * v) for u in range(6) for v in range(6)]
+
 
 def face_meetings(shape):
     """Length of the edges that two faces share, mm: dict by the indices of the faces, the lower first."""
     return {faces: sum(edge.Length for edge in edges) for faces, edges in edges_between(shape.Faces).items()}
+
+
+def face_radii(shape):
+    """Radius of curvature of each face, the lesser one, as most of it has it: ndarray of shape (number of faces,), mm.
+
+    inf where it is flat or FreeCAD has no surface for it.
+    """
+    return np.array([_radius(face) for face in shape.Faces])
+
+
+def _radius(face):
+    try:
+        if face.Surface.TypeId == "Part::GeomPlane":
+            return np.inf
+        low_u, high_u, low_v, high_v = face.ParameterRange
+    except (TypeError, RuntimeError):
+        return np.inf
+    found = []
+    for u, v in _GRID:
+        try:
+            found.append(max(map(abs, face.curvatureAt(low_u + u * (high_u - low_u), low_v + v * (high_v - low_v)))))
+        except Exception:  # OCC's errors have several classes: no curvature at a pole
+            continue
+    most = np.quantile(found, MOST) if found else 0.0
+    return 1.0 / most if most > 0.0 else np.inf
 
 
 def side_shape(shape, side):

@@ -48,6 +48,26 @@ def geo_text(global_size, boxes, part_file=None, order=1, options=()):
     return text.getvalue()
 
 
+def faces_text(part_file, sizes):
+    """The script for a mesh of faces, each of a size of its own, str.
+
+    The sizes hold at the corners of the faces, from where edges take theirs; within, a face has the largest triangles that
+    its edges allow: those extended from the boundary would be as small as the shortest edge of a large face, all over it.
+
+    Parameters
+    ----------
+    part_file : str
+        BREP file, as the script says it.
+    sizes : ndarray of shape (number of faces,), mm
+    """
+    lines = ['SetFactory("OpenCASCADE");', f"Merge {gmsh_text(part_file)};", "Mesh.MeshSizeExtendFromBoundary = 0;",
+             f"Mesh.MeshSizeMax = {max(sizes):.9g};"]
+    # The last one counts where faces share a corner: the smallest.
+    lines += [f"MeshSize {{ PointsOf{{ Surface{{{row + 1}}}; }} }} = {sizes[row]:.9g};"
+              for row in np.argsort(-np.asarray(sizes), kind="stable")]
+    return "\n".join(lines) + "\n"
+
+
 def write_geo(path, global_size, boxes, part_file=None, order=1, options=(), overwrite=False, inputs=()):
     """Write the script, with `overwrite` and `inputs` as in `write_output`; an OSError leaves what was there."""
     text = geo_text(global_size, boxes, part_file, order, options)

@@ -60,24 +60,21 @@ def mesh_volume(program, inputs, output, seconds, folder, options=()):
     return _meshed(program, inputs, output, seconds, folder, ("-3", *options))
 
 
-def mesh_surface(program, file, output, seconds, folder, size, around, order):
+def mesh_surface(program, script, output, seconds, folder, around, order):
     """Mesh faces with triangles, as `mesh_volume` does a volume. Returns `reason` and `stated` (str): as there.
 
     Parameters
     ----------
     program, output, seconds, folder
         As there.
-    file : str
-        BREP file.
-    size : float, mm
-        Greatest element size.
+    script : str
+        Of Gmsh, with the faces and their element sizes.
     around : int
         Elements around a circle.
     order : int
         Of the elements.
     """
-    return _meshed(program, [file], output, seconds, folder, (
-        "-2", "-clmax", repr(float(size)), "-clcurv", str(around), "-order", str(order)))
+    return _meshed(program, [script], output, seconds, folder, ("-2", "-clcurv", str(around), "-order", str(order)))
 
 
 def _meshed(program, inputs, output, seconds, folder, options):

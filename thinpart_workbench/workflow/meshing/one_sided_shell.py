@@ -9,17 +9,13 @@ from ...core.shells.moved_side import SideNodes, moved_side, thickness_at
 from ...core.shells.shell_mesh import ALIKE
 from ...core.shells.shell_settings import SHARE_OF_DIAGONAL
 from ...core.shells.wall_sides import wall_sides
-from .shell_triangles import shell_triangles
+from .shell_triangles import shell_sizes, shell_triangles
 
 SIDES = 2
 """Of the sides that are tried, the largest."""
 
 MOST_FOLDED = 0.02
 """Share of the area of a side that may turn over when it is moved: narrow fillets."""
-
-THINNEST_ELEMENT = 2.0
-"""Least default element size by the thickness."""
-
 
 @dataclass(frozen=True)
 class SideWall:
@@ -108,12 +104,12 @@ def _from_side(part, measurement, side, program, seconds, settings):
     from ...freecad_adapter.mid_surface.side_faces import side_normals, side_shape
 
     shape, surface = part.shape, measurement.field.mesh
-    size = settings.size or max(THINNEST_ELEMENT * side.thickness, SHARE_OF_DIAGONAL * measurement.descriptors.box.diagonal)
-    own = side_shape(shape, side)
-    points, triangles, number = shell_triangles(part, own, program, seconds, size, settings.order)
+    own, thickness = side_shape(shape, side), _thickness_of_faces(measurement.field, side, len(shape.Faces))
+    most = np.full(len(side.faces), settings.size or SHARE_OF_DIAGONAL * measurement.descriptors.box.diagonal)
+    sizes = most if settings.size else shell_sizes(own, thickness[list(side.faces)], most)
+    points, triangles, number = shell_triangles(part, own, program, seconds, sizes, settings.order)
     used, rows = np.unique(triangles, return_inverse=True)
     points, triangles = points[used], rows.reshape(triangles.shape)
-    thickness = _thickness_of_faces(measurement.field, side, len(shape.Faces))
     nodes = SideNodes(points, triangles, np.array(side.faces)[number])
     normals = side_normals(shape, nodes, points, measurement.field)
     below = thickness_at(nodes, normals, side, surface, measurement.rays, thickness)
@@ -122,7 +118,7 @@ def _from_side(part, measurement, side, program, seconds, settings):
         return None
     wall_of_face = _alike(thickness[list(side.faces)])
     walls = [_wall(side, wall_of_face == number, thickness, measurement.field) for number in range(wall_of_face.max() + 1)]
-    return OneSidedMiddle(points, triangles, wall_of_face[number], size, walls, own, wall_of_face.tolist())
+    return OneSidedMiddle(points, triangles, wall_of_face[number], float(sizes.max()), walls, own, wall_of_face.tolist())
 
 
 def _thickness_of_faces(field, side, count):

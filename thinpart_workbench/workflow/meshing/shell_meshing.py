@@ -2,6 +2,7 @@
 
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from typing import Optional
 
 import numpy as np
 
@@ -10,18 +11,20 @@ from ...core.errors import ThinPartError
 from ...core.figures import Length
 from ...core.message import message
 from ...core.shells.facing_faces import facing_faces
+from ...core.shells.mixed_mesh import SolidMesh
 from ...core.shells.open_ends import open_ends
 from ...core.shells.shell_mesh import ShellMesh, shell_mesh
 from ...core.shells.shell_settings import SHARE_OF_DIAGONAL, ShellSettings
 from ...core.shells.sound_triangles import sound_triangles
 from .one_sided_shell import one_sided_middles, sides_of_part
-from .shell_triangles import shell_triangles
+from .shell_triangles import AROUND, shell_sizes, shell_triangles
+from .solid_rest_meshing import rest_of_part, solid_mesh
 
 ACROSS = 2.0
-"""Elements across the narrowest flat wall; of a round one, its curvature says more."""
+"""Elements across a flat wall; of a round one, its curvature says more."""
 
-THINNEST_ELEMENT = 2.0
-"""Least default element size by the thickness of the thinnest wall: a shell knows nothing smaller."""
+AROUND_TIED = 12
+"""Elements around a circle where solids are tied to round edges: a tube on a flange is 3 % too stiff so, 8 % with six."""
 
 LEAST_WALLS = 0.4
 """Share of the part's volume that walls with a mid-surface must have before it is made: at joints, it grows into more."""
@@ -29,11 +32,18 @@ LEAST_WALLS = 0.4
 LEAST_VOLUME, MOST_VOLUME = 0.6, 1.3
 """Share of the part's volume that a shell must have to be one: joints count for each wall, what is left solid does not."""
 
+LEAST_MIXED, MOST_MIXED = 0.85, 1.15
+"""The same of a shell with the rest as solid."""
+
 TOLD_INSIDE, MOST_INSIDE = 0.02, 0.5
 """Share of the free edges of a shell that may end inside the material: without a warning, and at all."""
 
-EQUAL_VOLUME = 0.05
-"""Difference of the volume shares of the shells from either side up to which that with fewer triangles is taken."""
+EQUAL = 0.05
+"""Difference of what the shells from either side lack up to which that with fewer triangles is taken."""
+
+INSIDE_WEIGHT = 2.0
+"""What a share of the free edges inside the material counts by a share of the volume: a crack weakens more than a missing
+lug."""
 
 LEFT_SHARE = 0.002
 """Share of the surface from which on faces that no wall has are left solid."""
@@ -61,6 +71,10 @@ class PartShell:
         Number of the wall, from 0, that each of its faces belongs to.
     is_moved : bool
         Whether a side was meshed and its triangles moved to the middle: they do not lie on the shape.
+    lacking : float
+        How far it is from standing for the part: difference of the volumes, and share of its free edges inside the material.
+    solid : SolidMesh or None
+        The rest of the part, where that was wanted and there is some.
     """
 
     mesh: ShellMesh
@@ -72,6 +86,8 @@ class PartShell:
     shape: object
     wall_of_face: list
     is_moved: bool = False
+    lacking: float = 0.0
+    solid: Optional[SolidMesh] = None
 
 
 def shell_obstacle(part, measurement):
@@ -85,11 +101,15 @@ def shell_obstacle(part, measurement):
     measurement : Measurement
     """
     obstacle = shell_walls(part, measurement)[1]
-    if not obstacle or not hasattr(part, "shape") or measurement.rays is None or measurement.volume_mm3 is None:
-        return obstacle
+    return "" if obstacle and _is_one_wall(part, measurement) else obstacle
+
+
+def _is_one_wall(part, measurement):
+    """Whether a side of a part may make its shell."""
+    if not hasattr(part, "shape") or measurement.rays is None or measurement.volume_mm3 is None:
+        return False
     sides = sides_of_part(part, measurement)
-    is_wall = sides and sides[0].area * sides[0].thickness >= LEAST_VOLUME * measurement.volume_mm3
-    return "" if is_wall else obstacle
+    return bool(sides) and sides[0].area * sides[0].thickness >= LEAST_VOLUME * measurement.volume_mm3
 
 
 def shell_walls(part, measurement):
@@ -138,14 +158,24 @@ def shell_of_part(part, measurement, program, seconds, settings=None, report=Non
     """
     settings, report = settings or ShellSettings(), report or (lambda fraction: None)
     try:
-        return _from_mid_faces(part, measurement, program, seconds, settings, report)
+        found = _from_mid_faces(part, measurement, program, seconds, settings, report)
     except ThinPartError as error:
         if error.kind != "no_shell" or settings.solid_walls:
             raise
-        found = _from_one_side(part, measurement, program, seconds, settings)
-        if found is None:
+        if settings.on_faces:
+            if _is_one_wall(part, measurement):
+                raise ThinPartError(message(
+                    "{problem} As a file it may have a shell all the same, without faces for supports: "
+                    "./thinpart size FILE --shell shell.inp.", problem=error), "no_shell") from None
             raise
+        moved = _from_one_side(part, measurement, program, seconds, settings)
+        if moved is None:
+            raise
+        return moved
+    if not found.warnings or settings.on_faces or settings.solid_walls:
         return found
+    moved = _from_one_side(part, measurement, program, seconds, settings)
+    return found if moved is None or moved.lacking >= found.lacking else moved
 
 
 def _from_mid_faces(part, measurement, program, seconds, settings, report):
@@ -159,50 +189,88 @@ def _from_mid_faces(part, measurement, program, seconds, settings, report):
     middle = mid_surface(part.shape, facing_faces(measurement.field), measurement.field.mesh, measurement.rays,
                          lambda done: report(0.9 * done), settings.solid_walls)
     report(0.9)
-    size = settings.size or _default_size(middle, measurement)
-    points, triangles, number = shell_triangles(part, middle.shape, program, seconds, size, settings.order)
-    return _part_shell(part, measurement, middle, size, points, triangles, np.array(middle.wall_of_face)[number])
+    warnings = []
+    if settings.has_rest and settings.order == 2:
+        try:
+            rest = rest_of_part(part, measurement, middle, settings.solid_walls)
+            if rest is not None:
+                return _with_rest(part, measurement, rest, program, seconds, settings)
+        except ThinPartError as error:
+            warnings = [message("What is solid of {part} is not in the file. {problem}", part=part.label, problem=error)]
+    size, mesh = _meshed(part, measurement, middle, program, seconds, settings)
+    return _part_shell(part, measurement, middle, size, mesh, warnings)
+
+
+def _with_rest(part, measurement, rest, program, seconds, settings):
+    """The shell of a part with the rest of it as solid: PartShell."""
+    middle = rest.middle
+    size, mesh = _meshed(part, measurement, middle, program, seconds, settings, AROUND_TIED if rest.is_round else AROUND)
+    share = mesh.volume / measurement.volume_mm3
+    solid = solid_mesh(part, rest, mesh, program, seconds, measurement.volume_mm3)
+    if not LEAST_MIXED < share + solid.volume_share < MOST_MIXED:
+        raise ThinPartError(message("Shell and solid of {part} would count for {share:.0f} % of its volume.",
+                                    part=part.label, share=100.0 * (share + solid.volume_share)), "no_shell")
+    return PartShell(mesh, size, share, _walls(middle, mesh), [], [], middle.shape, list(middle.wall_of_face), solid=solid)
+
+
+def _meshed(part, measurement, middle, program, seconds, settings, around=AROUND):
+    """Element size and ShellMesh of a mid-surface."""
+    sizes = _sizes(middle, measurement)
+    if settings.size:
+        sizes = np.full(len(sizes), settings.size)
+    points, triangles, number = shell_triangles(part, middle.shape, program, seconds, sizes, settings.order, around)
+    return float(sizes.max()), _thick(measurement, middle, points, triangles, np.array(middle.wall_of_face)[number])
+
+
+def _thick(measurement, middle, points, triangles, wall):
+    """The ShellMesh with the triangles of a mid-surface."""
+    points, triangles, kept = sound_triangles(points, triangles, np.array([each.thickness for each in middle.walls])[wall])
+    return shell_mesh(points, triangles, wall[kept], middle.walls, measurement.field.mesh, measurement.rays)
 
 
 def _from_one_side(part, measurement, program, seconds, settings):
     """The shell whose triangles were moved from one side of the wall; None where that is none either."""
-    if measurement.rays is None or measurement.volume_mm3 is None:
+    if not _is_one_wall(part, measurement):
         return None
     found = []
     with suppress(ThinPartError):
         for middle in one_sided_middles(part, measurement, program, seconds, settings):
             with suppress(ThinPartError):
-                found.append(replace(_part_shell(part, measurement, middle, middle.size, middle.points, middle.triangles,
-                                                 middle.wall), is_moved=True))
-    off = [abs(shell.volume_share - 1.0) for shell in found]
-    return min((shell for shell, own in zip(found, off) if own <= min(off) + EQUAL_VOLUME),
-               key=lambda shell: len(shell.mesh.triangles), default=None)
+                mesh = _thick(measurement, middle, middle.points, middle.triangles, middle.wall)
+                if mesh.pieces == 1:
+                    found.append(replace(_part_shell(part, measurement, middle, middle.size, mesh), is_moved=True))
+    least = min((shell.lacking for shell in found), default=0.0)
+    return min((shell for shell in found if shell.lacking <= least + EQUAL), key=lambda shell: len(shell.mesh.triangles),
+               default=None)
 
 
-def _part_shell(part, measurement, middle, size, points, triangles, wall):
-    """The shell with the triangles of a mid-surface, once checked against the part."""
-    surface, rays = measurement.field.mesh, measurement.rays
-    points, triangles, kept = sound_triangles(points, triangles, np.array([each.thickness for each in middle.walls])[wall])
-    wall = wall[kept]
-    mesh = shell_mesh(points, triangles, wall, middle.walls, surface, rays)
+def _part_shell(part, measurement, middle, size, mesh, warnings=()):
+    """The shell of a part, once its mesh has been checked against the part."""
     share = mesh.volume / measurement.volume_mm3
-    left = _left_solid(measurement, middle)
-    warnings = _checked(part, mesh, share, _share_of_shell(middle), left, *open_ends(mesh, surface, rays))
+    left, (inside, free) = _left_solid(measurement, middle), open_ends(mesh, measurement.field.mesh, measurement.rays)
+    warnings = [*warnings, *_checked(part, mesh, share, _share_of_shell(middle), left, inside, free)]
     if middle.loose:
         warnings.append(message("Pieces that do not meet the rest were left out, {share:.2g} % of the volume: they belong "
                                 "to what is left solid.", share=100.0 * middle.loose / measurement.volume_mm3))
-    areas = np.bincount(wall, mesh.areas, len(middle.walls))
-    walls = [{"wall": row + 1, "thickness": each.thickness, "area": float(areas[row]),
-              "faces": [f"Face{face + 1}" for face in sorted(each.faces)]} for row, each in enumerate(middle.walls)
-             if areas[row] > 0.0]
-    return PartShell(mesh, size, share, walls, left, warnings, middle.shape, list(middle.wall_of_face))
+    lacking = abs(share - 1.0) + (INSIDE_WEIGHT * inside / free if free else 0.0)
+    return PartShell(mesh, size, share, _walls(middle, mesh), left, warnings, middle.shape, list(middle.wall_of_face),
+                     lacking=lacking)
 
 
-def _default_size(middle, measurement):
-    """Element size: the narrowest wall has some elements across, the part has enough in all."""
-    width = min((wall.width for wall in middle.walls if wall.is_flat), default=np.inf)
-    least = THINNEST_ELEMENT * min(wall.thickness for wall in middle.walls)
-    return max(least, min(SHARE_OF_DIAGONAL * measurement.descriptors.box.diagonal, width / ACROSS))
+def _walls(middle, mesh):
+    """The walls of a shell, list of dict."""
+    areas = np.bincount(mesh.wall, mesh.areas, len(middle.walls))
+    return [{"wall": row + 1, "thickness": each.thickness, "area": float(areas[row]),
+             "faces": [f"Face{face + 1}" for face in sorted(each.faces)]} for row, each in enumerate(middle.walls)
+            if areas[row] > 0.0]
+
+
+def _sizes(middle, measurement):
+    """Element size on each face: a narrow wall has some elements across, the part has enough in all; ndarray, mm."""
+    most = SHARE_OF_DIAGONAL * measurement.descriptors.box.diagonal
+    of_wall = np.array([min(most, wall.width / ACROSS) if wall.is_flat else most for wall in middle.walls])
+    thickness = np.array([wall.thickness for wall in middle.walls])
+    return shell_sizes(middle.shape, thickness[middle.wall_of_face], of_wall[middle.wall_of_face])
 
 
 def _left_solid(measurement, middle):
@@ -270,7 +338,13 @@ def shell_record(shell):
             "volume_share": float(f"{shell.volume_share:.6g}"), "walls": shell.walls, "left_solid": shell.left_solid,
             "warnings": [str(each) for each in shell.warnings], "reason": "",
             "points": mesh.points.tolist(), "triangles": mesh.triangles.tolist(), "wall": mesh.wall.tolist(),
-            "thickness": mesh.thickness.tolist()}
+            "thickness": mesh.thickness.tolist(), "solid": None if shell.solid is None else _solid_record(shell.solid)}
+
+
+def _solid_record(solid):
+    return {"nodes": len(solid.points), "elements": len(solid.tetrahedra),
+            "volume_share": float(f"{solid.volume_share:.6g}"), "points": solid.points.tolist(),
+            "tetrahedra": solid.tetrahedra.tolist(), "tied": solid.tied.tolist(), "sides": solid.sides.tolist()}
 
 
 def mesh_of_record(record):
@@ -280,7 +354,16 @@ def mesh_of_record(record):
                      np.array(record["thickness"], dtype=np.float64))
 
 
+def solid_of_record(record):
+    """The `SolidMesh` of such a dict; None where it has none."""
+    solid = record["solid"]
+    if solid is None:
+        return None
+    tetrahedra, tied, sides = (np.array(solid[key], dtype=np.int64) for key in ("tetrahedra", "tied", "sides"))
+    return SolidMesh(np.array(solid["points"], dtype=np.float64), tetrahedra, tied, sides, solid["volume_share"])
+
+
 def no_shell_record(reason):
     """The same dict where there is no shell, and why."""
     return {"size": 0.0, "nodes": 0, "elements": 0, "volume_share": 0.0, "walls": [], "left_solid": [], "warnings": [],
-            "reason": str(reason), "points": [], "triangles": [], "wall": [], "thickness": []}
+            "reason": str(reason), "points": [], "triangles": [], "wall": [], "thickness": [], "solid": None}

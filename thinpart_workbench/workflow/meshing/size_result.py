@@ -36,6 +36,14 @@ _IDEALISATION = Record({
 
 _MOST_NODES = 3_000_000
 
+_SOLID = Record({
+    "nodes": Whole(1, 10**9), "elements": Whole(1, 10**9), "volume_share": _SHARE,
+    "points": ListOf(_POINT, most=_MOST_NODES),
+    "tetrahedra": ListOf(ListOf(Whole(0, _MOST_NODES), 10, 10), most=_MOST_NODES),
+    "tied": ListOf(Whole(0, _MOST_NODES), most=_MOST_NODES),
+    "sides": ListOf(ListOf(Whole(0, _MOST_NODES), 2, 2), most=_MOST_NODES),
+})
+
 SHELL = Record({
     "size": _LENGTH, "nodes": _COUNT, "elements": _COUNT, "volume_share": Number(0.0), "reason": Text(),
     "walls": ListOf(Record({"wall": Whole(1), "thickness": _LENGTH, "area": _LENGTH,
@@ -45,6 +53,7 @@ SHELL = Record({
     "warnings": ListOf(Text(), most=100), "points": ListOf(_POINT, most=_MOST_NODES),
     "triangles": ListOf(ListOf(Whole(0, _MOST_NODES), 3, 6), most=_MOST_NODES),
     "wall": ListOf(Whole(0, 100_000), most=_MOST_NODES), "thickness": ListOf(_LENGTH, most=_MOST_NODES),
+    "solid": OrNull(_SOLID),
 })
 """Kind of a shell; without one, the reason."""
 
@@ -127,4 +136,17 @@ def _fault_of_shell(shell):
         return "shell has triangles with some other number of nodes"
     if max(map(max, shell["triangles"])) >= shell["nodes"]:
         return "shell has triangles with nodes that are not there"
+    return None if shell["solid"] is None else _fault_of_solid(shell["solid"], shell)
+
+
+def _fault_of_solid(solid, shell):
+    """What is tied to a shell has the nodes of its tetrahedra, and the shell has the sides that it is tied to."""
+    if solid["elements"] != len(solid["tetrahedra"]) or solid["nodes"] != len(solid["points"]):
+        return "solid has not the elements and nodes that it says"
+    if not solid["tied"] or not solid["sides"] or len(shell["triangles"][0]) != 6:
+        return "solid is tied to no side of a shell"
+    if max(max(map(max, solid["tetrahedra"])), *solid["tied"]) >= solid["nodes"]:
+        return "solid has nodes that are not there"
+    if any(row >= shell["elements"] or side > 2 for row, side in solid["sides"]):
+        return "solid is tied to sides that are not there"
     return None
