@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Run by FreeCAD when its GUI starts: registers the workbench and starts its application-wide objects."""
 
 import FreeCADGui as Gui

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """How far the values and verdicts at each accuracy are from those of a much finer measurement.
 
     /usr/bin/python3 benchmarks/accuracy.py [--parts FOLDER] [--reference FOLDER] [--jobs N] [--markdown] [-o FILE]

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """How often ThinPart's verdict is an engineer's: on a folder of real parts with labels.
 
     /usr/bin/python3 benchmarks/agreement.py [--parts FOLDER] [--profile NAME] [--info-dir FOLDER] [--markdown]

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The largest ball inside at points of the surface: ThinPart's and trimesh's, value and speed.
 
     /usr/bin/python3 benchmarks/balls.py [--points 1000] [--markdown]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """All contestants on all meshes, turn by turn."""
 
 import tempfile

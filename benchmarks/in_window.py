@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """FreeCAD's start-up script for `window.py`: presses the buttons and times what comes of it."""
 
 import json
@@ -76,7 +77,7 @@ def _turn(dimples):
 
     document = App.newDocument("Plate")
     window.add(document, "Plate", dimpled_plate(dimples))
-    Gui.SendMsgToActiveView("ViewFit")
+    Gui.runCommand("Std_ViewFitAll")
     window.settle(3000)
     gaps = Gaps()
     begun = time.perf_counter()
@@ -102,7 +103,7 @@ def _coloured(path):
     from thinpart_workbench.gui.application import lifelong
 
     document = _opened(path)
-    Gui.SendMsgToActiveView("ViewFit")
+    Gui.runCommand("Std_ViewFitAll")
     window.settle(3000)  # the process that measures has loaded everything
     first = lifelong.map_events.first_colours
     window.press("ThinPart_ShowThickness")
@@ -203,7 +204,7 @@ def _scenes(dimples):
     mesh.Mesh = Mesh.Mesh(MeshPart.meshFromShape(
         Shape=shape, LinearDeflection=1e-3 * shape.BoundBox.DiagonalLength, AngularDeflection=0.0698))
     document.recompute()
-    Gui.SendMsgToActiveView("ViewFit")
+    Gui.runCommand("Std_ViewFitAll")
     window.settle(2000)
     yield "FreeCAD's own mesh", {"facets": mesh.Mesh.CountFacets, "frames": _frames()}
     _press()

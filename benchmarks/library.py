@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """How fast a library of many info files is indexed, searched, compared and judged again.
 
     /usr/bin/python3 benchmarks/library.py [--files 100000] [--folder DIR] [--markdown]

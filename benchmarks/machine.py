@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What a result depends on besides the program: the machine and the versions."""
 
 import os

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The risk of the automatic mesh: fits ``resources/mesh_risk.json`` to what the solver found, and says what it is worth.
 
     /usr/bin/python3 benchmarks/mesh_risk.py [--parts FOLDER] [--info-dir FOLDER] [--markdown] [--write]

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What a mesh is worth: nodes and seconds against the error of its solution, for ThinPart's sizes and other ways to mesh.
 
     /usr/bin/python3 benchmarks/mesh_worth.py [--parts FOLDER] [--most N] [--write]

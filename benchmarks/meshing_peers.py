@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """ThinPart's element sizes beside other ways to mesh the same parts, on labelled parts.
 
     python3 benchmarks/meshing_peers.py FOLDER [--digits 37] [--parts 30] [--normal 11] [--mesh-timeout S] [-o FILE]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Plots of `meshing_study`: poor elements and layers of each part, at one size and as proposed, as SVG."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """How parts mesh at one element size and with the proposed ones, by category and by family, with the real Gmsh.
 
     python3 benchmarks/meshing_study.py FOLDER [--json FILE] [--plot FILE.svg] [--jobs N] [--mesh-timeout S]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The tables of `meshing_peers`."""
 
 from collections import Counter

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Shell and solid in one model against solids, with the real solver: deflection and frequencies of walls on thick bodies.
 
     python3 benchmarks/mixed_study.py [PART...] [--json FILE] [--training FOLDER]

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The examples of the paper's figures: what it says of them, and what the profiles `paper` and `calibrated` say.
 
     /usr/bin/python3 benchmarks/paper_examples.py            # the table, as Markdown

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Where things are: of this checkout, and what is kept from run to run."""
 
 import os

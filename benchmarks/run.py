@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The benchmark: ThinPart beside its peers, in one run.
 
     python3 benchmarks/run.py [--quick] [--parts FOLDER] [-o FILE]

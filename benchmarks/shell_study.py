@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Shells against solids, with the real solver: tip deflection and first natural frequency of parts made of thin walls.
 
     python3 benchmarks/shell_study.py [PART...] [--json FILE]

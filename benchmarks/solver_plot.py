@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Plot of `solver_truth`: the error of the automatic mesh of each part, by label and by verdict, as SVG."""
 
 import matplotlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Tables of `solver_truth`: how often the automatic mesh is in trouble, by label and by verdict, and what foretells it."""
 
 from collections import Counter

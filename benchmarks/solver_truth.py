@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Whether the automatic mesh is good enough, by the solver: first six elastic frequencies of every part of a folder.
 
     /usr/bin/python3 benchmarks/solver_truth.py [--parts FOLDER] [--info-dir FOLDER] [--kept] [--markdown] [--write]

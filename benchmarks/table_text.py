@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A table as text: for the terminal, and as Markdown."""
 
 from collections import namedtuple

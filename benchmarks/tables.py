@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Prints the tables of a results file, and puts them into the documents.
 
     python3 benchmarks/tables.py FILE               # every table, as text

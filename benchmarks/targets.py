@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What was to be reached, and what was: the targets of the benchmark against its results."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Time to a verdict: the whole program as people start it, against a bare process that reads and tessellates the same files.
 
 Whole process against whole process, in turns: start, reading, tessellating and the end belong to both. What ThinPart adds is

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """How soon a part is coloured in FreeCAD's window, how long the window stands still for it, and how fast it turns.
 
     /usr/bin/python3 benchmarks/window.py [--turns 3] [--markdown] [-o FILE]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Plot of `mesh_worth`: nodes and error of each mesh, as SVG."""
 
 import matplotlib

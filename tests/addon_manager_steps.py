@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What a user does in FreeCAD's Addon Manager, by the Addon Manager's own classes; runs inside FreeCAD.
 
 The Addon Managers of 0.20, 1.0 and 1.1 are three programs: each has its own class of steps here.
@@ -21,7 +22,7 @@ if not hasattr(QtWidgets, "QApplication"):
 
 PREFERENCES = App.ParamGet("User parameter:BaseApp/Preferences/Addons")
 MOD = os.path.join(App.getUserAppDataDir(), "Mod")
-PACKAGES = ("numpy", "scipy", "rich", "jinja2")
+PACKAGES = ("numpy", "scipy", "scikit-learn")
 VERSION = tuple(int(part) for part in App.Version()[:2])
 
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Slow and plain versions of what the core does cleverly: the oracles of its tests."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A copy of the program that a test may change, and what it answers then."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Ways in which a process ends, each done by a real one, and what it is to be taken for.
 
 ``python -m tests.exit_cases NAME`` ends in one of them.

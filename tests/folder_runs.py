@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs over whole folders under way, for the tests that pause, stop and kill them."""
 
 import json

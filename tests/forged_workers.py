@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Workers that a file has taken over: they say what they were made to say."""
 
 import copy

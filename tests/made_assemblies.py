@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Documents of FreeCAD's Assembly workbench, made as that workbench makes them; FreeCAD 1.0 and later have it."""
 
 from dataclasses import dataclass

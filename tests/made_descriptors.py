@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Descriptors with values as wanted, without geometry."""
 
 import numpy as np

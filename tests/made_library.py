@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A library of info files that no CAD program is needed for."""
 
 import copy

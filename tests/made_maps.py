@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Thickness maps of the parts of a document, measured here and now."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Triangulated solids with known measures, made with numpy alone.
 
 Each function gives points of shape (v, 3) in mm and triangles of shape (n, 3), outward.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """How much of a thickness map differs from what rays meet."""
 
 import numpy as np

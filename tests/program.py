@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The program as people start it, for the tests of its command line."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A PNG file as a program reads it that has nothing to do with ours."""
 
 import subprocess

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Workers as every run that reads files has them, but for what they do: limited and started like those."""
 
 from contextlib import contextmanager

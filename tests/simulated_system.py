@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Makes this process look like one on Windows or macOS, as far as Python shows the difference.
 
 Only what ThinPart asks for is another: the names that `os`, `signal` and `select` have, the modules that are

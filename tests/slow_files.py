@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Files that a reader does not come to the end of."""
 
 import fcntl

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """FreeCAD as a user starts it: with the folders of a home of its own, and whatever add-ons lie there."""
 
 import json

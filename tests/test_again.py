@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """``thinpart test --again``: a few tests that fail have a second try, which is said; more than a few have none."""
 
 import subprocess

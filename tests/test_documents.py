@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The documents say what the program does."""
 
 import re
@@ -76,7 +77,8 @@ def test_the_probabilities_are_as_the_method_says():
 
 @pytest.mark.parametrize("document", ["README.md", "docs/method.md", "docs/limits.md", "ARCHITECTURE.md", "CONTRIBUTING.md",
                                       "CHANGELOG.md", "docs/info-file.md", "docs/cluster.md", "docs/platforms.md",
-                                      "docs/extending.md", "docs/learning.md"])
+                                      "docs/extending.md", "docs/learning.md", "docs/index-of-addons.md", "docs/security.md",
+                                      "SECURITY.md"])
 def test_what_documents_point_at_is_there(document):
     folder = (ROOT / document).parent
     for target in re.findall(r"\]\(([^)#]+)\)", text(document)):

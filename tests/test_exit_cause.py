@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Why a process has ended: real ones, and codes that this system does not have."""
 
 import subprocess

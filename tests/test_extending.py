@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What docs/extending.md shows works: each example is put into a copy of the program, which then has what is new.
 
 The descriptor is in tests/storage/test_new_quantity.py; the file format and the panel, which need FreeCAD, are in

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The layers: gui, window_processes and cli -> api -> workflow -> freecad_adapter, storage -> core, system."""
 
 import ast
@@ -81,15 +82,27 @@ def test_what_systems_do_differently_stands_in_one_layer():
             assert not {module for _, module in imports(path)} & UNIX_OR_WINDOWS, path
 
 
-def test_only_tables_bars_reports_and_learning_ask_for_more_than_a_bundle_of_freecad_has():
-    # So the tests of these alone run in a Python without them too. Importing the list would hide them here.
+def test_only_learning_asks_for_more_than_a_bundle_of_freecad_has():
+    # So its tests alone run in a Python without that too. Importing the list would hide them here.
     bundle = ast.parse((Path(__file__).parent / "bare_python" / "sitecustomize.py").read_text(encoding="utf-8"))
     hidden, = [ast.literal_eval(each.value) for each in bundle.body
                if isinstance(each, ast.Assign) and ast.unparse(each.targets[0]) == "HIDDEN"]
     asking = {path.stem: module for layer in MAY_IMPORT for path in files(layer) for _, module in imports(path)
               if module in hidden}
-    assert asking == {"terminal_table": "rich", "run_report": "rich", "page_templates": "jinja2",
-                      "fit_probabilities": "sklearn"}
+    assert asking == {"fit_probabilities": "sklearn"}
+
+
+def test_the_network_is_reached_as_the_document_on_security_says():
+    network = {"asyncio", "distributed", "ftplib", "http", "requests", "smtplib", "socket", "socketserver", "ssl", "urllib3",
+               "webbrowser", "xmlrpc"}
+    everything = sorted(PACKAGE.rglob("*.py"))
+    assert {path.stem for path in everything if {module for _, module in imports(path)} & network} == {
+        "cluster_run", "cluster_worker"}  # of classify --dask
+    addresses = {path: path.read_text(encoding="utf-8") for path in everything}
+    assert not [path for path, text in addresses.items() if re.search(r"urllib\.request|urlopen|QtNetwork|WebEngine", text)]
+    # Files and folders of this machine aside: a link in the guide, and the link of a part, which is confirmed.
+    opening = re.compile(r"openUrl\((?!QtCore\.QUrl\.fromLocalFile)")
+    assert {path.stem for path, text in addresses.items() if opening.search(text)} == {"window", "notes_page"}
 
 
 def test_freecad_is_known_to_the_adapter_alone_below_the_window():

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The document on limits of the wall says what the shipped table has, and its example can be used."""
 
 import re

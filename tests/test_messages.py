@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What the layers below the window say is made as messages, so that the window can say it in another language."""
 
 import ast
@@ -43,6 +44,9 @@ NO_MESSAGES = {
     "Made by ThinPart", "Settings of the element sizes by ThinPart",  # likewise
     "Settings of the shell by ThinPart", "What this is the mid-surface of",
     "User parameter:BaseApp/Preferences/Mod/Fem/Gmsh",
+    "The content of <{}> cannot be escaped: it comes from a file of ThinPart.",  # for programmers
+    " ThinPart {}.", "default-src 'none'; style-src 'unsafe-inline'; img-src data:",  # of pages, as their classes
+    "dot failed", "faint path", "faint small", "faint small path", "noprint small", "path small", "small faint",
 }
 """What looks like a text for people and is none, or is shown as it is."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A class is found by its name: no two of the product have the same."""
 
 import ast

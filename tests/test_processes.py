@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """`thinpart test` runs the tests without window in several processes, each with a session of its own."""
 
 import argparse

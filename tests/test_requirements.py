@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What ThinPart needs: the table is about the commands and options that there are."""
 
 import pytest

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The code is as ruff.toml and mypy.ini ask, where the two programs are: Debian testing has both, so CI runs them there."""
 
 import os

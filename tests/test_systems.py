@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Windows and macOS, simulated: every module is imported there, and what replaces Unix's services is called.
 
 What a simulation cannot show is said in docs/platforms.md.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A test that hangs fails after its time, with what it waited for, and those after it are done."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The time that a test may take, and what is said of one that takes longer: where it stands and what it waits for."""
 
 import faulthandler

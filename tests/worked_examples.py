@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The worked examples of docs/extending.md, and what becomes of a copy of the program that follows them."""
 
 import re

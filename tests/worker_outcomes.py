@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What becomes of tasks that are handed to workers."""
 
 from collections import deque

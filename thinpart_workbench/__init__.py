@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """ThinPart: tells before meshing whether a CAD part is thin, and where.
 
 As a library: ``import thinpart_workbench as thinpart``; see docs/python.md.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The packages that ThinPart needs, in one table for the launcher, the tests and error messages.
 
 The launcher runs this file before every command, so it imports only the standard library, looks for modules without
@@ -82,6 +83,7 @@ STORED = (
 )
 # Commands that ask FreeCAD for the folders of its add-ons.
 LINKING = ("install", "uninstall")
+RELEASING = ("release",)
 
 Requirement = namedtuple("Requirement", "package why found commands")
 
@@ -89,10 +91,8 @@ Requirement = namedtuple("Requirement", "package why found commands")
 TABLE = (
     Requirement("freecad", "reads the CAD files and makes their surface meshes", _freecad, CAD + LINKING),
     Requirement("freecad", "is the window that the workbench runs in", _program("freecad"), ("gui", "test")),
-    Requirement("python3-numpy", "does the arithmetic on meshes", _module("numpy"), CAD + STORED + LINKING),
+    Requirement("python3-numpy", "does the arithmetic on meshes", _module("numpy"), CAD + STORED + LINKING + RELEASING),
     Requirement("python3-scipy", "finds neighbours, hulls and connected pieces", _module("scipy"), CAD + STORED + LINKING),
-    Requirement("python3-rich", "prints the tables and the progress", _module("rich"), CAD + STORED),
-    Requirement("python3-jinja2", "fills in the pages of reports", _module("jinja2"), ("report", "gui", "test")),
     Requirement("python3-sklearn", "fits the probabilities of a profile", _module("sklearn"), ("learn", "test")),
     Requirement("freecad", "reads the CAD files that Gmsh meshes", _freecad,
                 ("learn --from-meshing", "learn --from-solver")),
@@ -107,8 +107,8 @@ TABLE = (
     Requirement("python3-hypothesis", "makes up cases for the tests", _module("hypothesis"), ("test",)),
     Requirement("python3-jsonschema", "checks info files against their schema", _module("jsonschema"), ("test",)),
     Requirement("bubblewrap", "confines what reads foreign files where the kernel cannot", _program("bwrap"), ("test",)),
-    Requirement("python3-pip", "installs what reports need, as the window offers to", _module("pip"), ("test",)),
     Requirement("xvfb", "is the screen that the window's tests run on", _program("Xvfb"), ("test",)),
+    Requirement("git", "makes the tag and the zip", _program("git"), RELEASING),
     Requirement("git", "makes the repositories that FreeCAD's Addon Manager installs from", _program("git"), ("test",)),
     Requirement("python3-git", "lets the Addon Manager of FreeCAD 0.20 use git", _module("git"), ("test",)),
     Requirement("imagemagick", "takes the screenshots", _program("import"), ("test",)),

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The process that the whole program is compared with: it reads files and tessellates their solids, nothing else.
 
     python -m benchmarks.children.bare_tessellation FOLDER

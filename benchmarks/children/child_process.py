@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Child processes that hold a mesh and carry out one timed task after the other.
 
 Every contestant has its own process, which stays loaded, so that turns can alternate between them: what else

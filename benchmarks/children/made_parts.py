@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Child process: FreeCAD writes the solids as files, in several sizes and formats."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Meshes one part in each way of the table of peers, and prints a JSON object: FILE SECONDS MEGABYTES NETGEN_PYTHON.
 
 Each mesh is made by a program of its own with a limit of processor time; all have the limit of memory of this process.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Meshes a BREP file with Netgen: FILE OUTPUT.npz MAXH CLOSEEDGEFAC [ORDER]. Runs in the environment of the peers."""
 
 import os

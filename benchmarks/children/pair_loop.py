@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Child process: the paper's comparison of all pairs of triangles, as plainly as numpy allows.
 
 Giannini, Petton, Pernot (TMCE 2012), 4.2.2. One triangle at a time is held against all others, which

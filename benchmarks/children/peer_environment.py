@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The virtual environment in which the peers live, made on first use."""
 
 import subprocess

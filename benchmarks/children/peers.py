@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Child process: another program casts rays through one mesh. Runs in the peers' own environment.
 
     python -m benchmarks.children.peers embreex|trimesh|open3d|pymeshlab

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The solids that are measured: kinds of part that make different things hard, some in several sizes."""
 
 import math

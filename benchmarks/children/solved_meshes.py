@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Meshes a part in several ways, solves each mesh, and prints a JSON object a line: FILE NETGEN_PYTHON NAME...
 
 Names: ``uniform SHARE``, of the diagonal; ``curvature``, Gmsh's sizes from it; ``netgen FACTOR``, its `closeedgefac`;

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Compares the automatic mesh of one part with a converged one, and prints a JSON object.
 
     solved_part.py FILE MESH_SECONDS SOLVER_SECONDS NODES [straight]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Child process: FreeCAD makes the meshes that all others measure, and is timed at it."""
 
 import json

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 "use strict";
 // Without this the table is in the order of the files and shows every part.
 (function () {

@@ -195,10 +195,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>&amp;Vor</translation>
     </message>
     <message>
-        <source>&amp;Install {}</source>
-        <translation>{} &amp;installieren</translation>
-    </message>
-    <message>
         <source>&amp;Isolate</source>
         <translation>&amp;Isolieren</translation>
     </message>
@@ -1035,10 +1031,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>FreeCAD zeigt immer nur eine Aufgabe: Schließen Sie die geöffnete und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
-        <source>FreeCAD's Python has no pip, so {} was not installed: install it into {} by another Python's 'pip install --target'.</source>
-        <translation>FreeCADs Python hat kein pip, deshalb wurde {} nicht installiert: Installieren Sie es mit „pip install --target“ eines anderen Python nach {}.</translation>
-    </message>
-    <message>
         <source>From</source>
         <translation>Von</translation>
     </message>
@@ -1167,10 +1159,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Bauteil einfügen</translation>
     </message>
     <message>
-        <source>Installing {}…</source>
-        <translation>{} wird installiert …</translation>
-    </message>
-    <message>
         <source>Instances</source>
         <translation>Anzahl</translation>
     </message>
@@ -1251,8 +1239,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Gelernt</translation>
     </message>
     <message>
-        <source>Learning needs the Python package {}, which this FreeCAD does not have: install it from the internet into {}?</source>
-        <translation>Das Lernen braucht das Python-Paket {}, das dieses FreeCAD nicht hat: aus dem Internet nach {} installieren?</translation>
+        <source>Learning needs the Python package {}, which this FreeCAD does not have: FreeCAD's Addon Manager offers it when it installs ThinPart.</source>
+        <translation>Zum Lernen wird das Python-Paket {} gebraucht, das dieses FreeCAD nicht hat: FreeCADs Addon-Manager bietet es an, wenn er ThinPart installiert.</translation>
     </message>
     <message>
         <source>Learning profile {} of {}</source>
@@ -1803,10 +1791,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Bericht über alle Bauteile von „{}“</translation>
     </message>
     <message>
-        <source>Reports need the Python package {}, which this FreeCAD does not have: install it from the internet into {}?</source>
-        <translation>Berichte brauchen das Python-Paket {}, das diesem FreeCAD fehlt: aus dem Internet nach {} installieren?</translation>
-    </message>
-    <message>
         <source>Reset to saved</source>
         <translation>Zurücksetzen</translation>
     </message>
@@ -2175,10 +2159,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Der Ordner mit Ihren Bauteilen, einschließlich seiner Unterordner</translation>
     </message>
     <message>
-        <source>The folder {} for Python packages cannot be created ({}): {} was not installed.</source>
-        <translation>Der Ordner {} für Python-Pakete kann nicht angelegt werden ({}): {} wurde nicht installiert.</translation>
-    </message>
-    <message>
         <source>The folder {} has not answered for {} s: connect it, or choose another one for the info files.</source>
         <translation>Der Ordner {} antwortet seit {} s nicht: Verbinden Sie ihn oder wählen Sie einen anderen für die Infodateien.</translation>
     </message>
@@ -2193,10 +2173,6 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>The info file {} is damaged ({}): classify its document again.</source>
         <translation>Die Infodatei {} ist beschädigt ({}): Klassifizieren Sie ihr Dokument erneut.</translation>
-    </message>
-    <message>
-        <source>The installation process could not be started.</source>
-        <translation>Der Installationsprozess konnte nicht gestartet werden.</translation>
     </message>
     <message>
         <source>The learned profile agrees with {} labels; {} does with {}.</source>
@@ -2927,10 +2903,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>wird angehalten</translation>
     </message>
     <message>
-        <source>pip could not install {}; the report view shows its output.</source>
-        <translation>pip konnte {} nicht installieren; seine Meldungen stehen im Ausgabefenster.</translation>
-    </message>
-    <message>
         <source>pixels</source>
         <translation>Pixel</translation>
     </message>
@@ -3293,10 +3265,6 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{} was imported into {}.</source>
         <translation>{} wurde in {} importiert.</translation>
-    </message>
-    <message>
-        <source>{} was not found in the index of Python packages: connect this computer to the internet, or set up pip's proxy, and try again.</source>
-        <translation>{} wurde im Verzeichnis der Python-Pakete nicht gefunden: Verbinden Sie diesen Computer mit dem Internet oder richten Sie den Proxy von pip ein, und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>{} was not opened: it is not a CAD file that ThinPart reads.</source>
@@ -4172,10 +4140,6 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Reason</source>
         <translation>Grund</translation>
-    </message>
-    <message>
-        <source>Reports need the Python package Jinja2 ({problem}): install it (Debian: 'apt-get install python3-jinja2', elsewhere: 'python -m pip install Jinja2').</source>
-        <translation>Berichte brauchen das Python-Paket Jinja2 ({problem}): Installieren Sie es (Debian: „apt-get install python3-jinja2“, sonst: „python -m pip install Jinja2“).</translation>
     </message>
     <message>
         <source>Result</source>
@@ -6052,6 +6016,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{place}: {reason}.</source>
         <translation>{place}: {reason}.</translation>
+    </message>
+    <message>
+        <source>{problem} As a file it may have a shell all the same, without faces for supports: ./thinpart size FILE --shell shell.inp.</source>
+        <translation>{problem} Als Datei kann es dennoch eine Schale haben, ohne Flächen für Lager: ./thinpart size DATEI --shell schale.inp.</translation>
     </message>
     <message>
         <source>{process} ({material})</source>

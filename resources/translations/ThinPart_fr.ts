@@ -195,10 +195,6 @@ Son volume est inconnu.</translation>
         <translation>&amp;Suivant</translation>
     </message>
     <message>
-        <source>&amp;Install {}</source>
-        <translation>&amp;Installer {}</translation>
-    </message>
-    <message>
         <source>&amp;Isolate</source>
         <translation>&amp;Isoler</translation>
     </message>
@@ -1035,10 +1031,6 @@ Son volume est inconnu.</translation>
         <translation>FreeCAD n'affiche qu'une tâche à la fois : fermez celle qui est ouverte, puis réessayez.</translation>
     </message>
     <message>
-        <source>FreeCAD's Python has no pip, so {} was not installed: install it into {} by another Python's 'pip install --target'.</source>
-        <translation>Le Python de FreeCAD n’a pas pip, {} n’a donc pas été installé : installez-le dans {} avec « pip install --target » d’un autre Python.</translation>
-    </message>
-    <message>
         <source>From</source>
         <translation>De</translation>
     </message>
@@ -1167,10 +1159,6 @@ Son volume est inconnu.</translation>
         <translation>Insérer une pièce</translation>
     </message>
     <message>
-        <source>Installing {}…</source>
-        <translation>Installation de {}…</translation>
-    </message>
-    <message>
         <source>Instances</source>
         <translation>Exemplaires</translation>
     </message>
@@ -1251,8 +1239,8 @@ Son volume est inconnu.</translation>
         <translation>Appris</translation>
     </message>
     <message>
-        <source>Learning needs the Python package {}, which this FreeCAD does not have: install it from the internet into {}?</source>
-        <translation>L’apprentissage demande le paquet Python {}, que ce FreeCAD n’a pas : l’installer depuis Internet dans {} ?</translation>
+        <source>Learning needs the Python package {}, which this FreeCAD does not have: FreeCAD's Addon Manager offers it when it installs ThinPart.</source>
+        <translation>L’apprentissage demande le paquet Python {}, que ce FreeCAD n’a pas : le gestionnaire d’extensions de FreeCAD le propose lorsqu’il installe ThinPart.</translation>
     </message>
     <message>
         <source>Learning profile {} of {}</source>
@@ -1803,10 +1791,6 @@ Son volume est inconnu.</translation>
         <translation>Rapport sur toutes les pièces de « {} »</translation>
     </message>
     <message>
-        <source>Reports need the Python package {}, which this FreeCAD does not have: install it from the internet into {}?</source>
-        <translation>Les rapports ont besoin du paquet Python {}, que ce FreeCAD n’a pas : l’installer depuis Internet dans {} ?</translation>
-    </message>
-    <message>
         <source>Reset to saved</source>
         <translation>Rétablir</translation>
     </message>
@@ -2175,10 +2159,6 @@ Son volume est inconnu.</translation>
         <translation>Le dossier de vos pièces, sous-dossiers compris</translation>
     </message>
     <message>
-        <source>The folder {} for Python packages cannot be created ({}): {} was not installed.</source>
-        <translation>Le dossier {} pour les paquets Python ne peut pas être créé ({}) : {} n’a pas été installé.</translation>
-    </message>
-    <message>
         <source>The folder {} has not answered for {} s: connect it, or choose another one for the info files.</source>
         <translation>Le dossier {} ne répond pas depuis {} s : connectez-le ou choisissez-en un autre pour les fichiers d’information.</translation>
     </message>
@@ -2193,10 +2173,6 @@ Son volume est inconnu.</translation>
     <message>
         <source>The info file {} is damaged ({}): classify its document again.</source>
         <translation>Le fichier d’information {} est endommagé ({}) : classifiez à nouveau son document.</translation>
-    </message>
-    <message>
-        <source>The installation process could not be started.</source>
-        <translation>Le processus d’installation n’a pas pu être lancé.</translation>
     </message>
     <message>
         <source>The learned profile agrees with {} labels; {} does with {}.</source>
@@ -2927,10 +2903,6 @@ Son volume est inconnu.</translation>
         <translation>mise en pause</translation>
     </message>
     <message>
-        <source>pip could not install {}; the report view shows its output.</source>
-        <translation>pip n’a pas pu installer {} ; ses messages sont dans la vue rapport.</translation>
-    </message>
-    <message>
         <source>pixels</source>
         <translation>pixels</translation>
     </message>
@@ -3293,10 +3265,6 @@ Son volume est inconnu.</translation>
     <message>
         <source>{} was imported into {}.</source>
         <translation>{} a été importé dans {}.</translation>
-    </message>
-    <message>
-        <source>{} was not found in the index of Python packages: connect this computer to the internet, or set up pip's proxy, and try again.</source>
-        <translation>{} est introuvable dans l’index des paquets Python : connectez cet ordinateur à Internet ou configurez le proxy de pip, puis réessayez.</translation>
     </message>
     <message>
         <source>{} was not opened: it is not a CAD file that ThinPart reads.</source>
@@ -4172,10 +4140,6 @@ Son volume est inconnu.</translation>
     <message>
         <source>Reason</source>
         <translation>Raison</translation>
-    </message>
-    <message>
-        <source>Reports need the Python package Jinja2 ({problem}): install it (Debian: 'apt-get install python3-jinja2', elsewhere: 'python -m pip install Jinja2').</source>
-        <translation>Les rapports ont besoin du paquet Python Jinja2 ({problem}) : installez-le (Debian : « apt-get install python3-jinja2 », ailleurs : « python -m pip install Jinja2 »).</translation>
     </message>
     <message>
         <source>Result</source>
@@ -6052,6 +6016,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{place}: {reason}.</source>
         <translation>{place} : {reason}.</translation>
+    </message>
+    <message>
+        <source>{problem} As a file it may have a shell all the same, without faces for supports: ./thinpart size FILE --shell shell.inp.</source>
+        <translation>{problem} En fichier, elle peut avoir une coque tout de même, sans faces pour les appuis : ./thinpart size FICHIER --shell coque.inp.</translation>
     </message>
     <message>
         <source>{process} ({material})</source>

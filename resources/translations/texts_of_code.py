@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """All texts of ThinPart that people see in the window, read from its code without running it."""
 
 import ast
@@ -20,7 +21,6 @@ TABLES = (("core/descriptors/descriptor_table.py", "QUANTITIES"), ("core/errors.
 """Tables with texts that are shown one by one: the module and the name of each."""
 
 _WORDS = re.compile(r"[A-Za-z]{2,} [a-z]{2,}|[a-z]{2,} .*\.$", re.DOTALL)
-_OF_TEMPLATE = re.compile(r'\b_\("([^"]+)"')
 _SQL = re.compile(r"\b(SELECT|INSERT|DELETE|UPDATE|CREATE|PRAGMA|BEGIN|ORDER|JOIN|TEXT|BLOB|NULL|OR|IN|LIKE)\b")
 
 
@@ -115,9 +115,18 @@ def limit_titles():
 
 
 def report_texts():
-    """Texts of the pages of reports."""
-    for path in sorted((ROOT / "resources" / "report").iterdir()):
-        yield from _OF_TEMPLATE.findall(path.read_text(encoding="utf-8"))
+    """Texts of the pages of reports.
+
+    Raises
+    ------
+    ValueError
+        Where one is no literal.
+    """
+    for path in sorted((PACKAGE / "workflow" / "report").glob("*.py")):
+        for call in calls(tree_of(path), ("_",)):
+            if not isinstance(call.args[0], ast.Constant):
+                raise ValueError(f"{path}, line {call.lineno}: a text of a page is a literal.")
+            yield call.args[0].value
 
 
 def prose(tree):
@@ -160,7 +169,7 @@ class _Prose(ast.NodeVisitor):
     def visit_Call(self, node):
         """Fields of a namedtuple are written as words; what is marked has a place of its own, as templates have."""
         name = getattr(node.func, "id", "")
-        if name == "message":
+        if name in ("message", "_"):
             for each in node.keywords:
                 self.visit(each)
         elif name not in ("namedtuple", *_MARKS):

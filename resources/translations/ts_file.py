@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Translation files as Qt reads them: .ts for people, compiled to .qm for programs."""
 
 import json
@@ -44,12 +45,12 @@ def write_ts(path, language, translations):
     ----------
     path : Path
     language : str
-        As Qt calls it: ``de``.
+        As Qt calls it: ``de``; empty for a template.
     translations : dict of (str, str) to str
         As `read_ts` gives them.
     """
-    lines = ['<?xml version="1.0" encoding="utf-8"?>', "<!DOCTYPE TS>",
-             f'<TS version="2.1" language="{language}" sourcelanguage="en">']
+    target = f' language="{language}"' if language else ""
+    lines = ['<?xml version="1.0" encoding="utf-8"?>', "<!DOCTYPE TS>", f'<TS version="2.1"{target} sourcelanguage="en">']
     for context, group in groupby(sorted(translations.items()), key=lambda each: each[0][0]):
         lines += ["<context>", f"    <name>{xml_text(context)}</name>"]
         for (_, text), translation in group:

@@ -1,12 +1,13 @@
 #!/usr/bin/python3
-"""Brings ThinPart_*.ts up to date with the texts of the code, compiles them to ThinPart_*.qm for Qt, and writes what is
-said outside of the window to sentences_*.json.
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Brings ThinPart.ts, the template of new translations, and ThinPart_*.ts up to date with the texts of the code, compiles
+these to ThinPart_*.qm for Qt, and writes what is said outside of the window to sentences_*.json.
 
     /usr/bin/python3 resources/translations/update_translations.py
 
 Finished translations are kept, texts that are gone are dropped, and those that wait for a translation are
 listed: write it into the .ts file (Qt's Linguist does that too), take out type="unfinished", and call this
-once more. A new language is an empty file ThinPart_CODE.ts.
+once more. A new language is an empty file ThinPart_CODE.ts. Services such as Crowdin take ThinPart.ts.
 """
 
 import sys
@@ -16,11 +17,13 @@ from texts_of_code import BELOW, all_texts
 from ts_file import compile_ts, read_ts, write_sentences, write_ts
 
 HERE = Path(__file__).resolve().parent
+TEMPLATE = "ThinPart.ts"
 
 
 def main():
     """Update and compile all languages; the status is 1 where something is left to do."""
     texts, status = all_texts(), 0
+    write_ts(HERE / TEMPLATE, "", dict.fromkeys(texts, ""))
     for path in sorted(HERE.glob("ThinPart_*.ts")):
         before = read_ts(path) if path.stat().st_size else {}
         after = {key: before.get(key, "") for key in texts}

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Files, what FreeCAD holds and triangles, classified by a program."""
 
 import json

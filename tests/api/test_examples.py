@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Every public function of `api` has an example, which does what it says."""
 
 import ast

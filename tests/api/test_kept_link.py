@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Links of records: addresses of the web and files of the library, and nothing else."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Libraries searched and judged again by a program."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Triangles measured by a program that has no FreeCAD."""
 
 import subprocess

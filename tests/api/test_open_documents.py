@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What the window has done with open documents, by a program: measured from a snapshot, stored, compared."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Libraries that stay open find what a search that opens them finds, also after they were refreshed."""
 
 import json

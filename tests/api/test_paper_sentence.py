@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What the paper would say of a part that was judged by another profile."""
 
 import copy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The names of the package: they cost nothing before they are used, and programs and the command line share them."""
 
 import ast

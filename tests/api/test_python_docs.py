@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What docs/python.md shows runs, and prints what it says."""
 
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """On PYTHONPATH: the Python of a FreeCAD bundle, which has numpy and scipy and none of HIDDEN.
 
 What was installed beside the bundle, as the Addon Manager does it, is there.
@@ -6,7 +7,7 @@ What was installed beside the bundle, as the Addon Manager does it, is there.
 import sys
 from importlib.machinery import PathFinder
 
-HIDDEN = ("rich", "jinja2", "markupsafe", "sklearn")
+HIDDEN = ("sklearn",)
 INSTALLED = "AdditionalPythonPackages"
 
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Accuracies, the precision of a measurement, and the errors that follow from it."""
 
 from dataclasses import replace

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Colours for thickness: even, of rising lightness, told apart by the colour-blind; logarithmic scales."""
 
 import numpy as np

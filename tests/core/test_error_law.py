@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Element sizes for an error that is aimed at: what the law holds whatever its constants are, and parts that are known."""
 
 import made_meshes

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The thinnest and the thickest wall of maps, and which places their parts hide."""
 
 import numpy as np

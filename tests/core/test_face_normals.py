@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Normals of round and free-form faces at points of them."""
 
 import numpy as np

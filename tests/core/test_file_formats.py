@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The table of file formats is the only one, and what people read agrees with it."""
 
 import ast

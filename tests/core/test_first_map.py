@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The first, coarse map of a part: right where it is shown, soon, and from few triangles."""
 
 import made_meshes

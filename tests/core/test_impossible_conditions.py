@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Profiles whose conditions no part can meet are refused, with the place and the reason."""
 
 import copy

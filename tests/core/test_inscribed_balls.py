@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The largest balls inside, of solids of which they are known."""
 
 import made_meshes

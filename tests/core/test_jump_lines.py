@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Maps are sharp where the thickness jumps, and as thick as the wall is between the jumps."""
 
 import made_meshes

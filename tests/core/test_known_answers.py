@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Parts whose measures and verdicts are known in closed form, in every place and size."""
 
 import made_meshes

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Maps and sections are cut where colours change in steps, along lines of equal thickness."""
 
 import made_meshes

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The ranges into which limits of the wall divide all thicknesses."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """From where walls are seen: lines of sight past what stands before them."""
 
 import made_meshes

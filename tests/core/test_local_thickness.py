@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The local thickness of solids of which it is known."""
 
 import made_meshes

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Sections of thickness maps: the edge of the cut, and the material in it."""
 
 import made_meshes

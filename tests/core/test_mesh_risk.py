@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The risk of the automatic mesh: how it is judged, said and found."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Mesh settings that worked for one part, carried over to another."""
 
 import pytest

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Sentences that keep what they are made of: as text, as data, and as what another process says they are."""
 
 import copy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Shares of the surface by thickness in units of the middle side of the box."""
 
 from dataclasses import replace

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Sides of a shell that solids are tied to."""
 
 import numpy as np

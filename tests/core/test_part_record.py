@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A record holds all that a verdict needs, and nothing that a JSON file cannot."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Pictures by thickness: their colours, and where the thinnest wall is in them."""
 
 import made_meshes

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Pictures show the part: what is in front, in three dimensions, thin faces coloured."""
 
 import brute_force

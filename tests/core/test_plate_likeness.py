@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Which walls are plates: wider than they are thick."""
 
 import made_meshes

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Probabilities of the categories, and verdicts that are unsure."""
 
 import copy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """When a mesh is fine enough, what is told where it cannot be made so, and thresholds that are met exactly."""
 
 import math

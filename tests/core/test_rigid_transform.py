@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Rotations with translations do what matrices written out do."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Curved tetrahedra that are inside out are found, and their sides made straight."""
 
 import numpy as np

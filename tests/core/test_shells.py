@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Shells: pairs of faces, thickness through the wall, sections, pieces, ends within the material, shell or solid."""
 
 import made_meshes

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Parts like another are found by what they are, not by where they stand or how large they are."""
 
 from types import SimpleNamespace

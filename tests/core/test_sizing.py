@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Element sizes of parts whose walls are known, the size field, its boxes, and measures of volume meshes."""
 
 import itertools

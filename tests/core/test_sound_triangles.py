@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Triangles of shells that a solver takes: slivers, inside-out ones, sharp bends, what hangs on by a node."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Tetrahedra of volume meshes: values that are known, and those of Gmsh."""
 
 import numpy as np

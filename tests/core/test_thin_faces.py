@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Which faces are shown as thin under another limit than the verdict's."""
 
 import made_meshes

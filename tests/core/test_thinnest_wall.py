@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The thinnest wall has an extent."""
 
 import made_meshes

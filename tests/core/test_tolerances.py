@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Whoever looks for a tolerance finds it, or the module that has it, in `core/tolerances.py`."""
 
 import ast

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The quick check, the sentence about a fault and the JSON schema of a definition say the same."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Why a part is unknown is told again from its record, as a message."""
 
 import json

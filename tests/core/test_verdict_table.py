@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Many parts judged at once get the same categories as one by one."""
 
 import copy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Walls of parts with known answers against limits."""
 
 from dataclasses import replace

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Limits of the wall by process: the shipped table, a user's own, and what is refused."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Wall regions of parts whose walls are known."""
 
 import made_meshes

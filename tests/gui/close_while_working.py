@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """FreeCAD's start-up script: closes FreeCAD as a user does, while it measures a part, a folder or a
 document that was just saved, or reads a library."""
 
@@ -60,7 +61,7 @@ def _save_a_document():
     document.saveAs(os.fspath(HOME / "sieve.FCStd"))
     window.wait_until(window.workers)
     window.settle(2000)  # its own worker process is there
-    Gui.SendMsgToActiveView("Save")  # the run starts anew, and FreeCAD has nothing to ask
+    Gui.runCommand("Std_Save")  # the run starts anew, and FreeCAD has nothing to ask
     Gui.getMainWindow().close()
 
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What Qt, FreeCAD and Python complain of while a test runs, which a user would see in the Report view."""
 
 import traceback

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Every panel, dialog and page of ThinPart, one after the other, as the tests of all of them see them."""
 
 from contextlib import contextmanager

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel that finds parts, as its tests use it: libraries to search, and what a user does there."""
 
 import shutil

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The dialog for whole folders, as its tests use it: folders to classify, and what a user does there."""
 
 import shutil

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """FreeCAD's start-up script for one picture of every panel, dialog and page; see run_in_freecad.py."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """FreeCAD's start-up script for the pictures of the documentation; see run_in_freecad.py."""
 
 import json
@@ -201,7 +202,7 @@ def _find(main, folder):
     table.open_current()
     Gui.Selection.clearSelection()
     Gui.activeDocument().activeView().viewAxonometric()
-    Gui.SendMsgToActiveView("ViewFit")
+    Gui.runCommand("Std_ViewFitAll")
     Gui.getMainWindow().statusBar().clearMessage()
     _settle(dock)
     _take(folder / "find.png")

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Using the profile editor as people do, and what it should say."""
 
 import pytest

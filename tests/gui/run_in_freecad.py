@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs the tests of the window inside the real FreeCAD, on a screen of their own.
 
     python3 tests/gui/run_in_freecad.py [OPTIONS] [PYTEST ARGUMENTS]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Everything that can be read in a window."""
 
 from thinpart_workbench.gui.application.qt import QtCore, QtWidgets

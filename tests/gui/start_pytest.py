@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """FreeCAD's start-up script: runs pytest once the window is up, then ends FreeCAD.
 
 The tests that have begun and ended are written down in HOME, so that another FreeCAD can go on where this one died.

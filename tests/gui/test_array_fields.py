@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Arrays that are put into fields of Coin."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Assemblies of FreeCAD's Assembly workbench in the window."""
 
 import shutil

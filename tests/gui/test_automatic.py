@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Documents that are classified in the background when they are saved."""
 
 import fcntl
@@ -94,7 +95,7 @@ def test_saving_returns_while_the_part_is_being_measured(document, tmp_path):
     set_preference("AutomaticClassification", True)
     App.setActiveDocument(document.Name)
     window.settle(20)
-    Gui.SendMsgToActiveView("Save")
+    Gui.runCommand("Std_Save")
     saved = file.stat().st_mtime_ns
     assert not info(file).exists(), "save has returned before anything was measured"
     window.wait_until(window.workers)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """FreeCAD from a bundle: its Python lies in a folder of its own and has numpy and scipy alone.
 
 The folder has a space and letters outside of ASCII in its name. Its Python is Debian's, from which the other
@@ -7,10 +8,8 @@ libraries are hidden; nothing else of a bundle is here.
 import os
 import runpy
 import shutil
-import stat
 import subprocess
 import sys
-import zipfile
 from pathlib import Path
 
 import FreeCAD as App
@@ -38,7 +37,6 @@ from test_report import browser, message, opened, saved, wait_for_end
 from test_show_thickness import (
     test_what_is_selected_is_measured_alone as test_a_thickness_map,
 )
-from thinpart_workbench.freecad_adapter.additional_packages import install_folder
 from thinpart_workbench.freecad_adapter.preferences import set_preference
 from thinpart_workbench.gui.application import lifelong
 from thinpart_workbench.freecad_adapter.python_beside_freecad import python_environment
@@ -46,7 +44,6 @@ from thinpart_workbench.gui.processes.freecad_python import python_program
 from thinpart_workbench.storage.info.info_file import read_info
 
 BARE = Path(__file__).resolve().parents[1] / "bare_python"
-PACKAGES = Path("/usr/lib/python3/dist-packages")
 
 
 @pytest.fixture(autouse=True)
@@ -68,7 +65,6 @@ def bundle(tmp_path_factory, monkeypatch):
     yield usr
     sys.meta_path[:] = before
     lifelong.standby_worker.end()
-    shutil.rmtree(Path(App.getUserAppDataDir(), "AdditionalPythonPackages"), ignore_errors=True)
 
 
 def real_python():
@@ -77,11 +73,9 @@ def real_python():
 
 def test_its_python_is_found_and_has_no_libraries(bundle):
     assert python_program() == str(bundle / "bin" / "python")
-    run = subprocess.run([python_program(), "-c", "import numpy, scipy\nimport rich"],
+    run = subprocess.run([python_program(), "-c", "import numpy, scipy\nimport sklearn"],
                          env=python_environment(), capture_output=True, encoding="utf-8")
-    assert "No module named 'rich'" in run.stderr
-    run = subprocess.run([python_program(), "-c", "import jinja2"], env=python_environment(), capture_output=True)
-    assert run.returncode == 1
+    assert "No module named 'sklearn'" in run.stderr
 
 
 def test_freecadcmd_is_taken_where_there_is_no_python(bundle, document, monkeypatch):
@@ -117,90 +111,20 @@ def test_on_save(document, tmp_path):
         window.settle(50)
 
 
-# -- reports
-
-
-def wheel(folder, package, version, needs=()):
-    """A package of this machine as pip takes it from an index."""
-    with zipfile.ZipFile(folder / f"{package}-{version}-py3-none-any.whl", "w") as archive:
-        for file in sorted((PACKAGES / package).rglob("*")):
-            if file.is_file() and "__pycache__" not in file.parts:
-                archive.write(file, file.relative_to(PACKAGES))
-        info = f"{package}-{version}.dist-info"
-        lines = [f"Metadata-Version: 2.1\nName: {package}\nVersion: {version}",
-                 *(f"Requires-Dist: {each}" for each in needs)]
-        archive.writestr(f"{info}/METADATA", "\n".join(lines) + "\n")
-        archive.writestr(f"{info}/WHEEL", "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n")
-        archive.writestr(f"{info}/RECORD", "")
-
-
-@pytest.fixture
-def index(tmp_path, monkeypatch):
-    """A folder with wheels, which pip takes for its index."""
-    folder = tmp_path / "index"
-    folder.mkdir()
-    monkeypatch.setenv("PIP_NO_INDEX", "1")
-    monkeypatch.setenv("PIP_FIND_LINKS", str(folder))
-    return folder
-
-
-def asked_to_install():
+def test_a_report(saved, browser):
     opened()
     window.click("ThinPart_ReportStart")
-    assert "Jinja2" in message() and install_folder() in message() and "?" in message()
-    assert window.is_shown("ThinPart_ReportInstall")
-
-
-def test_a_report_is_written_once_jinja2_was_installed(saved, browser, index, tmp_path):
-    wheel(index, "jinja2", "3.1.2", ["markupsafe"])
-    wheel(index, "markupsafe", "2.1.2")
-    asked_to_install()
-    window.click("ThinPart_ReportInstall")
-    assert "Installing Jinja2" in message() and not window.widget("ThinPart_ReportStart").isEnabled()
     wait_for_end()
-    assert "The report is in" in message() and not window.is_shown("ThinPart_ReportInstall")
+    assert "The report is in" in message()
     assert len(browser.opened) == 1 and Path(browser.opened[0]).stat().st_size > 1000
-    assert Path(install_folder(), "jinja2", "__init__.py").is_file()
-    assert not (tmp_path / "jinja2").exists()
 
 
-def test_what_the_index_does_not_have_is_one_sentence(saved, index):
-    asked_to_install()
-    window.click("ThinPart_ReportInstall")
-    wait_for_end()
-    assert "not found in the index" in message() and window.is_shown("ThinPart_ReportInstall")
-
-
-def test_a_python_without_pip_is_one_sentence(saved, bundle):
-    program = bundle / "bin" / "python"
-    text = program.read_text(encoding="utf-8")
-    program.write_text(text.replace("exec", '[ "$2" = pip ] && set -- -S "$@"; exec'), encoding="utf-8")
-    asked_to_install()
-    window.click("ThinPart_ReportInstall")
-    wait_for_end()
-    assert "has no pip" in message()
-
-
-def test_installing_can_be_stopped(saved, bundle):
-    program = bundle / "bin" / "python"
-    program.write_text("#!/bin/sh\nexec sleep 600\n")
-    program.chmod(program.stat().st_mode | stat.S_IXUSR)
-    asked_to_install()
-    window.click("ThinPart_ReportInstall")
-    window.click("ThinPart_ReportCancel")
-    assert "Stopped" in message() and window.widget("ThinPart_ReportStart").isEnabled()
-    assert window.workers("sleep") == []
-
-
-def test_learning_asks_for_scikit_learn_and_installs_it(index, tmp_path):
+def test_learning_says_what_is_missing_and_installs_nothing(tmp_path):
     window.press("ThinPart_LearnThresholds")
     window.wait_until(lambda: window.is_shown("ThinPart_LearnDialog"))
-    assert window.is_shown("ThinPart_LearnInstall")
     window.widget("ThinPart_LearnFolder").setCurrentText(str(tmp_path))
     window.click("ThinPart_LearnStart")
     said = window.text("ThinPart_LearnMessage")
-    assert "scikit-learn" in said and install_folder() in said
-    window.click("ThinPart_LearnInstall")
-    assert "Installing scikit-learn" in window.text("ThinPart_LearnMessage")
-    window.wait_until(lambda: window.widget("ThinPart_LearnStart").isEnabled())
-    assert "not found in the index" in window.text("ThinPart_LearnMessage")
+    assert "scikit-learn" in said and "Addon Manager" in said
+    assert window.widget("ThinPart_LearnStart").isEnabled()
+    assert not Path(App.getUserAppDataDir(), "AdditionalPythonPackages").exists()

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Processes beside the window: what they write, how they end, and what they are ended for."""
 
 import json

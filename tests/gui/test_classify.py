@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """One press of the button: panel, colours, other parts, cancelling, crashes."""
 
 import os

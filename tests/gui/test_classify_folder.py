@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A whole folder from the window: choosing, running, and the table."""
 
 import os

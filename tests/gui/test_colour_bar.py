@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The colour bar in the 3D view: moved, sized and hidden with the mouse, kept for the next map, never off the view."""
 
 import pytest

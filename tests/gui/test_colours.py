@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Analysis colours: undone, cleared exactly, never saved."""
 
 import FreeCAD as App
@@ -73,7 +74,7 @@ def test_saving_never_keeps_the_colours(block, tmp_path):
     document.saveAs(str(tmp_path / "part.FCStd"))
     window.classify()
     coloured = look(block)
-    Gui.SendMsgToActiveView("Save")
+    Gui.runCommand("Std_Save")
     assert look(block) == coloured, "the colours stay on the screen"
     assert not Gui.getDocument(document.Name).Modified
     App.closeDocument(document.Name)
@@ -103,7 +104,7 @@ def test_colours_of_undone_and_then_saved_documents(document, tmp_path):
     document.saveAs(str(tmp_path / "part.FCStd"))
     window.classify()
     document.undo()
-    Gui.SendMsgToActiveView("Save")
+    Gui.runCommand("Std_Save")
     assert look(feature) == before
 
 

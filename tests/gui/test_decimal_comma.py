@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Where FreeCAD writes numbers with a comma, ThinPart does too, also in pictures; either mark can be typed."""
 
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The profile editor: what is changed is counted, checked, saved and used."""
 
 import json

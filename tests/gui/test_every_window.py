@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What holds for every panel, dialog and page: small screens, the keyboard in three languages, the mouse wheel."""
 
 import re

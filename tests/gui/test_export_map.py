@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A thickness map is written as a picture, as PolyData and as PLY."""
 
 import window_actions as window

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What nobody foresaw ends as one sentence, in FreeCAD's notification area where it has one, and as no traceback."""
 
 import subprocess

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The libraries of the panel: other thresholds, folders that come and go, and very many parts."""
 
 import json

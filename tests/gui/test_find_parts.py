@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel that finds parts: filters, the list, and the order in it."""
 
 import json

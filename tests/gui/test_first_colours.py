@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The first, coarse colours: before the map, in its place, and what becomes of them where there is no map."""
 
 import contextlib

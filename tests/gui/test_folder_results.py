@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A whole folder from the window: what is done with the results, and everything that can go wrong."""
 
 import csv

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A part that was found: details, opening, inserting, notes, and parts like it."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What's This, F1 and Help lead to the page of the guide that belongs to what was asked about, and the guide can be read."""
 
 import os

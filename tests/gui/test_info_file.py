@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The info file beside the document."""
 
 import fcntl
@@ -23,7 +24,7 @@ def saved(document, tmp_path):
     window.add_ribbed_block(document)
     window.add(document, "Plate", Part.makeBox(100, 100, 2))
     document.saveAs(str(tmp_path / "parts.FCStd"))
-    Gui.SendMsgToActiveView("Save")
+    Gui.runCommand("Std_Save")
     Gui.Selection.addSelection(document.Name, "Plate")
     return tmp_path / "parts.FCStd"
 
@@ -48,7 +49,7 @@ def test_it_names_what_is_broken_beside_the_good_parts(saved):
     document = App.ActiveDocument
     window.add(document, "Cover", Part.makeShell(Part.makeBox(9, 9, 9).Faces[:5]))
     document.save()
-    Gui.SendMsgToActiveView("Save")
+    Gui.runCommand("Std_Save")
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(document.Name, "Plate")
     window.classify()

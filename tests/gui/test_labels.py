@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What a user says a part is: in the panel of a classification, in the results of a folder, and in the panel that finds."""
 
 import FreeCADGui as Gui
@@ -35,7 +36,7 @@ def saved(document, tmp_path):
     """A saved document with a plate."""
     window.add(document, "Plate", Part.makeBox(100, 100, 2))
     document.saveAs(str(tmp_path / "parts.FCStd"))
-    Gui.SendMsgToActiveView("Save")
+    Gui.runCommand("Std_Save")
     return tmp_path / "parts.FCStd"
 
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Thresholds learned in the window, from labels of people."""
 
 import csv

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Lengths in the window are in the unit of FreeCAD's or the document's unit system; files and properties stay in mm."""
 
 import csv

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Labels of a thickness map in the 3D view: which walls have one, where it stands, and what hides it."""
 
 import itertools

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Wall thickness as a measurement of FreeCAD's own tool, and our panels beside that tool."""
 
 import FreeCAD as App

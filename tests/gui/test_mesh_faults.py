@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """'Prepare mesh' in the window where something is wrong or changes: disks, Gmsh, FEM, links, assemblies, views, units."""
 
 import os

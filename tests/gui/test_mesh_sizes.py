@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """'Prepare mesh' in the window: walls with sizes, the estimate, Gmsh's mesh, and FEM's mesh object."""
 
 import os
@@ -117,7 +118,7 @@ def has_bar(document):
 
 def test_colours_of_sizes_are_not_read_by_the_colour_bar_of_a_thickness_map(document):
     part(document)
-    Gui.SendMsgToActiveView("ViewFit")  # Coin leaves out a scene that is out of sight, and the bar with it
+    Gui.runCommand("Std_ViewFitAll")  # Coin leaves out a scene that is out of sight, and the bar with it
     window.show_thickness()
     window.wait_until(lambda: has_bar(document))
     Gui.Control.closeDialog()

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Large maps are drawn with fewer facets while the user moves the view, and whole when it stands still."""
 
 import FreeCADGui as Gui

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What the window writes: a file that ThinPart did not write is replaced only where the user says so, some never."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The pages in FreeCAD's preferences: what is set there holds everywhere, what cannot be is said."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """ThinPart as a library in FreeCAD's own process, as its Python console calls it."""
 
 import FreeCADGui as Gui

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The process that has loaded everything before a part is to be measured."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Wall regions of a map: the mouse over a row, a click, the menu, and what is kept in the info file."""
 
 import FreeCAD as App
@@ -37,7 +38,7 @@ def saved(sink, tmp_path):
     """The path of a saved document, whose map is shown."""
     path = tmp_path / "sink.FCStd"
     sink.Document.saveAs(str(path))
-    Gui.SendMsgToActiveView("Save")
+    Gui.runCommand("Std_Save")
     window.show_thickness()
     window.wait_until(lambda: window.text("ThinPart_InfoText").startswith("Info file, beside"))
     settled()
@@ -178,7 +179,7 @@ def test_a_note_survives_measuring_again_and_opening_again(saved):
     window.settle(500)
     settled()
     assert struck(0) and "0.4\u00a0mm" in window.text("ThinPart_RegionNotes")
-    Gui.SendMsgToActiveView("Save")
+    Gui.runCommand("Std_Save")
     Gui.Control.closeDialog()
     App.closeDocument(document.Name)
     window.settle(100)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A report about the active document, from the window."""
 
 import hashlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The queue of requests: order, cancelling, a process that dies or hangs, and what is kept."""
 
 import fcntl

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Documents that an earlier version has saved: they name classes of ThinPart by the modules that these were in."""
 
 import shutil

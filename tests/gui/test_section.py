@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The section plane of a thickness map: what is cut off, the edge in the colours of the walls, the fields of the panel."""
 
 import os

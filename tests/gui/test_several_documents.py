@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Assemblies and several documents: what the list and the view show, and what happens to what is running."""
 
 import FreeCAD as App

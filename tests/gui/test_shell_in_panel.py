@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """'Prepare mesh' in the window, as a shell: the mid-surface, its mesh, its thicknesses, and the analysis they are in."""
 
 import shutil

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The button 'Show thickness': what it measures, cancelling, undo, and maps that are there already."""
 
 import os
@@ -148,7 +149,7 @@ def test_a_selected_map_is_shown_without_measuring(document):
 def test_a_saved_map_is_there_again_and_opens_with_a_double_click(document, tmp_path):
     window.add(document, "Plate", Part.makeBox(40, 30, 4))
     document.saveAs(str(tmp_path / "plate.FCStd"))
-    Gui.SendMsgToActiveView("Save")
+    Gui.runCommand("Std_Save")
     window.show_thickness()
     window.wait_until(lambda: "plate.FCStd.thinpart.json" in window.text("ThinPart_InfoText"))
     document.save()

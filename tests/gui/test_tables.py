@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Tables of rows: sorted and filtered while they grow, fetched when they are shown, copied, chosen and written to files."""
 
 import csv

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What ThinPart draws can be read in light and in dark themes, wherever FreeCAD puts its docks."""
 
 import ast

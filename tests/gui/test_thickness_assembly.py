@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Thickness of a whole assembly, and how the window and a person wait for it."""
 
 import FreeCAD as App

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The choice of the measure in the panel of a thickness map: across the wall, or the largest ball inside."""
 
 import FreeCAD as App

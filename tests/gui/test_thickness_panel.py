@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel of a thickness map: histogram, threshold, faces, probes, parts, with mouse and keys."""
 
 import FreeCAD as App

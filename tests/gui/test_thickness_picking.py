@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The thickness under the mouse, and probes."""
 
 import FreeCAD as App

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Thickness maps in the 3D view: colours as the bar has them, kept, undone, out of date."""
 
 import os

@@ -1,10 +1,11 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What hangs in the window is ended, and what it waited for is told."""
 
 import pytest
 import time_limit
 import window_actions as window
 
-from thinpart_workbench.gui.application.qt import QtWidgets
+from thinpart_workbench.gui.application.qt import QtWidgets, execute
 
 
 def test_a_wait_says_what_for_and_what_the_window_shows(document):
@@ -24,7 +25,7 @@ def test_a_dialog_that_nobody_answers_is_closed_and_told(request):
     box.setText("Really?")
     time_limit.end()
     time_limit.begin("this test", 0.3)
-    box.exec_()
+    execute(box)
     said = time_limit.untold()
     time_limit.end()
     time_limit.begin(request.node.nodeid, 60)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The window speaks the language of FreeCAD: the one that it was started in, and those that are chosen later."""
 
 import importlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Limits of the wall in the window: the preference, the panel, the folder's table and the thickness map."""
 
 import csv

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Flights to a wall: it is in the middle of the view, nothing stands before it, and it is marked with its thickness."""
 
 import FreeCAD as App

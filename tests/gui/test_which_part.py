@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Which part is meant: selected, active, only, or asked for."""
 
 from dataclasses import replace

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The workbench is there, and its commands are active when they make sense."""
 
 import xml.etree.ElementTree as ElementTree

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Thickness maps in the window: made, pictured, pointed at."""
 
 import FreeCADGui as Gui

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What a person does with the window, and parts to do it with."""
 
 import inspect

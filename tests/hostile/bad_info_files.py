@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Kinds of info files that cannot be used: by name, a function from the text of a good one to what stands there."""
 
 import json

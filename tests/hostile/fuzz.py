@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Damaged files by the hundred through ``classify``, and what has to hold whatever is in them.
 
     python3 tests/hostile/fuzz.py --files 10000 --seed 1 FOLDER

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Documents that do harm when FreeCAD opens them, made from one that does none."""
 
 import zipfile

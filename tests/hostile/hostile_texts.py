@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Names, labels, notes and paths that mean something in a language that ThinPart writes, or break its lines."""
 
 import random

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Commands that are killed at random moments, and what has to hold afterwards.
 
     python3 tests/hostile/kills.py --kills 2000 --seed 1 FOLDER

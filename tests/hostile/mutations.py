@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Damage to files, the same for the same seed."""
 
 import io

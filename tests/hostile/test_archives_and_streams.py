@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Archives that cannot be unpacked, and outputs that take nothing more."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Info files of every bad kind beside good ones: each is named with a sentence, none is changed, the rest goes on."""
 
 import csv

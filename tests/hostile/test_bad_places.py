@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A disk that is full, a share that goes away, a clock that goes backwards."""
 
 import json

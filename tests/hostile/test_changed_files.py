@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A file that changes while it is read is never shown as if it had not."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A worker that a foreign file has taken over: what it can reach, and what its answers can do."""
 
 import ctypes

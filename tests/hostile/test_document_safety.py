@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A document that is read writes nothing and runs nothing."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What is written about a part that others may not read, they may not read either."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What a worker that has gone wrong says came of its file: never a traceback, and never more than a row."""
 
 import copy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Every text of others comes back as one datum from the real reader of each language that it is written into."""
 
 import csv
@@ -16,7 +17,6 @@ from urllib.parse import unquote_to_bytes, urlsplit
 import numpy as np
 import pytest
 from hostile_texts import ALL, NAMED
-from jinja2.utils import markupsafe
 
 from thinpart_workbench.core.foreign_text import (
     LONGEST_CELL,
@@ -40,6 +40,7 @@ from thinpart_workbench.core.foreign_text import (
 )
 from thinpart_workbench.core.shells.shell_mesh import ShellMesh
 from thinpart_workbench.storage.exchange.shell_files import SHELL_FORMATS, write_shell
+from thinpart_workbench.workflow.report.html_elements import element, page_bytes
 
 
 def unseen(text, kept=""):
@@ -92,7 +93,7 @@ class _Page(HTMLParser):
 def test_html():
     for text in ALL:
         shown = html_text(text)
-        page = _Page(f'<p title="{markupsafe.escape(shown)}">{markupsafe.escape(shown)}</p>')
+        page = _Page(page_bytes(element("p", text, title=text)).decode().partition("\n")[2].removesuffix("\n"))
         assert not unseen(shown, "\n\t") and page.tags == [("p", [("title", shown)])] and "".join(page.text) == shown
 
 

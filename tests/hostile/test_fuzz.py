@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Five hundred damaged files: a row each, and nothing else happens."""
 
 import pytest

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Gmsh runs no name of a part, and no file that only looks like one: in scripts that are written, and those that are run."""
 
 import itertools

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Every argument of every command, found from its parser, with what no program should be given: a sentence, no traceback."""
 
 import argparse

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Commands that are killed at random moments: no note lost, no info file broken, nobody left running."""
 
 import pytest

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What is left behind by processes that are killed: nothing, or nothing for long."""
 
 import os

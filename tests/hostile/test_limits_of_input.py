@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Profiles, limits, labels, settings, conditions and links that are endless, or made to take the square of the time."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A document that links to a pipe, a device or a socket: that is not opened, the rest is measured."""
 
 import os

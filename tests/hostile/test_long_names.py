@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Names that are too long for an info file, and a disk that fails when a name is looked up."""
 
 import errno

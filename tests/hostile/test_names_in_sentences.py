@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Names of parts that look like lengths stand in sentences and pages as they are, in every unit and language."""
 
 import html
@@ -13,8 +14,6 @@ from thinpart_workbench.core.length_unit import INCH
 from thinpart_workbench.core.message import restored, with_messages
 from thinpart_workbench.storage.info.info_file import read_info
 from thinpart_workbench.workflow.report.page_language import page_language
-
-pytest.importorskip("jinja2")
 
 NAMES = ("lid 3 mm.step", "lid 3.5 mm.step", "v1.25 of 0.5 % 2.5 mm (1).step")
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What people have is never replaced by an output: every option that names one, against everything that may lie there."""
 
 import argparse

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What people store with a part is printed in a few lines, searched whatever its bytes, and commands no terminal."""
 
 import csv

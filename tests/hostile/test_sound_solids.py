@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Sound solids that OCC's mesher, or its reader of STEP files, does not take as they are."""
 
 import math

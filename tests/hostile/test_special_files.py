@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Pipes, devices and folders that are called like info files or parts: each is a row, and none is waited for."""
 
 import csv

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A pipe, a device or a socket is never replaced by a file, whoever runs the program."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Ctrl-C and requests to end: every command ends soon, whatever it waits for, and says what it is at meanwhile."""
 
 import fcntl

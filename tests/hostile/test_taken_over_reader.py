@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A reader that a file has taken over: what it can do to other processes, to other files of the run, and to its limits."""
 
 import ctypes

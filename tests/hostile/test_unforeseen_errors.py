@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What people read where a reader or the mesher raises an exception that nobody foresaw: never its own words."""
 
 import json

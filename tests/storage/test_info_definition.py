@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The definition of info files, their JSON schema, and files of other versions."""
 
 import json

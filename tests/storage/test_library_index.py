@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The index says what the info files say, whatever happens to them or to it."""
 
 import json

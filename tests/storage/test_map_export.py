@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Maps for other programs: read back as the formats are defined."""
 
 import base64

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Volume meshes as Gmsh writes them, and what is none."""
 
 import shutil

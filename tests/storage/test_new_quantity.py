@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A new descriptor is one entry of the table and one function, as docs/extending.md has them: it is then everywhere."""
 
 import json

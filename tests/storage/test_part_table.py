@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 import csv
 
 from thinpart_workbench.core.kinds.file_marks import TABLE

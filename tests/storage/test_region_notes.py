@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What people say of wall regions: kept in info files, found again after measuring anew, without effect on verdicts."""
 
 import copy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Wall regions in part records, in files of versions that lack them, in the search index and in groups."""
 
 import copy

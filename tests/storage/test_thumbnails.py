@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Pictures in the cache: PNG files that other programs read, written whole or not at all."""
 
 import resource

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A user's own profiles are files in a folder of settings; nothing else is overwritten."""
 
 import json

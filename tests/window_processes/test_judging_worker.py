@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The process that counts what a profile would change, writes it when asked to, and stops when told to."""
 
 import copy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The process that calls functions of api: in order, to the end of what it was given, unless it can be stopped."""
 
 import json

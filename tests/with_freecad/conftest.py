@@ -1,9 +1,9 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 import os
 import signal
 
 import pytest
 from folder_runs import Run
-from program import BARE_PYTHON
 
 from thinpart_workbench.freecad_adapter.bootstrap import load_freecad
 
@@ -12,18 +12,6 @@ from thinpart_workbench.freecad_adapter.bootstrap import load_freecad
 def freecad():
     """The real FreeCAD, without a window."""
     return load_freecad()
-
-
-@pytest.fixture(params=["all libraries", "numpy and scipy alone"])
-def each_python(request, monkeypatch):
-    """The program runs in a Python with all libraries, and in one as FreeCAD's bundles have it.
-
-    Only tables, bars and reports ask for more than a bundle has (see tests/test_layers.py); what has none of them is
-    the same in both.
-    """
-    if request.param == "numpy and scipy alone":
-        monkeypatch.setenv("THINPART_TEST_PATH", str(BARE_PYTHON))
-    return request.param
 
 
 @pytest.fixture

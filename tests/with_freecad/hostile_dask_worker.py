@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """``dask worker --preload`` of this file: a worker that answers with programs instead of results.
 
 $HOSTILE_FOLDER takes a file with the number of each process that ran one, $HOSTILE_WAY says what it does.

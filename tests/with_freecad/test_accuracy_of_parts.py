@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What a coarse mesh costs, and when a part is measured again."""
 
 import math

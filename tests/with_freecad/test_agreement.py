@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The study of agreement runs on a folder of labelled parts."""
 
 import csv

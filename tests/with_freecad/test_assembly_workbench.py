@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Documents of FreeCAD's Assembly workbench: its joints, links, views and lists beside the parts."""
 
 from collections import Counter

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Bad input and interruption: one clear row, the others go on, nothing half-written."""
 
 import json

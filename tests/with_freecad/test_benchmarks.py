@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The benchmark runs and writes what it says; how fast anything is, is not tested."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What should be a part and is none is told, and a shape that is older than its document too."""
 
 import csv

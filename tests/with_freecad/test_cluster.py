@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """``classify --dask`` on a real scheduler and real workers, which know nothing of ThinPart at first."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Mid-faces cut by each other: in this process, in another one, and not at all where that takes too long."""
 
 import numpy as np

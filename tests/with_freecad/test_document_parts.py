@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Which solids of a document are its parts, and where they stand."""
 
 import json

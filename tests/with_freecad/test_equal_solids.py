@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Equal solids are one part, wherever they stand; mirror images and near likes are not."""
 
 from functools import cached_property

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The examples of docs/extending.md that need FreeCAD: a file format, and a panel in its window."""
 
 import json

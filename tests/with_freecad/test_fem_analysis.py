@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The analysis that *Prepare mesh* leaves: with a support and a force added, FreeCAD's FEM solves it with CalculiX."""
 
 import shutil

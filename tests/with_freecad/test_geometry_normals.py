@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The normals that a mesh has from the faces of its part."""
 
 from dataclasses import replace

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Every command of the guide runs, and its links and pictures are there."""
 
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Dask workers that answer with programs: none of them runs where the command was given."""
 
 import os

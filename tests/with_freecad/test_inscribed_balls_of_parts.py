@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The largest balls inside, held against the exact B-Rep of parts: FreeCAD tells how far it is from their centres."""
 
 import numpy as np

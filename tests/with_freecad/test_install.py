@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """``thinpart install`` and ``uninstall``, in the folders that real FreeCADs read."""
 
 import os

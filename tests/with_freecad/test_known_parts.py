@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Parts of FreeCAD with known answers, in three tessellations and several places."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """find, similar, note and reclassify as people call them, on real documents."""
 
 import json

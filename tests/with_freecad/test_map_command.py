@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """``thinpart map``: pictures, and triangles with values, without a window."""
 
 import json

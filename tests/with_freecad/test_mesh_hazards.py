@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What makes parts hard to mesh, on solids of which it is known."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Parts that Gmsh does not mesh at first: what is tried, and what comes of it. Settings that worked, kept and offered."""
 
 import json

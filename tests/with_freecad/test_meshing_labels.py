@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Labels without a person: parts that the real Gmsh meshes, and what keeps it from doing so."""
 
 import csv

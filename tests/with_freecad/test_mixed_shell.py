@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """``thinpart size --shell FILE.inp`` of walls on thick bodies, with the real Gmsh and CalculiX: shell and solid, tied."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Where something occurs: the way to it, what it leads through, what stands there and where."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Solids of whose faces OCC leaves out some, or single triangles."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The samples that stand for figures of the paper, and their table in docs/method.md."""
 
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Pictures of parts by the real worker, and runs that can keep none."""
 
 import json

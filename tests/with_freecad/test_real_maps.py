@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Maps of real parts, against a ray for each of many points."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Reports: whole pages that need nothing but themselves, whatever a part or file is called."""
 
 import csv
@@ -275,16 +276,6 @@ def test_a_place_that_cannot_be_taken(tmp_path, wrong):
     assert run.returncode == 2 and run.stdout == ""
     assert re.fullmatch(r"thinpart: [^\n]+[:;] give [^\n]+\n", run.stderr)
     assert sorted(tmp_path.rglob("*")) == before
-
-
-def test_what_is_missing_is_said_before_anything_is_measured(tmp_path):
-    (tmp_path / "jinja2.py").write_text("raise ImportError('not whole')")
-    run = subprocess.run(
-        [sys.executable, "-m", "thinpart_workbench", "report", SAMPLES / "tube.step", "-o", tmp_path / "out"],
-        env=dict(os.environ, PYTHONPATH=f"{tmp_path}:{ROOT}"), capture_output=True, encoding="utf-8")
-    assert run.returncode == 1 and not (tmp_path / "out").exists()
-    assert run.stderr == ("thinpart: Reports need the Python package Jinja2 (not whole): install it (Debian: 'apt-get "
-                          "install python3-jinja2', elsewhere: 'python -m pip install Jinja2').\n")
 
 
 def test_an_empty_folder_has_no_report(tmp_path):

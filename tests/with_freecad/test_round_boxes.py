@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Sides of the box of round parts: those of the solid, however coarse the facets are."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs over whole folders: which files they take, odd names, and places that cannot be read or written."""
 
 import csv

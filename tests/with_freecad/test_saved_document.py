@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A saved document classified in the background, and its info file in a folder that may not answer."""
 
 import fcntl

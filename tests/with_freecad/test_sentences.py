@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Sentences from below the window in the user's language, by Qt's own reading of the compiled translations."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """``thinpart size --shell`` with the real Gmsh and CalculiX: mid-surfaces, their files, and how they bend."""
 
 import csv

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """``thinpart size`` with the real Gmsh: parts that it cannot mesh or meshes badly at one size, and well as proposed."""
 
 import csv

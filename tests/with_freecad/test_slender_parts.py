@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Rods, tubes, rings and coils from 1:10 to 1:50,000, against closed forms."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What the process that measures a snapshot tells of what fails."""
 
 import json

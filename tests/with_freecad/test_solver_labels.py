@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """``learn --from-solver``: parts that the real Gmsh meshes and the real CalculiX solves, and what keeps them from it."""
 
 import csv

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The modules of the window on a simulated Windows and macOS. They are imported without a window."""
 
 import subprocess

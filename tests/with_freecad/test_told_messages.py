@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What each process beside the window says comes to the window as messages: worker, JSON, German."""
 
 import json

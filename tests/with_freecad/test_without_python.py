@@ -1,7 +1,9 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """FreeCADCmd where there is no Python, and a Python that has numpy and scipy alone."""
 
 import json
 import os
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -57,13 +59,6 @@ def test_a_folder_is_classified_by_freecadcmd_and_its_workers(tmp_path):
         assert {json.dumps(each["confinement"]) for each in records} == {'{"files": "landlock", "network": "seccomp"}'}
 
 
-def test_a_report_without_jinja2_is_refused_in_one_sentence(tmp_path, monkeypatch):
-    monkeypatch.setenv("THINPART_TEST_PATH", str(BARE_PYTHON))
-    run = thinpart("report", SAMPLES / "wedge.step", "--output", tmp_path / "report")
-    assert run.returncode == 1 and run.stdout == "" and not (tmp_path / "report").exists()
-    assert run.stderr.count("\n") == 1 and "Jinja2" in run.stderr and "pip install Jinja2" in run.stderr
-
-
 def test_installed_packages_are_found_after_those_of_freecads_python(tmp_path, monkeypatch):
     for name in ("numpy", "made_package"):
         (tmp_path / name).mkdir()
@@ -75,12 +70,20 @@ def test_installed_packages_are_found_after_those_of_freecads_python(tmp_path, m
     assert run.stdout.split() == ["True", "False"], run.stderr
 
 
-def test_a_table_without_rich_has_the_cells_of_the_one_with_it(tmp_path, monkeypatch):
+def test_learning_without_scikit_learn_is_refused_in_one_sentence(tmp_path, monkeypatch):
+    monkeypatch.setenv("THINPART_TEST_PATH", str(BARE_PYTHON))
+    run = thinpart("learn", tmp_path, "-o", tmp_path / "house.json")
+    assert run.returncode == 1 and run.stdout == "" and not (tmp_path / "house.json").exists()
+    assert run.stderr.count("\n") == 1 and "scikit-learn" in run.stderr
+
+
+@pytest.mark.parametrize("said", [{"FORCE_COLOR": "1"}, {"FORCE_COLOR": "1", "NO_COLOR": "1"}, {"NO_COLOR": "1"}, {}])
+def test_a_table_in_colours_has_the_cells_of_one_without(tmp_path, monkeypatch, said):
     shutil.copy(SAMPLES / "wedge.step", tmp_path / "\u5bec.step")
     shutil.copy(SAMPLES / "assembly_of_three.FCStd", tmp_path)
-    with_rich = thinpart("classify", tmp_path, "--no-info").stdout
-    monkeypatch.setenv("THINPART_TEST_PATH", str(BARE_PYTHON))
-    without = thinpart("classify", tmp_path, "--no-info").stdout
-    # rich spreads columns over the width that there is.
-    assert [line.split() for line in with_rich.splitlines()] == [line.split() for line in without.splitlines()]
-    assert Path(tmp_path, "\u5bec.step").name in without
+    plain = thinpart("classify", tmp_path, "--no-info").stdout
+    for name, value in said.items():
+        monkeypatch.setenv(name, value)
+    shown = thinpart("classify", tmp_path, "--no-info").stdout
+    assert re.sub(r"\x1b\[[\d;]*m", "", shown) == plain and Path(tmp_path, "\u5bec.step").name in plain
+    assert ("\x1b[32mnormal\x1b[0m" in shown) == ("\x1b[1mFile\x1b[0m" in shown) == ("FORCE_COLOR" in said)

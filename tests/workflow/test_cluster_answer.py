@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Answers of Dask workers: results of analyses, and nothing that only looks like them."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Finding the documents of large, broken and half-reachable trees."""
 
 import errno

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A query finds just the parts that a look at every record finds."""
 
 import json

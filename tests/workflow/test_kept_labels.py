@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What people say of parts stays with them, is found again, and thresholds are learned from it."""
 
 import csv

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What people keep with a part is theirs: nothing that the program does loses it."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Profiles from labels, on made parts whose best thresholds are known."""
 
 import csv

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What is counted for each choice is what a search for it finds, in several libraries and in one order."""
 
 import json

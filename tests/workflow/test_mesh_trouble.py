@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What counts as trouble with an automatic mesh, and the tables of how often labels and verdicts foretell it."""
 
 import math

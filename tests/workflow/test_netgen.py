@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Netgen where Gmsh fails: its elements in Gmsh's order, files that are read back, and the real program where it is."""
 
 import shutil

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The languages of report pages: what is translated, how numbers look, and that fields are escaped in all of them."""
 
 from dataclasses import replace
@@ -5,13 +6,10 @@ from dataclasses import replace
 import pytest
 
 from thinpart_workbench.core.figures import Length, Share
-from thinpart_workbench.core.length_unit import INCH
+from thinpart_workbench.core.length_unit import INCH, MILLIMETRE
 from thinpart_workbench.core.message import message
+from thinpart_workbench.workflow.report.overview_page import overview_page
 from thinpart_workbench.workflow.report.page_language import LANGUAGES, page_language
-
-pytest.importorskip("jinja2")
-
-from thinpart_workbench.workflow.report.page_templates import fill_in
 
 
 def test_the_languages_are_those_of_the_window():
@@ -64,7 +62,6 @@ def test_lengths_in_sentences_are_in_the_unit_with_the_decimal_mark_of_the_langu
 @pytest.mark.parametrize("code", LANGUAGES)
 def test_fields_of_texts_are_escaped(code):
     hostile = "<script>\x1b[31m{0.__class__}</script>"
-    page = fill_in("index.html", code, software="0", tree="", profile={"name": "house", "title": hostile}, titles={},
-                   counts={"parts": 0, "categories": []}, limits=[], rows=[], failures=[]).decode()
+    page = overview_page(code, MILLIMETRE, "", {"name": "house", "title": hostile}, {}, [], [], [], []).decode()
     assert "&lt;script&gt;" in page and "x1b[31m{0.__class__}" in page and "\x1b" not in page
     assert page.count("<script>") == 1

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Judging again gives what a new analysis by that profile would give, and touches nothing else."""
 
 import copy

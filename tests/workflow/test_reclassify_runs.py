@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """`reclassify` over more info files than one process takes: interrupted, killed, and with files that kill."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The order of a run, and what is known before anything is read."""
 
 import os

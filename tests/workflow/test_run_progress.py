@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Time left: from the bytes that were measured, not from what was only looked up."""
 
 import pytest

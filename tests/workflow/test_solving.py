@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Elastic frequencies by the real CalculiX on meshes of the real Gmsh: known answers, and what keeps it from them."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Tasks of workers: an answer is a result only if it is checked, results are kept, and whoever asked may stop."""
 
 from dataclasses import dataclass

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What a worker of the pool died of, and what becomes of the file that it was at."""
 
 import exit_cases

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Worker processes: what waits has no time limit, what dies is replaced, nobody outlives the parent."""
 
 import ctypes

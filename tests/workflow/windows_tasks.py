@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What a worker does in the test of the pool on a simulated Windows: modules that workers import are files."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Set the annotations of a part in its info file: notes, mesh settings, links, labels, notes on walls; check links; find
 settings that worked for parts alike."""
 

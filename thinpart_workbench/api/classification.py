@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Classify files, FreeCAD shapes, meshes, objects and documents, and triangles."""
 
 import os

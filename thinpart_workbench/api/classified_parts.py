@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Results of a classification: parts with their records, and failures."""
 
 from collections.abc import Sequence

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The info file of an open document: its parts, as they were measured, and what panels keep with them and ask for."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The thickness maps in a document: adding, reading and updating them."""
 
 import os

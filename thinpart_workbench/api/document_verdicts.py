@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Summaries of the verdicts on the parts of a document, and the changes between two of them."""
 
 from typing import Any, Optional, TypedDict

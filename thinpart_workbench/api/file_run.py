@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Find, analyse and map documents in worker processes or on a cluster, for both the command line and the Python API."""
 
 import os
@@ -74,7 +75,7 @@ class FileRun:
         self.failures = [failure(path, error.kind, str(error)) for path, error in found.failures]
 
     def outcomes(self, profile, settings, limits, *, info_for=None, force=False, thumbnails=False, pages_for=None,
-                 started=None, cluster=None, meanwhile=()):
+                 started=None, cluster=None):
         """Analyse the documents.
 
         Parameters
@@ -96,8 +97,6 @@ class FileRun:
         cluster : str, optional
             Address of a Dask scheduler, from `cluster_address`, whose workers analyse the files instead of processes on
             this machine.
-        meanwhile : iterable of callable, optional
-            Each is called once, while processes on this machine are busy.
 
         Yields
         ------
@@ -122,7 +121,7 @@ class FileRun:
         self.control.set_state("paused" if self.control.paused else "running")
         if started is not None:
             started()
-        with closing(self._analyse([entry.task for entry in planned], limits, cluster, progress, meanwhile)) as outcomes:
+        with closing(self._analyse([entry.task for entry in planned], limits, cluster, progress)) as outcomes:
             for outcome in outcomes:
                 if outcome["file"] in info_errors and "error" not in outcome:
                     error = info_errors[outcome["file"]]
@@ -131,9 +130,9 @@ class FileRun:
                 progress.add(outcome)
                 yield outcome
 
-    def _analyse(self, tasks, limits, cluster, progress, meanwhile):
+    def _analyse(self, tasks, limits, cluster, progress):
         if cluster is None:
-            return analyse_files(tasks, limits, self.control, meanwhile)
+            return analyse_files(tasks, limits, self.control)
         from ..workflow.cluster.cluster_run import analyse_files_on_cluster
 
         def on_threads_changed(threads):

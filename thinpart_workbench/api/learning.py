@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Learn a profile from parts that people have labelled, and write their labels as a table."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Check the arrays of vertices and triangles that a caller of the API passes."""
 
 import numpy as np

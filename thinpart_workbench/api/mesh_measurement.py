@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Measure triangles with numpy and scipy alone."""
 
 from ..core.analysis_settings import AnalysisSettings

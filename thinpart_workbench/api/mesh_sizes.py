@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Element sizes for parts, from the thickness of their walls, and meshes with them."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Libraries that stay open: searched again and again without reading them, and refreshed in the background."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Judge stored parts again, without geometry."""
 
 import os

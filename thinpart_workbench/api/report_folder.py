@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The folder of a report, with its marker file, overview and tables; and a report about an open document."""
 
 import json
@@ -22,8 +23,8 @@ from ..storage.output_file import check_output, write_output
 from ..storage.part_table import checked_row, failed_row, part_table, write_table
 from ..storage.user_limits import limits_named
 from ..workflow.report import page_language
+from ..workflow.report.overview_page import overview_page
 from ..workflow.report.page_language import ENGLISH
-from ..workflow.report.page_templates import check_templates, fill_in
 from ..workflow.report.report_pages import PageMaker, ReportPages, address
 
 MARK = "thinpart-report.json"
@@ -73,7 +74,7 @@ class ReportFolder:
     ------
     ThinPartError
         kind ``usage`` if the folder cannot be written, contains anything but a report, or a file that must not be
-        replaced; ``unsupported`` if templates cannot be rendered.
+        replaced.
     """
 
     def __init__(self, folder, tree, profile, info_for, limits=(), shown_measure=RAY, subject=None,
@@ -88,7 +89,6 @@ class ReportFolder:
         self._parts, self._failures, self._part_blocks = [], [], []
         self._face_blocks = []  # (document, start, length) of its rows in the temporary file
         self._replacing = {"overwrite": overwrite, "inputs": inputs}
-        check_templates()
         _prepare(self.folder, folder, self._replacing)
         self._faces = tempfile.TemporaryFile(dir=self.folder)
 
@@ -152,14 +152,12 @@ class ReportFolder:
         profile = profile_from(self._profile)
         names = [category.name for category in profile.categories] + [NORMAL, UNKNOWN]
         count = Counter(part.category for part in self._parts)
-        return fill_in(
-            "index.html", self._language, self._unit, software=__version__, tree=self._subject, profile=self._profile,
-            titles={category.name: category.title for category in profile.categories},
-            counts={"parts": len(self._parts),
-                    "categories": [(name, count[name]) for name in names if count[name]]},
-            limits=self._limits, rows=sorted(self._parts, key=lambda part: (part.file, part.page)),
-            failures=sorted(self._failures, key=lambda failure: failure.file),
-        )
+        return overview_page(
+            self._language, self._unit, self._subject, self._profile,
+            {category.name: category.title for category in profile.categories},
+            [(name, count[name]) for name in names if count[name]], self._limits,
+            sorted(self._parts, key=lambda part: (part.file, part.page)),
+            sorted(self._failures, key=lambda failure: failure.file))
 
 
 class OpenDocumentReport:

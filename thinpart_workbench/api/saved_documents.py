@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Classify a document from its file, once its measurements are no longer current, and tell what has changed."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Measure the parts of an open document from a snapshot of it, in another process than FreeCAD's."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The command line: one module per command, exit status 0, 1, 2, 3 (a part failed a check) or 130."""
 
 import argparse
@@ -28,6 +29,7 @@ COMMANDS = {
     "install": ("install", "make the workbench appear in your FreeCAD"),
     "uninstall": ("install", "remove the workbench from your FreeCAD"),
     "test": ("test", "run the test suite"),
+    "release": ("release", "make the tag and the zip for FreeCAD's index of add-ons"),
 }
 """Command: its module in `commands`, and its description."""
 

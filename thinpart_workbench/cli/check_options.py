@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Options by which commands check walls against the limits of processes, and the results as texts."""
 
 from ..core.judging.wall_check import check_walls

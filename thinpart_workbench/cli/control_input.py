@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """``--control``: lets another program pause and stop a run through its standard input."""
 
 import os

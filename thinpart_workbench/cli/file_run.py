@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Analyse the documents of a run and report on it."""
 
 from contextlib import closing, contextmanager
@@ -7,7 +8,6 @@ from ..system.process_limits import MEMORY_CAN_BE_LIMITED
 from .control_input import listen
 from .run_report import new_report
 from .stop_signals import stop_signals
-from .terminal_table import prepare_tables
 
 
 @contextmanager
@@ -46,7 +46,7 @@ def analyse_and_report(run, report, add, *, checks=None, cluster=None, **how):
             add(outcome)
             report.failures(outcome)
 
-    with closing(run.outcomes(started=started, cluster=cluster, meanwhile=(prepare_tables,), **how)) as outcomes:
+    with closing(run.outcomes(started=started, cluster=cluster, **how)) as outcomes:
         for outcome in outcomes:
             if checks is not None:
                 outcome = checks.added_to(outcome)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What programs made of the parts of a library, as printed text."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Options that name output files, and the check, before anything is measured, that these replace nothing of the user's."""
 
 import os

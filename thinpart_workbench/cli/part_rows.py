@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Part records as rows of a printed table and of a CSV file."""
 
 import json

@@ -1,9 +1,20 @@
-"""Tables without colours, which need no library."""
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tables of text, laid out for a terminal."""
 
 import unicodedata
 
+_CODES = {"bold": "1", "dim": "2", "red": "31", "green": "32", "yellow": "33", "magenta": "35", "cyan": "36"}
+"""Of ECMA-48 (SGR), by the words of styles."""
 
-def plain_lines(widths, rights, rows):
+
+def styled(text, style):
+    """A text in a style, such as "bold red"; None leaves it as it is."""
+    if not (text and style):
+        return text
+    return f"\x1b[{';'.join(_CODES[word] for word in style.split())}m{text}\x1b[0m"
+
+
+def table_lines(widths, rights, rows):
     """Yields lines of a table; cells that are wider than their column are folded.
 
     Parameters
@@ -12,13 +23,14 @@ def plain_lines(widths, rights, rows):
         Column widths in characters of a terminal.
     rights : list of bool
         Whether each column is right-aligned.
-    rows : iterable of list of str
+    rows : iterable of list of (str, str or None)
+        Cells with their styles, None for those in no style.
     """
     for row in rows:
-        cells = [_folded(cell, width) for cell, width in zip(row, widths)]
-        for number in range(max(map(len, cells))):
-            parts = (cell[number] if number < len(cell) else "" for cell in cells)
-            yield "  ".join(_filled(*entry) for entry in zip(parts, widths, rights)).rstrip()
+        cells = [(_folded(text, width), style) for (text, style), width in zip(row, widths)]
+        for number in range(max(len(lines) for lines, _ in cells)):
+            parts = ((lines[number] if number < len(lines) else "", style) for lines, style in cells)
+            yield "  ".join(_filled(*part, *form) for part, *form in zip(parts, widths, rights)).rstrip()
 
 
 def text_width(text):
@@ -43,6 +55,6 @@ def _folded(text, width):
     return lines
 
 
-def _filled(text, width, is_right):
+def _filled(text, style, width, is_right):
     space = " " * (width - text_width(text))
-    return space + text if is_right else text + space
+    return space + styled(text, style) if is_right else styled(text, style) + space

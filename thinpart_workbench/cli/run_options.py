@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Options of the commands that measure files: file selection, measurement, limits and control."""
 
 import argparse

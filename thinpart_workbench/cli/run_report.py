@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Reports on a run in progress: JSON lines for programs, or a progress bar for people, on stderr."""
 
 import json
@@ -10,7 +11,9 @@ from ..core.errors import ThinPartError
 from ..core.foreign_text import json_text, printable
 from ..core.message import with_messages
 from .plain_table import text_width
-from .terminal_table import has_rich
+
+_BAR_WIDTH = 20
+"""Characters of the bar."""
 
 
 def new_report(as_json, translatable=False):
@@ -26,7 +29,7 @@ def new_report(as_json, translatable=False):
         return JsonReport(translatable)
     if not sys.stderr.isatty():
         return RunReport()
-    return BarReport() if has_rich() else LineReport()
+    return BarReport()
 
 
 class RunReport:
@@ -101,38 +104,7 @@ class JsonReport(RunReport):
 
 
 class BarReport(RunReport):
-    """A progress bar with the pace and the time left."""
-
-    def __enter__(self):
-        from rich.console import Console
-        from rich.progress import BarColumn, Progress, TextColumn
-
-        self._bar = Progress(TextColumn("{task.description}", markup=False),
-                             BarColumn(bar_width=None), TextColumn("{task.fields[status]}", markup=False),
-                             console=Console(stderr=True, highlight=False), expand=True)
-        self._bar.start()
-        self._task = self._bar.add_task("Starting", total=None, status="")
-        self._name = None
-        return self
-
-    def __exit__(self, *reason):
-        self._bar.stop()
-
-    def state(self, name):
-        self._name = name.capitalize()
-        self._bar.update(self._task, description=self._name)
-
-    def found(self, count):
-        self._bar.update(self._task, status=f"{count:,} parts")
-
-    def _show_progress(self, progress, file=None, step=None):
-        is_over = progress.done == progress.total
-        self._bar.update(self._task, total=progress.total, completed=progress.done,
-                         status=_progress_text(progress.content(), step), description="Done" if is_over else self._name)
-
-
-class LineReport(RunReport):
-    """The same as `BarReport` in a line without a bar, which needs no library."""
+    """A line with a bar, the pace and the time left, which is written over again and again."""
 
     def __init__(self):
         self._name, self._line = "Starting", ""
@@ -158,7 +130,8 @@ class LineReport(RunReport):
 
     def _show_progress(self, progress, file=None, step=None):
         name = "Done" if progress.done == progress.total else self._name
-        self._show(f"{name} {_progress_text(progress.content(), step)}")
+        done = round(_BAR_WIDTH * progress.done / max(progress.total, 1))
+        self._show(f"{name} [{'=' * done}{' ' * (_BAR_WIDTH - done)}] {_progress_text(progress.content(), step)}")
 
     def _show(self, line):
         # Cut the line: one that the terminal wraps could not be overwritten.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Proposed element sizes as printed text and as rows of a table."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Handle Ctrl-C and similar signals: the first one stops a run at the next safe point, or soon where there is none."""
 
 import signal

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Parts from the index as rows of a printed table."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Limits of an analysis: one set of defaults for the command line, the window and programs."""
 
 from dataclasses import dataclass

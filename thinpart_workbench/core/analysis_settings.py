@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Settings of a measurement: one set of defaults for the command line, the panels and the tests."""
 
 from dataclasses import asdict, dataclass, replace

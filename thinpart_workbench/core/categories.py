@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The two categories that no profile defines; importable without numpy."""
 
 NORMAL, UNKNOWN = "normal", "unknown"

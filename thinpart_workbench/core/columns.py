@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Vectors as columns, ``(3, ...)``: numpy is several times faster when the long axis is contiguous."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Exceptions. Each has a ``kind`` for programs and one sentence for people."""
 
 from .message import message

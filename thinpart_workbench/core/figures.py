@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Figures in sentences, which are written in the unit and with the decimal mark of whoever reads them."""
 
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The one table of file formats that ThinPart reads."""
 
 import os

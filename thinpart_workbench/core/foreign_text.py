@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The rules for foreign text, such as names, labels, notes and paths, in every language that is written: one for each.
 
 Each function takes any str, also with line breaks, control characters and bytes of file names that are not valid text (as

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The unit in which people read and write lengths. Inside the program, everything is in millimetres."""
 
 from dataclasses import dataclass

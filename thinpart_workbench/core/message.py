@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Sentences for people that keep their template and fields, so that the window can translate them."""
 
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Numbers as text for people: with a decimal point, which `with_decimal_mark` replaces for other languages."""
 
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What people read about an exception: words of ThinPart and of the operating system, never those of a program's inside."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Progress of a measurement: a callback that takes the fraction done and may raise `Cancelled` to stop the work."""
 
 

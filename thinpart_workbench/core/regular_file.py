@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Opening untrusted files such that none of them can block the program."""
 
 import errno

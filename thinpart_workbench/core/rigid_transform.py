@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Rigid transforms: rotations with translations, as matrices of shape (4, 4), in mm.
 
 They are composed by ``@``: ``second @ first`` applies ``first`` and then ``second``.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Pausing, resuming and stopping a run."""
 
 import time

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Every tolerance of the measurement in one place, each with its reason; and where those of single steps are."""
 
 from dataclasses import dataclass

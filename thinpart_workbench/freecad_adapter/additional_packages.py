@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The folders into which FreeCAD's Addon Manager installs Python packages for add-ons."""
 
 import importlib
@@ -16,17 +17,6 @@ def package_folders():
     top = Path(App.getUserAppDataDir()) / "AdditionalPythonPackages"
     version = f"py{sys.version_info.major}{sys.version_info.minor}"
     return [os.fspath(top / version), os.fspath(top), *_of_snap()]
-
-
-def install_folder():
-    """str: the folder into which packages for this FreeCAD are installed.
-
-    FreeCAD 0.20 has no folders per Python version.
-    """
-    by_version, top, *of_snap = package_folders()
-    if of_snap:
-        return of_snap[0]
-    return by_version if tuple(map(int, App.Version()[:2])) >= (0, 21) else top
 
 
 def has_package(name):

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Make FreeCAD importable outside its own program, in the order that it needs."""
 
 import importlib

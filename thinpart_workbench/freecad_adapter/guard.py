@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Guard the methods that FreeCAD calls against unexpected exceptions.
 
 FreeCAD prints an exception from an observer, a command or a proxy as a traceback and shows it to the user as a

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The points and triangles of FreeCAD's meshes as arrays."""
 
 from itertools import chain

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The folders in which each version of FreeCAD looks for the user's add-ons.
 
 Up to 1.0 this is ``Mod`` in the user's FreeCAD folder. From 1.1 on each version has its own folder in there, such as

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Occurrences of parts in a document, and the objects, shapes and matrices at a sub-object path.
 
 FreeCAD's sub-object path lists the names of the objects below a top object, each followed by a dot. It is empty for

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """ThinPart's preferences in FreeCAD: one table that declares them, and access to them by name."""
 
 import json

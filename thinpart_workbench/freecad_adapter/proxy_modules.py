@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The modules of ThinPart that documents name: those of the Python objects (proxies) in documents."""
 
 OWN_PACKAGE = __package__.partition(".")[0]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The Python program for worker processes beside FreeCAD, and its environment variables."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The colours of thin faces from the user's preferences."""
 
 from ..core.record.thin_faces import thin_body_colours, thin_face_colours

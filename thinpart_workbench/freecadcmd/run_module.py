@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Script for FreeCADCmd, used if there is no Python: it runs a module as ``python -m`` would.
 
 FreeCADCmd opens further arguments as files, and runs a script that raises a second time and then exits with status 0.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Script that ``thinpart gui`` runs inside FreeCAD to activate the workbench."""
 
 import FreeCADGui as Gui

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The FreeCAD commands of ThinPart as one table: texts, shortcuts, when each is enabled, and what it opens."""
 
 from collections.abc import Callable

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Decides which copy of ThinPart runs where FreeCAD finds several: a link, an installed add-on, a folder given by ``-M``."""
 
 from pathlib import Path

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The start of ThinPart's GUI: creates the application-wide objects and connects them.
 
 Modules only emit signals and call hooks; all connections between application-wide objects are made here. Nothing here

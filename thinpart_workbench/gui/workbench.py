@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The workbench: its name, icons, toolbar and menu."""
 
 import FreeCADGui as Gui

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Atomic writing: a reader sees the old file or the new one, never half of it."""
 
 import errno

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The folder for files that can be regenerated: the search index, thumbnails of parts, and results of meshing."""
 
 import errno

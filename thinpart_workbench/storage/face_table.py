@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The CSV table of the faces of parts: a row per B-Rep face."""
 
 from ..core.record.part_record import face_number

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Check whether a file is a FreeCAD document."""
 
 import zipfile

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A lock on a folder, for read-modify-write: one writer at a time."""
 
 import errno

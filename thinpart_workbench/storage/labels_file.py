@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Labels of people, and files of them: CSV tables of the categories that people gave to parts."""
 
 import csv

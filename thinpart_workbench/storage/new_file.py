@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Files under names that are free: nothing is ever replaced."""
 
 import os

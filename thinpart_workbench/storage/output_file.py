@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Writes every file that a command or the window was asked to write: what people have is never replaced by it.
 
 A file is written anew where there is none, or an empty one, or one that bears ThinPart's mark (`core.kinds.file_marks`);

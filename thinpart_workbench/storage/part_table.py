@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """CSV tables, and that of classified parts: a row per part and per failure."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """PNG files, written with the standard library alone."""
 
 import struct

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The table of columns that the search index and the CSV table take from a part record.
 
 Every quantity of `core/descriptors/descriptor_table` that a record contains is a column here. This module must not

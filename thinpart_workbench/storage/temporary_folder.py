@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Temporary folders that the next run removes if their own process was killed."""
 
 import os

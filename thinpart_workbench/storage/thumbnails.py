@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Thumbnails of parts in the user's cache, identified by the document's hash and the part's name."""
 
 import hashlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A user's own limits of walls: the file, and what is known with it."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A user's own profiles: their folder, and writing one."""
 
 import os

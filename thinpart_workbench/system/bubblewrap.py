@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """bubblewrap, a tool that runs a program with a read-only view of the file system."""
 
 import functools

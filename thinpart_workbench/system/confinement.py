@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Confine a process that reads foreign files: it writes into one folder only, has no network, and affects no other."""
 
 import os

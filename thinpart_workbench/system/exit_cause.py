@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Find out why a process ended, from its exit code and its last output."""
 
 import enum

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """File locks that the system releases when a process ends, even by a crash."""
 
 import errno

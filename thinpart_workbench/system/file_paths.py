@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Paths as ThinPart's files store them: Windows has drives and another path separator."""
 
 import os

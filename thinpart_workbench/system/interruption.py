@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Ctrl-C and the other stop signals of each system."""
 
 import signal

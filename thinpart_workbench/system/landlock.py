@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Landlock, which permanently takes away a Linux process's right to write outside some folders.
 
 See landlock(7); the constants are from ``linux/landlock.h``.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """End a process when its parent ends, even if the parent crashes and whatever the process is doing."""
 
 import ctypes

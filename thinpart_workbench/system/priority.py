@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Lower the priority of processes in favour of the window."""
 
 import os

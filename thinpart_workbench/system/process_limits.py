@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Limit the resources of a process and of programs that it runs, and suppress core dumps and crash dialogs."""
 
 import errno

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Start a module of ThinPart in another process, by a Python or, if there is none, by FreeCADCmd."""
 
 import json

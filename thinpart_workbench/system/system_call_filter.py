@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A seccomp filter, which permanently forbids a Linux process some system calls.
 
 It covers what Landlock does not: the network, permissions and times of files, and other processes. See seccomp(2).

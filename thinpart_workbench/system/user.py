@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The user who runs this program, and the owner of a file."""
 
 import getpass

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The user's folders for settings and for cached data."""
 
 import os

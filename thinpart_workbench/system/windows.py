@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Calls of the Windows API that Python has no functions for; used on Windows only."""
 
 import ctypes

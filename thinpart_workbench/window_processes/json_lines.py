@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Communication with the parent process: one JSON object per line on stdin and stdout."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The process that judges libraries again for the window: it counts what a profile would change, and writes it.
 
 Requests, each a JSON object with the key ``ask``. One that comes meanwhile ends the one before:

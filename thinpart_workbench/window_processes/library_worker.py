@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The process that searches libraries for the window: it reads, filters and compares parts, and stores annotations.
 
 It handles requests in their order: JSON objects with ``ask``, the name of a method of `LibraryWorker`, and the

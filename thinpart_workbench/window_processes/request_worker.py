@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The process that calls functions of `api` for the window, whose folders may be slow or unreachable.
 
 It handles requests in their order until the end of its input: JSON objects with ``ask``, module and name of a function of

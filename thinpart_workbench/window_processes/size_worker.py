@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The process that proposes element sizes for one part and meshes it.
 
 The first line on standard input is ``{"folder", "megabytes", "gmsh"}``: the folder of a snapshot with one part, the limit of

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The process that measures a snapshot: ``python -m thinpart_workbench.window_processes.snapshot_worker``.
 
 It loads the modules for measuring and then waits for one line on standard input: ``{"folder", "megabytes"}``, the

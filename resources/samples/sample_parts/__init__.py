@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The sample parts that are bundled with ThinPart, built from FreeCAD objects.
 
 FreeCAD must have been loaded: importing Part before it can crash.

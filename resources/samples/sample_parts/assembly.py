@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """An assembly of which each solid falls in another category."""
 
 import Part

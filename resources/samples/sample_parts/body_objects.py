@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """PartDesign bodies, their sketches and features."""
 
 import Part

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A cast cover, hollow and solid: parts of one overall shape, of which only one is thin as a whole."""
 
 from FreeCAD import Placement, Rotation, Vector

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A FreeCAD document that is saved without a window: completed, and the same each time."""
 
 import itertools

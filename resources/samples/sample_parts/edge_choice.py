@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Edges of a shape, chosen by where they lie: their numbering differs between versions of the kernel."""
 
 import Part

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Building a sample, checking it, and saving it as a document and as STEP."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Part objects that the samples are made of."""
 
 from FreeCAD import Placement, Rotation, Vector

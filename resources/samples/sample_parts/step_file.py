@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A STEP file that the same FreeCAD writes again byte by byte."""
 
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The table of samples: what each shows, and what the profiles should say about it."""
 
 from dataclasses import dataclass, field

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Parts that are not thin as a whole but somewhere."""
 
 import math

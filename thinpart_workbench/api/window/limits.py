@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Limits of walls to choose from, and parts checked against them."""
 
 from typing import Any, NamedTuple, Optional

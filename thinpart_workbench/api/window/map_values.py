@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Numbers of thickness maps: bars of a distribution, walls to look at, faces of a range of thickness."""
 
 import numpy as np

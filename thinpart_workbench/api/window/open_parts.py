@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The parts of an open document: those that are selected, whether they are as they were, and what files may be opened."""
 
 from ...freecad_adapter.occurrences.active_part import selected_parts

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Element sizes of one part of an open document, in the folder of its snapshot: what a process writes, the window reads."""
 
 import os

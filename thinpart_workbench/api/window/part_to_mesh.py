@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The part of an open document that is to be meshed, and its FEM mesh."""
 
 from dataclasses import dataclass

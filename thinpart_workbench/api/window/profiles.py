@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Profiles to choose from, the one that the preferences name, and what people call their criteria."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What is to be said of the verdict on a part: why it is so, how sure it is, and what the paper would say."""
 
 from typing import NamedTuple, Optional

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The walls of a part as they are shown: regions with what people say of them, thin faces by a limit."""
 
 from ...core.record.region_groups import features_of, region_groups

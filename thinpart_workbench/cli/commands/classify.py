@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """``thinpart classify``: classify parts and folders into a table, JSON lines, CSV and info files."""
 
 import argparse

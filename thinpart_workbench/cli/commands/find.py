@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """``thinpart find``: search libraries for parts by category, thickness, size, words and conditions."""
 
 import argparse

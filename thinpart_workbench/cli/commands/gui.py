@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """``thinpart gui``: start FreeCAD with the workbench from this checkout."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """``thinpart install`` and ``uninstall``: link this checkout into the add-on folders of all installed FreeCADs."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """``thinpart learn``: thresholds from parts that people have labelled, and how good they are."""
 
 import argparse

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What commands share that search libraries: opening and refreshing them, printing their problems, and a count."""
 
 import argparse

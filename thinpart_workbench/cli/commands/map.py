@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """``thinpart map``: the thickness map of a part as a picture, or as triangles with values."""
 
 import argparse

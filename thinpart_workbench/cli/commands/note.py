@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """``thinpart note``: show or set the annotations of a part."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """``thinpart reclassify``: judge stored parts by another profile, without geometry."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """``thinpart report``: write a page with pictures per part, and an overview."""
 
 from contextlib import closing

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """``thinpart similar``: find parts with similar walls, fill and box, and the reasons."""
 
 import argparse

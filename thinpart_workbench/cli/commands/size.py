@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """``thinpart size``: element sizes that fit the walls of parts, and meshes with and without them."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """``thinpart test``: run the whole test suite, including the tests of the window."""
 
 import compileall

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The automatic mesh, which Gmsh makes where nobody says a size; and what is small against its elements."""
 
 AUTOMATIC_SHARE = 0.1

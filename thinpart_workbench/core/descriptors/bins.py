@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Bins of the distribution, apart from it for what has to do without numpy."""
 
 BINS = 1000

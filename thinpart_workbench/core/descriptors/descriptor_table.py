@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The measured quantities of a part, and the one table of them.
 
     python3 -m thinpart_workbench.core.descriptors.descriptor_table

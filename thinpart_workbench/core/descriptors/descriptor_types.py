@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The ``descriptors`` of a part record: the types of their values, from which checks and the schema are derived.
 
 A quantity of `descriptor_table` that is not here is a number or null under its own key.

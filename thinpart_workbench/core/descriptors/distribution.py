@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Area of the surface by wall thickness: the paper's normalized distance distribution."""
 
 from dataclasses import dataclass, replace

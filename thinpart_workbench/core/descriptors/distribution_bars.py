@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The thickness distribution of a part as the bars of a chart."""
 
 import math

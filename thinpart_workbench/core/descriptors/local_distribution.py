@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Area of the surface by local thickness."""
 
 from collections.abc import Mapping

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Distributions as bytes, as the index of a library stores them, and queries on them for any bounds."""
 
 import struct

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """How precisely a part was measured, and the errors of quantities that follow from it."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Measured quantities: the base class and its kinds. `descriptor_table` has the table of them."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The ``descriptors`` of a part record, computed from what was measured.
 
 Quantities come from `descriptor_table`; only keys that are not quantities are computed here.

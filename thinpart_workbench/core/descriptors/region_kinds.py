@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The kinds of wall regions. `core/thickness/region_shape` says by which measures a region is of a kind."""
 
 REGION_KINDS = PLATE, TUBE, BAR, BLOCK, TAPER, TOOTH = ("plate", "tube", "bar", "block", "taper", "tooth")

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Similar parts: alike in their walls, fill and box, whatever their position and size."""
 
 import math

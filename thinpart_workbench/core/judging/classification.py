@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Classify a part by a profile. Nothing is measured here."""
 
 from dataclasses import dataclass

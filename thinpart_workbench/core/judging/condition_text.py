@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Quantities and conditions of profiles in words, for people who read or edit a profile."""
 
 from ..descriptors.quantity import AreaShare, LocalShare, MiddleShare, WallDistance

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Search conditions as users write them: ``D2/D3 > 6 and F[0;0.05] >= 0.5``."""
 
 import math

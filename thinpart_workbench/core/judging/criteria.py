@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Criteria and categories as data: profiles, and whether their conditions hold."""
 
 import hashlib

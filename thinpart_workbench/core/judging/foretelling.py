@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """How well each quantity foretells which of two groups a part belongs to."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Conditions of a profile that no part can meet: thresholds out of reach, and pairs that exclude each other."""
 
 from typing import NamedTuple

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The ranges of thickness into which limits of the wall divide a map: what fails, what is just above, what passes."""
 
 from dataclasses import dataclass

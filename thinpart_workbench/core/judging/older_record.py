@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Records of earlier versions, which lack what is measured since: whether they are enough to judge by."""
 
 from ..categories import UNKNOWN

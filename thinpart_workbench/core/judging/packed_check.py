@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The check of walls on what the index of a library stores of a part."""
 
 import struct

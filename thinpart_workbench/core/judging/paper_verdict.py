@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What the paper would say of a part, in one sentence, where the profile that judged it says something else."""
 
 from ..categories import NORMAL, UNKNOWN

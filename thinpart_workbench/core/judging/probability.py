@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """How probable each category is, by a model that a profile may bring."""
 
 import math

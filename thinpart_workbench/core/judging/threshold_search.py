@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Search for the thresholds of a profile by which most parts get the verdict that people gave them."""
 
 import copy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Which criteria decided the category of a part, and which category is next, from the evidence in its record."""
 
 from ..categories import NORMAL

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The verdict in a sentence with figures, as an engineer would say it."""
 
 from ..categories import NORMAL

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The categories of many measured parts by one profile after another, of which each differs little from the one before."""
 
 from collections import OrderedDict

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Whether the walls of a part lie within the limits of a process, from its record alone. Nothing is measured here.
 
 Command lines list and check stored parts without numpy, so neither is it imported here.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Limits of the wall by manufacturing process, in mm, as data: the shipped table and a user's own."""
 
 from dataclasses import dataclass

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Kinds of lists and objects, composed of other kinds up to the definition of a document."""
 
 import marshal

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The one table of the marks by which files that ThinPart has written are recognised.
 
 A mark stands where the format has room for it: in the first line, a comment, a text chunk, or as the titles of a table. Each

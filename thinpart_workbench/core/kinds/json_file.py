@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """JSON that others wrote: read with a limit, and a reason in words where that fails."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """`Required` and `NotRequired` of typing, which Python lacks before 3.11; FreeCAD's own bundles may have an older one."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The kinds of values that types stand for: a TypedDict is what editors know of a record, and its definition."""
 
 from dataclasses import dataclass, replace

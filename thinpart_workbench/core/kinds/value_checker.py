@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Compile a definition into one Python function, fast enough for a library of a hundred thousand files.
 
 The function is generated as source text and compiled, as dataclasses do it, because a function call for each of the

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Kinds of simple values in a JSON document: numbers, texts and so on.
 
 Each kind states its rule once, as Python code: a fast check is compiled from it (`value_checker`), and the first invalid

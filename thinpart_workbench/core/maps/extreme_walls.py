@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The thinnest and the thickest wall of thickness maps, as they are labelled in the view."""
 
 from dataclasses import dataclass

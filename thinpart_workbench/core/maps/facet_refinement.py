@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Subdivision of facets along their longer sides, so that each piece can have its own value."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The first colours of a part: a thickness map from few rays, which is there long before the fine one."""
 
 import numpy as np

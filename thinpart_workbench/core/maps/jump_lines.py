@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Facets cut along the lines at which the thickness jumps, with a value at each corner of each piece."""
 
 from dataclasses import dataclass

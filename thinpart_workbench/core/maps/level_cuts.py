@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Facets of a thickness map, and lines of a section, cut where colours change in steps."""
 
 from dataclasses import dataclass, replace

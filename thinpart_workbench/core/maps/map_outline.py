@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The edges that are drawn over a thickness map, so that people recognize the part."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Find the facet of a thickness map that is nearest to a point or that a ray hits first."""
 
 import numpy as np

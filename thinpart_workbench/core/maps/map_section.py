@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A plane that cuts thickness maps open: the coloured edge of the cut, and the material that fills it."""
 
 from dataclasses import dataclass

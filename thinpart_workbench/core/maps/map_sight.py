@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Which places of thickness maps are seen from an eye, and which ones the parts themselves hide."""
 
 import numpy as np

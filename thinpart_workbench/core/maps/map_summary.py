@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Summaries of thickness maps: area by range of thickness, and the walls under each face."""
 
 from dataclasses import dataclass

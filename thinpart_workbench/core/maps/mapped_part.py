@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A part as it is shown: its record, its thickness map, and the matrices of its occurrences."""
 
 from dataclasses import dataclass, field

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What places of the surface see through the material, and whether two of them see the same wall."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The thickness map of a part, as it is drawn: small facets, each with its own value."""
 
 from dataclasses import dataclass, field

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Oriented bounding boxes: the minimum-volume box and the paper's principal box."""
 
 from dataclasses import dataclass

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Rotate boxes to make them smaller: the method of Nelder and Mead, for several boxes at once."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Distance between a tessellation and the curved surface that it approximates."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The curved surface that facets approximate: how far it lies above them, and how strongly it is curved."""
 
 from functools import cached_property

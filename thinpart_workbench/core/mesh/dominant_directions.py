@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Directions in which most of a surface faces."""
 
 import numpy as np

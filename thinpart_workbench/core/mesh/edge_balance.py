@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Edges of triangles: which sides share one, and whether each is used equally often in both directions."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Normals of the faces of a B-Rep, as the geometry has them."""
 
 from dataclasses import dataclass, replace

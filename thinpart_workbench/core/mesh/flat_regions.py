@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Move the points of flat regions, which rounding displaced, back into their planes."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Volume and area of a surface mesh (Giannini, Petton, Pernot, TMCE 2012, 4.1 and 4.2.1)."""
 
 from ..columns import corners_of, cross, dot

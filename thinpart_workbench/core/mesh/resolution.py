@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Whether a surface mesh is fine enough for its part, and how fine the next one must be."""
 
 from dataclasses import dataclass

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The curves along which faces meet: how far they rise above the sides of the triangles that approximate them."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Correct the box of a part with round sides, since facets lie slightly inside of them."""
 
 import numpy as np

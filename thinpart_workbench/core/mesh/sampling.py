@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Samples of the surface, each with an equal share of the area of its triangle."""
 
 from dataclasses import dataclass

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Tetrahedra of second order: whether curved ones are inside out, and the fewest sides made straight so that none is."""
 
 import numpy as np

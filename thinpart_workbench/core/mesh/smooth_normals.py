@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Normals of the smooth surface that the facets approximate."""
 
 import numpy as np

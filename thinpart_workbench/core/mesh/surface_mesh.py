@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The triangles of one part, checked once so that all later code can rely on them."""
 
 from dataclasses import dataclass

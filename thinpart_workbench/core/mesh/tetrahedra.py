@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Volume meshes of tetrahedra: how good each is, how much of the surface lies on chosen ones, and layers in a wall."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Fewer facets that look like many."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Descent of balls through a tree of boxes."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A tree of axis-aligned boxes over triangles, with eight children per node, in flat arrays."""
 
 from dataclasses import dataclass

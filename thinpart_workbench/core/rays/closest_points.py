@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The point of a triangle that is closest to a given point."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Rays from samples of a surface into the material."""
 
 import numpy as np

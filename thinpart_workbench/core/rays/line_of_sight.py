@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """From where a place on a surface is seen: lines of sight that nothing blocks."""
 
 from dataclasses import dataclass

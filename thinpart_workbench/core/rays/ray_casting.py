@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Find the first triangles that many rays hit, in numpy.
 
 All packets of rays descend the tree together, level by level. The remaining triangles of each packet are tested in

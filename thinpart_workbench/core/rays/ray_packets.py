@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Packets of rays with similar origins and directions, which can descend a tree as one thick ray."""
 
 from dataclasses import dataclass

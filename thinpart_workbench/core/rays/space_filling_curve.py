@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Order of points along a Hilbert curve, in which neighbours are close in space."""
 
 from functools import lru_cache

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Descent of thick rays through a tree of boxes."""
 
 from dataclasses import dataclass

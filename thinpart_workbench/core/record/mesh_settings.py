@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Settings of a mesh that worked: kept with a part, and carried over to parts like it."""
 
 import math

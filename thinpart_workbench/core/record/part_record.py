@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The part record: the result that info files, colours, panels and tables use.
 
 It is a plain dict with the keys of the info file, because it is passed between processes and stored on disk unchanged.

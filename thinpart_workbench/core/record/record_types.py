@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The one definition of part records, profiles and failures: types with the limits of their values.
 
 Programs and editors know records by them; checks of info files and the JSON schema are derived (`typed_kinds`). At run time

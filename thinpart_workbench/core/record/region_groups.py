@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Wall regions of a part record as people read them: equal ones together."""
 
 from dataclasses import dataclass

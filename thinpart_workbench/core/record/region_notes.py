@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What people say of wall regions, found again after the part was measured anew."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Which faces of a part are shown as thin."""
 
 from .part_record import face_number

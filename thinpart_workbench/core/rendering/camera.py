@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Cameras: the direction of view, and the section of a part that a picture shows."""
 
 from dataclasses import dataclass

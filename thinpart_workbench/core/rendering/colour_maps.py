@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The colour maps, for what starts without numpy: all that are in ``resources/colour_maps.json``."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Colours for thickness."""
 
 from dataclasses import dataclass

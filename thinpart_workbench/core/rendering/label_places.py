@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Where labels stand in a picture: beside what they name, clear of each other and, if there is room, of the part."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A picture of a thickness map with its colour bar, drawn without a graphics card."""
 
 from dataclasses import dataclass

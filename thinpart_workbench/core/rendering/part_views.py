@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Pictures of a part coloured by thickness: from both sides, and of its thinnest wall."""
 
 from dataclasses import dataclass, field

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Pictures of a part: shaded, with edges, and a colour for each triangle."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Numbers with their unit drawn into a picture, where there is neither a screen nor a font."""
 
 import numpy as np

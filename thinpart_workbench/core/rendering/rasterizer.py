@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Find the triangle that is nearest to the viewer at every sample of a picture."""
 
 import numpy as np

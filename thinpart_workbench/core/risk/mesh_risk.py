@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The risk of the automatic mesh: how probable it is that a mesh of a tenth of the diagonal goes wrong, and why.
 
 The model is data, ``resources/mesh_risk.json``, learned from parts that were meshed and solved (benchmarks/mesh_risk.py).

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The risk of the automatic mesh in words, with the figures that raise it."""
 
 from ..descriptors.automatic_mesh import AUTOMATIC_SHARE, FLATTENED, SHORT

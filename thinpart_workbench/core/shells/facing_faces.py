@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Pairs of faces that are the two sides of a wall."""
 
 from dataclasses import dataclass

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A part that is shell and solid: triangles on the middle of its walls, tetrahedra in the rest, tied where it was cut."""
 
 from dataclasses import dataclass

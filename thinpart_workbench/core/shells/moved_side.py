@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The triangles of one side of a wall, moved to its middle."""
 
 import numpy as np

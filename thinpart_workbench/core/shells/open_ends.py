@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Where a shell ends inside the material, because walls that belong together do not meet there."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A shell: triangles on the middle of walls, each with the thickness of its wall."""
 
 from dataclasses import dataclass

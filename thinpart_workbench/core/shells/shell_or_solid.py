@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Which idealisation suits a part: shells or solids, with the figures that say so."""
 
 from dataclasses import asdict, dataclass

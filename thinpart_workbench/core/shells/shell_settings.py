@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Settings of a shell mesh."""
 
 from dataclasses import dataclass

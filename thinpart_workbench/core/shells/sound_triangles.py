@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Triangles that a solver takes as shells: none that is as good as a line, none of which its wedge is inside out."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The two sides of a part that is one wall throughout: bent, drawn, blown or lofted, whatever its faces are."""
 
 from dataclasses import dataclass

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What lies on both sides of points within a wall."""
 
 from typing import NamedTuple

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """How many elements a size field leads to."""
 
 import numpy as np

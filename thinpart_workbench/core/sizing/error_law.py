@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The element size that keeps an analysis within an error, from the local thickness: found by `benchmarks/mesh_worth.py`."""
 
 import numpy as np

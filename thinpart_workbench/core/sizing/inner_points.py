@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Points within a part, each of which stands for a piece of its volume."""
 
 from dataclasses import dataclass

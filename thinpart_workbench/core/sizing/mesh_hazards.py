@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What makes a part hard to mesh automatically: edges, faces and walls that are small against the elements.
 
 Limits are shares of an element, a tenth of the diagonal (`automatic_mesh`), so scale changes nothing. Nothing is meshed.

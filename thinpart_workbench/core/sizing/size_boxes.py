@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The size field as boxes with a size at each corner, which mesh generators interpolate: fine where it is small only."""
 
 from dataclasses import dataclass

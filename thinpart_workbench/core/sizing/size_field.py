@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The element size at any point: smallest at its sources, from there on growing with the distance."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A proposal of element sizes for a part: sizes by region, how many elements they give, and what a budget costs."""
 
 from dataclasses import dataclass, replace

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Places of a part that ask for small elements: walls, curves, narrow faces, short edges."""
 
 from dataclasses import dataclass, replace

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What is wanted of a mesh: the settings of a size proposal, in one table."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Clip many convex polygons in the plane by half-planes together."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Thickness per B-Rep face, with the points where it was measured."""
 
 from dataclasses import dataclass, replace

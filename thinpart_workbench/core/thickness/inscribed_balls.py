@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The largest ball inside the material that touches the surface at each sample."""
 
 from functools import cached_property

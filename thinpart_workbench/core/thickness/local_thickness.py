@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The local thickness at every sample: the diameter of the largest ball inside that reaches it."""
 
 from itertools import chain

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """How precisely a part was measured, from its mesh and its samples."""
 
 import numpy as np

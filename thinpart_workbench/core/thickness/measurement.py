@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Measure everything on a surface mesh."""
 
 from dataclasses import dataclass, replace

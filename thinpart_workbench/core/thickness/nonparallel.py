@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Least distance between walls that are not parallel: from samples, and computed exactly within a budget of work."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The paper's own rule for pairs of triangles, provided to reproduce the paper."""
 
 from dataclasses import dataclass

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Whether walls are plates: wider than they are thick."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Measures of one wall region, and which kind of wall it is."""
 
 from dataclasses import dataclass

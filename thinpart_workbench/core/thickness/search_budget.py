@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What the search for slanted walls may cost, in counted work: the same on every machine."""
 
 import math

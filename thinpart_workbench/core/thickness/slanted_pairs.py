@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Pairs of triangles that may enclose a wall of uneven thickness."""
 
 from dataclasses import dataclass

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Pieces of triangles over other triangles that stand at an angle to them, with their distances."""
 
 from dataclasses import dataclass

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Thickness of the material under every sample of the surface."""
 
 from dataclasses import dataclass

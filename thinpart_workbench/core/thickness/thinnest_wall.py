@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Where a part is thinnest: a wall of some extent, not a stray ray."""
 
 import numpy as np

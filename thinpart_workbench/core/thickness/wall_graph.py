@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Points that stand for the walls of a part, and which of them belong to one wall."""
 
 from dataclasses import dataclass

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Wall regions: places whose walls are alike in thickness and connected along the surface or through the wall."""
 
 from dataclasses import dataclass, replace

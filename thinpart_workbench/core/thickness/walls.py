@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Walls: what lies opposite of points of the surface, through the material."""
 
 from typing import NamedTuple

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The label of the feature that made each face of a part."""
 
 import numpy as np

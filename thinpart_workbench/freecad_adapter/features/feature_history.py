@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The features that a part was made with, step by step."""
 
 from collections import deque

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Pieces of mid-surfaces in the joints of walls, which lie between the sides of no wall, and connect others."""
 
 import numpy as np

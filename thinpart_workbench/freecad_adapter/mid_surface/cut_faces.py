@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Faces cut by each other, in a program of its own where there are many: OCC cannot be interrupted, a program can.
 
     python -m thinpart_workbench.freecad_adapter.mid_surface.cut_faces INPUT OUTPUT TOLERANCE

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The mid-surface of a solid: a face half-way through each wall, trimmed by the solid and by the faces that it meets."""
 
 from dataclasses import dataclass, field, replace

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The surface half-way between two faces: a plane between planes, a cylinder between cylinders, and so on."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The faces of one side of a wall: which meet, their shape, and their normals."""
 
 import numpy as np

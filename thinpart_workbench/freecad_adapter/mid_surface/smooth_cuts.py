@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Cuts across walls along smooth edges, where one mid-surface goes over into another without a fold."""
 
 import math

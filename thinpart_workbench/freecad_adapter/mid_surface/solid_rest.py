@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What of a solid is no wall: the solid is cut across its walls where they go over into it."""
 
 import math

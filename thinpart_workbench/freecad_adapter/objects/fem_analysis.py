@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Analyses of FreeCAD's FEM workbench: what one needs beside a mesh, supports and loads."""
 
 from itertools import chain

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Meshes of FreeCAD's FEM workbench, with a mesh region for each wall that has a size."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Shells for FreeCAD's FEM workbench: a mid-surface, its mesh of triangles, and the thickness of its faces."""
 
 import json

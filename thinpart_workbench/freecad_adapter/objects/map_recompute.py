@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The hook for recomputed thickness maps, in a module of its own because the map's module imports numpy."""
 
 from ...core.hook import Hook

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What FreeCAD does with a property of an object: flags of `addProperty`."""
 
 _READ_ONLY, _HIDES, _OUTPUT, _NO_RECOMPUTE = 1, 4, 8, 16  # App::PropertyType

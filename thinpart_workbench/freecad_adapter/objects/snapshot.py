@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Write the current parts of an open document to disk, for a worker process to measure."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The document object of a thickness map: its properties, and whether its sources have changed since."""
 
 from dataclasses import dataclass

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Probes: points of a thickness map at which the user has queried the exact thickness."""
 
 from dataclasses import dataclass, replace

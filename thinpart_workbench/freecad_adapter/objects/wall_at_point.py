@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The exact wall thickness at one point of a solid, by intersecting a line with the shape instead of a mesh."""
 
 from dataclasses import dataclass

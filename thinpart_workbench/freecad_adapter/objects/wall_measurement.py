@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Wall thickness as a measurement type of FreeCAD's own measure tool, available from FreeCAD 1.0 on."""
 
 from ..bootstrap import load_freecad

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Find the parts of a document that the selection or the active body refers to."""
 
 from ...core.errors import ThinPartError

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Find the document objects whose view providers draw the faces of a part."""
 
 from ..occurrence import object_at

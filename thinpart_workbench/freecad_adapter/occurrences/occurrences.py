@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The matrices of the occurrences of parts, and the objects and faces at them."""
 
 import numpy as np

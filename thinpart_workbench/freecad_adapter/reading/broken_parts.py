@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Detect objects that should be solids but are not, and shapes that are older than their document."""
 
 import io

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Links of a document to pipes, devices and sockets. FreeCAD opens whatever has the name, and waits there for ever."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The exceptions that Python raises for an archive that cannot be unpacked."""
 
 import zipfile

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The distinct parts of an open FreeCAD document."""
 
 import re

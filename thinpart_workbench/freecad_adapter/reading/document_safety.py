@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Check a FreeCAD document for harmful side effects before FreeCAD opens it.
 
 FreeCAD writes a document's embedded files to the paths given in the document, and imports the Python modules that it

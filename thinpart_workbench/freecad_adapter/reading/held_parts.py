@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The parts of a FreeCAD shape, mesh, object or document that a program passes in."""
 
 from ...core.errors import ThinPartError

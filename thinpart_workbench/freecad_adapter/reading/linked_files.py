@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Find the other documents that a FreeCAD document links to, without FreeCAD."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Detect errors in mesh files that FreeCAD's readers silently ignore."""
 
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Read the parts of a CAD or mesh file. A foreign file may crash the process, so call this in a worker."""
 
 import importlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The distinct parts of a shape that is not in a document."""
 
 from ...core.message import message

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Lengths of the edges of a solid, and of what borders its faces, as the geometry has them."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Find solids that are the same part: copies of one shape, or equal shapes with another placement."""
 
 import math

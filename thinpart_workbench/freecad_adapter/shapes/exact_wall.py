@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The thickness of a wall by a line through the shape itself, and not through a mesh."""
 
 from dataclasses import replace

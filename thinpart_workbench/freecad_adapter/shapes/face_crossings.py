@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Where lines cross faces."""
 
 from ..bootstrap import load_freecad

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Solids without faces that lie on each other: walls and gaps of no thickness, which no mesher can fill.
 
     python -m thinpart_workbench.freecad_adapter.shapes.mended_solid INPUT OUTPUT

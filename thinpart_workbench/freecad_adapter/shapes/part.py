@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A part as read from a file or document, before it is measured."""
 
 from dataclasses import dataclass, field

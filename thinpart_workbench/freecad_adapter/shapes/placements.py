@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Global placements of document objects, and placements as arrays for `core/rigid_transform`."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Copies of a solid with the same surface, for OCC's mesher, which leaves out faces of some sound solids.
 
 A cone is left out whole where one of its borders, in its parameters, is a rounding error off straight; as a spline it is

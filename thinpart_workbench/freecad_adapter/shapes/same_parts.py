@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Check whether the parts of a document are still the measured ones."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Measures for comparing solids, cached per solid because an assembly compares each solid with many others."""
 
 from functools import cached_property

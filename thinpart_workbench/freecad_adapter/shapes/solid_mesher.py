@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Surface meshes of a solid, by OCC's mesher or on grids, and of copies of it where faces are left out."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Get closed solids from the shape of an exchange file."""
 
 from ...core.message import message

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A text signature of an object's shape, saved with a measurement to detect later changes."""
 
 import numpy as np

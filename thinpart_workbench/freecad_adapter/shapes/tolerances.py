@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """How far measures of the same shape may differ, with the reason for each tolerance."""
 
 from dataclasses import dataclass

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Compute into how many pieces a curve has to be divided."""
 
 import math

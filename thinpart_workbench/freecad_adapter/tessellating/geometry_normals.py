@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The normals of curved faces at the nodes of their tessellation."""
 
 import math

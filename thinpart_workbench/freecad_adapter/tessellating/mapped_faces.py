@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Tessellate slender solids (wires, springs, rings, tubes) face by face on grids.
 
 OCC's mesher places points freely in the parameter range of a face and then joins them. On a face that is a thousand

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Triangles of a planar face between given nodes of its edges."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """On which kinds of surfaces the faces of a solid lie, and on which curves its edges."""
 
 PLANE = "Part::GeomPlane"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Reports unexpected exceptions in one sentence, so that the user never sees a traceback of ThinPart."""
 
 import sys

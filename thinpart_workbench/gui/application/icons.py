@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The icons of commands, which their panels and dialogs have too."""
 
 from pathlib import Path

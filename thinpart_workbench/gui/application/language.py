@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The language of the window: its translations, and which one it is."""
 
 from pathlib import Path

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The unit in which the GUI shows and reads lengths: that of FreeCAD's unit system.
 
 Records, info files, tables, and the properties of documents hold millimetres. Only the GUI converts, where it

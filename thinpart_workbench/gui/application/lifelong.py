@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Application-wide objects: one instance each, as long as FreeCAD runs. `start` creates them; this module imports nothing.
 
 Read them at the time of use, as in ``lifelong.observer``: they are None until `start` has run.

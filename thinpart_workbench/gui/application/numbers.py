@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Numbers as text with the decimal mark of the input fields beside them."""
 
 from ...core import number_text

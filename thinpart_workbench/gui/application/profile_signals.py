@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Signals about profiles, by which the profile editor and whoever chooses a profile know of each other."""
 
 from .qt import QtCore, Signal

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Qt as FreeCAD ships it: every other module of the GUI imports its Qt names from here."""
 
 import warnings

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Translates the sentences of the layers below the GUI into the user's language.
 
 Those layers write English, which info files, tables and other programs store. Each of their sentences is a `Message`:

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Colours that are readable on the background that the theme really draws behind a widget.
 
 FreeCAD's themes are style sheets. They change the text colour, which the widget's palette reflects, and the

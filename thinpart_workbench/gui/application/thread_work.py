@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Work in a thread beside that of the window: arithmetic too long for the window and too short for a process, and paths that
 may be on another computer."""
 

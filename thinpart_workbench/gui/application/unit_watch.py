@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Reports changes of the length unit, caused by FreeCAD's unit system or by that of a document."""
 
 import FreeCAD as App

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Controls one classification in the window: from the command to the colours and the info file."""
 
 import FreeCADGui as Gui

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel of a classification: progress, a result or a message, and the info file."""
 
 from ..application.icons import icon

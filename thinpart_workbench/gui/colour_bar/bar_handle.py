@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Moves and sizes the colour bar of a view with the mouse, and shows its menu."""
 
 from ...freecad_adapter.guard import guarded_methods

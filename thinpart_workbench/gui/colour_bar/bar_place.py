@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Where the colour bar stands in a view, and how large it is."""
 
 from dataclasses import dataclass, replace

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Draws the colour bar of a thickness map as an image of any size."""
 
 import math

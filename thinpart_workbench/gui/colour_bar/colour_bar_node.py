@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The colour bar of one 3D view; saved images show it too."""
 
 from pivy import coin

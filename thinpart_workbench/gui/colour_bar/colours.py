@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """How a thickness map is currently coloured: its scale, its threshold and its highlighted range or faces."""
 
 from dataclasses import dataclass

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The open session of ThinPart, at most one: FreeCAD shows one task panel at a time."""
 
 import FreeCAD as App

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Measures a document in the background and writes its info file."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Observes all documents: changes, saving, closing."""
 
 import FreeCAD as App

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Reads, paints and exactly restores the face colours of one object in the 3D view."""
 
 from contextlib import contextmanager

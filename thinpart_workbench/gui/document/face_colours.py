@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Analysis colours on faces: they can be undone, are removed exactly, and are never saved."""
 
 from contextlib import contextmanager

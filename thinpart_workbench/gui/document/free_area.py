@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The visible part of a 3D view: in FreeCAD 1.1, docks can overlay the views."""
 
 import FreeCADGui as Gui

@@ -1,17 +1,17 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Inserts a part of a library into the active document."""
 
 import importlib
 import os
 
 import FreeCAD as App
-import FreeCADGui as Gui
 
 from ...core.errors import ThinPartError
 from ...core.file_formats import is_document
 from ...core.problem import NOT_READ_BY_FREECAD, problem_of
 from ..application.qt import translate
 from ..application.sentences import translated
-from .open_part import check_to_open
+from .open_part import check_to_open, fit_view
 from .transaction import transaction
 
 
@@ -37,7 +37,7 @@ def insert_part(file, name=None):
         raise ThinPartError(translate("ThinPart", "FreeCAD cannot insert {} ({}).").format(
             os.path.basename(file), translated(problem_of(error, NOT_READ_BY_FREECAD))), "unreadable") from None
     App.setActiveDocument(document.Name)
-    Gui.SendMsgToActiveView("ViewFit")
+    fit_view()
     return template.format(os.path.basename(file), document.Label)
 
 

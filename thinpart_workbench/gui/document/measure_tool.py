@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Blocks FreeCAD's own measure tool while a panel of ThinPart is open, and shows the reason."""
 
 import FreeCAD as App

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Signals about the documents that panels measure, so that no other component measures them too."""
 
 from ..application.qt import QtCore, Signal

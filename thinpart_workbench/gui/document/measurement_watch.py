@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Restores the behaviour of wall measurements in opened documents, including those saved without ThinPart."""
 
 import FreeCAD as App

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Messages that do not interrupt the user: in FreeCAD's notification area or the status bar, and in the Report view."""
 
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Observes changes and the deletion of one document object."""
 
 import FreeCAD as App

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Opens a classified file in FreeCAD and selects one of its parts."""
 
 import os
@@ -90,5 +91,12 @@ def _document(file):
     if not new or not App.getDocument(new[0]).Objects:
         raise ValueError(translate("ThinPart", "nothing came in"))
     _imported[file] = new[0]
-    Gui.SendMsgToActiveView("ViewFit")
+    fit_view()
     return App.getDocument(new[0])
+
+
+def fit_view():
+    """Show all of the active 3D view's document; a view of another kind stays."""
+    view = Gui.activeView()
+    if hasattr(view, "fitAll"):
+        view.fitAll()

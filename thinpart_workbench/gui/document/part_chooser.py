@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Dialog that asks which part to use."""
 
 from ..application.qt import QtCore, QtWidgets, execute, translate

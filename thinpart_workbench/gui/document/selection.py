@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The selection and the active body in FreeCAD, as paths within a document."""
 
 import FreeCADGui as Gui

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What the controllers of task panels that measure a document have in common."""
 
 from ..application.qt import QtCore

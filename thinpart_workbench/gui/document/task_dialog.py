@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Adapter for panels in FreeCAD's task view."""
 
 import FreeCADGui as Gui

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """One step of FreeCAD's Undo."""
 
 from contextlib import contextmanager

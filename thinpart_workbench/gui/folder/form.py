@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The form for a folder and its classification settings."""
 
 from dataclasses import replace

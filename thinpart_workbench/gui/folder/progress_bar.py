@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Shows the progress of a folder classification."""
 
 from ..application.numbers import duration

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The columns of the results of a folder."""
 
 from ..application.numbers import number

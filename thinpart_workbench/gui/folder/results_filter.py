@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Filters the results by words, categories and failures."""
 
 from collections import Counter

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The results of a folder: filter, table, and the actions on one or all rows."""
 
 import os

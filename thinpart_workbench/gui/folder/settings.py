@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Settings of a folder classification: what to classify, how, and where to write the results."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Shows the guide: from its command, from FreeCAD's What's This, and from F1 in ThinPart's panels."""
 
 from ..application.qt import QtCore, translate

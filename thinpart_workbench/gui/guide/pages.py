@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Which page of the guide belongs to which command and panel."""
 
 from pathlib import Path

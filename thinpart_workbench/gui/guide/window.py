@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The window of the guide: the pages of docs as they lie on this computer, with their links and pictures."""
 
 import os

@@ -1,17 +1,17 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The dialog that learns thresholds from labels."""
 
 import os
 
 from ...core.errors import ThinPartError
 from ...core.kinds.file_marks import PROFILE
-from ...freecad_adapter.additional_packages import has_package, install_folder
+from ...freecad_adapter.additional_packages import has_package
 from ...freecad_adapter.preferences import set_preference
 from ..application import lifelong
 from ..application.icons import icon
 from ..application.qt import QtCore, QtWidgets, grouped, translate
 from ..application.sentences import translated
 from ..guide.command import help_button
-from ..processes.package_installation import PackageInstallation
 from ..processes.request_queue import RequestQueue
 from ..record.record_view import show_text, text_line
 from ..widgets.buttons import add_button
@@ -42,8 +42,6 @@ class LearnDialog(QtWidgets.QDialog):
         self._queue, self._request = RequestQueue("learning", parent=self), None
         self._queue.answered.connect(self._on_answered)
         self._queue.progressed.connect(lambda _, progress: self._show_progress(*progress))
-        self._installation = PackageInstallation(self)
-        self._installation.ended.connect(self._on_installed)
         column = QtWidgets.QVBoxLayout(self)
         self._intro = text_line(self, column, "ThinPart_LearnIntro")
         self._intro.setText(translate(
@@ -66,8 +64,8 @@ class LearnDialog(QtWidgets.QDialog):
 
     @property
     def is_running(self):
-        """Whether something is being learned, saved or installed."""
-        return self._queue.is_busy or self._installation.is_running
+        """Whether something is being learned or saved."""
+        return self._queue.is_busy
 
     def start(self):
         """Learn from the chosen labels."""
@@ -84,15 +82,8 @@ class LearnDialog(QtWidgets.QDialog):
 
     def cancel(self):
         """Stop: nothing was written."""
-        if self._installation.is_running:
-            self._installation.stop()
         self._queue.cancel(self._request)
         self._show_message(translate("ThinPart", "Cancelled. Nothing was written."))
-        self._show_state()
-
-    def install(self):
-        """Install the required package, then learn."""
-        self._show_message(self._installation.start(_PACKAGE))
         self._show_state()
 
     def save(self):
@@ -134,7 +125,6 @@ class LearnDialog(QtWidgets.QDialog):
 
     def end(self):
         """Stop at once and delete the dialog, without asking the user."""
-        self._installation.stop()
         self._queue.cancel(self._request)
         lifelong.running_jobs.end("learning")
         self.hide()
@@ -187,13 +177,6 @@ class LearnDialog(QtWidgets.QDialog):
         else:
             self._show_message(translate("ThinPart", "Learning profile {} of {}").format(done + 1, total))
 
-    def _on_installed(self, problem):
-        if problem:
-            self._show_message(problem)
-            self._show_state()
-        else:
-            self.start()
-
     def _show_message(self, text):
         show_text(self._message, text)
 
@@ -207,7 +190,6 @@ class LearnDialog(QtWidgets.QDialog):
         self._start.setEnabled(not running)
         self._cancel.setEnabled(running)
         self._bar.setVisible(running)
-        self._install.setVisible(not running and bool(_missing_package()))
         for button in (self._save, self._use):
             button.setEnabled(not running and self._learned is not None)
 
@@ -216,8 +198,6 @@ class LearnDialog(QtWidgets.QDialog):
         self._start = add_button(row, self, "ThinPart_LearnStart", translate("ThinPart", "&Learn"), self.start)
         self._start.setDefault(True)
         self._cancel = add_button(row, self, "ThinPart_LearnCancel", translate("ThinPart", "&Cancel"), self.cancel)
-        self._install = add_button(
-            row, self, "ThinPart_LearnInstall", translate("ThinPart", "&Install {}").format(_PACKAGE), self.install)
         self._bar = QtWidgets.QProgressBar(self)
         self._bar.setObjectName("ThinPart_LearnProgress")
         row.addWidget(self._bar, 1)
@@ -240,5 +220,5 @@ def _missing_package():
     """Message about a missing package; empty if nothing is missing."""
     if has_package(_MODULE):
         return ""
-    return translate("ThinPart", "Learning needs the Python package {}, which this FreeCAD does not have: install "
-                                 "it from the internet into {}?").format(_PACKAGE, install_folder())
+    return translate("ThinPart", "Learning needs the Python package {}, which this FreeCAD does not have: FreeCAD's "
+                                 "Addon Manager offers it when it installs ThinPart.").format(_PACKAGE)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What is learned from: a library, its labels, and the profile to start with."""
 
 from ...freecad_adapter.preferences import preference, preference_list

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Shows how good a learned profile is, what it changes, and what people disagree about."""
 
 from ...core.judging.criteria import profile_from

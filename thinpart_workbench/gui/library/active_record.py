@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Finds the active part in FreeCAD and the location of its record."""
 
 import os

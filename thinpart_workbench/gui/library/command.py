@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Shows the dock that finds parts. FreeCAD restores the position of its single instance."""
 
 import FreeCADGui as Gui

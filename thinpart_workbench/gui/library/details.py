@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Details of the part selected in the list."""
 
 from ...core.errors import ThinPartError

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Compares the thickness distributions of two parts in a chart."""
 
 from ...core.descriptors.bins import BINS

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The dock that finds parts in libraries."""
 
 from types import SimpleNamespace

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The filters of the part search, with the number of matching parts for each choice."""
 
 from datetime import datetime, timedelta, timezone

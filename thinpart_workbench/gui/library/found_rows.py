@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The found parts: their columns, pictures, and the files that one can drag."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Says once that other versions of a shipped profile have judged info files of the libraries."""
 
 from ...freecad_adapter.preferences import preference_list, set_preference_list

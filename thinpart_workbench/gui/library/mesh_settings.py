@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The mesh settings that are kept with a part, as fields: a row per setting, or the file that has them."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Edits the annotation of a part: notes, mesh settings and a link."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The view of the found parts and the actions on a part."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Client of the worker process that searches the libraries."""
 
 from types import SimpleNamespace

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Loads thumbnails of parts on demand and caches them."""
 
 import time

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Asks where and as what a thickness map is to be written, and writes it."""
 
 import os

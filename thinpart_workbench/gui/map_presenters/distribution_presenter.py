@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Presents the distribution of a map: its bars, its threshold, and the check of its walls."""
 
 from ...api.window.limits import offered_limits

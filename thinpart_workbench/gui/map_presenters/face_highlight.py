@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The faces that are highlighted in a map and selected in FreeCAD."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Presents the faces of the part that is shown."""
 
 from ...core.maps.map_summary import face_summaries

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The check of a thickness map: its limits, and the result for some of its parts in words."""
 
 from ...api.window.limits import checked, limits_of_map

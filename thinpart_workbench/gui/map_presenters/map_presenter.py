@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What the presenters of a thickness map have in common."""
 
 from ..application.qt import QtCore, disconnect

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The properties of a map that its panel shows, in groups, and how the user changes them."""
 
 from ..application.qt import translate

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Presents the probes of a map, and picks further ones in the view."""
 
 from ...freecad_adapter.objects.thickness_probes import probes_of

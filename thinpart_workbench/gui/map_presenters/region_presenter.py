@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Presents the wall regions of a map: what the mouse is over, what is isolated, and what people say of them."""
 
 from ..application import lifelong

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Presents the colours of a map."""
 
 from ...core.maps.map_summary import typical_range

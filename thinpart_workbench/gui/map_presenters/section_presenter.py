@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Connects the fields of the section plane with a map."""
 
 import numpy as np

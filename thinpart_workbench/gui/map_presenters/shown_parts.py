@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The parts of a map, and which of them the panel shows."""
 
 from ...api.document_maps import parts_of

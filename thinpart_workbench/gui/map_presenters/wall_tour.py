@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Flights to the walls of a map, one after the other."""
 
 import numpy as np

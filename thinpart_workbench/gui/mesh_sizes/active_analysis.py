@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The analysis of FEM that a mesh joins."""
 
 from ...freecad_adapter.objects.fem_analysis import analysis_for, new_analysis

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Controls the preparation of a mesh: from the selected part to its FEM mesh."""
 
 import FreeCADGui as Gui

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Fields that solid meshes and shells have alike."""
 
 from ..application.qt import QtWidgets, named, translate

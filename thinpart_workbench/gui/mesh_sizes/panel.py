@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel that prepares a mesh: settings, walls with their sizes, the estimate, and what Gmsh makes of them."""
 
 from ...core.sizing.sizing_settings import LAYERS_OF_ORDER, MOST_ERROR, SizingSettings

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The quality of the elements before and after, as a histogram."""
 
 from ...core.descriptors.distribution_bars import round_up

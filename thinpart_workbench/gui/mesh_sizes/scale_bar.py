@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A colour bar of lengths, under the check box that shows them on the part."""
 
 import numpy as np

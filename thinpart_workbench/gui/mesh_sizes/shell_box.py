@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The part of the panel that makes a shell: settings, the walls of the mid-surface, and what is left solid."""
 
 from typing import NamedTuple, Optional

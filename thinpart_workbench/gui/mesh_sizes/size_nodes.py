@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Element sizes on the surface of a part, its poor elements, and its shell, in the 3D views."""
 
 import numpy as np

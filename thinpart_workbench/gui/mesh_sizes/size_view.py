@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Sizes and poor elements of a part, or its shell, in the 3D views of its document."""
 
 import FreeCADGui as Gui

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The element sizes that are wanted on the walls of a part."""
 
 from ...api.window.walls import noted_sizes

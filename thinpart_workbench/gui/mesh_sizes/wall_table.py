@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Tables of walls with check marks: what is edited holds for all selected rows."""
 
 from ...core.sizing.sizing_settings import divisions_of

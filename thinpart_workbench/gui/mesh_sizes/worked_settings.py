@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Settings that worked for a part or for one like it: offered, and kept once they have worked."""
 
 from ...api.window.part_sizes import rows_to_keep

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Classifies documents in the background whenever they are saved."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Texts about the verdicts on a document's parts, and about their changes."""
 
 from collections import Counter

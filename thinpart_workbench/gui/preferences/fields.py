@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Fields for single preferences, created from their declarations: FreeCAD's own widgets where they serve.
 
 Notes

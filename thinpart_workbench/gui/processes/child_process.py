@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A child process of FreeCAD: starting it, reading its output, ending it and detaching it."""
 
 import sys

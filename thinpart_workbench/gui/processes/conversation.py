@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A child process that exchanges JSON lines with the window, and reports its end as a sentence."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The analysis of an open document from the messages of the worker, and its info file."""
 
 from ...api.document_info import file_stamp

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The Python interpreter for child processes, one that can import FreeCAD."""
 
 import sys

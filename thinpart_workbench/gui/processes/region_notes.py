@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What the user says of wall regions, as info files have it."""
 
 from ..application.qt import QtCore, Signal

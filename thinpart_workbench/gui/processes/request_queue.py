@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A queue of requests, which a process answers one after the other."""
 
 from collections import deque

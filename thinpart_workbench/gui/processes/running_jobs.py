@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The button in the status bar that names what runs in the background, and leads to its window and page."""
 
 from ..application.qt import QtWidgets, translate

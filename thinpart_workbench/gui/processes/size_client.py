@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Measures a part and asks for element sizes and meshes, in another process."""
 
 import shutil

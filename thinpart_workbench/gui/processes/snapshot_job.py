@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Measures a document in another process, which works on a snapshot of it."""
 
 import shutil

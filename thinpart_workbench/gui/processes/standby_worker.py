@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A worker process that loads everything needed for measuring in advance."""
 
 import tempfile

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """One category of a profile: its criteria, of which one must hold."""
 
 from ..application.qt import QtWidgets, Signal, translate

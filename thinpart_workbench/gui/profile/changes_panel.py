@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What the edited profile would change in a library, counted while the user types."""
 
 import os

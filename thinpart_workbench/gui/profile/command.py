@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Shows the profile editor: a window of its own, or a modal dialog over another one, such as FreeCAD's preferences."""
 
 from ...freecad_adapter.preferences import preference

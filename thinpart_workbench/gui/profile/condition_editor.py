@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """One condition of a criterion: a sentence, and the fields that change it."""
 
 import math

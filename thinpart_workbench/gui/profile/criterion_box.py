@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """One criterion of a category: its conditions, which must all hold."""
 
 from ..application.qt import QtWidgets, Signal, translate

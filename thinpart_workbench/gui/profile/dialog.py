@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The dialog that edits profiles and limits of the wall."""
 
 import os

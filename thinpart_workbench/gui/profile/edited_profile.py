@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What editing does to a profile besides what the user has changed: probabilities, name, title and source."""
 
 from ...core.kinds.file_marks import PROFILE

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A line edit for a text of a profile that is shown in the user's language."""
 
 from ..application.qt import QtWidgets, Signal

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The form for the limits of one process or material."""
 
 from ..application.length_unit import length_unit

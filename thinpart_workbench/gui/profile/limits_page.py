@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The page of the profile editor with the limits of the wall by process: the shipped ones and the user's own."""
 
 import copy

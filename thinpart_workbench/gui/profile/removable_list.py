@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Widgets below each other, each of which can be removed."""
 
 from ..application.qt import QtWidgets

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The page of the profile editor with the categories and their criteria."""
 
 from ...api.window.profiles import never_met

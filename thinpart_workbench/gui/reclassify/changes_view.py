@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What a profile would change in libraries: the counts of changes, and the parts of the selected change."""
 
 import os

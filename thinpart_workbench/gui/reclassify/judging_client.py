@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Client of the process that judges libraries again."""
 
 from ..application.qt import QtCore, Signal

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Reclassifies the parts of the libraries by another profile: what would change is shown before it is written."""
 
 from ...core.errors import ThinPartError

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """How lists show categories: titles, coloured squares, and the colour of failures."""
 
 from ...storage.index.part_query import FAILED

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The table of criteria: one group per criterion, one row per condition."""
 
 from ...core.descriptors.descriptor_table import quantity_named

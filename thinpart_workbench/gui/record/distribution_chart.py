@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The thickness distribution of a part as a bar chart."""
 
 from ...core.descriptors.bins import BINS

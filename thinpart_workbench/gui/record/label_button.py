@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The button with which the user says what a part is, where the verdict is not right."""
 
 from ...core.categories import NORMAL

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What the measures of thickness maps are called, and what their values say."""
 
 from ...core.analysis_settings import LOCAL, RAY, SPHERE

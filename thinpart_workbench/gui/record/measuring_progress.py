@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Progress of a document's measurement, with a button to cancel it."""
 
 import time

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Columns of tables whose rows are parts and failures: what a run or an index has of them."""
 
 from dataclasses import replace

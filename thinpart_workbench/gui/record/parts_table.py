@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Table of a document's parts with their results."""
 
 from dataclasses import dataclass

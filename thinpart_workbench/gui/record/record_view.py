@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The widget that shows one part record."""
 
 from ...core.length_unit import MILLIMETRE

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Table of the wall regions of a part, equal ones in one row."""
 
 from ...api.window.walls import grouped_walls

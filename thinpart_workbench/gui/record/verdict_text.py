@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Texts about a part's verdict."""
 
 from ...api.window.profiles import known_criteria

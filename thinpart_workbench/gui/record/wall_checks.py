@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The checks that a user prefers, of the walls of a part."""
 
 from ...api.window.limits import preferred_checks

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The dialog that writes a report about a document."""
 
 import os
@@ -10,7 +11,6 @@ from ...api.window.open_parts import content_of
 from ...api.window.profiles import preferred_profile
 from ...core.analysis_settings import RAY
 from ...core.errors import ThinPartError
-from ...freecad_adapter.additional_packages import has_package, install_folder
 from ...freecad_adapter.preferences import preference, preferred_analysis
 from ..application import lifelong
 from ..application.icons import icon
@@ -20,16 +20,11 @@ from ..application.qt import QtCore, QtGui, QtWidgets, translate
 from ..application.sentences import translated
 from ..guide.command import help_button
 from ..processes.document_analysis import DocumentAnalysis
-from ..processes.package_installation import PackageInstallation
 from ..processes.snapshot_job import SnapshotJob
 from ..record.record_view import show_text, text_line
 from ..widgets.buttons import add_button
 from ..widgets.file_dialogs import choose_folder
 from ..widgets.single_dialog import show_single_dialog, single_dialog
-
-_PACKAGE = "Jinja2"
-"""Template engine of the report pages; FreeCAD bundles do not include it."""
-
 
 
 def proposed_folder(document):
@@ -62,8 +57,6 @@ class ReportDialog(QtWidgets.QDialog):
         self._output = ""
         self._job = self._analysis = None
         self._is_writing = False
-        self._installation = PackageInstallation(self)
-        self._installation.ended.connect(self._show_installed)
         column = QtWidgets.QVBoxLayout(self)
         self._subject = text_line(self, column, "ThinPart_ReportSubject")
         self._add_folder(column)
@@ -82,18 +75,18 @@ class ReportDialog(QtWidgets.QDialog):
 
     def show_document(self, document):
         """Switch to a document, unless a report is being written."""
-        if self._is_busy or document is None:
+        if self._is_writing or document is None:
             return
         self._document = document.Name
         show_text(self._subject, translate(
             "ThinPart", "Report about all parts of '{}'").format(document.Label))
         self._folder.setText(proposed_folder(document))
-        self._show_message(self._problem() or self._missing_package())
+        self._show_message(self._problem())
         self._show_state()
 
     def start(self):
         """Write the report about the document as it is open now."""
-        problem = self._problem() or self._missing_package()
+        problem = self._problem()
         if problem:
             self._show_message(problem)
             self._show_state()
@@ -128,18 +121,8 @@ class ReportDialog(QtWidgets.QDialog):
         self._job.ended.connect(self._show_end)
         self._job.start()
 
-    def install(self):
-        """Install the required package, then write the report."""
-        self._show_message(self._installation.start(_PACKAGE))
-        self._show_state()
-
     def cancel(self):
         """Stop; pages already written stay."""
-        if self._installation.is_running:
-            self._installation.stop()
-            self._show_message(translate("ThinPart", "Stopped on request before the end."))
-            self._show_state()
-            return
         self._job.stop()
         self._is_writing = False
         self._show_message(translate("ThinPart", "Stopped on request before the end."))
@@ -151,7 +134,6 @@ class ReportDialog(QtWidgets.QDialog):
 
     def end(self):
         """Stop at once and delete the dialog, without asking the user."""
-        self._installation.stop()
         if self._job is not None:
             self._job.stop()
         lifelong.running_jobs.end("report")
@@ -163,26 +145,6 @@ class ReportDialog(QtWidgets.QDialog):
         if self._document not in App.listDocuments():
             return translate("ThinPart", "The document is closed: open it again for a report about it.")
         return ""
-
-    @property
-    def _is_busy(self):
-        return self._is_writing or self._installation.is_running
-
-    @staticmethod
-    def _missing_package():
-        """Message about a missing package; empty if nothing is missing."""
-        if has_package(_PACKAGE.lower()):
-            return ""
-        return translate("ThinPart", "Reports need the Python package {}, which this FreeCAD does not have: install "
-                                     "it from the internet into {}?").format(_PACKAGE, install_folder())
-
-    def _show_installed(self, problem):
-        if problem:
-            self._show_message(problem)
-            self._show_state()
-        else:
-            lifelong.standby_worker.end()  # it was started without the package
-            self.start()
 
     def _show_progress(self, progress):
         self._bar.setValue(int(1000 * self._analysis.share_done(progress)))
@@ -211,7 +173,7 @@ class ReportDialog(QtWidgets.QDialog):
         show_text(self._message, text)
 
     def _show_state(self):
-        running = self._is_busy
+        running = self._is_writing
         if running:
             lifelong.running_jobs.show("report", translate("ThinPart", "Writing a report"), self)
         else:
@@ -219,7 +181,6 @@ class ReportDialog(QtWidgets.QDialog):
         self._bar.setVisible(running)
         self._start.setEnabled(not running)
         self._cancel.setEnabled(running)
-        self._install.setVisible(not running and bool(self._missing_package()))
         for widget in (self._folder, self._browse):
             widget.setEnabled(not running)
         self._open_button.setEnabled(False)
@@ -247,8 +208,6 @@ class ReportDialog(QtWidgets.QDialog):
         def add(name, text, callback):
             return add_button(row, self, name, text, callback, is_for_enter=False)
 
-        self._install = add(
-            "ThinPart_ReportInstall", translate("ThinPart", "&Install {}").format(_PACKAGE), self.install)
         row.addStretch(1)
         self._start = add("ThinPart_ReportStart", translate("ThinPart", "&Write report"), self.start)
         self._start.setDefault(True)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Animated camera moves of a 3D view to a wall."""
 
 import numpy as np

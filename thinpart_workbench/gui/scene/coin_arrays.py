@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Copies numpy arrays into Coin fields without creating a Python object per number."""
 
 import ctypes

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Nodes that most scene graphs of ThinPart have, and adding them to others."""
 
 from pivy import coin

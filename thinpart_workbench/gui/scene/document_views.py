@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The 3D views of a document."""
 
 import FreeCADGui as Gui

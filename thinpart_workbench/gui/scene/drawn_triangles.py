@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The triangles that a 3D view draws, of all objects that are shown."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Pixels of a 3D view, as they are while it is drawn, in the window or into a picture."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Lines of sight of a 3D view of FreeCAD."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The fields of the section plane."""
 
 from ..application.length_unit import MILLIMETRE

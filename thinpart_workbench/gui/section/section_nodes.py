@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Scene graph nodes of a section: what is cut off, the coloured edge of the cut, and the hatched material."""
 
 import numpy as np

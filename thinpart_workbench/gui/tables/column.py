@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Columns of tables: what a cell shows, and how rows are sorted by it."""
 
 from dataclasses import dataclass

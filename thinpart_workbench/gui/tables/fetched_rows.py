@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Rows of a query that are fetched when they are shown, and sorted and filtered where they come from."""
 
 from collections import OrderedDict

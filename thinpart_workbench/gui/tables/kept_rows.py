@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Rows that are all in memory, and may come while they are shown: sorted and filtered here."""
 
 from ..application.qt import QtCore

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The Qt table model of rows, whatever they are and wherever they come from."""
 
 from ..application.length_unit import MILLIMETRE

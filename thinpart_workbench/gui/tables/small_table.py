@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Small tables, such as those of panels: as high as their rows, up to a number of lines."""
 
 from ..application import lifelong

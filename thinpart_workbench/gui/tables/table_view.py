@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The view of a table: how it looks, which columns are shown, and what can be done with its rows."""
 
 from ...core.errors import ThinPartError

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Small tables of walls: one flies to the wall of a row, and by key to the next thicker and the previous one."""
 
 from ..application.qt import QtCore, Signal, translate

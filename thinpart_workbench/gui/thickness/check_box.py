@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The choice of a process whose limits a thickness map is checked against, and the result."""
 
 from ...freecad_adapter.objects.thickness_object import OWN_CHECK

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Starts the display of wall thickness."""
 
 import FreeCAD as App

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Controls one session of 'Show thickness': from the command to the map and its panel."""
 
 from ...core.errors import ThinPartError

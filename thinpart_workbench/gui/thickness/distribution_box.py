@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The thickness distribution of the surface, with the threshold and the share below it."""
 
 from ...freecad_adapter.objects.thickness_object import MILLIMETRES, SHARE

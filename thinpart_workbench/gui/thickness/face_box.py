@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The list of faces of one mapped part."""
 
 from ..application.qt import QtWidgets, Signal, translate

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A table of the wall thickness under each B-Rep face of a part."""
 
 from dataclasses import dataclass

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """An interactive histogram of area by wall thickness, with selectable bars and a threshold line."""
 
 import numpy as np

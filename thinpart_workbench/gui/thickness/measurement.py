@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Measures parts of a document and makes or refreshes their thickness map."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The task boxes of one thickness map in FreeCAD's task view."""
 
 from ...api.window.profiles import profile_for_titles

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Presents one thickness map in the boxes of the panel."""
 
 from ...core.errors import ThinPartError

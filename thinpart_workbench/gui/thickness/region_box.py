@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The list of wall regions of one mapped part."""
 
 from ..application.length_unit import MILLIMETRE

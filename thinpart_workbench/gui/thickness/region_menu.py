@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The context menu of a wall region."""
 
 from ..application.qt import QtWidgets, translate

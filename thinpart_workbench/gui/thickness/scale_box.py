@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Edits the colour scale of a thickness map: range, colours and bands."""
 
 from ...core.rendering.colour_scale import colour_table

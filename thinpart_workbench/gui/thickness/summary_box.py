@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Summary of a thickness map: verdict, thinnest wall, and its parts."""
 
 from ..application.numbers import percent

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Hides the objects that a thickness map covers."""
 
 import FreeCAD as App

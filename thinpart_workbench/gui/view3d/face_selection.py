@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Synchronises faces of mapped parts with FreeCAD's selection, in both directions."""
 
 from contextlib import contextmanager

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Scene graph nodes for the facets and edges of thickness maps."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The first, coarse colours of a document's parts, which are seen until their thickness map is there."""
 
 from dataclasses import replace

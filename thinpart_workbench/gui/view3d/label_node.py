@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Labels in one 3D view, drawn over the scene beside what they name; saved pictures show them too."""
 
 import time

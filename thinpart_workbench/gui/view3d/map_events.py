@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Events about thickness maps: refresh, measurement and panel requests. The handlers register themselves."""
 
 import sys

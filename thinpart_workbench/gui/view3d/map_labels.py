@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The labels of a thickness map: the thinnest wall, the thickest one, and those that were pinned."""
 
 from dataclasses import dataclass

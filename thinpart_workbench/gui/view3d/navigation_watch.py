@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Draws large maps with fewer facets for as long as the user turns, shifts or zooms the view."""
 
 import FreeCAD as App

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Shows the thickness under the cursor and pins probes on click."""
 
 import FreeCAD as App

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Scene graph nodes of the line through the wall under the mouse."""
 
 import numpy as np

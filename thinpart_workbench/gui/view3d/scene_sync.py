@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Updates colour bars, covered sources and staleness from the thickness maps in the documents."""
 
 import FreeCAD as App

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A soft light that makes colours darker, and changes nothing else about them."""
 
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """View provider of thickness maps: the 3D view and the tree."""
 
 import FreeCAD as App

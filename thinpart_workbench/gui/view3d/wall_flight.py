@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Flights of the camera to a wall: it is looked at from where nothing stands before it, and is marked with its thickness."""
 
 from dataclasses import dataclass

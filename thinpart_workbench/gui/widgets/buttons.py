@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Buttons with an object name, by which tests and style sheets find them."""
 
 from ..application.qt import QtWidgets

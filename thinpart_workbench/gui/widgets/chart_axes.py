@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Base class of the charts of a thickness distribution: plot area, vertical axis and labels."""
 
 from ..application.numbers import marked

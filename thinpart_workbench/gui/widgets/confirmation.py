@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Confirmation of actions that cannot be undone."""
 
 from ...storage.output_file import ForeignFile, check_output

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Makes the controls of a window usable by keyboard, in the order of reading, and safe from the mouse wheel.
 
 Notes

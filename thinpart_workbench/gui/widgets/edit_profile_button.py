@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The button that opens the profile editor, beside a choice of a profile."""
 
 from ..application import lifelong

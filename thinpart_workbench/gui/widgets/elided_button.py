@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Flat buttons for the status bar that elide their text instead of widening the window."""
 
 import FreeCADGui as Gui

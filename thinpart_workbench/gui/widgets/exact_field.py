@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A spin box that gives a value back exactly as it was shown, unless the user has changed it.
 
 Notes

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A layout that wraps its widgets into further lines where the window is too narrow, like text."""
 
 from ..application.qt import QtCore, QtWidgets

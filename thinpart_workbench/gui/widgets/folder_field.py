@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """An input field for a folder, with a button to choose one.
 
 Notes

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Forms and fields for FreeCAD's task view, which is narrow."""
 
 from ..application.qt import QtCore, QtWidgets, named

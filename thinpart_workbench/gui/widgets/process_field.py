@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """An input field for processes whose limits of the wall are checked, with a menu of those that are known."""
 
 from ...api.window.limits import offered_limits

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A combo box for threshold profiles: the shipped ones, or a file."""
 
 from ...api.window.profiles import profile_choice, profile_choices, shipped_file

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A range of a quantity, set with a slider or typed as numbers."""
 
 from ...core.length_unit import MILLIMETRE

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A histogram with two handles that select a range on a logarithmic scale."""
 
 import math

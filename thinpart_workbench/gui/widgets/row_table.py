@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """How tables look and behave that show one record per row."""
 
 from ..application.qt import QtWidgets

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Dialogs of which there is one each: it is shown again rather than made again, and keeps what it has."""
 
 import FreeCADGui as Gui

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Keeps the mouse wheel for scrolling: it changes the value of a field only while the user has given that the focus."""
 
 from ..application.qt import QtCore

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Writes element sizes as a script for Gmsh."""
 
 import io

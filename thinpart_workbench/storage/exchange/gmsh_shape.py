@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Which files of shapes Gmsh opens as such: it runs those with other endings, and strings of names, as scripts."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Writes thickness maps for other programs: VTK PolyData (.vtp) and Stanford PLY, both with the values."""
 
 import base64

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Writes shells for other programs: CalculiX and Abaqus (.inp), Gmsh (.msh) and I-DEAS universal files (.unv)."""
 
 import io

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The values that the search index stores for a part, in the types of SQLite."""
 
 from typing import Callable

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The version of the index: a program only reads an index that it would have built in exactly the same way."""
 
 import hashlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A searchable index of the info files under one folder; it can always be rebuilt from them."""
 
 import hashlib

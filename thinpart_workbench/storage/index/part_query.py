@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Queries to a library: the conditions that parts must meet."""
 
 from dataclasses import dataclass

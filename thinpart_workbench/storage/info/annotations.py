@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Annotations: what people store with a part in its info file, such as the methods that proved right for it."""
 
 from datetime import datetime, timezone

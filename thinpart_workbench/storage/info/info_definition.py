@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The definition of an info file: readers check files against it, and the JSON schema is generated from it.
 
     python3 -m thinpart_workbench.storage.info.info_definition > resources/info-file.schema.json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The info file of a document: complete, versioned, atomic, stable."""
 
 import hashlib

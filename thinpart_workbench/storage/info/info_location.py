@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The path of the info file of an open document: beside it, or in a folder that may be unreachable."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Reading and checking info files. All readers use this module and need not check the content again."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Records of parts as info files hold them: found by document, name or label."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A forked copy of this process that does one thing, and ends with all processes that it has started."""
 
 import os

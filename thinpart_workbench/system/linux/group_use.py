@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What all processes of a group use together: the limits of Linux are for each of them."""
 
 import os

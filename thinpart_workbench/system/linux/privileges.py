@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Privileges of a Linux process: given up for good, or kept from processes that it forks."""
 
 import ctypes

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """System calls of Linux: their numbers, and which of them a process that reads foreign files is not to make."""
 
 from dataclasses import dataclass

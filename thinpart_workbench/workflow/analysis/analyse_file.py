@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Read one file and analyse its parts. Runs in a worker process, which writes nothing: see `result_files`."""
 
 import time

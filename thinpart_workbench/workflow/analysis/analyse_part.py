@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The flow: part -> surface mesh -> descriptors -> classification -> part record."""
 
 import sys

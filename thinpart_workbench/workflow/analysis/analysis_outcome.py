@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The definition of the outcome of a file. Responses of workers are checked against it: a malicious file may
 control its worker."""
 

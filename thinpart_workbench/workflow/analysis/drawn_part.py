@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The pictures that a worker draws of a part while it measures it, transferred as text: no code, no image decoding.
 
 Numpy is imported late: the process that starts the worker has to be quick.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Which content of a file was measured: taken before it is read, compared before the result is used."""
 
 import os

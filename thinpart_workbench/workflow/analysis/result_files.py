@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Write the results of a measured document; runs in the parent process of the worker.
 
 The worker has read an untrusted file and may write nothing. The task alone determines the paths.

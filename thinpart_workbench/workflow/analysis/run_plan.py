@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The plan of a run: its files, their order, and the paths of their info files."""
 
 import os

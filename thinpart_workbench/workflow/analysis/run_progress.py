@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The progress of a run over many files, and its remaining time."""
 
 import math

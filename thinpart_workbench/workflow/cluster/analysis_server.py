@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A process that analyses one file after the other, as requested on its standard input.
 
 A Dask worker starts it (`cluster_worker`), since it cannot have worker processes of its own, and must not be affected

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Check the answers of Dask's scheduler and workers, which are untrusted."""
 
 from ...core.kinds.compound_kinds import MapOf, Record

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Analyse files on a Dask cluster whose machines have the same network share."""
 
 import asyncio

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The code that runs in a Dask worker. It is pickled by value, so it imports nothing of ThinPart.
 
 The package itself is sent as an archive that every worker unpacks: the machines need Debian's packages, but not

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Unpickling can run code: allow only plain data in pickles from other machines."""
 
 import pickletools

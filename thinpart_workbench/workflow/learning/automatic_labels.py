@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Labels without a person: what a program has trouble with is thin, where walls are thin against its elements."""
 
 from abc import ABC, abstractmethod

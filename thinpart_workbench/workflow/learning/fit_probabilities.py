@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The probabilities that a profile states, fitted to labels by scikit-learn."""
 
 from dataclasses import replace

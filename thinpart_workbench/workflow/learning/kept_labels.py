@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Labels that people keep in the info files of a library."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Label the parts of a library by a program in worker processes, several at the same time."""
 
 import json

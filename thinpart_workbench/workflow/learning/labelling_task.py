@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The parts of a document that are to be labelled by a program. Most of it runs in a worker process."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Labels of several people, brought together with the parts that they are about."""
 
 import os

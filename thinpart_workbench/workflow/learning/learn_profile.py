@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Learn a profile from labelled parts, and say how good it is."""
 
 import datetime

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Labels by meshing: what has bad tetrahedra where Gmsh meshes it is thin."""
 
 import os

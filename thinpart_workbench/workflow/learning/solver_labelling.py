@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Labels by the solver: what the automatic mesh has wrong is thin, where walls are thin against its elements."""
 
 from dataclasses import dataclass

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """How often verdicts are those of people, on parts that were not learned from."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Parts of one library: found in its index, and their records."""
 
 from ...core.errors import ThinPartError

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Info files that a shipped profile has judged by other thresholds than it has in this version."""
 
 from typing import TypedDict

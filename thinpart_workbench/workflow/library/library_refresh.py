@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Refreshing the indexes of libraries in a background thread."""
 
 import os

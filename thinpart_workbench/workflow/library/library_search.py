@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Search in several libraries: their parts in one common order, and how many there are for each choice of a filter."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Judge stored parts by another profile from their info files alone, without geometry or FreeCAD."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What one profile after another would change in a library; its info files are read once."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Measure one part and draw its thickness map, in a worker process: the file may be anybody's."""
 
 import base64

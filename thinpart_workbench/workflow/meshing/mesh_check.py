@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Meshes a part with Gmsh, with and without proposed sizes, and measures both meshes."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What is tried, one after the other, until Gmsh meshes a part."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Netgen, which meshes some parts that Gmsh does not, as a program. FreeCAD's own bundles have it; pip has netgen-mesher."""
 
 import importlib.util

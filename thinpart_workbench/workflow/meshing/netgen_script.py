@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Meshes a BREP file with Netgen, in a program of its own: SHAPE SIZES.msz OUTPUT.npz GREATEST ORDER."""
 
 import os

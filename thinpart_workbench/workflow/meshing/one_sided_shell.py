@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The mid-surface of a part that is one wall, from the triangles of one side of it: whatever its faces are."""
 
 from dataclasses import dataclass, field

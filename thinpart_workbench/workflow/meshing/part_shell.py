@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The shell of one part as files: its mid-surface for FreeCAD, its mesh with groups for FEM, its triangles to be shown."""
 
 import os

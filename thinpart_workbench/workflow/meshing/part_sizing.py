@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Element sizes of one part that people change, and meshes with them: the part is measured once."""
 
 import os

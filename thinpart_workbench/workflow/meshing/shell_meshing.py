@@ -1,7 +1,8 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The mid-surface of a part as a mesh of triangles: faces by FreeCAD, triangles by Gmsh, thickness by rays."""
 
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Optional
 
 import numpy as np
@@ -238,23 +239,23 @@ def _from_one_side(part, measurement, program, seconds, settings):
             with suppress(ThinPartError):
                 mesh = _thick(measurement, middle, middle.points, middle.triangles, middle.wall)
                 if mesh.pieces == 1:
-                    found.append(replace(_part_shell(part, measurement, middle, middle.size, mesh), is_moved=True))
+                    found.append(_part_shell(part, measurement, middle, middle.size, mesh, is_moved=True))
     least = min((shell.lacking for shell in found), default=0.0)
     return min((shell for shell in found if shell.lacking <= least + EQUAL), key=lambda shell: len(shell.mesh.triangles),
                default=None)
 
 
-def _part_shell(part, measurement, middle, size, mesh, warnings=()):
+def _part_shell(part, measurement, middle, size, mesh, warnings=(), is_moved=False):
     """The shell of a part, once its mesh has been checked against the part."""
     share = mesh.volume / measurement.volume_mm3
     left, (inside, free) = _left_solid(measurement, middle), open_ends(mesh, measurement.field.mesh, measurement.rays)
-    warnings = [*warnings, *_checked(part, mesh, share, _share_of_shell(middle), left, inside, free)]
+    warnings = [*warnings, *_checked(part, mesh, share, _share_of_shell(middle), left, inside, free, is_moved)]
     if middle.loose:
         warnings.append(message("Pieces that do not meet the rest were left out, {share:.2g} % of the volume: they belong "
                                 "to what is left solid.", share=100.0 * middle.loose / measurement.volume_mm3))
     lacking = abs(share - 1.0) + (INSIDE_WEIGHT * inside / free if free else 0.0)
     return PartShell(mesh, size, share, _walls(middle, mesh), left, warnings, middle.shape, list(middle.wall_of_face),
-                     lacking=lacking)
+                     is_moved, lacking)
 
 
 def _walls(middle, mesh):
@@ -301,7 +302,7 @@ def _share_of_shell(middle):
     return chosen / (chosen + left)
 
 
-def _checked(part, mesh, share, wanted, left, inside, free):
+def _checked(part, mesh, share, wanted, left, inside, free, is_moved):
     """Warnings about a shell; a ThinPartError where it does not stand for the walls that are wanted of the part."""
     if share < LEAST_VOLUME * wanted:
         raise ThinPartError(_too_little(part, share), "no_shell")
@@ -316,7 +317,8 @@ def _checked(part, mesh, share, wanted, left, inside, free):
                 "The mid-surface of {part} falls into {count} pieces that do not meet: mesh it as a solid.",
                 part=part.label, count=mesh.pieces), "no_shell")
         warnings.append(message("The shell is in {count} pieces: what is left solid lies between them.", count=mesh.pieces))
-    if inside > MOST_INSIDE * free and wanted == 1.0:
+    # Triangles of one side hang together: what ends inside is a rim that is thicker, as of a bottle.
+    if inside > MOST_INSIDE * free and wanted == 1.0 and not is_moved:
         raise ThinPartError(message(
             "The walls of {part} do not meet: {inside} of the {free} of free edges of its mid-surface lie "
             "inside the material. Mesh it as a solid.", part=part.label, inside=Length(inside), free=Length(free)),

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Triangles on faces, by Gmsh, for shells."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The definition of what a worker proposes for a document. It is checked, since a malicious file may control its worker."""
 
 

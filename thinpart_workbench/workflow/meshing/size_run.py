@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Propose element sizes for many documents, each in a worker process, several at the same time."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What workers do at the moment: each notes it in a small file in its own folder, since a mesh may take minutes."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Propose element sizes for the parts of one document, and mesh them. Runs in a worker process."""
 
 import os

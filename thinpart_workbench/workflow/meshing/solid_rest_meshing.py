@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What of a part is no wall, as tetrahedra that are tied to its shell."""
 
 import os

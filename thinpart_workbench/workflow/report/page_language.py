@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The languages that pages of reports are written in: texts, sentences of other layers, numbers and lengths.
 
 The translations are those of the window. Where there is no Qt to read them, they are taken from the tables that
@@ -46,9 +47,10 @@ class PageLanguage:
         path = FOLDER / f"sentences_{code}.json"
         self._texts = json.loads(path.read_text(encoding="utf-8")) if code != ENGLISH else {}
 
-    def text(self, template):
-        """A text of the page, with its fields by name: str."""
-        return self._texts.get(template, template)
+    def text(self, template, **fields):
+        """A text of the page, with its fields filled in where they are given: str."""
+        text = self._texts.get(template, template)
+        return text.format(**fields) if fields else text
 
     def sentence(self, sentence):
         """A sentence, title or meaning of another layer, with its lengths in the unit: str.

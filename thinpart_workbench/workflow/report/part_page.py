@@ -1,8 +1,9 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The report page of one part."""
 
 import base64
+from types import SimpleNamespace
 
-from ... import __version__
 from ...core.categories import UNKNOWN
 from ...core.descriptors.bins import BINS
 from ...core.descriptors.descriptor_table import quantity_named
@@ -16,17 +17,16 @@ from ...core.judging.wall_check import check_sentence, check_walls
 from ...core.length_unit import MILLIMETRE
 from ...core.record.part_record import face_number
 from ...core.record.region_groups import region_groups
-from ...core.rendering.part_views import HEIGHT, WIDTH, thinnest_wall
+from ...core.rendering.part_views import thinnest_wall
 from ...core.risk.risk_sentence import risk_sentence
 from ...storage.png import png_bytes
-from .page_language import ENGLISH
-from .page_templates import fill_in
-
-SHOWN_FACES = 12
-"""Faces that are visible at first; the others are collapsed."""
+from .html_elements import page_bytes
+from .page_language import ENGLISH, page_language
+from .page_words import PageWords
+from .part_sections import part_document
 
 _LEFT, _RIGHT, _TOP, _BOTTOM = 90.0, 880.0, 40.0, 530.0
-"""The plot area of the chart, in the units of its template."""
+"""The plot area of the chart, in the units of its drawing."""
 
 _BAR_LEFT, _BAR_RIGHT = 20.0, 660.0
 _STOP_COUNT, _TICK_COUNT = 16, 4
@@ -60,20 +60,19 @@ def part_page(record, pictures, features, about, file, overview, language=ENGLIS
     profile = profile_from(about["profile"])
     titles = {category.name: category.title for category in profile.categories}
     meanings = {category.name: category.meaning for category in profile.categories}
-    return fill_in(
-        "part.html", language, unit, part=record, file=file, overview=overview, software=__version__,
-        titles=titles, meaning=meanings.get(record["category"], ""), profile=about["profile"],
+    words = PageWords(page_language(language, unit), titles)
+    return page_bytes(part_document(words, SimpleNamespace(
+        part=record, file=file, overview=overview,
+        meaning=meanings.get(record["category"], ""), profile=about["profile"],
         reason=_reason(record), deciding=deciding_criteria(record), other=nearest_other(record), chances=_chances(record),
         paper=paper_sentence(record, profile),
-        thickness=record["descriptors"]["thickness_mm"], shares=record["descriptors"]["shares"],
         source=about["source"], settings=about["settings"], kept=_annotations(about["kept"]),
-        views=[_view(view) for view in pictures.views()], width=WIDTH, height=HEIGHT,
+        views=[_view(view) for view in pictures.views()],
         thinnest=_thinnest_wall(record), scale=_scale(pictures, record), shown=pictures.measure,
         chart=_chart(record, unit), evidence=_evidence(record, unit), faces=_faces(record, features), features=features,
         regions=region_groups(record, about["kept"].get("region_notes") or ()), other_regions=record.get("regions"),
-        shown_faces=SHOWN_FACES,
         checks=_checks(record, about["limits"]), risk=risk_sentence(record),
-    )
+    )))
 
 
 def _reason(record):

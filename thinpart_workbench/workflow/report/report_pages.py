@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The pages of the parts of a document, created by the worker that measures it."""
 
 import hashlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """How far the first elastic frequencies of the automatic mesh are off those of a converged one."""
 
 import math

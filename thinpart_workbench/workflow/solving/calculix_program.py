@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """CalculiX as a program: where it is, and how it ends."""
 
 import os

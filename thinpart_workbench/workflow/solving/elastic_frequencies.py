@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The first elastic frequencies of a free body, by CalculiX."""
 
 import os

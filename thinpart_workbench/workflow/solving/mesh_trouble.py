@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Whether the automatic mesh of a part is in trouble."""
 
 from .automatic_mesh import KNOWN, NO_MESH, NOT_SOLVED, SOLVED

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A body of steel as CalculiX reads it."""
 
 import numpy as np

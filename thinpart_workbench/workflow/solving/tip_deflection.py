@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """How far a body that is held at one end bends under a force at the other, by CalculiX."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Compile ThinPart's modules for workers: confined ones cannot keep what they compile, and would do it at every start."""
 
 import os

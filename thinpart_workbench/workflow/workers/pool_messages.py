@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The messages between `process_pool` and its workers: a kind, a length and the content."""
 
 import json

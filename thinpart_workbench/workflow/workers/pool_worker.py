@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A worker of `process_pool`: ``python -m thinpart_workbench.workflow.workers.pool_worker``.
 
 It receives its parent's process id and its confinement, then ``sys.path``, then its start function, and then tasks, one

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What a worker loads once, before it forks a reader for each file: whatever a reader loads is lost with it.
 
 Only code of FreeCAD and ThinPart is loaded, and no file is read, so that no file affects the reader of another one.

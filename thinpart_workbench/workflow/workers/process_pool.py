@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A pool of worker processes that may be confined, and that return JSON data only."""
 
 import errno

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What a worker does with files. It imports little, since every worker does so before its first file."""
 
 import faulthandler

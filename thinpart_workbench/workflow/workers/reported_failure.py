@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Exceptions of workers as data, so that the parent need not parse a traceback."""
 
 import errno

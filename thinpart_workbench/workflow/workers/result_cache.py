@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Results of tasks that are kept in the cache, so that an interrupted run goes on where it was."""
 
 import hashlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Run tasks in worker processes: answers are checked, and what keeps a worker from answering is a failure of its task."""
 
 from collections import deque

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Analyse files in worker processes, so that a file which kills its reader is one failed row."""
 
 from contextlib import contextmanager
@@ -12,7 +13,7 @@ from .reading import analysed
 from .task_run import run_tasks, task_workers
 
 
-def analyse_files(tasks, limits, control=None, meanwhile=()):
+def analyse_files(tasks, limits, control=None):
     """Analyse files, each in a worker process with time and memory limits.
 
     Yields a dict: per file, as they finish: the outcome of `analyse_file`, after its files were written, and ``confinement``
@@ -25,12 +26,9 @@ def analyse_files(tasks, limits, control=None, meanwhile=()):
     limits : Limits
     control : RunControl, optional
         Pauses and stops the run.
-    meanwhile : iterable of callable, optional
-        Each is called once, while the workers are busy.
     """
     control = control or RunControl()
-    yield from _written(run_tasks(tasks, analysed, _storable, limits, control=control,
-                                  meanwhile=lambda folder: (call() for call in meanwhile)), control)
+    yield from _written(run_tasks(tasks, analysed, _storable, limits, control=control), control)
 
 
 @contextmanager

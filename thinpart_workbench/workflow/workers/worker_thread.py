@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The thread of a pool that starts one worker process and sends it one task after the other."""
 
 import io
