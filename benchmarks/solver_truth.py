@@ -157,6 +157,12 @@ def _kept(file, kind):
     return CACHE / kind / f"{key[:32]}.json"
 
 
+def shipped_reference(file):
+    """What was solved of a part before, dict; None where its solid has no converged frequencies."""
+    found = _all_kept().get(f"{KINDS[0]}/{_kept(file, KINDS[0]).stem}")
+    return found if found and found.get("reference") else None
+
+
 def _all_kept():
     """All results, dict: those of before and those that were kept since."""
     found = json.loads(SHIPPED.read_text(encoding="utf-8")) if SHIPPED.exists() else {}

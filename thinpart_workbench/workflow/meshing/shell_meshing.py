@@ -42,7 +42,7 @@ TOLD_INSIDE, MOST_INSIDE = 0.02, 0.5
 EQUAL = 0.05
 """Difference of what the shells from either side lack up to which that with fewer triangles is taken."""
 
-INSIDE_WEIGHT = 2.0
+INSIDE_WEIGHT = 4.0
 """What a share of the free edges inside the material counts by a share of the volume: a crack weakens more than a missing
 lug."""
 

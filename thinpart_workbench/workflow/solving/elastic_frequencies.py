@@ -49,13 +49,13 @@ def elastic_frequencies(points, tetrahedra, diagonal, program, seconds, folder):
     reason = solve(program, JOB, seconds, folder)
     if reason:
         return np.zeros(0), reason
-    frequencies = _frequencies(os.path.join(folder, JOB + ".dat"))
+    frequencies = all_frequencies(os.path.join(folder, JOB + ".dat"))
     elastic = frequencies[frequencies > ZERO * frequencies.max(initial=0.0)]
     return elastic[:COUNT], ""
 
 
-def _frequencies(path):
-    """All frequencies of a file of results, ndarray, Hz, in ascending order."""
+def all_frequencies(path):
+    """All frequencies of a file of results of CalculiX: ndarray, Hz, in ascending order."""
     found = []
     with open(path, encoding="ascii", errors="replace") as file:
         for line in file:
