@@ -86,7 +86,7 @@ class SolvedPart:
         box = self.measurement.descriptors.box
         self._limit = classify(self.measurement.descriptors, profile).thin_limit_x * box.diagonal
         self._netgen, self.folder, self.estimate = netgen, folder, None
-        self._diagonal = part.shape.BoundBox.DiagonalLength
+        self.diagonal = part.shape.BoundBox.DiagonalLength
         self.shape = os.path.join(folder, "part.brep")
         part.write_brep(self.shape)
         self._gmsh, self._calculix = gmsh_program()[0], calculix_program()[0]
@@ -111,7 +111,7 @@ class SolvedPart:
             return found
         found["poor"] = float(np.mean(radius_ratios(mesh.points, mesh.tetrahedra[:, :4]) < POOR))
         started = _of_children()
-        own, reason = elastic_frequencies(mesh.points, mesh.tetrahedra, self._diagonal, self._calculix, SOLVER_SECONDS,
+        own, reason = elastic_frequencies(mesh.points, mesh.tetrahedra, self.diagonal, self._calculix, SOLVER_SECONDS,
                                           self.folder)
         found["solver_seconds"] = round(_of_children() - started, 2)
         if len(own) < COUNT:
@@ -126,11 +126,11 @@ class SolvedPart:
 
     def uniform(self, share):
         """A mesh of one size, a share of the diagonal."""
-        return self._by_gmsh([self.shape], "-clmax", repr(share * self._diagonal))
+        return self._by_gmsh([self.shape], "-clmax", repr(share * self.diagonal))
 
     def curvature(self):
         """A mesh with Gmsh's sizes from curvature."""
-        return self._by_gmsh([self.shape], "-clmax", repr(0.1 * self._diagonal), "-clcurv", str(AROUND))
+        return self._by_gmsh([self.shape], "-clmax", repr(0.1 * self.diagonal), "-clcurv", str(AROUND))
 
     def by_netgen(self, factor):
         """A mesh by Netgen."""
@@ -138,7 +138,7 @@ class SolvedPart:
         if os.path.exists(output):
             os.remove(output)
         script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "netgen_mesh.py")
-        end = run_limited([self._netgen, script, self.shape, output, repr(0.1 * self._diagonal), repr(factor), "2"],
+        end = run_limited([self._netgen, script, self.shape, output, repr(0.1 * self.diagonal), repr(factor), "2"],
                           MESH_SECONDS, self.folder)
         if not os.path.exists(output):
             return no_mesh("too long" if end.timed_out else "failed")

@@ -3301,6 +3301,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{}: an earlier version of ThinPart has measured this document, but not all that decides today: classify it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{}: looking for info files, {} so far</source>
         <translation type="unfinished"></translation>
     </message>

@@ -3303,6 +3303,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{}: „{}“ war „{}“ und ist jetzt „{}“; keine der Wände konnte gemessen werden.</translation>
     </message>
     <message>
+        <source>{}: an earlier version of ThinPart has measured this document, but not all that decides today: classify it again.</source>
+        <translation>{}: Eine frühere Version von ThinPart hat dieses Dokument vermessen, aber nicht alles, was heute entscheidet: Klassifizieren Sie es erneut.</translation>
+    </message>
+    <message>
         <source>{}: looking for info files, {} so far</source>
         <translation>{}: Infodateien werden gesucht, bisher {}</translation>
     </message>

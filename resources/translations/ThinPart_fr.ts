@@ -3303,6 +3303,10 @@ Son volume est inconnu.</translation>
         <translation>{} : « {} » était « {} » et est maintenant « {} » ; aucune de ses parois n’a pu être mesurée.</translation>
     </message>
     <message>
+        <source>{}: an earlier version of ThinPart has measured this document, but not all that decides today: classify it again.</source>
+        <translation>{} : une version antérieure de ThinPart a mesuré ce document, mais pas tout ce qui décide aujourd'hui : classez-le de nouveau.</translation>
+    </message>
+    <message>
         <source>{}: looking for info files, {} so far</source>
         <translation>{} : recherche des fichiers d’information, {} jusqu’ici</translation>
     </message>

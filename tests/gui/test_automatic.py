@@ -13,7 +13,7 @@ import window_actions as window
 from thinpart_workbench.freecad_adapter.preferences import set_preference
 from thinpart_workbench.gui.application import lifelong
 from thinpart_workbench.gui.application.qt import QtWidgets
-from thinpart_workbench.storage.info.info_file import read_info, source_is_unchanged
+from thinpart_workbench.storage.info.info_file import change_info, read_info, source_is_unchanged
 from thinpart_workbench.storage.info.info_location import info_location
 
 CHANGED = ("AutomaticClassification", "WarnOfCategory", "WarnWallUnder", "InfoFolder", "Seconds")
@@ -281,6 +281,44 @@ def test_what_is_known_of_an_opened_document_is_shown_and_not_measured(document,
     App.openDocument(str(plate))
     window.wait_until(lambda: label() == "ThinPart: not classified")
     assert not info(plate).exists()
+
+
+@pytest.mark.default_profile
+def test_what_an_earlier_version_measured_and_is_not_enough_is_said_once(document, plate):
+    def as_of_an_earlier_version(content):
+        content["software"]["version"] = "0.0.1"
+        for part in content["parts"]:
+            part["descriptors"]["precision"] = None
+            for key in ("local", "plate_ratio"):
+                del part["descriptors"][key]
+        return True
+
+    change_info(str(info(plate)), as_of_an_earlier_version)
+    sentence = ("plate.FCStd: an earlier version of ThinPart has measured this document, but not all that decides today: "
+                "classify it again.")
+
+    def opened():
+        App.closeDocument(App.ActiveDocument.Name)
+        window.settle(50)
+        again = App.openDocument(str(plate))
+        window.wait_until(lambda: label() == "ThinPart: not classified")
+        return again
+
+    set_preference("AutomaticClassification", False)
+    App.closeDocument(document.Name)
+    again = App.openDocument(str(plate))
+    window.settle(1000)
+    assert notice() == "", "it is switched off"
+    set_preference("AutomaticClassification", True)
+    window.wait_until(lambda: label() == "ThinPart: not classified")
+    assert notice().startswith(sentence) and sentence in report() and sentence in reason()
+    assert QtWidgets.QApplication.activeModalWidget() is None
+    window.dismiss_notices()
+    again = opened()
+    assert notice() == "" and sentence in reason(), "it was said"
+    lifelong.observer.slotFinishSaveDocument(again, again.FileName)
+    wait()
+    assert label() == "ThinPart: Thin part" and "plate_ratio" in read_info(info(plate))["parts"][0]["descriptors"]
 
 
 def test_a_place_that_cannot_be_written_is_one_sentence(document, tmp_path):

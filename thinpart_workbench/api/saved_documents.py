@@ -9,6 +9,7 @@ from ..core.analysis_limits import Limits
 from ..core.analysis_settings import DEFAULT_PROFILE, given_settings
 from ..core.errors import ThinPartError
 from ..core.judging.criteria import given_profile
+from ..core.judging.older_record import is_enough
 from ..core.message import message
 from ..storage.info.info_file import is_current, stored_info
 from ..storage.info.info_location import PATIENCE, call_in_folder, info_location
@@ -32,6 +33,9 @@ class SavedVerdicts:
         Those of the previous info file.
     current : bool
         Whether that info file was current, so that nothing had to be measured.
+    older : bool
+        Whether an earlier version wrote that info file and did not measure what decides, so that its parts have to be
+        measured again.
     failures : list of str
         Sentences about parts that could not be classified, or why nothing could be stored.
     no_part : str
@@ -41,6 +45,7 @@ class SavedVerdicts:
     verdicts: Optional[dict[str, PartVerdict]] = None
     before: Optional[dict[str, PartVerdict]] = None
     current: bool = False
+    older: bool = False
     failures: list[str] = field(default_factory=list)
     no_part: str = ""
 
@@ -89,6 +94,7 @@ def classify_saved(document, profile=DEFAULT_PROFILE, settings=None, *, folder="
     if stored is not None:
         found.before = document_verdicts(stored["parts"], stored["profile"])
         found.current = is_current(stored, document, settings.content(), profile, info_file)
+        found.older = not all(is_enough(part, profile) for part in stored["parts"])
     if stored is not None and found.current:
         found.verdicts = found.before
         found.failures += [failure["message"] for failure in stored.get("failures", ())]

@@ -9,6 +9,8 @@ from .smooth_cuts import edges_between
 MOST = 0.75
 """Share of the places of a face that are curved no more than its radius says."""
 
+_BENT_ONCE = ("Part::GeomPlane", "Part::GeomCylinder", "Part::GeomCone")
+
 _GRID = [(0.1 + 0.16 * u, 0.1 + 0.16 * v) for u in range(6) for v in range(6)]
 
 
@@ -18,16 +20,16 @@ def face_meetings(shape):
 
 
 def face_radii(shape):
-    """Radius of curvature of each face, the lesser one, as most of it has it: ndarray of shape (number of faces,), mm.
+    """Radius of each face that is curved in both directions, the geometric mean of the two: ndarray of shape (faces,), mm.
 
-    inf where it is flat or FreeCAD has no surface for it.
+    inf where it is flat or bent in one direction only, or FreeCAD has no surface for it.
     """
     return np.array([_radius(face) for face in shape.Faces])
 
 
 def _radius(face):
     try:
-        if face.Surface.TypeId == "Part::GeomPlane":
+        if face.Surface.TypeId in _BENT_ONCE:
             return np.inf
         low_u, high_u, low_v, high_v = face.ParameterRange
     except (TypeError, RuntimeError):
@@ -35,9 +37,10 @@ def _radius(face):
     found = []
     for u, v in _GRID:
         try:
-            found.append(max(map(abs, face.curvatureAt(low_u + u * (high_u - low_u), low_v + v * (high_v - low_v)))))
+            one, other = face.curvatureAt(low_u + u * (high_u - low_u), low_v + v * (high_v - low_v))
         except Exception:  # OCC's errors have several classes: no curvature at a pole
             continue
+        found.append(abs(one * other) ** 0.5)
     most = np.quantile(found, MOST) if found else 0.0
     return 1.0 / most if most > 0.0 else np.inf
 

@@ -53,6 +53,7 @@ class AutoClassifier(QtCore.QObject):
         self._states = {}  # text and reason of the status button, by document name
         self._requests = {}  # what is asked for, by document name
         self._delegated = set()  # names of documents that the panel measures
+        self._told = set()  # paths of documents of which was said that an earlier version has measured them
         self._group = App.ParamGet(GROUP)  # it drops its observers once Python no longer references it
         # One at a time: many documents may be saved at once, and each may use up to the memory limit.
         self._queue = RequestQueue("on-save", parent=self)
@@ -181,6 +182,8 @@ class AutoClassifier(QtCore.QObject):
                 self._set_state(name, headline(answer["verdicts"]),
                                 reasons(answer["verdicts"], length_unit(App.getDocument(name))))
             else:
+                if answer.get("older"):
+                    failures.append(self._tell_older(App.getDocument(name)))
                 self._set_state(name, translate("ThinPart", "not classified"), "\n".join(failures))
             return
         if answer.get("verdicts"):
@@ -193,6 +196,15 @@ class AutoClassifier(QtCore.QObject):
             self._set_state(name, translate("ThinPart", "failed"), failures[0])
         if failures:
             lifelong.notifications.show_failure(_failure_text(_display_name(name), failures), App.getDocument(name).Label)
+
+    def _tell_older(self, document):
+        """Warn, once for each document, that its results of an earlier version are not enough to judge by: the sentence."""
+        sentence = translate("ThinPart", "{}: an earlier version of ThinPart has measured this document, but not all that "
+                             "decides today: classify it again.").format(_display_name(document.Name))
+        if document.FileName not in self._told:
+            self._told.add(document.FileName)
+            lifelong.notifications.warn(sentence, document.Label)
+        return sentence
 
     def _show_verdicts(self, name, before, now):
         self._set_state(name, headline(now), reasons(now, length_unit(App.getDocument(name))))
