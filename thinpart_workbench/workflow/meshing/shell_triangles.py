@@ -19,9 +19,9 @@ AROUND = 6
 """Elements around a circle."""
 
 OF_BEND = 0.8
-"""Greatest size on a face that is curved in both directions by the root of radius times thickness, the length within which a
-shell bends instead of stretching (Timoshenko and Woinowsky-Krieger, Theory of Plates and Shells, 1959, section 114): triangles
-that are larger are too stiff, 10 % on a vase."""
+"""Greatest size on a face that is curved in both directions by the root of radius times thickness, the length within which
+a shell bends instead of stretching (Timoshenko and Woinowsky-Krieger, Theory of Plates and Shells, 1959, section 114):
+triangles that are larger are too stiff, 10 % on a vase."""
 
 LEAST_SIZE = 2.0
 """Least size by the thickness of the wall: a shell knows nothing smaller."""
