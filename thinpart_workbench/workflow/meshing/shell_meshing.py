@@ -40,7 +40,7 @@ TOLD_INSIDE, MOST_INSIDE = 0.02, 0.5
 """Share of the free edges of a shell that may end inside the material: without a warning, and at all."""
 
 EQUAL = 0.05
-"""Difference of what the shells from either side lack up to which that with fewer triangles is taken."""
+"""Difference of what two shells lack up to which they are as good: that of mid-faces is taken, or with fewer triangles."""
 
 INSIDE_WEIGHT = 4.0
 """What a share of the free edges inside the material counts by a share of the volume: a crack weakens more than a missing
@@ -176,7 +176,7 @@ def shell_of_part(part, measurement, program, seconds, settings=None, report=Non
     if not found.warnings or settings.on_faces or settings.solid_walls:
         return found
     moved = _from_one_side(part, measurement, program, seconds, settings)
-    return found if moved is None or moved.lacking >= found.lacking else moved
+    return found if moved is None or moved.lacking > found.lacking - EQUAL else moved
 
 
 def _from_mid_faces(part, measurement, program, seconds, settings, report):
