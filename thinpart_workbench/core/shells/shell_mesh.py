@@ -77,14 +77,18 @@ class ShellMesh:
         Returns `section` (ndarray of shape (n,), int64) and `thickness` (ndarray of shape (k,), mm; of each section: the
         mean by area).
         """
-        order = np.argsort(self.thickness, kind="stable")
-        number, start, section = -1, 0.0, np.empty(len(order), dtype=np.int64)
-        for row in order:
-            if number < 0 or self.thickness[row] > ALIKE * start:
-                number, start = number + 1, self.thickness[row]
-            section[row] = number
-        areas = self.areas
+        section, areas = alike(self.thickness), self.areas
         return section, np.bincount(section, areas * self.thickness) / np.bincount(section, areas)
+
+
+def alike(thickness):
+    """Number of the group of about one thickness that each value is in, the thinnest first: ndarray of int64."""
+    number, start, found = -1, 0.0, np.empty(len(thickness), dtype=np.int64)
+    for row in np.argsort(thickness, kind="stable"):
+        if number < 0 or thickness[row] > ALIKE * start:
+            number, start = number + 1, thickness[row]
+        found[row] = number
+    return found
 
 
 def shell_mesh(points, triangles, wall, walls, mesh, rays):

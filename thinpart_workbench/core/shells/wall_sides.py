@@ -5,6 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..thickness.region_shape import area_median
+
 FARTHEST = 2.0
 """Thickness by its median up to which two faces are the sides of one wall: beyond, they see each other through a rib."""
 
@@ -57,7 +59,7 @@ def wall_sides(field, meetings, count):
     known = np.flatnonzero((field.area > 0.0) & (field.opposite >= 0))
     if not len(known):
         return []
-    thickness = _median(field.distance[known], field.area[known])
+    thickness = area_median(field.distance[known], field.area[known])
     near = known[(field.distance[known] < FARTHEST * thickness) & (field.wedge_angle[known] < MOST_ANGLE)]
     here, there = field.face[near], field.mesh.face_of_triangle[field.opposite[near]]
     area = np.bincount(field.face, field.area, count)
@@ -78,14 +80,8 @@ def wall_sides(field, meetings, count):
         seen = [pair for pair in map(tuple, pairs.tolist()) if any(
             pair[here] in faces and side[pair[1 - here]] == (root, 1 - parity) for here in (0, 1))]
         found.append(WallSide(tuple(faces), seen, float(area[faces].sum()),
-                              _median(field.distance[own], field.area[own])))
+                              area_median(field.distance[own], field.area[own])))
     return sorted(found, key=lambda each: -each.area)
-
-
-def _median(values, weights):
-    order = np.argsort(values, kind="stable")
-    total = np.cumsum(weights[order])
-    return float(values[order][np.searchsorted(total, 0.5 * total[-1])])
 
 
 def _by_parity(claims, count):

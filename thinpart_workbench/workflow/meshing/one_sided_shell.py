@@ -7,7 +7,7 @@ import numpy as np
 
 from ...core.errors import ThinPartError
 from ...core.shells.moved_side import SideNodes, moved_side, thickness_at
-from ...core.shells.shell_mesh import ALIKE
+from ...core.shells.shell_mesh import alike
 from ...core.shells.shell_settings import SHARE_OF_DIAGONAL
 from ...core.shells.wall_sides import wall_sides
 from .shell_triangles import shell_sizes, shell_triangles
@@ -117,7 +117,7 @@ def _from_side(part, measurement, side, program, seconds, settings):
     points, folded = moved_side(points, triangles, nodes, normals, below)
     if folded > MOST_FOLDED:
         return None
-    wall_of_face = _alike(thickness[list(side.faces)])
+    wall_of_face = alike(thickness[list(side.faces)])
     walls = [_wall(side, wall_of_face == number, thickness, measurement.field) for number in range(wall_of_face.max() + 1)]
     return OneSidedMiddle(points, triangles, wall_of_face[number], float(sizes.max()), walls, own, wall_of_face.tolist())
 
@@ -125,7 +125,7 @@ def _from_side(part, measurement, side, program, seconds, settings):
 def _thickness_of_faces(field, side, count):
     """Median thickness below each face: that of the side where it sees none of the other side; ndarray, mm."""
     there = np.append(field.mesh.face_of_triangle, -1)[field.opposite]
-    seen = {pair for pair in side.pairs}
+    seen = set(side.pairs)
     known = np.array([(min(pair), max(pair)) in seen for pair in zip(field.face.tolist(), there.tolist())], dtype=bool)
     found = np.full(count, side.thickness)
     for face in side.faces:
@@ -133,17 +133,6 @@ def _thickness_of_faces(field, side, count):
         if own.any():
             found[face] = np.median(field.distance[own])
     return found
-
-
-def _alike(thickness):
-    """Number of the group of about one thickness that each value is in, from 0: ndarray of int64."""
-    order, number = np.argsort(thickness, kind="stable"), np.zeros(len(thickness), dtype=np.int64)
-    start, last = thickness[order[0]], 0
-    for row in order:
-        if thickness[row] > ALIKE * start:
-            start, last = thickness[row], last + 1
-        number[row] = last
-    return number
 
 
 def _wall(side, own, thickness, field):
