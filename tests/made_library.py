@@ -16,8 +16,8 @@ from thinpart_workbench.core.judging.classification import classify
 from thinpart_workbench.core.judging.criteria import load_profile
 from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 from thinpart_workbench.core.record.part_record import part_record
-from thinpart_workbench.core.thickness.face_thickness import face_thicknesses
 from thinpart_workbench.core.thickness.measurement import measure
+from thinpart_workbench.core.walls.face_thickness import face_thicknesses
 from thinpart_workbench.storage.info.info_file import info_content, info_path, new_source, write_info
 
 PAPER = load_profile("paper")
@@ -45,7 +45,7 @@ def measured_record(label, shape):
     verdict = classify(measurement.descriptors, PAPER)
     part = SimpleNamespace(name="Solid1", label=label, instances=1, warnings=())
     record = part_record(part, mesh, measurement, verdict, verdict,
-                         face_thicknesses(measurement.field, 5.0), 0.01, 0.0)
+                         face_thicknesses(measurement.field, 5.0), (0.01, 0.01, 0.01), 0.0)
     return {**record, "seconds": {"read": 0.0, "tessellate": 0.0, "measure": 0.0}}
 
 
@@ -114,6 +114,8 @@ def _varied(part, factor, number, chance):
     measured["box_axes"] = [list(axis) for axis in measured["box_axes"]]
     if measured["volume_ratio"]:
         measured["volume_ratio"] *= chance.uniform(0.5, 1.0)
-    return {**part, "descriptors": measured, "label": f"{part['label']} {number}",
+    thinnest = {key: value * factor if key.endswith("_mm") and value else value
+                for key, value in part["thinnest"].items()}
+    return {**part, "descriptors": measured, "thinnest": thinnest, "label": f"{part['label']} {number}",
             "margin": chance.uniform(-0.2, 2.0), "borderline": chance.random() < 0.1,
             "notes": f"order {number}" if number % 10 == 0 else ""}

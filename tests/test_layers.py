@@ -116,7 +116,7 @@ def test_one_module_of_gui_imports_qt():
 
 
 PACKAGE_ORDER = {
-    "core": "kinds mesh rays descriptors thickness record sizing shells judging risk maps rendering",
+    "core": "kinds mesh rays descriptors walls thickness record sizing shells judging risk maps rendering",
     "storage": "exchange info index",
     "freecad_adapter": "tessellating shapes mid_surface reading occurrences features objects",
     "workflow": "report analysis workers cluster library meshing solving maps learning",

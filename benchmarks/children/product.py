@@ -17,8 +17,8 @@ from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 from thinpart_workbench.core.rays.inward_rays import InwardRays
 from thinpart_workbench.core.thickness.measurement import _box, measure
 from thinpart_workbench.core.thickness.nonparallel import nonparallel_minimum
-from thinpart_workbench.core.thickness.thickness_field import ThicknessField, measure_rays
-from thinpart_workbench.core.thickness.walls import walls_under
+from thinpart_workbench.core.walls.thickness_field import ThicknessField, measure_rays
+from thinpart_workbench.core.walls.walls import walls_under
 
 from .child_process import peak_memory, serve, timed
 

@@ -2465,6 +2465,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Unsure: {} or {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Use these settings</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3980,6 +3984,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>No wall could be measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No wall is wide and thin enough for a shell: mesh it as a solid.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4844,11 +4852,39 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Thinnest parallel wall {thinnest} ± {error:.2g}: classify the part again for its tapered walls.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Thinnest towards</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Thinnest wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thinnest wall {thinnest} ± {error:.2g}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thinnest wall {thinnest} ± {error:.2g}, in a taper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thinnest wall {thinnest} ± {error:.2g}, in a taper; {count} places below {below:.2g}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thinnest wall {thinnest} ± {error:.2g}; {count} places below {below:.2g}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thinnest {thinnest} ± {error:.2g}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thinnest {thinnest} ± {error:.2g}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long. Apart from them, the thinnest wall is {walls}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6161,6 +6197,14 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{wall} on {face}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{wall}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{wall}; sharp edges are {edges} long.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -2467,6 +2467,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Unsicher: „{}“ ({}) oder „{}“ ({})</translation>
     </message>
     <message>
+        <source>Unsure: {} or {}</source>
+        <translation>Unsicher: {} oder {}</translation>
+    </message>
+    <message>
         <source>Use these settings</source>
         <translation>Diese Einstellungen verwenden</translation>
     </message>
@@ -3982,6 +3986,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>In {folder} kann kein Bericht geschrieben werden ({problem}): Geben Sie einen anderen Ordner an.</translation>
     </message>
     <message>
+        <source>No wall could be measured.</source>
+        <translation>Es konnte keine Wand gemessen werden.</translation>
+    </message>
+    <message>
         <source>No wall is wide and thin enough for a shell: mesh it as a solid.</source>
         <translation>Keine Wand ist breit und dünn genug für eine Schale: Vernetzen Sie das Teil als Volumen.</translation>
     </message>
@@ -4846,12 +4854,40 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Dünnste</translation>
     </message>
     <message>
+        <source>Thinnest parallel wall {thinnest} ± {error:.2g}: classify the part again for its tapered walls.</source>
+        <translation>Dünnste parallele Wand {thinnest} ± {error:.2g}: Klassifizieren Sie das Teil erneut, um auch keilförmige Wände zu erfassen.</translation>
+    </message>
+    <message>
         <source>Thinnest towards</source>
         <translation>Dünnste gegen</translation>
     </message>
     <message>
         <source>Thinnest wall</source>
         <translation>Dünnste Wand</translation>
+    </message>
+    <message>
+        <source>Thinnest wall {thinnest} ± {error:.2g}</source>
+        <translation>Dünnste Wand {thinnest} ± {error:.2g}</translation>
+    </message>
+    <message>
+        <source>Thinnest wall {thinnest} ± {error:.2g}, in a taper</source>
+        <translation>Dünnste Wand {thinnest} ± {error:.2g}, keilförmig</translation>
+    </message>
+    <message>
+        <source>Thinnest wall {thinnest} ± {error:.2g}, in a taper; {count} places below {below:.2g}</source>
+        <translation>Dünnste Wand {thinnest} ± {error:.2g}, keilförmig; {count} Stellen unter {below:.2g}</translation>
+    </message>
+    <message>
+        <source>Thinnest wall {thinnest} ± {error:.2g}; {count} places below {below:.2g}</source>
+        <translation>Dünnste Wand {thinnest} ± {error:.2g}; {count} Stellen unter {below:.2g}</translation>
+    </message>
+    <message>
+        <source>Thinnest {thinnest} ± {error:.2g}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long.</source>
+        <translation>Dünnste Stelle {thinnest} ± {error:.2g}, {depth:.2g} neben einer scharfen Kante; scharfe Kanten sind {edges} lang.</translation>
+    </message>
+    <message>
+        <source>Thinnest {thinnest} ± {error:.2g}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long. Apart from them, the thinnest wall is {walls}.</source>
+        <translation>Dünnste Stelle {thinnest} ± {error:.2g}, {depth:.2g} neben einer scharfen Kante; scharfe Kanten sind {edges} lang. Ohne sie ist die dünnste Wand {walls}.</translation>
     </message>
     <message>
         <source>Thinnest, {unit}</source>
@@ -6164,6 +6200,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{wall} on {face}</source>
         <translation>{wall} auf {face}</translation>
+    </message>
+    <message>
+        <source>{wall}.</source>
+        <translation>{wall}.</translation>
+    </message>
+    <message>
+        <source>{wall}; sharp edges are {edges} long.</source>
+        <translation>{wall}; scharfe Kanten sind {edges} lang.</translation>
     </message>
     <message>
         <source>{what} cannot be stored ({problem}).</source>

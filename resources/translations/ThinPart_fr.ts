@@ -2467,6 +2467,10 @@ Son volume est inconnu.</translation>
         <translation>Incertain : « {} » ({}) ou « {} » ({})</translation>
     </message>
     <message>
+        <source>Unsure: {} or {}</source>
+        <translation>Incertain : {} ou {}</translation>
+    </message>
+    <message>
         <source>Use these settings</source>
         <translation>Utiliser ces réglages</translation>
     </message>
@@ -3982,6 +3986,10 @@ Son volume est inconnu.</translation>
         <translation>Aucun rapport ne peut être écrit dans {folder} ({problem}) : indiquez un autre dossier.</translation>
     </message>
     <message>
+        <source>No wall could be measured.</source>
+        <translation>Aucune paroi n’a pu être mesurée.</translation>
+    </message>
+    <message>
         <source>No wall is wide and thin enough for a shell: mesh it as a solid.</source>
         <translation>Aucune paroi n’est assez large et mince pour une coque : maillez la pièce comme solide.</translation>
     </message>
@@ -4846,12 +4854,40 @@ Son volume est inconnu.</translation>
         <translation>Plus mince</translation>
     </message>
     <message>
+        <source>Thinnest parallel wall {thinnest} ± {error:.2g}: classify the part again for its tapered walls.</source>
+        <translation>Paroi parallèle la plus mince {thinnest} ± {error:.2g} : reclassez la pièce pour ses parois en dépouille.</translation>
+    </message>
+    <message>
         <source>Thinnest towards</source>
         <translation>Plus mince vers</translation>
     </message>
     <message>
         <source>Thinnest wall</source>
         <translation>Paroi la plus mince</translation>
+    </message>
+    <message>
+        <source>Thinnest wall {thinnest} ± {error:.2g}</source>
+        <translation>Paroi la plus mince {thinnest} ± {error:.2g}</translation>
+    </message>
+    <message>
+        <source>Thinnest wall {thinnest} ± {error:.2g}, in a taper</source>
+        <translation>Paroi la plus mince {thinnest} ± {error:.2g}, en dépouille</translation>
+    </message>
+    <message>
+        <source>Thinnest wall {thinnest} ± {error:.2g}, in a taper; {count} places below {below:.2g}</source>
+        <translation>Paroi la plus mince {thinnest} ± {error:.2g}, en dépouille ; {count} endroits sous {below:.2g}</translation>
+    </message>
+    <message>
+        <source>Thinnest wall {thinnest} ± {error:.2g}; {count} places below {below:.2g}</source>
+        <translation>Paroi la plus mince {thinnest} ± {error:.2g} ; {count} endroits sous {below:.2g}</translation>
+    </message>
+    <message>
+        <source>Thinnest {thinnest} ± {error:.2g}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long.</source>
+        <translation>Endroit le plus mince {thinnest} ± {error:.2g}, à {depth:.2g} d’une arête vive ; les arêtes vives mesurent {edges}.</translation>
+    </message>
+    <message>
+        <source>Thinnest {thinnest} ± {error:.2g}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long. Apart from them, the thinnest wall is {walls}.</source>
+        <translation>Endroit le plus mince {thinnest} ± {error:.2g}, à {depth:.2g} d’une arête vive ; les arêtes vives mesurent {edges}. En dehors d’elles, la paroi la plus mince est de {walls}.</translation>
     </message>
     <message>
         <source>Thinnest, {unit}</source>
@@ -5823,7 +5859,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>{file} is named for two outputs: name another file for one of them.</source>
-        <translation>{file} est indiqué pour deux sorties : indiquer un autre fichier pour l'une d'elles.</translation>
+        <translation>{file} est indiqué pour deux sorties : indiquer un autre fichier pour l'une d’elles.</translation>
     </message>
     <message>
         <source>{file} is no file: name a CAD file with one part.</source>
@@ -6164,6 +6200,14 @@ Son volume est inconnu.</translation>
     <message>
         <source>{wall} on {face}</source>
         <translation>{wall} sur {face}</translation>
+    </message>
+    <message>
+        <source>{wall}.</source>
+        <translation>{wall}.</translation>
+    </message>
+    <message>
+        <source>{wall}; sharp edges are {edges} long.</source>
+        <translation>{wall} ; les arêtes vives mesurent {edges}.</translation>
     </message>
     <message>
         <source>{what} cannot be stored ({problem}).</source>

@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 from thinpart_workbench.core.mesh.sampling import surface_samples
 from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 from thinpart_workbench.core.thickness.inscribed_balls import inscribed_balls
-from thinpart_workbench.core.thickness.thickness_field import measure_rays
+from thinpart_workbench.core.walls.thickness_field import measure_rays
 
 TURN = Rotation.from_rotvec([0.4, -1.1, 0.7]).as_matrix()
 PLACES = pytest.mark.parametrize("rotation, scale", [(np.eye(3), 1.0), (TURN, 0.01), (TURN, 1000.0)])

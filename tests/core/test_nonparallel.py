@@ -17,7 +17,7 @@ from thinpart_workbench.core.thickness.convex_clipping import areas, clip
 from thinpart_workbench.core.thickness.measurement import measure
 from thinpart_workbench.core.thickness.nonparallel import nonparallel_minimum, sampled_minimum
 from thinpart_workbench.core.thickness.slanted_pairs import slanted_pairs
-from thinpart_workbench.core.thickness.thickness_field import measure_rays
+from thinpart_workbench.core.walls.thickness_field import measure_rays
 
 TURNED = Rotation.from_rotvec([0.5, 0.7, -0.3]).as_matrix()
 

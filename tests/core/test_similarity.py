@@ -63,7 +63,7 @@ def signature_of(shape):
     mesh = surface_mesh(*shape)
     measurement = measure(mesh, AnalysisSettings())
     verdict = classify(measurement.descriptors, PAPER)
-    return signature(part_record(PART, mesh, measurement, verdict, verdict, [], 0.0, 0.0))
+    return signature(part_record(PART, mesh, measurement, verdict, verdict, [], (0.0, 0.0, 0.0), 0.0))
 
 
 @pytest.fixture(scope="module")

@@ -11,8 +11,8 @@ from thinpart_workbench.core.descriptors.distribution import distribution
 from thinpart_workbench.core.mesh.sampling import LEAST_ON_FACE, surface_samples
 from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 from thinpart_workbench.core.rays.inward_rays import InwardRays
-from thinpart_workbench.core.thickness.thickness_field import measure_rays
-from thinpart_workbench.core.thickness.walls import walls_under
+from thinpart_workbench.core.walls.thickness_field import measure_rays
+from thinpart_workbench.core.walls.walls import walls_under
 
 TURNED = Rotation.from_rotvec([0.5, 0.7, -0.3]).as_matrix()
 

@@ -7,8 +7,8 @@ import pytest
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
 from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 from thinpart_workbench.core.record.thin_faces import limit_in_millimetres, thin_face_colours, with_limit
-from thinpart_workbench.core.thickness.face_thickness import face_thicknesses, thin_shares
 from thinpart_workbench.core.thickness.measurement import measure
+from thinpart_workbench.core.walls.face_thickness import face_thicknesses, thin_shares
 
 
 def test_shares_are_those_of_the_faces_in_their_order():

@@ -7,8 +7,8 @@ import pytest
 
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
 from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
-from thinpart_workbench.core.thickness.face_thickness import face_thicknesses
 from thinpart_workbench.core.thickness.measurement import measure
+from thinpart_workbench.core.walls.face_thickness import face_thicknesses
 
 
 def measured(*parts):

@@ -11,6 +11,7 @@ from thinpart_workbench.core.descriptors.packed_distribution import packed_slant
 from thinpart_workbench.core.judging.packed_check import packed_walls_pass
 from thinpart_workbench.core.judging.wall_check import check_sentence, check_walls
 from thinpart_workbench.core.judging.wall_limits import WallLimits
+from thinpart_workbench.core.record.checked_walls import walls_of
 
 PLATE = made_library.measured_record("plate", made_meshes.box(100, 80, 2))
 SMALL_PLATE_ON_BLOCK = made_library.measured_record("two", made_meshes.joined(
@@ -23,7 +24,10 @@ def limits(least=None, most=None):
 
 def with_walls(record, **changes):
     descriptors = record["descriptors"]
-    return {**record, "descriptors": {**descriptors, "thickness_mm": {**descriptors["thickness_mm"], **changes}}}
+    keys = {"min": "walls_mm", "error_bound": "walls_error_mm"}
+    thinnest = {**record["thinnest"], **{keys[key]: value for key, value in changes.items() if key in keys}}
+    return {**record, "thinnest": thinnest,
+            "descriptors": {**descriptors, "thickness_mm": {**descriptors["thickness_mm"], **changes}}}
 
 
 @pytest.mark.parametrize("least, most, holds", [
@@ -126,8 +130,8 @@ def test_the_index_checks_alike(shape, least, most):
     packed = (*packed_walls(content["distribution"]),
               *[column for number, column in enumerate(packed_slanted(content["nonparallel"])) if number != 1])
     found = packed_walls_pass(
-        content["thickness_mm"]["min"], content["thickness_mm"]["error_bound"], content["volume_mm3"], content["area_mm2"],
-        content["diagonal_mm"], content["shares"]["unmeasured"], content["shares"]["unmet"], *packed, least, most)
+        *walls_of(record), content["volume_mm3"], content["area_mm2"], content["diagonal_mm"],
+        content["shares"]["unmeasured"], content["shares"]["unmet"], *packed, least, most)
     holds = check_walls(record, limits(least, most)).holds
     assert found == (None if holds is None else int(holds))
 

@@ -8,11 +8,11 @@ from scipy.spatial.transform import Rotation
 
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
 from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
-from thinpart_workbench.core.thickness.face_thickness import Witness
 from thinpart_workbench.core.thickness.measurement import measure
 from thinpart_workbench.core.thickness.region_shape import region_shape
 from thinpart_workbench.core.thickness.wall_graph import wall_links, wall_points
 from thinpart_workbench.core.thickness.wall_regions import wall_regions, with_thinnest
+from thinpart_workbench.core.walls.face_thickness import Witness
 
 PLACES = {
     "as made": {},

@@ -334,7 +334,7 @@ def test_a_program_that_would_make_another_index_has_a_file_of_its_own(program, 
 
 def test_the_same_index_whatever_else_changes_and_however_lines_end(program):
     before = answer(program, PATH)
-    for name in ("core/thickness/thickness_field.py", "storage/part_table.py"):
+    for name in ("core/walls/thickness_field.py", "storage/part_table.py"):
         with open(program / name, "a", encoding="utf-8") as file:
             file.write("# changed\n")
     columns = program / "storage" / "index" / "index_columns.py"

@@ -16,7 +16,7 @@ from ..core.maps.thickness_map import thickness_map
 from ..core.message import message
 from ..core.record.record_types import PartRecord
 from ..core.record.thin_faces import limit_in_millimetres
-from ..core.thickness.face_thickness import thin_shares
+from ..core.walls.face_thickness import thin_shares
 from ..freecad_adapter.features.face_features import face_features
 from ..freecad_adapter.objects.snapshot import read_history, read_snapshot
 from ..storage.map_file import write_maps

@@ -9,6 +9,7 @@ from itertools import zip_longest
 from ..core.errors import ThinPartError
 from ..core.judging.paper_verdict import paper_sentence
 from ..core.number_text import percent
+from ..core.record.thinnest_sentence import thinnest_kind
 from ..core.risk.risk_sentence import risk_sentence
 from ..storage.part_table import checked_row, failed_row, part_table, write_table
 from .check_options import check_columns, check_remarks
@@ -26,7 +27,7 @@ def _ratio(part):
 
 def _thinnest(part):
     value = part["descriptors"]["thickness_mm"]["min"]
-    return "-" if value is None else f"{value:.4g}"
+    return "-" if value is None else f"{value:.4g} {thinnest_kind(part)}".rstrip()
 
 
 def _risk(part):

@@ -103,6 +103,7 @@ ELSEWHERE = (
     "core.record.region_notes",  # regions that are the same after a change
     "core.record.thin_faces",  # faces that are shown as thin
     "core.risk.mesh_risk",  # what raises a risk
+    "core.record.thinnest_sentence",  # sharp edges that are named
     "core.shells.facing_faces",  # sides of a wall
     "core.shells.mixed_mesh",  # nodes beside a face that they are tied to
     "core.shells.moved_side",  # nodes that are moved from a side to the middle of a wall
@@ -119,17 +120,18 @@ ELSEWHERE = (
     "core.sizing.size_proposal",  # how near to the budget a proposal has to be
     "core.sizing.size_sources",  # chord errors, narrow faces, walls of a region
     "core.sizing.sizing_settings",  # least and greatest size of elements
-    "core.thickness.face_thickness",  # walls of a face that are as thin as the thinnest
     "core.thickness.inscribed_balls",  # when a ball is empty
     "core.thickness.local_thickness",  # how far a ball reaches
     "core.thickness.measurement",  # progress
     "core.thickness.nonparallel",  # the greatest distance of slanted walls that is searched
     "core.thickness.plate_likeness",  # places of a wall that are plates
     "core.thickness.region_shape",  # plates, bars, blocks, tubes, tapers and teeth
-    "core.thickness.thickness_field",  # errors of wedge angles
     "core.thickness.wall_graph",  # neighbours on one wall
     "core.thickness.wall_regions",  # regions that are listed and counted
-    "core.thickness.walls",  # parallel and tapered walls: angles
+    "core.walls.face_thickness",  # walls of a face that are as thin as the thinnest
+    "core.walls.thickness_field",  # errors of wedge angles
+    "core.walls.thin_places",  # the depth beside sharp edges, edges that are walls
+    "core.walls.walls",  # parallel and tapered walls: angles
     "freecad_adapter.mid_surface.bridges",  # joints of mid-surfaces
     "freecad_adapter.mid_surface.cut_faces",  # time for cutting mid-surfaces
     "freecad_adapter.mid_surface.mid_faces",  # walls that have a mid-surface, walls that have one together

@@ -12,7 +12,9 @@ from typing import Any, Callable, NamedTuple, Optional
 from ..core.descriptors.descriptor_table import QUANTITIES, STATED_FLOOR
 from ..core.kinds.value_kinds import Number, OrNull, Text, Whole
 from ..core.message import joined
+from ..core.record.checked_walls import walls_of
 from ..core.record.record_types import PART
+from ..core.record.thinnest_sentence import thinnest_kind
 
 
 class RecordColumn(NamedTuple):
@@ -104,6 +106,9 @@ COLUMNS = (
     RecordColumn("borderline", "INTEGER", lambda part, measured: int(part["borderline"]), "borderline"),
     *(_quantity_column(quantity) for quantity in sorted(QUANTITIES, key=_is_no_length) if quantity.keys),
     RecordColumn("thinnest_mm", "REAL", lambda part, measured: measured["thickness_mm"]["min"], "thinnest_mm"),
+    RecordColumn("thinnest_at", "TEXT", lambda part, measured: thinnest_kind(part), "thinnest_at"),
+    RecordColumn("walls_mm", "REAL", lambda part, measured: walls_of(part)[0], "walls_mm"),
+    RecordColumn("walls_error_mm", "REAL", lambda part, measured: walls_of(part)[1]),
     RecordColumn("median_mm", "REAL", lambda part, measured: measured["thickness_mm"]["median"], "median_mm"),
     RecordColumn("error_bound_mm", "REAL", lambda part, measured: measured["thickness_mm"]["error_bound"], "error_bound_mm"),
     _of_record("triangles", "triangles"),

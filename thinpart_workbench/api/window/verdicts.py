@@ -8,6 +8,8 @@ from ...core.judging import paper_verdict
 from ...core.judging.criteria import Profile
 from ...core.judging.verdict_reasons import deciding_criteria, nearest_other, reason_of
 from ...core.judging.verdict_sentence import verdict_sentence
+from ...core.message import Message
+from ...core.record import thinnest_sentence
 from ...core.record.record_types import PartRecord
 from ...core.risk.risk_sentence import risk_sentence
 
@@ -81,3 +83,14 @@ def paper_sentence(record: PartRecord, profile: Profile) -> str:
     ''
     """
     return paper_verdict.paper_sentence(record, profile)
+
+
+def thinnest(record: PartRecord) -> Message:
+    """Where a part is thinnest, over walls at any angle, in a sentence.
+
+    Examples
+    --------
+    >>> str(thinnest(record)).split(" \u00b1")[0]  # a plate
+    'Thinnest wall 2 mm'
+    """
+    return thinnest_sentence.thinnest_sentence(record)

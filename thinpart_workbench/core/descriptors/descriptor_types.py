@@ -27,7 +27,7 @@ _Axis = Annotated[list[float], Restricted(least=3, most=3)]
 
 
 class ThicknessRecord(TypedDict):
-    """Thickness of parallel walls, mm, the median by area; and its error bound."""
+    """Least thickness of all walls, and its error bound; median by area and greatest of parallel ones; mm."""
 
     min: Optional[Length]
     median: Optional[Length]

@@ -29,7 +29,7 @@ def recorded_descriptors(descriptors, wall_range, error_bound, has_teeth, is_wat
     ----------
     descriptors : Descriptors
     wall_range : tuple of float or None, mm
-        Least, median and greatest thickness of parallel walls.
+        Least thickness of all walls, median and greatest of parallel ones.
     error_bound : float, mm
     has_teeth, is_watertight : bool
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Records of earlier versions, which lack what is measured since: whether they are enough to judge by."""
+"""Records of earlier versions, which lack what is measured since: whether they are enough to judge and to show."""
 
 from ..categories import UNKNOWN
 from ..descriptors.descriptor_table import QUANTITIES
@@ -29,7 +29,8 @@ def is_to_be_measured(record, classification):
 
 
 def is_enough(record, profile):
-    """Whether a record has all that a profile judges by, or what it lacks cannot turn the verdict: bool.
+    """Whether a record has the thinnest wall of all, and all that a profile judges by, or what it lacks cannot turn the
+    verdict: bool.
 
     Parameters
     ----------
@@ -37,6 +38,8 @@ def is_enough(record, profile):
     profile : dict
         Content of the profile.
     """
+    if "thinnest" not in record:  # it knew parallel walls only
+        return False
     lacks = lacking(record)
     if not lacks:
         return True

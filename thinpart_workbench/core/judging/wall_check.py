@@ -12,6 +12,7 @@ from ..descriptors.bins import BINS
 from ..descriptors.descriptor_table import STATED_FLOOR
 from ..figures import Length, Share
 from ..message import message
+from ..record.checked_walls import walls_of
 from ..tolerances import TOLERANCES
 from .wall_limits import WallLimits
 
@@ -37,7 +38,7 @@ class MeasuredWalls:
     Attributes
     ----------
     thinnest, error : float or None, mm
-        The thinnest wall of some extent, and the error bound of a thickness.
+        The thinnest wall apart from sharp edges, which are thinner than any limit, and how far it may be off.
     volume, area : float or None, mm3 and mm2
     diagonal : float, mm
     walls, slanted : tuple of (sequence of int, sequence of float)
@@ -60,9 +61,9 @@ class MeasuredWalls:
     def of_record(cls, record):
         """Those of a part record."""
         content = record["descriptors"]
-        wall, shares = content["thickness_mm"], content["shares"]
+        (thinnest, error), shares = walls_of(record), content["shares"]
         walls, slanted = content["distribution"], content["nonparallel"]
-        return cls(wall["min"], wall["error_bound"], content["volume_mm3"], content["area_mm2"], content["diagonal_mm"],
+        return cls(thinnest, error, content["volume_mm3"], content["area_mm2"], content["diagonal_mm"],
                    (walls["bins"], walls["area"]), (slanted["bins"], slanted["area"]),
                    shares["unmeasured"], shares["unmet"])
 
@@ -177,10 +178,10 @@ def wall_verdict(measured, limits):
 def check_walls(record, limits):
     """Check a part: WallCheck.
 
-    The least wall is compared with the part's thinnest wall, which has an extent (`thinnest_walls`), so that stray rays
-    decide nothing. Tapered walls end in edges, where they are thinner than any limit: they count in shares of the surface,
-    not in the verdict. For the greatest wall see `MeasuredWalls.volume_outside`: a ray from the edge of a plate
-    runs along it, and would call every plate thick.
+    The least wall is compared with the part's thinnest wall, at any angle, which has an extent (`thin_places`), so that
+    stray rays decide nothing. Sharp edges are thinner than any limit: they count in shares of the surface, not in the
+    verdict. For the greatest wall see `MeasuredWalls.volume_outside`: a ray from the edge of a plate runs along it, and
+    would call every plate thick.
 
     Parameters
     ----------
@@ -191,14 +192,15 @@ def check_walls(record, limits):
     measured = MeasuredWalls.of_record(record)
     thin_holds, thick_holds, within = wall_verdict(measured, limits)
     holds = False if False in (thin_holds, thick_holds) else None if None in (thin_holds, thick_holds) else True
-    faces = sorted((face["min"], face["face"]) for face in record.get("faces", ()) if face["min"] is not None)
+    least = [(face.get("walls_min", face["min"]), face["face"]) for face in record.get("faces", ())]
+    faces = sorted((wall, face) for wall, face in least if wall is not None)
     failing = thin_holds is False
     return WallCheck(
         limits, holds, within, thin_holds, thick_holds, measured.thinnest, measured.error, faces[0][1] if faces else "",
         _thin_share(record, measured, limits.min_mm) if failing else (0.0, 0.0),
         0.0 if limits.max_mm is None else measured.share_over(limits.max_mm),
         0.0 if limits.min_mm is None else measured.tapered_under(limits.min_mm),
-        tuple(face for least, face in faces if failing and least < limits.min_mm),
+        tuple(face for wall, face in faces if failing and wall < limits.min_mm),
     )
 
 

@@ -4,8 +4,8 @@
 import numpy as np
 
 from ..mesh.sampling import smooth_samples
-from ..thickness.walls import NONPARALLEL_BELOW, walls_under
 from ..tolerances import TOLERANCES
+from ..walls.walls import NONPARALLEL_BELOW, walls_under
 
 STEP = 1.03
 """Ratio of thicknesses from which two walls are different where they end on different faces."""

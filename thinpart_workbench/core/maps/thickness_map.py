@@ -14,7 +14,7 @@ from ..progress import portion, report_progress
 from ..rays.inward_rays import InwardRays
 from ..thickness.inscribed_balls import inscribed_balls
 from ..thickness.local_thickness import local_thickness
-from ..thickness.walls import NONPARALLEL_BELOW
+from ..walls.walls import NONPARALLEL_BELOW
 from .facet_refinement import cut_sides, side_keys, side_lengths
 from .jump_lines import cut_along_jumps
 from .map_outline import outline

@@ -19,7 +19,7 @@ from ..descriptors.precision import Precision
 from ..descriptors.recorded_descriptors import recorded_descriptors
 from ..mesh.bounds import OrientedBox
 from ..mesh.resolution import error_to_judge_with, smallest_side
-from .record_types import EvidenceRow, MeshRiskRecord, PartRecord, VerdictRecord
+from .record_types import EvidenceRow, MeshRiskRecord, PartRecord, ThinnestRecord, VerdictRecord
 
 SIGNIFICANT_DIGITS = 9
 """Number of digits that are written. Further ones are rounding errors and differ between processors."""
@@ -35,7 +35,7 @@ def face_number(entry):
     return int(entry["face"][len("Face"):]) - 1
 
 
-def part_record(part, mesh, measurement, classification, paper, faces, error_bound, deflection,
+def part_record(part, mesh, measurement, classification, paper, faces, errors, deflection,
                 risk=None) -> PartRecord:
     """Assemble the record of one part: PartRecord.
 
@@ -47,7 +47,9 @@ def part_record(part, mesh, measurement, classification, paper, faces, error_bou
     classification, paper : Classification
         By the active profile, and by the paper's own thresholds.
     faces : list of FaceThickness
-    error_bound, deflection : float, mm
+    errors : tuple of float, mm
+        How far the thinnest parallel wall, the thinnest place, and the thinnest wall apart from sharp edges may be off.
+    deflection : float, mm
     risk : MeshRiskRecord, optional
     """
     return _rounded({
@@ -59,7 +61,8 @@ def part_record(part, mesh, measurement, classification, paper, faces, error_bou
         "evidence": evidence(classification),
         "paper": {"category": paper.category, "criteria": list(paper.criteria)},
         "descriptors": recorded_descriptors(
-            measurement.descriptors, measurement.wall_range, error_bound, _has_teeth(paper), mesh.watertight),
+            measurement.descriptors, measurement.wall_range, errors[1], _has_teeth(paper), mesh.watertight),
+        "thinnest": None if measurement.thinnest is None else _thinnest(measurement, errors),
         "thin_limit_mm": classification.thin_limit_x * measurement.descriptors.box.diagonal,
         "faces": [_face(face) for face in faces],
         "regions": _regions(measurement.regions),
@@ -143,7 +146,7 @@ def descriptors_of(record: PartRecord):
     parallel, slanted = content["distribution"], content["nonparallel"]
     shares = content["shares"]
     box = OrientedBox(np.array(content["box_mm"], float), np.array(content["box_axes"], float))
-    wall = content["thickness_mm"]
+    wall = _parallel_wall(record)
     measured = Descriptors(
         content["volume_mm3"], content["area_mm2"], box,
         Distribution(
@@ -163,6 +166,24 @@ def descriptors_of(record: PartRecord):
     of_side = max(wall["error_bound"], 2.0 * record.get("deflection_mm", 0.0))
     error = error_to_judge_with([(smallest_side(measured), of_side), (wall["min"], wall["error_bound"])])
     return replace(measured, length_error=error)
+
+
+def _parallel_wall(record):
+    """Thickness and error bound of the thinnest parallel wall: dict with ``min`` and ``error_bound``."""
+    thinnest = record.get("thinnest")
+    if thinnest is None:  # records of earlier versions knew no other walls
+        return record["descriptors"]["thickness_mm"]
+    return {"min": thinnest["parallel_mm"], "error_bound": thinnest["parallel_error_mm"]}
+
+
+def _thinnest(measurement, errors) -> ThinnestRecord:
+    place, parallel = measurement.thinnest, measurement.thinnest_wall
+    return {
+        "kind": place.kind, "face": face_name(place.witness.face), "witness": _witness(place.witness),
+        "walls_mm": None if place.wall is None else place.wall.distance, "walls_error_mm": errors[2],
+        "parallel_mm": None if parallel is None else parallel.distance, "parallel_error_mm": errors[0],
+        "depth_mm": place.depth, "edges_mm": place.edges_mm, "places": place.places, "below_mm": place.below_mm,
+    }
 
 
 def _hazards_of(content):
@@ -206,6 +227,7 @@ def _face(face):
         "face": face_name(face.face),
         "area_mm2": face.area,
         "min": face.minimum,
+        **({} if face.walls_minimum == face.minimum else {"walls_min": face.walls_minimum}),
         "median": face.median,
         "max": face.maximum,
         "thin_share": face.thin_share,

@@ -11,6 +11,7 @@ from ..analysis_settings import ACCURACIES, BOXES, MEASURES
 from ..descriptors.descriptor_types import Share
 from ..descriptors.recorded_descriptors import DESCRIPTORS, DescriptorsRecord
 from ..descriptors.region_kinds import REGION_KINDS
+from ..descriptors.wall_kinds import WALL_KINDS
 from ..kinds.compound_kinds import Known
 from ..kinds.key_presence import NotRequired
 from ..kinds.typed_kinds import LATER, Restricted, kind_of
@@ -43,17 +44,37 @@ class WitnessRecord(TypedDict):
 
 
 class FaceRecord(TypedDict):
-    """The walls under one face. Thicknesses of parallel walls, None where there are none."""
+    """The walls under one face, None where there are none: the thinnest, and the thinnest apart from sharp edges where
+    that is another; median and greatest of parallel walls, or of tapered ones where none is parallel."""
 
     face: str
     area_mm2: float
     min: Optional[float]
+    walls_min: NotRequired[Annotated[Optional[float], LATER]]
     median: Optional[float]
     max: Optional[float]
     thin_share: Share
     unmeasured_share: Share
     witness: Optional[WitnessRecord]
     wedge: Optional[WitnessRecord]
+
+
+class ThinnestRecord(TypedDict):
+    """Where the part is thinnest, mm: between parallel sides, in a taper, or at a depth beside a sharp edge; the thinnest
+    wall apart from sharp edges and the thinnest parallel one, with their errors; the length of all sharp edges; and how many
+    places are thinner than a length."""
+
+    kind: Annotated[str, OneOf(WALL_KINDS)]
+    face: str
+    witness: WitnessRecord
+    walls_mm: Optional[Annotated[float, Number(0.0)]]
+    walls_error_mm: Annotated[float, Number(0.0)]
+    parallel_mm: Optional[Annotated[float, Number(0.0)]]
+    parallel_error_mm: Annotated[float, Number(0.0)]
+    depth_mm: Annotated[float, Number(0.0)]
+    edges_mm: Annotated[float, Number(0.0)]
+    places: Annotated[int, Whole(1)]
+    below_mm: Annotated[float, Number(0.0)]
 
 
 class RegionRecord(TypedDict):
@@ -252,6 +273,8 @@ class _Judged(_NamedPart, VerdictRecord):
 class PartRecord(_Judged, Annotations):
     """All that is known about a part."""
 
+    thinnest: NotRequired[Annotated[Optional[Annotated[ThinnestRecord, Restricted(
+        about="where the part is thinnest, over walls at any angle")]], LATER]]
     regions: NotRequired[Annotated[RegionsRecord, Restricted(
         about="connected walls of like thickness, the thinnest first"), LATER]]
     mesh_risk: NotRequired[Annotated[MeshRiskRecord, Restricted(

@@ -14,9 +14,6 @@ from ..descriptors.descriptor_types import HazardsRecord
 
 _KNIFE = np.radians(KNIFE)
 
-_FACET_TURN = np.radians(20.0)
-"""Facets are turned by less against the smooth surface, so that theirs tell which edges to look at."""
-
 _PLANE = 1e-6
 """Curvature, times the diagonal, below which surface is plane: normals are rounded."""
 
@@ -61,7 +58,7 @@ def mesh_hazards(field, diagonal, lengths, thin) -> HazardsRecord:
         "short_edges": int(np.count_nonzero(lengths.edges < SHORT * element)),
         "narrowest_face_mm": _least(widths),
         "narrow_faces": int(np.count_nonzero(widths < SHORT * element)),
-        "knife_edges": _knife_edges(mesh) / diagonal,
+        "knife_edges": float(field.sharp_edges.under(_KNIFE).lengths.sum()) / diagonal,
         "tight_share": tight,
         "flattened_share": flattened,
         "thin_x": None if thin is None else thin / diagonal,
@@ -70,26 +67,6 @@ def mesh_hazards(field, diagonal, lengths, thin) -> HazardsRecord:
 
 def _least(lengths):
     return float(lengths.min()) if len(lengths) else None
-
-
-def _knife_edges(mesh):
-    """Length, mm, of edges at which two faces meet under less than `KNIFE` inside the material: float."""
-    first, second = mesh.shared_sides
-    facets = mesh.normals
-    one, other = first // 3, second // 3
-    against = np.einsum("ij,ij->i", facets[one], facets[other]) < -np.cos(_KNIFE + _FACET_TURN)
-    sharp = np.flatnonzero(against & (mesh.face_of_triangle[one] != mesh.face_of_triangle[other]))
-    (one, start), (other, side) = np.divmod(first[sharp], 3), np.divmod(second[sharp], 3)
-    corners, normals = mesh.corners, mesh.corner_normals
-    end = (start + 1) % 3
-    here = normals[start, :, one] + normals[end, :, one]
-    there = normals[side, :, other] + normals[(side + 1) % 3, :, other]
-    cosine = np.einsum("ij,ij->i", here, there) / np.maximum(
-        np.linalg.norm(here, axis=1) * np.linalg.norm(there, axis=1), np.finfo(float).tiny)
-    along = corners[one, end] - corners[one, start]
-    into = corners[other, (side + 2) % 3] - corners[one, start]
-    is_convex = np.einsum("ij,ij->i", here, into) < 0.0
-    return float(np.linalg.norm(along, axis=1)[is_convex & (cosine < -np.cos(_KNIFE))].sum())
 
 
 def _curved_shares(field, element):

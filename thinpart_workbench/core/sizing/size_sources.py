@@ -8,7 +8,7 @@ from scipy.spatial import cKDTree
 
 from ..rays.inward_rays import InwardRays
 from ..thickness.local_thickness import local_thickness
-from ..thickness.walls import NONPARALLEL_BELOW
+from ..walls.walls import NONPARALLEL_BELOW
 from .error_law import size_for_error, without_thinnest_places
 from .mesh_hazards import greatest_curvature
 from .size_field import SizeField
@@ -164,7 +164,8 @@ def _of_walls(measurement, thin_limit, divisions):
     # The edge of a taper has no thickness of its own: no size follows from less than the thinnest wall that counts.
     known = measurement.descriptors
     across = known.min_nonparallel and known.min_nonparallel * known.box.diagonal
-    least = min((value for value in (measurement.thinnest_mm, across) if value), default=0.0)
+    wall = None if measurement.thinnest_wall is None else measurement.thinnest_wall.distance
+    least = min((value for value in (wall, across) if value), default=0.0)
     sizes = np.maximum(thickness, least) / divisions
     curvature = greatest_curvature(field.mesh)[field.samples.triangle[thin]]
     squared = np.divide(8.0 * CHORD_SHARE * thickness, curvature, out=np.full(len(thin), np.inf), where=curvature > 0.0)

@@ -18,13 +18,15 @@ from ..mesh.round_sides import box_of_round_sides
 from ..mesh.sampling import centroid_samples, surface_samples
 from ..progress import portion, report_progress
 from ..rays.inward_rays import InwardRays
-from .face_thickness import Witness, face_thicknesses, witness_of
+from ..walls.face_thickness import Witness, face_thicknesses, witness_of
+from ..walls.thickness_field import ThicknessField, measure_rays
+from ..walls.thin_places import ThinPlaces, thin_places
+from ..walls.thinnest_place import ThinnestPlace, thinnest_place
+from ..walls.thinnest_wall import thinnest_walls
 from .local_thickness import local_thickness
 from .nonparallel import LeastSlanted, nonparallel_minimum, sampled_minimum
 from .pair_rule import measure_pairs
-from .thickness_field import ThicknessField, measure_rays
-from .thinnest_wall import thinnest_walls
-from .wall_regions import WallRegions, wall_regions, with_thinnest
+from .wall_regions import WallRegions, wall_regions, with_thinnest, with_thinnest_taper
 
 BOX_DONE, TREE_DONE, RAYS_DONE = 0.1, 0.15, 0.85
 """Progress after the box is found, after the tree is built, and after all rays are cast. The rest is the search for
@@ -46,12 +48,16 @@ class Measurement:
     rays : InwardRays or None
         The rays of the measurement; None if it was made by pairs.
     thinnest_wall : Witness or None
-        The thinnest wall that covers `STATED_FLOOR` of the surface (see `thinnest_walls`).
+        The thinnest parallel wall that covers `STATED_FLOOR` of the surface (see `thinnest_walls`).
     regions : WallRegions
     thin_samples : ndarray of shape (k,), int64, or None
         The `thinnest_walls` of the field.
     slanted_error : float
         How far ``min_nonparallel`` may be off because the search for it was ended, in diagonals.
+    places : ThinPlaces
+        The walls between pairs of faces, at any angle.
+    thinnest : ThinnestPlace or None
+        The thinnest of all of these.
     """
 
     descriptors: Descriptors
@@ -61,20 +67,29 @@ class Measurement:
     regions: WallRegions = WallRegions()
     thin_samples: Optional[np.ndarray] = None
     slanted_error: float = 0.0
+    places: ThinPlaces = ThinPlaces()
+    thinnest: Optional[ThinnestPlace] = None
 
     def __repr__(self):
         # The arrays are left out because they would fill a console.
         return f"Measurement(thinnest_mm={self.thinnest_mm}, box_mm={self.box_mm}, volume_mm3={self.volume_mm3})"
 
     def with_thinnest_wall(self, wall):
-        """The same measurement with another `Witness` of the thinnest wall, such as that of the exact shape."""
-        regions = with_thinnest(self.regions, wall)
-        return replace(self, thinnest_wall=wall, regions=regions,
-                       descriptors=replace(self.descriptors, regions=regions.counts))
+        """The same measurement with another `Witness` of the thinnest parallel wall, such as that of the exact shape."""
+        return self._with_regions(with_thinnest(self.regions, wall), thinnest_wall=wall)
+
+    def with_thinnest_place(self, confirmed=None):
+        """The same measurement with its thinnest place; `confirmed` as of `thinnest_place`."""
+        thinnest, places = thinnest_place(self.thinnest_wall, self.places, confirmed)
+        regions = self.regions if thinnest is None else with_thinnest_taper(self.regions, thinnest)
+        return self._with_regions(regions, thinnest=thinnest, places=places)
+
+    def _with_regions(self, regions, **changes):
+        return replace(self, regions=regions, descriptors=replace(self.descriptors, regions=regions.counts), **changes)
 
     @property
     def thinnest_mm(self):
-        """float or None: thickness of the thinnest wall."""
+        """float or None: thickness of the thinnest wall, at any angle; see `thin_places`."""
         return self.wall_range[0]
 
     @property
@@ -118,20 +133,19 @@ class Measurement:
         Parameters
         ----------
         thinner_than : float, mm, optional
-            Only faces with a parallel wall thinner than this; ``thin_share`` is the share of their area over thinner walls.
+            Only faces with a wall thinner than this; ``thin_share`` is the share of their area over thinner walls.
         """
-        if thinner_than is None:
-            return face_thicknesses(self.field, 0.0, self.thinnest_wall)
-        return [face for face in face_thicknesses(self.field, thinner_than, self.thinnest_wall)
-                if face.minimum is not None and face.minimum < thinner_than]
+        faces = face_thicknesses(self.field, thinner_than or 0.0, self.thinnest_wall, self.places, self.thinnest)
+        return faces if thinner_than is None else [
+            face for face in faces if face.minimum is not None and face.minimum < thinner_than]
 
     @cached_property
     def wall_range(self):
-        """Thinnest wall, median by area, and greatest distance between parallel walls, mm, or None."""
-        thinnest = None if self.thinnest_wall is None else self.thinnest_wall.distance
+        """Thinnest wall of all, and median by area and greatest distance of parallel walls, mm, or None."""
+        thinnest = None if self.thinnest is None else self.thinnest.witness.distance
         walls = self.field.distance[self.field.parallel]
         if not len(walls):
-            return None, None, None
+            return thinnest, None, None
         order = np.argsort(walls, kind="stable")
         cumulative = np.cumsum(self.field.area[self.field.parallel][order])
         middle = order[np.searchsorted(cumulative, 0.5 * cumulative[-1])]
@@ -190,7 +204,10 @@ def measure(mesh, settings, report=None, is_fine_enough=None, is_near_enough=Non
     regions = wall_regions(field, enclosed, wall)
     descriptors = replace(known, min_nonparallel=least.distance, plate_share=regions.plate_share, regions=regions.counts,
                           local=local)
-    return Measurement(descriptors, field, rays, wall, regions, thinnest, least.error)
+    places = ThinPlaces()
+    if rays is not None and box.dimensions[2] > 0.0:
+        places = thin_places(field, rays, float(box.dimensions[1]))
+    return Measurement(descriptors, field, rays, wall, regions, thinnest, least.error, places).with_thinnest_place()
 
 
 def _with_least(known, least):

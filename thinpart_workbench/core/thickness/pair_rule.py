@@ -8,8 +8,8 @@ import numpy as np
 from ..descriptors.distribution import table_key, tabulate
 from ..mesh.smooth_normals import normals_at
 from ..tolerances import TOLERANCES
-from .thickness_field import ThicknessField
-from .walls import NONPARALLEL_BELOW, PARALLEL_BELOW, angle_between
+from ..walls.thickness_field import ThicknessField
+from ..walls.walls import NONPARALLEL_BELOW, PARALLEL_BELOW, angle_between
 
 _ROWS_AT_ONCE = 256
 _INSIDE_SLACK = 1e-9

@@ -11,7 +11,7 @@ from ..columns import cross, dot
 from ..descriptors.region_kinds import BAR, BLOCK, PLATE, TAPER, TOOTH, TUBE
 from ..mesh.bounds import spread_directions
 from ..mesh.dominant_directions import dominant_directions
-from .walls import is_parallel
+from ..walls.walls import is_parallel
 
 SLANTED, VARIED = 0.5, 1.5
 """Share of a region over walls at more than 10 degrees, and ratio of its thickness at 95 percent of its points to that at 5

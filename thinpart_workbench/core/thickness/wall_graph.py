@@ -10,8 +10,8 @@ from scipy.spatial import cKDTree
 from ..columns import dot
 from ..mesh.smooth_normals import normals_at
 from ..tolerances import TOLERANCES
-from .thickness_field import SLOPE_ALLOWANCE
-from .walls import is_parallel
+from ..walls.thickness_field import SLOPE_ALLOWANCE
+from ..walls.walls import is_parallel
 
 LEAST_POINTS, MOST_POINTS = 4_000, 10_000
 """Points that stand for the walls, at most: a region of half a percent of the surface has twenty or more."""

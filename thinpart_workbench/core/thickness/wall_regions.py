@@ -9,13 +9,14 @@ from scipy.sparse.csgraph import connected_components
 
 from ..descriptors.descriptor_table import STATED_FLOOR
 from ..descriptors.region_kinds import REGION_KINDS, TAPER, TOOTH, TUBE
+from ..descriptors.wall_kinds import PARALLEL
 from ..mesh.sampling import even_samples
 from ..tolerances import TOLERANCES
-from .face_thickness import Witness, witness_of
+from ..walls.face_thickness import Witness, witness_of
+from ..walls.walls import is_parallel
 from .plate_likeness import PROBED, plate_likeness
 from .region_shape import area_median, region_shape
 from .wall_graph import wall_links, wall_points
-from .walls import is_parallel
 
 LEAST_SHARE = 0.005
 """Share of the surface from which on a region is listed."""
@@ -211,6 +212,26 @@ def with_thinnest(regions, thinnest):
                 and region.least < TOLERANCES.alike * thinnest.distance), None)
     if own is not None:
         listed[own] = replace(listed[own], least=thinnest.distance, witness=thinnest)
+    listed = [replace(region, witness=replace(region.witness, distance=region.least)) for region in listed]
+    return replace(regions, listed=_thinnest_first(listed))
+
+
+def with_thinnest_taper(regions, thinnest):
+    """The same regions; none is thinner than the part's thinnest place, and the first one that has it is as thin.
+
+    Parameters
+    ----------
+    regions : WallRegions
+    thinnest : ThinnestPlace
+    """
+    wall = thinnest.witness
+    listed = [replace(region, least=max(region.least, wall.distance), median=max(region.median, wall.distance))
+              for region in regions.listed]
+    own = [number for number, region in enumerate(listed)
+           if {wall.face, wall.opposite_face} <= set(region.faces) and (region.kind in (TAPER, TOOTH)) == (
+               thinnest.kind != PARALLEL)]
+    if own:
+        listed[own[0]] = replace(listed[own[0]], least=wall.distance, witness=wall)
     listed = [replace(region, witness=replace(region.witness, distance=region.least)) for region in listed]
     return replace(regions, listed=_thinnest_first(listed))
 

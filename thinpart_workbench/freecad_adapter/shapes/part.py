@@ -13,6 +13,7 @@ from ...core.mesh.thinned_facets import thinned_facets
 from ...core.message import message
 from .brep_file import write_brep
 from .edge_lengths import edge_lengths
+from .exact_taper import exact_edge_wall, exact_taper
 from .exact_wall import exact_wall
 from .solid_measures import SolidMeasures
 from .solid_mesher import SolidMesher, missing_faces
@@ -98,6 +99,25 @@ class SolidPart(Part):
         """
         return exact_wall(self.shape, wall, error)
 
+    def exact_place(self, wall, error, ends_in_edge, depth, step):
+        """The thinnest place near a wall between facets, as the faces have it; None where they have none.
+
+        Parameters
+        ----------
+        wall : Witness
+        error : float, mm
+            How far facets lie from their faces.
+        ends_in_edge : bool
+            Whether its two faces meet in a sharp edge.
+        depth : float, mm
+            Beside such an edge, at which the wall is measured.
+        step : float, mm
+            Size of the facets there.
+        """
+        if ends_in_edge:
+            return exact_edge_wall(self.shape, wall, depth)
+        return exact_taper(self.shape, wall, step, depth) or exact_wall(self.shape, wall, error)
+
     def write_brep(self, path):
         """Write the solid to a BREP file; an OSError where that cannot be done."""
         write_brep(self.shape, path)
@@ -141,6 +161,10 @@ class MeshedPart(Part):
 
     def exact_wall(self, wall, error):
         """The wall as it is: there is no geometry but the triangles."""
+        return wall
+
+    def exact_place(self, wall, error, ends_in_edge, depth, step):
+        """The wall as it is, as `exact_wall`."""
         return wall
 
     def write_brep(self, path):

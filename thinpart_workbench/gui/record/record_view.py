@@ -10,7 +10,7 @@ from .criteria_tree import CriteriaTree
 from .distribution_chart import DistributionChart
 from .label_button import LabelButton, labels_sentence, own_label
 from .regions_table import RegionsTable
-from .verdict_text import category_colour, category_title, confidence_text, paper_text, reason_text, risk_text
+from .verdict_text import category_colour, confidence_text, headline_text, paper_text, reason_text, risk_text, thinnest_text
 from .wall_checks import checks_text
 
 
@@ -56,6 +56,7 @@ class RecordView(QtWidgets.QWidget):
         self._own_limit = text_line(self, column, "ThinPart_OwnLimit")
         self._box = text_line(self, column, "ThinPart_Box")
         self._walls = text_line(self, column, "ThinPart_Walls")
+        self._thinnest = text_line(self, column, "ThinPart_Thinnest")
         self._regions = RegionsTable(self)
         self._regions.faces_chosen.connect(self.faces_chosen)
         self._regions.visited.connect(self.visited)
@@ -74,7 +75,7 @@ class RecordView(QtWidgets.QWidget):
         """Show the record of a part that was judged by a profile, in a LengthUnit."""
         self._unit, self._profile = unit, profile
         self.show_labels(record.get("labels", ()))
-        self._headline.setText(category_title(record["category"], profile))
+        self._headline.setText(headline_text(record, profile))
         paint_swatch(self._swatch, category_colour(record["category"]))
         self._part.setText(record["label"])
         show_text(self._why, reason_text(record, unit))
@@ -85,6 +86,7 @@ class RecordView(QtWidgets.QWidget):
         measured = record["descriptors"]
         show_text(self._box, _box(measured, unit))
         show_text(self._walls, _walls(measured["thickness_mm"], unit))
+        show_text(self._thinnest, thinnest_text(record, unit))
         self._regions.show_regions(record, unit, file=self.file)
         show_text(self._other_regions, other_regions_text(record))
         self.show_flight("")

@@ -2,8 +2,9 @@
 """Texts about a part's verdict."""
 
 from ...api.window.profiles import known_criteria
-from ...api.window.verdicts import mesh_risk, paper_sentence, sureness, why
+from ...api.window.verdicts import mesh_risk, paper_sentence, sureness, thinnest, why
 from ...core.categories import NORMAL, UNKNOWN
+from ...core.descriptors.wall_kinds import PARALLEL
 from ..application.numbers import percent
 from ..application.qt import translate
 from ..application.sentences import translated
@@ -42,6 +43,17 @@ def category_word(category, profile):
         UNKNOWN: translate("ThinPart", "unknown"),
     }
     return known.get(category) or category_title(category, profile)
+
+
+def headline_text(record, profile):
+    """The verdict in a few words; where its probability leaves it open, the two categories between which it is."""
+    sure = sureness(record)
+    if sure is None or sure.probability is None or not sure.borderline:
+        return category_title(record["category"], profile)
+    words = [category_word(record["category"], profile), category_word(sure.other, profile)]
+    if sure.other_probability > sure.probability:
+        words.reverse()
+    return translate("ThinPart", "Unsure: {} or {}").format(*words)
 
 
 def category_colour(category):
@@ -105,3 +117,13 @@ def holds_text(holds):
         return "? " + translate("ThinPart", "unknown")
     return "\u2713 " + translate("ThinPart", "yes") if holds else "\u2717 " + translate(
         "ThinPart", "no")
+
+
+def thinnest_text(record, unit):
+    """Where the part of a record is thinnest, and whether that is a wall, a taper or a sharp edge, as a sentence."""
+    return translated(thinnest(record), unit)
+
+
+def is_no_parallel_wall(record):
+    """Whether the part of a record is thinnest in a taper or beside a sharp edge."""
+    return (record.get("thinnest") or {"kind": PARALLEL})["kind"] != PARALLEL

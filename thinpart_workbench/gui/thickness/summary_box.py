@@ -7,7 +7,7 @@ from ..record.measure_text import measure_choices
 from ..record.measuring_progress import MeasuringProgress
 from ..record.parts_table import PartsTable
 from ..record.record_view import paint_swatch, show_text, swatch, text_line
-from ..record.verdict_text import category_colour, category_title
+from ..record.verdict_text import category_colour, headline_text, is_no_parallel_wall, thinnest_text
 from ..tables.wall_table import step_of
 from ..widgets.buttons import add_button
 from ..widgets.narrow_fields import narrow_combo
@@ -112,11 +112,11 @@ class SummaryBox(QtWidgets.QWidget):
         self._title.setVisible(single is not None)
         self._swatch.setVisible(single is not None)
         if single is not None:
-            self._title.setText(category_title(single["category"], profile))
+            self._title.setText(headline_text(single, profile))
             paint_swatch(self._swatch, category_colour(single["category"]))
         show_text(self._label, shown_rows[0].label if single is not None else translate(
             "ThinPart", "{} different parts, {} instances").format(len(rows), sum(row.instances for row in rows)))
-        self._show_walls([row.record["descriptors"] for row in shown_rows], unit)
+        self._show_walls([row.record for row in shown_rows], unit)
         self._verdict.show()
 
     @property
@@ -221,16 +221,19 @@ class SummaryBox(QtWidgets.QWidget):
     def _show_measure_tip(self):
         self._measure.setToolTip(self._measure.currentData(QtCore.Qt.ToolTipRole))
 
-    def _show_walls(self, measured, unit):
+    def _show_walls(self, records, unit):
         """Show thinnest wall, error bound and unmeasured share of one part, or the worst of several."""
-        walls = [(descriptors["thickness_mm"]["min"], descriptors["thickness_mm"]["error_bound"]) for descriptors in measured
-                 if descriptors["thickness_mm"]["min"] is not None]
+        measured = [record["descriptors"] for record in records]
+        walls = [(descriptors["thickness_mm"]["min"], descriptors["thickness_mm"]["error_bound"], number)
+                 for number, descriptors in enumerate(measured) if descriptors["thickness_mm"]["min"] is not None]
         for button in (self._fly, *self._steps):
             button.setEnabled(bool(walls))
         if walls:
-            thinnest, bound = min(walls)
+            thinnest, bound, number = min(walls)
             text = translate("ThinPart", "Thinnest wall {} (\u00b1\u00a0{})").format(
                 unit.text(thinnest), unit.bound_text(bound))
+            if is_no_parallel_wall(records[number]):
+                text = thinnest_text(records[number], unit)
         else:
             text = translate("ThinPart", "No wall could be measured.")
         show_text(self._walls, text)

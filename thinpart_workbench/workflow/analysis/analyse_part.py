@@ -6,8 +6,11 @@ import time
 import traceback
 from dataclasses import replace
 
+import numpy as np
+
 from ...core.analysis_settings import MOST_TRIANGLES, PAIRS
 from ...core.descriptors.descriptor_table import body_thickness
+from ...core.descriptors.wall_kinds import EDGE
 from ...core.errors import MeshError, ThinPartError
 from ...core.figures import Length
 from ...core.judging.classification import classify
@@ -20,14 +23,17 @@ from ...core.record.part_record import part_record
 from ...core.record.record_types import SecondsRecord
 from ...core.risk.mesh_risk import judged_risk
 from ...core.sizing.mesh_hazards import mesh_hazards
-from ...core.thickness.face_thickness import face_thicknesses, witness_of
 from ...core.thickness.measured_precision import chords_of, precision_of
 from ...core.thickness.measurement import measure
-from ...core.thickness.thinnest_wall import touching_sample
+from ...core.walls.face_thickness import face_thicknesses, witness_of
+from ...core.walls.thinnest_wall import touching_sample
 from ...system.exit_cause import is_out_of_memory
 
 MOST_TRIED = 12
 """Walls that are looked for in the part's own geometry, from the thinnest on."""
+
+PLACED = 0.01
+"""Share by which a place that was found in the geometry itself may be thicker than the thinnest one near by."""
 
 DOUBTFUL = 4.0
 """Error bounds within which a wall that the geometry does not confirm is taken for an artefact of facets."""
@@ -60,13 +66,15 @@ def analyse_part(part, settings, profile, report=None):
             break
         settings = finer
     measurement = _confirmed(part, measurement, resolution.error)
+    measurement, errors = _with_confirmed_place(part, measurement, resolution, error_bound)
     classification = classify(measurement.descriptors, profile)
     paper_classification = classify(measurement.descriptors, paper)
     diagonal = measurement.descriptors.box.diagonal
     thin_limit_mm = classification.thin_limit_x * diagonal
-    faces = face_thicknesses(measurement.field, thin_limit_mm, measurement.thinnest_wall)
+    faces = face_thicknesses(measurement.field, thin_limit_mm, measurement.thinnest_wall, measurement.places,
+                             measurement.thinnest)
     record = part_record(
-        part, mesh, measurement, classification, paper_classification, faces, error_bound, resolution.deflection,
+        part, mesh, measurement, classification, paper_classification, faces, errors, resolution.deflection,
         judged_risk(measurement.descriptors)
     )
     record["warnings"] += warnings + _plausibility_warnings(part, mesh, measurement.field, diagonal)
@@ -173,7 +181,7 @@ def _measure(part, settings, meshes, seconds, report, is_near_enough):
         if finer is None:
             break
         linear = finer
-    side, wall = smallest_side(measurement.descriptors), measurement.thinnest_mm
+    side, wall = smallest_side(measurement.descriptors), _parallel_mm(measurement)
     walls = measurement.thin_samples[:1]
     wall_error = float(resolution.wall_error(chords_of(measurement.field, walls, deflections)).max(initial=0.0))
     error = error_to_judge_with([(side, resolution.error), (wall, wall_error)])
@@ -228,6 +236,35 @@ def _confirmed(part, measurement, error):
     return measurement
 
 
+def _with_confirmed_place(part, measurement, resolution, error_bound):
+    """The measurement with its thinnest place taken from the part's own geometry.
+
+    And how far the thinnest parallel wall, that place, and the thinnest wall apart from sharp edges may be off, mm.
+    """
+    field = measurement.places.field
+
+    def confirmed(wall, kind, sample):
+        found = part.exact_place(wall, resolution.error, kind == EDGE, measurement.places.depth, _facet_size(field, sample))
+        return found or (wall if wall.distance > DOUBTFUL * resolution.error else None)
+
+    measurement = measurement.with_thinnest_place(confirmed)
+    place = measurement.thinnest
+    errors = [error_bound if wall is measurement.thinnest_wall else PLACED * wall.distance if part.can_be_finer
+              else resolution.error
+              for wall in ((place.witness, place.wall) if place else ()) if wall is not None]
+    return measurement, (error_bound, *errors, error_bound)[:3]
+
+
+def _facet_size(field, sample):
+    """Square root of twice the area, mm, of the facet under a sample."""
+    return float(np.sqrt(2.0 * field.mesh.areas[field.samples.triangle[sample]]))
+
+
+def _parallel_mm(measurement):
+    """Thickness of the thinnest parallel wall, mm or None: the one that a mesh has to resolve."""
+    return None if measurement.thinnest_wall is None else measurement.thinnest_wall.distance
+
+
 def _finer_deflection(part, settings, mesh, deflections, resolution, linear, smallest, unresolved):
     """The next linear deflection as a share of the diagonal; None where none is needed, or none would be enough.
 
@@ -252,7 +289,7 @@ def _volume(mesh):
 
 def _resolution_warning(measurement, resolution, wall_error):
     """A warning that the mesh limits the accuracy of the result: str."""
-    wall = measurement.thinnest_mm
+    wall = _parallel_mm(measurement)
     if resolution.is_enough_for(wall, wall_error):
         return message("The part is slender: its lengths are accurate to {error:.2g} only, a finer mesh would be "
                        "too large.", error=Length(resolution.error))

@@ -33,6 +33,11 @@ class Witness:
     face: int
     opposite_face: int
 
+    @property
+    def turned(self):
+        """The same wall from its other side: Witness."""
+        return Witness(self.distance, self.opposite, self.point, self.opposite_face, self.face)
+
 
 @dataclass(frozen=True)
 class FaceThickness:
@@ -43,13 +48,17 @@ class FaceThickness:
     face : int
         Index of the face, from 0.
     area : float, mm2
-    minimum, median, maximum : float or None, mm
-        Over parallel walls, the median by area; None where no wall is parallel.
+    minimum : float or None, mm
+        Over walls at any angle, see `thin_places`; None where there is no wall.
+    walls_minimum : float or None, mm
+        The same apart from sharp edges.
+    median, maximum : float or None, mm
+        Over parallel walls, or tapered ones where none is parallel; the median by area.
     thin_share : float
         Share of the face's area over walls, parallel or not, thinner than the limit.
     unmeasured_share : float
     witness : Witness or None
-        Where the parallel minimum was measured.
+        Where the minimum was measured.
     wedge : Witness or None
         Where the nearest non-parallel wall was measured.
     """
@@ -63,9 +72,10 @@ class FaceThickness:
     unmeasured_share: float
     witness: Optional[Witness]
     wedge: Optional[Witness]
+    walls_minimum: Optional[float]
 
 
-def face_thicknesses(field, thin_limit_mm, thinnest=None):
+def face_thicknesses(field, thin_limit_mm, thinnest=None, places=None, thinnest_of_all=None):
     """Summarise a thickness field by B-Rep face: list of FaceThickness, one per face that has triangles, by index.
 
     Parameters
@@ -74,13 +84,20 @@ def face_thicknesses(field, thin_limit_mm, thinnest=None):
     thin_limit_mm : float, mm
         Distance under which area counts as thin.
     thinnest : Witness, optional
-        The thinnest wall of the part: its face has it for its minimum, and no face has a thinner one.
+        The thinnest parallel wall of the part: its face has it for its minimum, and no face has a thinner parallel one.
+    places : ThinPlaces, optional
+        Walls at any angle between pairs of faces.
+    thinnest_of_all : ThinnestPlace, optional
+        Their thinnest.
     """
     face = field.face
+    placed, walls = ({}, {}) if places is None or thinnest_of_all is None else (
+        _placed(places, thinnest_of_all.witness), _placed(places.chosen(~places.is_at_edge), thinnest_of_all.wall))
     order = np.lexsort([field.distance, face])
     faces, start = np.unique(face[order], return_index=True)
     return [
-        _face_thickness(field, int(face), rows, float(thin_share), witness)
+        _face_thickness(field, int(face), rows, float(thin_share), _thinner(witness, placed.get(int(face))),
+                        _thinner(witness, walls.get(int(face))))
         for face, rows, thin_share, witness in zip(
             faces, np.split(order, start[1:]), thin_shares(field, thin_limit_mm), _thinnest_under(field, faces, thinnest))
     ]
@@ -102,7 +119,25 @@ def thin_shares(field, thin_limit_mm):
     return np.bincount(face_row[thin], field.area[thin], len(faces)) / total
 
 
-def _face_thickness(field, face, rows, thin_share, witness):
+def _placed(places, thinnest):
+    """The `Witness` of the thinnest wall of each face, by its number: dict. None is thinner than the thinnest of all."""
+    found: dict[int, Witness] = {}
+    if thinnest is None:
+        return found
+    for number in range(len(places.samples) - 1, -1, -1):  # the thinnest is set last
+        wall = places.witness(number)
+        wall = replace(wall, distance=max(wall.distance, thinnest.distance))
+        found[wall.opposite_face], found[wall.face] = wall.turned, wall
+    found[thinnest.opposite_face], found[thinnest.face] = thinnest.turned, thinnest
+    return found
+
+
+def _thinner(first, second):
+    """The thinner of two walls, either of which may be None."""
+    return second if first is None or second is not None and second.distance < first.distance else first
+
+
+def _face_thickness(field, face, rows, thin_share, witness, wall):
     """Summary of one face; `rows` are its samples by ascending distance."""
     area = field.area[rows]
     total = float(area.sum())
@@ -110,19 +145,21 @@ def _face_thickness(field, face, rows, thin_share, witness):
     parallel = rows[field.parallel[rows]]
     slanted = rows[field.nonparallel[rows]]
     minimum = median = maximum = None
-    if len(parallel):
-        cumulative = np.cumsum(field.area[parallel])
+    walls = parallel if len(parallel) else slanted
+    if len(walls):
+        cumulative = np.cumsum(field.area[walls])
         middle = np.searchsorted(cumulative, 0.5 * cumulative[-1])
-        median, maximum = (float(field.distance[parallel[k]]) for k in (middle, -1))
+        median, maximum = (float(field.distance[walls[k]]) for k in (middle, -1))
     if witness is not None:
         # Facets of round faces are a little closer than the faces themselves.
         minimum = witness.distance
-        median, maximum = max(median, minimum), max(maximum, minimum)
+        median, maximum = max(median or 0.0, minimum), max(maximum or 0.0, minimum)
     return FaceThickness(
         face, total, minimum, median, maximum,
         thin_share, float(area[~measured].sum()) / total,
         witness,
         witness_of(field, slanted[0]) if len(slanted) else None,
+        None if wall is None else wall.distance,
     )
 
 

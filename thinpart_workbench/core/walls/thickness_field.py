@@ -12,6 +12,7 @@ from ..mesh.surface_mesh import SurfaceMesh
 from ..progress import portion, report_progress
 from ..rays.inward_rays import InwardRays
 from ..tolerances import TOLERANCES
+from .sharp_edges import sharp_edges
 from .walls import NONPARALLEL_BELOW, is_parallel, walls_under
 
 PROBED_TRIANGLES = 400
@@ -78,6 +79,11 @@ class ThicknessField:
         low, high = (np.radians(angle) - TOLERANCES.angle for angle in STATED_ANGLES)
         chosen = np.flatnonzero((self.wedge_angle >= low) & (self.wedge_angle < high))
         return chosen[np.argsort(self.distance[chosen], kind="stable")]
+
+    @cached_property
+    def sharp_edges(self):
+        """The `SharpEdges` at which faces meet under less than `NONPARALLEL_BELOW`."""
+        return sharp_edges(self.mesh, NONPARALLEL_BELOW)
 
     @property
     def face(self):

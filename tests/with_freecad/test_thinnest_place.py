@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The one thinnest wall, at any angle: parts with known answers, turned and in two tessellations, and real ones."""
+
+import math
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from thinpart_workbench.core.analysis_settings import AnalysisSettings
+from thinpart_workbench.core.judging.criteria import load_profile
+from thinpart_workbench.core.record.thinnest_sentence import thinnest_sentence
+from thinpart_workbench.freecad_adapter.shapes.part import SolidPart
+from thinpart_workbench.workflow.analysis.analyse_part import analyse_part
+
+PROFILE = load_profile("calibrated")
+DENSITIES = {"default": AnalysisSettings(), "fine": AnalysisSettings(linear_deflection=0.0003, angular_deflection=2.5)}
+TRAINING = Path(os.environ.get("THINPART_TRAINING", Path(__file__).resolve().parents[3] / "shared" / "training")) / "parts"
+
+
+def vector(*coordinates):
+    import FreeCAD
+
+    return FreeCAD.Vector(*coordinates)
+
+
+def extruded(corners, length):
+    import Part
+
+    points = [vector(x, y, 0) for x, y in corners]
+    return Part.Face(Part.makePolygon([*points, points[0]])).extrude(vector(0, 0, length))
+
+
+def analysed(shape, density="default"):
+    shape = shape.copy()
+    shape.rotate(vector(1, 2, 3), vector(1, -2, 0.7), 37.0)
+    _, record = analyse_part(SolidPart("Part", "Part", shape=shape), DENSITIES[density], PROFILE)
+    return record
+
+
+def plate():
+    import Part
+
+    return Part.makeBox(100, 60, 2)
+
+
+def with_chamfers(size):
+    solid = plate()
+    return solid.makeChamfer(size, [edge for edge in solid.Edges if abs(edge.BoundBox.ZMin - 2) < 1e-6])
+
+
+def with_fillets():
+    solid = plate()
+    return solid.makeFillet(0.5, [edge for edge in solid.Edges if abs(edge.BoundBox.ZMin - 2) < 1e-6])
+
+
+def web():
+    """A bore that is 1 mm away from a side and 10 mm long, in a block of 100 x 60 x 40."""
+    import Part
+
+    block = Part.makeBox(100, 60, 40)
+    return block.cut(Part.makeCylinder(3, 10, vector(50, 4, 30), vector(0, 0, 1)))
+
+
+def countersunk():
+    """A countersink that leaves a land of 0.5 mm."""
+    import Part
+
+    return plate().cut(Part.makeCylinder(4, 5, vector(50, 30, -1))).cut(Part.makeCone(4, 5.5, 1.5, vector(50, 30, 0.5)))
+
+
+def drafted_rib():
+    """A rib of 6 mm that is 1.5 mm wide at its top, on a block: its sides lean by 12.7 degrees."""
+    return extruded([(0, 0), (60, 0), (60, 30), (33, 30), (30.75, 40), (29.25, 40), (27, 30), (0, 30)], 80)
+
+
+LEAN = math.atan(2.25 / 10)
+
+
+def blade(angle):
+    height = 40 * math.tan(math.radians(angle))
+    return extruded([(0, 0), (40, 0), (0, height)], 80)
+
+
+KNOWN = {
+    "plate": (plate, "parallel", 2.0),
+    "broken edge": (lambda: with_chamfers(0.5), "parallel", 2.0),
+    "rounded edge": (with_fillets, "parallel", 2.0),
+    "chamfer that leaves a land": (lambda: with_chamfers(1.4), "tapered", 0.6),
+    "web beside a bore": (web, "parallel", 1.0),
+    "countersink": (countersunk, "tapered", 0.5),
+    # A wall is measured straight across from one side, which is a little more than the top is wide.
+    "rib with a draft": (drafted_rib, "tapered", 1.5 * math.cos(LEAN) / math.cos(2 * LEAN)),
+}
+
+
+@pytest.mark.parametrize("density", DENSITIES)
+@pytest.mark.parametrize("name", KNOWN)
+def test_known_walls(name, density):
+    make, kind, thickness = KNOWN[name]
+    record = analysed(make(), density)
+    place, walls = record["thinnest"], record["descriptors"]["thickness_mm"]
+    assert walls["min"] == pytest.approx(thickness, rel=0.01), place
+    assert (place["kind"], place["edges_mm"]) == (kind, 0.0)
+    assert place["walls_mm"] == walls["min"] == min(face["min"] for face in record["faces"] if face["min"] is not None)
+    assert not any("walls_min" in face for face in record["faces"])
+
+
+@pytest.mark.parametrize("angle", [10, 20, 35])
+def test_a_blade_is_as_thin_as_it_is_at_the_stated_depth(angle):
+    record = analysed(blade(angle))
+    place = record["thinnest"]
+    assert place["kind"] == "edge" and place["edges_mm"] == pytest.approx(80.0, rel=1e-6)
+    assert place["depth_mm"] == pytest.approx(record["descriptors"]["box_mm"][1] / 200, rel=1e-6)
+    least = place["depth_mm"] * math.tan(math.radians(angle))
+    assert record["descriptors"]["thickness_mm"]["min"] == pytest.approx(least, rel=0.01)
+    assert "beside a sharp edge; sharp edges are 80 mm long" in str(thinnest_sentence(record))
+
+
+@pytest.mark.parametrize("shape", [lambda: blade(45), lambda: extruded([(0, 0), (40, 0), (20, 33)], 80)])
+def test_an_edge_of_45_degrees_and_more_is_no_thin_wall(shape):
+    place = analysed(shape())["thinnest"]
+    assert place is None or (place["kind"], place["edges_mm"]) == ("parallel", 0.0)
+
+
+def test_places_are_counted():
+    import Part
+
+    block = Part.makeBox(100, 60, 40)
+    for x in (15, 35, 55, 75):
+        block = block.cut(Part.makeCylinder(3, 60, vector(x, 4, -10), vector(0, 0, 1)))
+    record = analysed(block)
+    assert (record["thinnest"]["places"], record["thinnest"]["below_mm"]) == (4, 1.3)
+    assert "4 places below 1.3 mm" in str(thinnest_sentence(record))
+
+
+REAL = ["p048", "t022", "t225", "t206", "t209", "t145", "t040", "t286", "t198"]
+"""Parts to train on: a nozzle, lips, webs over slots and bores, a capsule, a knob, teeth of a pulley."""
+
+
+@pytest.mark.skipif(not TRAINING.is_dir(), reason="the parts to train on are not here")
+@pytest.mark.parametrize("name", REAL)
+def test_real_tapers_are_confirmed_by_lines_through_the_shape(name):
+    import Part
+
+    from thinpart_workbench.freecad_adapter.reading.part_files import read_parts
+
+    [file] = TRAINING.glob(f"{name}_*")
+    read = read_parts(file)
+    part = (read[0] if isinstance(read, tuple) else getattr(read, "parts", read))[0]
+    _, record = analyse_part(part, AnalysisSettings(), PROFILE)
+    start, end = map(np.array, record["thinnest"]["witness"]["points"])
+    along = (end - start) / np.linalg.norm(end - start)
+    length = record["descriptors"]["thickness_mm"]["min"]
+    line = Part.makeLine(vector(*(start - 0.5 * length * along)), vector(*(end + 0.2 * length * along)))
+    inside = part.shape.common(line)
+    middle = Part.Vertex(vector(*(0.5 * (start + end))))
+    pieces = [edge for edge in inside.Edges if edge.distToShape(middle)[0] < 1e-3 * length]
+    assert sum(edge.Length for edge in pieces) == pytest.approx(length, rel=0.01)

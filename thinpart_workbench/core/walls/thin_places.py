@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where a part is thinnest, over walls of any angle: the wall between each two faces, as far as it is one."""
+
+from dataclasses import dataclass, replace
+from dataclasses import field as dataclass_field
+from typing import Optional
+
+import numpy as np
+
+from ..mesh.sampling import corner_samples
+from ..rays.ray_casting import INNER
+from .depth_samples import depth_samples
+from .face_thickness import Witness, witness_of
+from .thickness_field import SLOPE_ALLOWANCE, ThicknessField
+from .thinnest_wall import first_of_extent
+from .walls import NONPARALLEL_BELOW, PARALLEL_BELOW, walls_under
+
+DEPTH = 1.0 / 200.0
+"""Depth beside a sharp edge at which the thickness is told, as a share of the middle side of the box: half a millimetre
+of a part that is 100 mm wide. What is no longer and no wider than that is not looked for."""
+
+WALL_BELOW = np.radians(45.0)
+"""Angle from which on an edge is no wall: at every depth beside it, the part is as thick as that is deep, or thicker."""
+
+LEAST = 0.1
+"""Thickness, in depths, below which faces touch, or one runs out into the other, rather than enclose a wall."""
+
+PROBED_TRIANGLES = 400
+"""Triangles over tapered walls whose corners are looked at, besides the probably thinnest of each face."""
+
+_MOST_STEEP = np.tan(NONPARALLEL_BELOW)
+
+_ROUNDING = np.radians(0.2)
+"""Facets and their normals turn angles by less."""
+
+
+@dataclass(frozen=True)
+class ThinPlaces:
+    """The walls between pairs of faces, the thinnest first.
+
+    Attributes
+    ----------
+    field : ThicknessField or None
+        With the samples that were added to find them.
+    samples : ndarray of shape (k,), int64
+        Of that field, where each wall is thinnest.
+    is_tapered, is_at_edge : ndarray of shape (k,), bool
+        Whether the two sides are at 10 to 60 degrees there; and whether they meet in a sharp edge, so that the wall is told
+        from `depth` beside it on.
+    depth : float, mm
+    edges_mm : float, mm
+        Length of the sharp edges, at which faces meet under less than `WALL_BELOW`.
+    """
+
+    field: Optional[ThicknessField] = None
+    samples: np.ndarray = dataclass_field(default_factory=lambda: np.zeros(0, dtype=np.int64))
+    is_tapered: np.ndarray = dataclass_field(default_factory=lambda: np.zeros(0, dtype=bool))
+    is_at_edge: np.ndarray = dataclass_field(default_factory=lambda: np.zeros(0, dtype=bool))
+    depth: float = 0.0
+    edges_mm: float = 0.0
+
+    @property
+    def distance(self):
+        """ndarray of shape (k,), mm."""
+        return np.zeros(0) if self.field is None else self.field.distance[self.samples]
+
+    def chosen(self, which):
+        """Some of them, by a mask or numbers: ThinPlaces."""
+        return replace(self, samples=self.samples[which], is_tapered=self.is_tapered[which],
+                       is_at_edge=self.is_at_edge[which])
+
+    def witness(self, number) -> Witness:
+        """Where one of them is thinnest: Witness."""
+        return witness_of(self.field, int(self.samples[number]))
+
+
+def thin_places(field, rays, width):
+    """Find the walls between pairs of faces, and where each is thinnest: ThinPlaces.
+
+    Walls are at less than `NONPARALLEL_BELOW`. A wall that ends in a sharp edge is as thin as it is `DEPTH` beside it: at
+    the edge itself, every one is 0 mm thick. Where a wall only rounds off or has its edge broken, it is not thinner. So
+    these are not counted: two faces whose wall goes on getting thinner at steeper angles, such as a side and the fillet at
+    its border; a taper that is narrower than its least thickness, such as a chamfer; an edge from `WALL_BELOW` on. A wall
+    covers an area of `DEPTH` by `DEPTH`.
+
+    Parameters
+    ----------
+    field : ThicknessField
+    rays : InwardRays
+    width : float, mm
+        Middle side of the box of the part.
+    """
+    mesh, depth = field.mesh, DEPTH * width
+    edges = field.sharp_edges
+    added = corner_samples(mesh, _likely_thinnest(field))
+    beside = depth_samples(mesh, edges, depth)
+    whole = _with_samples(field, rays, added.followed_by(beside))
+    at_depth = np.arange(len(whole.distance)) >= len(whole.distance) - beside.count
+    wall = (whole.parallel | whole.nonparallel) & (whole.distance > LEAST * depth)
+    close = np.flatnonzero(wall & ~at_depth & (whole.distance < _MOST_STEEP * depth))
+    counted = wall.copy()
+    counted[close[edges.are_near(whole.samples.points[close], 0.99 * depth)]] = False
+    pair, faces = _pairs(whole)
+    lengths = _edge_lengths(mesh, edges, faces)
+    counted &= _are_walls(whole, pair, wall, counted, lengths > 0.0)[pair]
+    over = np.flatnonzero(counted & ~at_depth)
+    least = first_of_extent(whole, over, pair[over], np.full(len(faces), depth * depth))
+    ends_in_edge = lengths >= 2.0 * depth
+    beside = np.flatnonzero(counted & at_depth)
+    beside = beside[ends_in_edge[pair[beside]]]
+    beside = beside[np.argsort(-whole.distance[beside], kind="stable")]
+    nearest = np.full(len(faces), -1)
+    nearest[pair[beside]] = beside
+    thinner = (nearest >= 0) & ((least < 0) | (whole.distance[nearest] < whole.distance[least]))
+    least = np.where(thinner, nearest, least)
+    is_edge = (whole.wedge_angle[least] >= WALL_BELOW - _ROUNDING) & (ends_in_edge | (whole.distance[least] < depth))
+    samples = least[(least >= 0) & ~is_edge]
+    if not mesh.has_faces:
+        whole = _between_facets(whole, rays, samples)
+    samples = samples[np.argsort(whole.distance[samples], kind="stable")]
+    return ThinPlaces(whole, samples, ~whole.parallel[samples], ends_in_edge[pair[samples]], depth,
+                      float(edges.under(WALL_BELOW - _ROUNDING).lengths.sum()))
+
+
+def _likely_thinnest(field):
+    """Triangles over tapered walls whose corners may lie over thinner ones than any sample: ndarray, ascending."""
+    mesh = field.mesh
+    tapered = np.flatnonzero(field.nonparallel)
+    triangle = field.samples.triangle[tapered]
+    sides = mesh.corners - np.roll(mesh.corners, 1, axis=1)
+    longest = np.sqrt((sides * sides).sum(axis=2).max(axis=1))
+    slope = np.tan(np.minimum(field.wedge_angle[tapered] + SLOPE_ALLOWANCE, NONPARALLEL_BELOW))
+    least = np.full(mesh.count, np.inf)
+    np.minimum.at(least, triangle, field.distance[tapered] - longest[triangle] * slope)
+    order = np.argsort(least, kind="stable")
+    order = order[np.isfinite(least[order])]
+    _, first_of_face = np.unique(mesh.face_of_triangle[order], return_index=True)
+    return np.union1d(order[:PROBED_TRIANGLES], order[first_of_face])
+
+
+def _with_samples(field, rays, samples):
+    walls, _ = walls_under(field.mesh, rays, samples)
+    return ThicknessField(
+        field.mesh, field.samples.followed_by(samples), np.concatenate([field.distance, walls.distance]),
+        np.concatenate([field.wedge_angle, walls.wedge_angle]), np.concatenate([field.opposite, walls.opposite]),
+        field.entered)
+
+
+def _between_facets(field, rays, samples):
+    """The field with some tapered walls as thick as the facets have them, where these are all that is known of the part.
+
+    How far a smooth surface would lie above long facets is a guess, and a multiple of it on a slanted wall.
+    """
+    tapered = samples[field.nonparallel[samples]]
+    reach, _ = rays.first_hits(field.samples.chosen(tapered), INNER)
+    distance = field.distance.copy()
+    distance[tapered] = np.where(np.isfinite(reach), reach, distance[tapered])
+    return replace(field, distance=distance)
+
+
+def _pairs(field):
+    """Number of the pair of faces that each sample has, in either order, and these pairs: shapes (m,) and (p, 2)."""
+    here, there = field.face, field.mesh.face_of_triangle[np.maximum(field.opposite, 0)]
+    low, high = np.minimum(here, there), np.maximum(here, there)
+    count = int(field.mesh.face_of_triangle.max()) + 1
+    keys, number = np.unique(low * count + high, return_inverse=True)
+    return number.ravel(), np.stack([keys // count, keys % count], axis=1)
+
+
+def _are_walls(field, pair, wall, counted, ends_in_edge):
+    """Whether pairs of faces enclose a wall, rather than a rounded or a broken edge: ndarray of shape (p,), bool."""
+    count = len(ends_in_edge)
+    least, greatest, steep = np.full(count, np.inf), np.zeros(count), np.full(count, np.inf)
+    np.minimum.at(least, pair[counted], field.distance[counted])
+    np.maximum.at(greatest, pair[wall], field.distance[wall])
+    beyond = (field.opposite >= 0) & (field.wedge_angle >= NONPARALLEL_BELOW) & (field.area > 0.0)
+    np.minimum.at(steep, pair[beyond], field.distance[beyond])
+    number = np.bincount(pair[wall], minlength=count)
+    angle = np.bincount(pair[wall], field.wedge_angle[wall], count) / np.maximum(number, 1)
+    width = (greatest - least) / np.tan(np.clip(angle, 1e-9, NONPARALLEL_BELOW))
+    rounds_off = steep < least
+    is_broken = (angle > PARALLEL_BELOW) & (width < least) & ~ends_in_edge
+    return ~rounds_off & ~is_broken
+
+
+def _edge_lengths(mesh, edges, faces):
+    """Length of the sharp edges between pairs of faces: ndarray of shape (p,), mm."""
+    count = int(mesh.face_of_triangle.max()) + 1
+    own = np.sort(mesh.face_of_triangle[np.stack([edges.first, edges.second]) // 3], axis=0)
+    keys = faces[:, 0] * count + faces[:, 1]
+    place = np.minimum(np.searchsorted(keys, own[0] * count + own[1]), len(keys) - 1)
+    fits = keys[place] == own[0] * count + own[1]
+    return np.bincount(place[fits], edges.lengths[fits], len(keys))

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The one place where a part is thinnest, whatever the angle of its walls."""
+
+import math
+from dataclasses import dataclass
+from typing import Optional
+
+import numpy as np
+from scipy.sparse.csgraph import connected_components
+
+from ..descriptors.wall_kinds import EDGE, PARALLEL, TAPERED
+from ..tolerances import TOLERANCES
+from .face_thickness import NEARLY, Witness
+from .thin_places import LEAST
+
+MOST_TRIED = 12
+"""Places that are looked for in the part's own geometry, from the thinnest on."""
+
+_MOST_COUNTED = 1000
+"""Pairs of faces that are told apart as places."""
+
+
+@dataclass(frozen=True)
+class ThinnestPlace:
+    """Where a part is thinnest.
+
+    Attributes
+    ----------
+    witness : Witness
+    kind : str
+        One of `WALL_KINDS`: between parallel sides, in a taper, or `depth` beside a sharp edge.
+    depth : float, mm
+        Depth beside sharp edges at which they are told.
+    edges_mm : float, mm
+        Length of all sharp edges.
+    wall : Witness or None
+        The thinnest apart from sharp edges.
+    below_mm : float, mm
+        A round length, about a quarter more than the thinnest.
+    places : int
+        Places thinner than that.
+    is_exact : bool
+        Whether it was found in the geometry of the part itself.
+    """
+
+    witness: Witness
+    kind: str
+    depth: float
+    edges_mm: float
+    wall: Optional[Witness]
+    below_mm: float
+    places: int
+    is_exact: bool = False
+
+
+def thinnest_place(parallel, places, confirmed=None):
+    """Find where a part is thinnest: ThinnestPlace or None, and the places without those that it does not have: ThinPlaces.
+
+    Parameters
+    ----------
+    parallel : Witness or None
+        The thinnest wall between parallel sides.
+    places : ThinPlaces
+    confirmed : callable, optional
+        Called with a `Witness`, its kind and the number of its sample in `ThinPlaces.field`; returns the wall as the
+        geometry of the part has it, None where there is none.
+    """
+    best, kind, apart, is_exact = parallel, PARALLEL, None, False
+    kept = np.ones(len(places.samples), dtype=bool)
+    for at_edge in (False, True):
+        for number in np.flatnonzero(places.is_at_edge == at_edge)[:MOST_TRIED]:
+            found = places.witness(number)
+            if best is not None and found.distance >= best.distance:
+                break
+            own = EDGE if at_edge else TAPERED if places.is_tapered[number] else PARALLEL
+            wall = found if confirmed is None else confirmed(found, own, int(places.samples[number]))
+            kept[number] = wall is not None and wall.distance > LEAST * places.depth
+            if kept[number] and (best is None or wall.distance < best.distance):
+                best, kind, is_exact = wall, own, confirmed is not None
+                break
+        if not at_edge:
+            apart = best
+    if best is None:
+        return None, places
+    left = places.chosen(kept & (places.distance >= best.distance * (1.0 - NEARLY)))
+    below = _rounded_up(TOLERANCES.alike * best.distance)
+    count = max(1, _count(left, below))
+    return ThinnestPlace(best, kind, places.depth, places.edges_mm, apart, below, count, is_exact), left
+
+
+def _rounded_up(length):
+    """A length rounded up to two digits."""
+    digit = 10.0 ** (math.floor(math.log10(length)) - 1)
+    return float(f"{math.ceil(length / digit - 1e-9) * digit:.6g}")
+
+
+def _count(places, below):
+    """How many places are thinner than a length: walls between faces that go over into each other are one."""
+    thin = places.chosen(np.flatnonzero(places.distance < below)[:_MOST_COUNTED])
+    if not len(thin.samples):
+        return 0
+    mesh = thin.field.mesh
+    here = thin.field.face[thin.samples]
+    there = mesh.face_of_triangle[thin.field.opposite[thin.samples]]
+    faces, own = np.unique(np.concatenate([here, there]), return_inverse=True)
+    here, there = np.split(own.ravel(), 2)
+    touching = np.eye(len(faces), dtype=bool)
+    sides = mesh.face_of_triangle[np.stack(mesh.shared_sides) // 3]
+    sides = sides[:, sides[0] != sides[1]]
+    place = np.minimum(np.searchsorted(faces, sides), len(faces) - 1)
+    first, second = place[:, (faces[place] == sides).all(axis=0)]
+    touching[first, second] = touching[second, first] = True
+    straight = touching[np.ix_(here, here)] & touching[np.ix_(there, there)]
+    crosswise = touching[np.ix_(here, there)] & touching[np.ix_(there, here)]
+    count, _ = connected_components(straight | crosswise, directed=False)
+    return int(count)
