@@ -227,7 +227,7 @@ def _face(face):
         "face": face_name(face.face),
         "area_mm2": face.area,
         "min": face.minimum,
-        **({} if face.walls_minimum == face.minimum else {"walls_min": face.walls_minimum}),
+        "walls_min": face.walls_minimum,
         "median": face.median,
         "max": face.maximum,
         "thin_share": face.thin_share,

@@ -44,8 +44,8 @@ class WitnessRecord(TypedDict):
 
 
 class FaceRecord(TypedDict):
-    """The walls under one face, None where there are none: the thinnest, and the thinnest apart from sharp edges where
-    that is another; median and greatest of parallel walls, or of tapered ones where none is parallel."""
+    """The walls under one face, None where there are none: the thinnest, and the thinnest apart from sharp edges; median and
+    greatest of parallel walls, or of tapered ones where none is parallel."""
 
     face: str
     area_mm2: float

@@ -150,7 +150,9 @@ def _parameters_per_mm(face, place):
 
 
 def _common_edges(face, opposite):
-    """Edges at which two faces meet."""
+    """Edges at which two faces meet; none where they are one face."""
+    if face.isSame(opposite):
+        return []
     others = opposite.Edges
     return [edge for edge in face.Edges if any(edge.isSame(other) for other in others)]
 
@@ -168,7 +170,7 @@ def _on_edge(edge, point):
     try:
         first, last = edge.ParameterRange
         found = edge.Curve.parameter(point)
-    except (RuntimeError, ValueError, AttributeError):
+    except (RuntimeError, ValueError, AttributeError, TypeError):  # the pole of a ball is an edge without a curve
         return None
     return min(max(float(found), first), last)
 
