@@ -39,8 +39,6 @@ class ThinnestPlace:
         A round length, about a quarter more than the thinnest.
     places : int
         Places thinner than that.
-    is_exact : bool
-        Whether it was found in the geometry of the part itself.
     """
 
     witness: Witness
@@ -50,7 +48,6 @@ class ThinnestPlace:
     wall: Optional[Witness]
     below_mm: float
     places: int
-    is_exact: bool = False
 
 
 def thinnest_place(parallel, places, confirmed=None):
@@ -65,7 +62,7 @@ def thinnest_place(parallel, places, confirmed=None):
         Called with a `Witness`, its kind and the number of its sample in `ThinPlaces.field`; returns the wall as the
         geometry of the part has it, None where there is none.
     """
-    best, kind, apart, is_exact = parallel, PARALLEL, None, False
+    best, kind, apart = parallel, PARALLEL, None
     kept = np.ones(len(places.samples), dtype=bool)
     for at_edge in (False, True):
         for number in np.flatnonzero(places.is_at_edge == at_edge)[:MOST_TRIED]:
@@ -76,7 +73,7 @@ def thinnest_place(parallel, places, confirmed=None):
             wall = found if confirmed is None else confirmed(found, own, int(places.samples[number]))
             kept[number] = wall is not None and wall.distance > LEAST * places.depth
             if kept[number] and (best is None or wall.distance < best.distance):
-                best, kind, is_exact = wall, own, confirmed is not None
+                best, kind = wall, own
                 break
         if not at_edge:
             apart = best
@@ -85,7 +82,7 @@ def thinnest_place(parallel, places, confirmed=None):
     left = places.chosen(kept & (places.distance >= best.distance * (1.0 - NEARLY)))
     below = _rounded_up(TOLERANCES.alike * best.distance)
     count = max(1, _count(left, below))
-    return ThinnestPlace(best, kind, places.depth, places.edges_mm, apart, below, count, is_exact), left
+    return ThinnestPlace(best, kind, places.depth, places.edges_mm, apart, below, count), left
 
 
 def _rounded_up(length):
