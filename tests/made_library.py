@@ -18,6 +18,7 @@ from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 from thinpart_workbench.core.record.part_record import part_record
 from thinpart_workbench.core.thickness.measurement import measure
 from thinpart_workbench.core.walls.face_thickness import face_thicknesses
+from thinpart_workbench.core.walls.thinnest_place import WallErrors
 from thinpart_workbench.storage.info.info_file import info_content, info_path, new_source, write_info
 
 PAPER = load_profile("paper")
@@ -45,7 +46,7 @@ def measured_record(label, shape):
     verdict = classify(measurement.descriptors, PAPER)
     part = SimpleNamespace(name="Solid1", label=label, instances=1, warnings=())
     record = part_record(part, mesh, measurement, verdict, verdict,
-                         face_thicknesses(measurement.field, 5.0), (0.01, 0.01, 0.01), 0.0)
+                         face_thicknesses(measurement.field, 5.0), WallErrors(0.01, 0.01, 0.01), 0.0)
     return {**record, "seconds": {"read": 0.0, "tessellate": 0.0, "measure": 0.0}}
 
 

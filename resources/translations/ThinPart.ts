@@ -821,6 +821,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Criteria and their quantities</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Criteria that hold (none chosen: any)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2797,6 +2801,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>limit {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>linear (first order)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3968,10 +3976,6 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No parallel walls are thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>No part is labelled {categories}: label at least {needed} parts of every category.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3997,10 +4001,6 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>No wall of {part} is wide and thin enough for a shell: mesh it as a solid.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No walls are thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4061,14 +4061,6 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Only {share:.0f} % of the volume of {part} can be cut off as walls.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Only {share} of the surface lies over parallel walls thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Only {share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4313,6 +4305,38 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Software</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Solid but for {features}: mesh it with solids, and refine there or suppress that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Solid core, {share} of the surface is thin: {features}. Refine the mesh there, or suppress them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Solid core, {share} of the surface is thin: {features}. Refine the mesh there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Solid: less than {share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Solid: no wall is thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Solid: no wall is thinner than {thinnest}, {part} of the width of {middle}: mesh it with solids.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Solid: only tapered walls are thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Solid: only {share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4832,15 +4856,15 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Thin tapered walls over a good part of its surface</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Thin walls in places</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Thin walls over most of its surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thin walls, tapered ones too, over a good part of its surface</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4852,7 +4876,7 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Thinnest parallel wall {thinnest} ± {error:.2g}: classify the part again for its tapered walls.</source>
+        <source>Thinnest parallel wall {thinnest}: classify the part again for its tapered walls.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4864,27 +4888,27 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Thinnest wall {thinnest} ± {error:.2g}</source>
+        <source>Thinnest wall {thinnest}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Thinnest wall {thinnest} ± {error:.2g}, in a taper</source>
+        <source>Thinnest wall {thinnest}, in a taper</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Thinnest wall {thinnest} ± {error:.2g}, in a taper; {count} places below {below:.2g}</source>
+        <source>Thinnest wall {thinnest}, in a taper; {count} places below {below:.2g}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Thinnest wall {thinnest} ± {error:.2g}; {count} places below {below:.2g}</source>
+        <source>Thinnest wall {thinnest}; {count} places below {below:.2g}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Thinnest {thinnest} ± {error:.2g}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long.</source>
+        <source>Thinnest {thinnest}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Thinnest {thinnest} ± {error:.2g}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long. Apart from them, the thinnest wall is {walls}.</source>
+        <source>Thinnest {thinnest}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long. Apart from them, the thinnest wall is {walls}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4968,6 +4992,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Walls {low} to {high} thick, {share} of the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Warnings</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5028,7 +5056,23 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>a rib of {thickness} ({share} of the width)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a stud of {thickness} ({share} of the width)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a taper {least} to {thickness} thick</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a twentieth of the surface is thinner than {limit}, 1/{part:.1f} of an element</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a wall of {thickness} ({share} of the width)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5592,6 +5636,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>thread {least} to {thickness} thick</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>tooth</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5696,7 +5744,23 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{count} ribs of {thickness} ({share} of the width)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} studs of {thickness} ({share} of the width)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} teeth {least} to {thickness} thick</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{count} triangles of zero area were left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} walls of {thickness} ({share} of the width)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5976,6 +6040,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{length} ± {error:.2g}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{link} was not opened: a link may lead to http:// or https://, or to a file of the library.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5989,6 +6057,18 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{number!r} in the condition {condition!r} is not a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{one} and {two}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{one}, {two} and {three}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{one}, {two}, {three} and {count} more</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6140,6 +6220,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{said} So thin a place, {share} of the median of {median}, is often an error of the model: look at it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{sentence} It was not changed.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6148,19 +6232,19 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{share} of the surface is thin: {features}. Refine the mesh there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{share} of the surface lies over walls of more than {most}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}, and {plates} over walls that are plates: consider shells (Prepare mesh says whether they can be made).</source>
+        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}: consider shells (Prepare mesh says whether they can be made).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: consider shells (Prepare mesh says whether they can be made).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: refine the mesh there.</source>
+        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}: refine the mesh there.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6173,6 +6257,18 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{thickness} and more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{thickness} plate, {share} of the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{thickness} sheet, {share} of the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{thickness} wall, {share} of the surface</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6193,6 +6289,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{triangles} triangles, chord error {error}, {samples} samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{walls}: consider shells (Prepare mesh says whether they can be made).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

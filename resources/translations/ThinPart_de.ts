@@ -823,6 +823,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Kriterien</translation>
     </message>
     <message>
+        <source>Criteria and their quantities</source>
+        <translation>Kriterien und ihre Größen</translation>
+    </message>
+    <message>
         <source>Criteria that hold (none chosen: any)</source>
         <translation>Erfüllte Kriterien (keines gewählt: beliebig)</translation>
     </message>
@@ -2799,6 +2803,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>bleibt Volumen: {}</translation>
     </message>
     <message>
+        <source>limit {}</source>
+        <translation>Grenze {}</translation>
+    </message>
+    <message>
         <source>linear (first order)</source>
         <translation>linear (erste Ordnung)</translation>
     </message>
@@ -3970,10 +3978,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Kein Kriterium ist erfüllt: Die Wände sind überall dick.</translation>
     </message>
     <message>
-        <source>No parallel walls are thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
-        <translation>Keine parallele Wand ist dünner als {limit}, {part} der mittleren Seite von {middle}: mit Volumenelementen vernetzen.</translation>
-    </message>
-    <message>
         <source>No part is labelled {categories}: label at least {needed} parts of every category.</source>
         <translation>Kein Bauteil ist als {categories} eingeordnet: Ordnen Sie mindestens {needed} Bauteile in jede Kategorie ein.</translation>
     </message>
@@ -4000,10 +4004,6 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>No wall of {part} is wide and thin enough for a shell: mesh it as a solid.</source>
         <translation>Keine Wand von {part} ist breit und dünn genug für eine Schale: Vernetzen Sie das Teil als Volumen.</translation>
-    </message>
-    <message>
-        <source>No walls are thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
-        <translation>Keine Wand ist dünner als {limit}, {part} der mittleren Seite von {middle}: mit Volumenelementen vernetzen.</translation>
     </message>
     <message>
         <source>Normal part</source>
@@ -4064,14 +4064,6 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Only {share:.0f} % of the volume of {part} can be cut off as walls.</source>
         <translation>Nur {share:.0f} % des Volumens von {part} lassen sich als Wände abschneiden.</translation>
-    </message>
-    <message>
-        <source>Only {share} of the surface lies over parallel walls thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
-        <translation>Nur {share} der Oberfläche liegen über parallelen Wänden, die dünner als {limit} sind, {part} der mittleren Seite von {middle}: mit Volumenelementen vernetzen.</translation>
-    </message>
-    <message>
-        <source>Only {share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
-        <translation>Nur {share} der Oberfläche liegen über Wänden, die dünner als {limit} sind, {part} der mittleren Seite von {middle}: mit Volumenelementen vernetzen.</translation>
     </message>
     <message>
         <source>PLY with thickness and colours (*.ply)</source>
@@ -4316,6 +4308,38 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Software</source>
         <translation>Software</translation>
+    </message>
+    <message>
+        <source>Solid but for {features}: mesh it with solids, and refine there or suppress that.</source>
+        <translation>Massiv bis auf {features}: mit Volumenelementen vernetzen und dort verfeinern oder das unterdrücken.</translation>
+    </message>
+    <message>
+        <source>Solid core, {share} of the surface is thin: {features}. Refine the mesh there, or suppress them.</source>
+        <translation>Massiver Kern, {share} der Oberfläche sind dünn: {features}. Das Netz dort verfeinern oder sie unterdrücken.</translation>
+    </message>
+    <message>
+        <source>Solid core, {share} of the surface is thin: {features}. Refine the mesh there.</source>
+        <translation>Massiver Kern, {share} der Oberfläche sind dünn: {features}. Das Netz dort verfeinern.</translation>
+    </message>
+    <message>
+        <source>Solid: less than {share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
+        <translation>Massiv: Weniger als {share} der Oberfläche liegen über Wänden, die dünner als {limit} sind, {part} der Breite von {middle}: mit Volumenelementen vernetzen.</translation>
+    </message>
+    <message>
+        <source>Solid: no wall is thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
+        <translation>Massiv: Keine Wand ist dünner als {limit}, {part} der Breite von {middle}: mit Volumenelementen vernetzen.</translation>
+    </message>
+    <message>
+        <source>Solid: no wall is thinner than {thinnest}, {part} of the width of {middle}: mesh it with solids.</source>
+        <translation>Massiv: Keine Wand ist dünner als {thinnest}, {part} der Breite von {middle}: mit Volumenelementen vernetzen.</translation>
+    </message>
+    <message>
+        <source>Solid: only tapered walls are thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
+        <translation>Massiv: Nur keilförmige Wände sind dünner als {limit}, {part} der Breite von {middle}: mit Volumenelementen vernetzen.</translation>
+    </message>
+    <message>
+        <source>Solid: only {share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
+        <translation>Massiv: Nur {share} der Oberfläche liegen über Wänden, die dünner als {limit} sind, {part} der Breite von {middle}: mit Volumenelementen vernetzen.</translation>
     </message>
     <message>
         <source>Some coordinates are not finite numbers.</source>
@@ -4834,16 +4858,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Anteil dünn</translation>
     </message>
     <message>
-        <source>Thin tapered walls over a good part of its surface</source>
-        <translation>Dünne, zulaufende Wände über einem guten Teil der Oberfläche</translation>
-    </message>
-    <message>
         <source>Thin walls in places</source>
         <translation>Stellenweise dünne Wände</translation>
     </message>
     <message>
         <source>Thin walls over most of its surface</source>
         <translation>Überwiegend dünne Wände</translation>
+    </message>
+    <message>
+        <source>Thin walls, tapered ones too, over a good part of its surface</source>
+        <translation>Dünne Wände, auch keilförmige, über einem guten Teil der Oberfläche</translation>
     </message>
     <message>
         <source>Thinner wall beside a thick body</source>
@@ -4854,8 +4878,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Dünnste</translation>
     </message>
     <message>
-        <source>Thinnest parallel wall {thinnest} ± {error:.2g}: classify the part again for its tapered walls.</source>
-        <translation>Dünnste parallele Wand {thinnest} ± {error:.2g}: Klassifizieren Sie das Teil erneut, um auch keilförmige Wände zu erfassen.</translation>
+        <source>Thinnest parallel wall {thinnest}: classify the part again for its tapered walls.</source>
+        <translation>Dünnste parallele Wand {thinnest}: Klassifizieren Sie das Teil erneut, um auch keilförmige Wände zu erfassen.</translation>
     </message>
     <message>
         <source>Thinnest towards</source>
@@ -4866,28 +4890,28 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Dünnste Wand</translation>
     </message>
     <message>
-        <source>Thinnest wall {thinnest} ± {error:.2g}</source>
-        <translation>Dünnste Wand {thinnest} ± {error:.2g}</translation>
+        <source>Thinnest wall {thinnest}</source>
+        <translation>Dünnste Wand {thinnest}</translation>
     </message>
     <message>
-        <source>Thinnest wall {thinnest} ± {error:.2g}, in a taper</source>
-        <translation>Dünnste Wand {thinnest} ± {error:.2g}, keilförmig</translation>
+        <source>Thinnest wall {thinnest}, in a taper</source>
+        <translation>Dünnste Wand {thinnest}, keilförmig</translation>
     </message>
     <message>
-        <source>Thinnest wall {thinnest} ± {error:.2g}, in a taper; {count} places below {below:.2g}</source>
-        <translation>Dünnste Wand {thinnest} ± {error:.2g}, keilförmig; {count} Stellen unter {below:.2g}</translation>
+        <source>Thinnest wall {thinnest}, in a taper; {count} places below {below:.2g}</source>
+        <translation>Dünnste Wand {thinnest}, keilförmig; {count} Stellen unter {below:.2g}</translation>
     </message>
     <message>
-        <source>Thinnest wall {thinnest} ± {error:.2g}; {count} places below {below:.2g}</source>
-        <translation>Dünnste Wand {thinnest} ± {error:.2g}; {count} Stellen unter {below:.2g}</translation>
+        <source>Thinnest wall {thinnest}; {count} places below {below:.2g}</source>
+        <translation>Dünnste Wand {thinnest}; {count} Stellen unter {below:.2g}</translation>
     </message>
     <message>
-        <source>Thinnest {thinnest} ± {error:.2g}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long.</source>
-        <translation>Dünnste Stelle {thinnest} ± {error:.2g}, {depth:.2g} neben einer scharfen Kante; scharfe Kanten sind {edges} lang.</translation>
+        <source>Thinnest {thinnest}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long.</source>
+        <translation>Dünnste Stelle {thinnest}, {depth:.2g} neben einer scharfen Kante; scharfe Kanten sind {edges} lang.</translation>
     </message>
     <message>
-        <source>Thinnest {thinnest} ± {error:.2g}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long. Apart from them, the thinnest wall is {walls}.</source>
-        <translation>Dünnste Stelle {thinnest} ± {error:.2g}, {depth:.2g} neben einer scharfen Kante; scharfe Kanten sind {edges} lang. Ohne sie ist die dünnste Wand {walls}.</translation>
+        <source>Thinnest {thinnest}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long. Apart from them, the thinnest wall is {walls}.</source>
+        <translation>Dünnste Stelle {thinnest}, {depth:.2g} neben einer scharfen Kante; scharfe Kanten sind {edges} lang. Ohne sie ist die dünnste Wand {walls}.</translation>
     </message>
     <message>
         <source>Thinnest, {unit}</source>
@@ -4970,6 +4994,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Wände, die an zwei Seiten gehalten sind; frei stehende brauchen mehr.</translation>
     </message>
     <message>
+        <source>Walls {low} to {high} thick, {share} of the surface</source>
+        <translation>Wände von {low} bis {high}, {share} der Oberfläche</translation>
+    </message>
+    <message>
         <source>Warnings</source>
         <translation>Warnungen</translation>
     </message>
@@ -5030,8 +5058,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>ein Teil von {file} ist weder gemessen noch abgelehnt</translation>
     </message>
     <message>
+        <source>a rib of {thickness} ({share} of the width)</source>
+        <translation>eine Rippe von {thickness} ({share} der Breite)</translation>
+    </message>
+    <message>
+        <source>a stud of {thickness} ({share} of the width)</source>
+        <translation>ein Zapfen von {thickness} ({share} der Breite)</translation>
+    </message>
+    <message>
+        <source>a taper {least} to {thickness} thick</source>
+        <translation>ein Keil von {least} bis {thickness}</translation>
+    </message>
+    <message>
         <source>a twentieth of the surface is thinner than {limit}, 1/{part:.1f} of an element</source>
         <translation>ein Zwanzigstel der Oberfläche ist dünner als {limit}, 1/{part:.1f} eines Elements</translation>
+    </message>
+    <message>
+        <source>a wall of {thickness} ({share} of the width)</source>
+        <translation>eine Wand von {thickness} ({share} der Breite)</translation>
     </message>
     <message>
         <source>along the principal axes; diagonal {diagonal}</source>
@@ -5594,6 +5638,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>teils dünn</translation>
     </message>
     <message>
+        <source>thread {least} to {thickness} thick</source>
+        <translation>Gewinde von {least} bis {thickness}</translation>
+    </message>
+    <message>
         <source>tooth</source>
         <translation>Zahn</translation>
     </message>
@@ -5698,8 +5746,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{count} weitere Flächen</translation>
     </message>
     <message>
+        <source>{count} ribs of {thickness} ({share} of the width)</source>
+        <translation>{count} Rippen von {thickness} ({share} der Breite)</translation>
+    </message>
+    <message>
+        <source>{count} studs of {thickness} ({share} of the width)</source>
+        <translation>{count} Zapfen von {thickness} ({share} der Breite)</translation>
+    </message>
+    <message>
+        <source>{count} teeth {least} to {thickness} thick</source>
+        <translation>{count} Zähne von {least} bis {thickness}</translation>
+    </message>
+    <message>
         <source>{count} triangles of zero area were left out.</source>
         <translation>{count} Dreiecke mit Flächeninhalt null wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>{count} walls of {thickness} ({share} of the width)</source>
+        <translation>{count} Wände von {thickness} ({share} der Breite)</translation>
     </message>
     <message>
         <source>{count} warnings</source>
@@ -5978,6 +6042,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{inside} der {free} freier Kanten liegen im Material: Dort treffen sich Wände nicht oder gehen in das über, was massiv bleibt. Schließen Sie diese Lücken vor dem Rechnen.</translation>
     </message>
     <message>
+        <source>{length} ± {error:.2g}</source>
+        <translation>{length} ± {error:.2g}</translation>
+    </message>
+    <message>
         <source>{link} was not opened: a link may lead to http:// or https://, or to a file of the library.</source>
         <translation>{link} wurde nicht geöffnet: Ein Link darf zu http:// oder https:// führen oder zu einer Datei der Bibliothek.</translation>
     </message>
@@ -5992,6 +6060,18 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{number!r} in the condition {condition!r} is not a number.</source>
         <translation>{number!r} in der Bedingung {condition!r} ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>{one} and {two}</source>
+        <translation>{one} und {two}</translation>
+    </message>
+    <message>
+        <source>{one}, {two} and {three}</source>
+        <translation>{one}, {two} und {three}</translation>
+    </message>
+    <message>
+        <source>{one}, {two}, {three} and {count} more</source>
+        <translation>{one}, {two}, {three} und {count} weitere</translation>
     </message>
     <message>
         <source>{part} - wall thickness</source>
@@ -6142,6 +6222,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{quantity} = {value:.3g}</translation>
     </message>
     <message>
+        <source>{said} So thin a place, {share} of the median of {median}, is often an error of the model: look at it.</source>
+        <translation>{said} Eine so dünne Stelle, {share} des Medians von {median}, ist oft ein Fehler des Modells: Sehen Sie sie an.</translation>
+    </message>
+    <message>
         <source>{sentence} It was not changed.</source>
         <translation>{sentence} Sie blieb unverändert.</translation>
     </message>
@@ -6150,20 +6234,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{sentence} Sie blieb unverändert: Verschieben Sie sie, damit sie neu geschrieben wird.</translation>
     </message>
     <message>
+        <source>{share} of the surface is thin: {features}. Refine the mesh there.</source>
+        <translation>{share} der Oberfläche sind dünn: {features}. Das Netz dort verfeinern.</translation>
+    </message>
+    <message>
         <source>{share} of the surface lies over walls of more than {most}</source>
         <translation>{share} der Oberfläche liegen über Wänden von mehr als {most}</translation>
     </message>
     <message>
-        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}, and {plates} over walls that are plates: consider shells (Prepare mesh says whether they can be made).</source>
-        <translation>{share} der Oberfläche liegen über Wänden, die dünner als {limit} sind, {part} der mittleren Seite von {middle}, und {plates} über Platten: Schalenelemente erwägen (Netz vorbereiten sagt, ob sie möglich sind).</translation>
+        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}: consider shells (Prepare mesh says whether they can be made).</source>
+        <translation>{share} der Oberfläche liegen über Wänden, die dünner als {limit} sind, {part} der Breite von {middle}: Schalenelemente erwägen (Netz vorbereiten sagt, ob sie möglich sind).</translation>
     </message>
     <message>
-        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: consider shells (Prepare mesh says whether they can be made).</source>
-        <translation>{share} der Oberfläche liegen über Wänden, die dünner als {limit} sind, {part} der mittleren Seite von {middle}: Schalenelemente erwägen (Netz vorbereiten sagt, ob sie möglich sind).</translation>
-    </message>
-    <message>
-        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: refine the mesh there.</source>
-        <translation>{share} der Oberfläche liegen über Wänden, die dünner als {limit} sind, {part} der mittleren Seite von {middle}: das Netz dort verfeinern.</translation>
+        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}: refine the mesh there.</source>
+        <translation>{share} der Oberfläche liegen über Wänden, die dünner als {limit} sind, {part} der Breite von {middle}: das Netz dort verfeinern.</translation>
     </message>
     <message>
         <source>{share} of the surface over walls of {least} to {most}, beside a thick body</source>
@@ -6176,6 +6260,18 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{thickness} and more</source>
         <translation>{thickness} und mehr</translation>
+    </message>
+    <message>
+        <source>{thickness} plate, {share} of the surface</source>
+        <translation>Platte von {thickness}, {share} der Oberfläche</translation>
+    </message>
+    <message>
+        <source>{thickness} sheet, {share} of the surface</source>
+        <translation>Blech von {thickness}, {share} der Oberfläche</translation>
+    </message>
+    <message>
+        <source>{thickness} wall, {share} of the surface</source>
+        <translation>Wand von {thickness}, {share} der Oberfläche</translation>
     </message>
     <message>
         <source>{thinnest}, give or take {error:.2g},</source>
@@ -6196,6 +6292,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{triangles} triangles, chord error {error}, {samples} samples</source>
         <translation>{triangles} Dreiecke, Sehnenfehler {error}, {samples} Messpunkte</translation>
+    </message>
+    <message>
+        <source>{walls}: consider shells (Prepare mesh says whether they can be made).</source>
+        <translation>{walls}: Schalenelemente erwägen (Netz vorbereiten sagt, ob sie möglich sind).</translation>
     </message>
     <message>
         <source>{wall} on {face}</source>

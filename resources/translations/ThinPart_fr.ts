@@ -823,6 +823,10 @@ Son volume est inconnu.</translation>
         <translation>Critères</translation>
     </message>
     <message>
+        <source>Criteria and their quantities</source>
+        <translation>Critères et leurs grandeurs</translation>
+    </message>
+    <message>
         <source>Criteria that hold (none chosen: any)</source>
         <translation>Critères remplis (aucun choisi : tous)</translation>
     </message>
@@ -2799,6 +2803,10 @@ Son volume est inconnu.</translation>
         <translation>reste en volume : {}</translation>
     </message>
     <message>
+        <source>limit {}</source>
+        <translation>limite {}</translation>
+    </message>
+    <message>
         <source>linear (first order)</source>
         <translation>linéaires (premier ordre)</translation>
     </message>
@@ -3970,10 +3978,6 @@ Son volume est inconnu.</translation>
         <translation>Aucun critère n’est rempli : ses parois sont épaisses partout.</translation>
     </message>
     <message>
-        <source>No parallel walls are thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
-        <translation>Aucune paroi parallèle n’est plus mince que {limit}, {part} du côté médian de {middle} : mailler en éléments volumiques.</translation>
-    </message>
-    <message>
         <source>No part is labelled {categories}: label at least {needed} parts of every category.</source>
         <translation>Aucune pièce n’est étiquetée {categories} : étiquetez au moins {needed} pièces de chaque catégorie.</translation>
     </message>
@@ -4000,10 +4004,6 @@ Son volume est inconnu.</translation>
     <message>
         <source>No wall of {part} is wide and thin enough for a shell: mesh it as a solid.</source>
         <translation>Aucune paroi de {part} n’est assez large et mince pour une coque : maillez la pièce comme solide.</translation>
-    </message>
-    <message>
-        <source>No walls are thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
-        <translation>Aucune paroi n'est plus mince que {limit}, {part} du côté médian de {middle} : mailler en éléments volumiques.</translation>
     </message>
     <message>
         <source>Normal part</source>
@@ -4064,14 +4064,6 @@ Son volume est inconnu.</translation>
     <message>
         <source>Only {share:.0f} % of the volume of {part} can be cut off as walls.</source>
         <translation>Seuls {share:.0f} % du volume de {part} peuvent être séparés comme parois.</translation>
-    </message>
-    <message>
-        <source>Only {share} of the surface lies over parallel walls thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
-        <translation>Seulement {share} de la surface recouvre des parois parallèles plus minces que {limit}, {part} du côté médian de {middle} : mailler en éléments volumiques.</translation>
-    </message>
-    <message>
-        <source>Only {share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.</source>
-        <translation>Seulement {share} de la surface recouvre des parois plus minces que {limit}, {part} du côté médian de {middle} : mailler en éléments volumiques.</translation>
     </message>
     <message>
         <source>PLY with thickness and colours (*.ply)</source>
@@ -4316,6 +4308,38 @@ Son volume est inconnu.</translation>
     <message>
         <source>Software</source>
         <translation>Logiciel</translation>
+    </message>
+    <message>
+        <source>Solid but for {features}: mesh it with solids, and refine there or suppress that.</source>
+        <translation>Massive sauf {features} : mailler en éléments volumiques, et y raffiner ou supprimer cela.</translation>
+    </message>
+    <message>
+        <source>Solid core, {share} of the surface is thin: {features}. Refine the mesh there, or suppress them.</source>
+        <translation>Noyau massif, {share} de la surface est mince : {features}. Y raffiner le maillage, ou les supprimer.</translation>
+    </message>
+    <message>
+        <source>Solid core, {share} of the surface is thin: {features}. Refine the mesh there.</source>
+        <translation>Noyau massif, {share} de la surface est mince : {features}. Y raffiner le maillage.</translation>
+    </message>
+    <message>
+        <source>Solid: less than {share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
+        <translation>Massive : moins de {share} de la surface recouvre des parois plus minces que {limit}, {part} de la largeur de {middle} : mailler en éléments volumiques.</translation>
+    </message>
+    <message>
+        <source>Solid: no wall is thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
+        <translation>Massive : aucune paroi n’est plus mince que {limit}, {part} de la largeur de {middle} : mailler en éléments volumiques.</translation>
+    </message>
+    <message>
+        <source>Solid: no wall is thinner than {thinnest}, {part} of the width of {middle}: mesh it with solids.</source>
+        <translation>Massive : aucune paroi n’est plus mince que {thinnest}, {part} de la largeur de {middle} : mailler en éléments volumiques.</translation>
+    </message>
+    <message>
+        <source>Solid: only tapered walls are thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
+        <translation>Massive : seules des parois en dépouille sont plus minces que {limit}, {part} de la largeur de {middle} : mailler en éléments volumiques.</translation>
+    </message>
+    <message>
+        <source>Solid: only {share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
+        <translation>Massive : seulement {share} de la surface recouvre des parois plus minces que {limit}, {part} de la largeur de {middle} : mailler en éléments volumiques.</translation>
     </message>
     <message>
         <source>Some coordinates are not finite numbers.</source>
@@ -4834,16 +4858,16 @@ Son volume est inconnu.</translation>
         <translation>Part mince</translation>
     </message>
     <message>
-        <source>Thin tapered walls over a good part of its surface</source>
-        <translation>Des parois minces et effilées sur une bonne partie de la surface</translation>
-    </message>
-    <message>
         <source>Thin walls in places</source>
         <translation>Des parois minces par endroits</translation>
     </message>
     <message>
         <source>Thin walls over most of its surface</source>
         <translation>Parois minces sur presque toute la surface</translation>
+    </message>
+    <message>
+        <source>Thin walls, tapered ones too, over a good part of its surface</source>
+        <translation>Des parois minces, même en dépouille, sur une bonne partie de la surface</translation>
     </message>
     <message>
         <source>Thinner wall beside a thick body</source>
@@ -4854,8 +4878,8 @@ Son volume est inconnu.</translation>
         <translation>Plus mince</translation>
     </message>
     <message>
-        <source>Thinnest parallel wall {thinnest} ± {error:.2g}: classify the part again for its tapered walls.</source>
-        <translation>Paroi parallèle la plus mince {thinnest} ± {error:.2g} : reclassez la pièce pour ses parois en dépouille.</translation>
+        <source>Thinnest parallel wall {thinnest}: classify the part again for its tapered walls.</source>
+        <translation>Paroi parallèle la plus mince {thinnest} : reclassez la pièce pour ses parois en dépouille.</translation>
     </message>
     <message>
         <source>Thinnest towards</source>
@@ -4866,28 +4890,28 @@ Son volume est inconnu.</translation>
         <translation>Paroi la plus mince</translation>
     </message>
     <message>
-        <source>Thinnest wall {thinnest} ± {error:.2g}</source>
-        <translation>Paroi la plus mince {thinnest} ± {error:.2g}</translation>
+        <source>Thinnest wall {thinnest}</source>
+        <translation>Paroi la plus mince {thinnest}</translation>
     </message>
     <message>
-        <source>Thinnest wall {thinnest} ± {error:.2g}, in a taper</source>
-        <translation>Paroi la plus mince {thinnest} ± {error:.2g}, en dépouille</translation>
+        <source>Thinnest wall {thinnest}, in a taper</source>
+        <translation>Paroi la plus mince {thinnest}, en dépouille</translation>
     </message>
     <message>
-        <source>Thinnest wall {thinnest} ± {error:.2g}, in a taper; {count} places below {below:.2g}</source>
-        <translation>Paroi la plus mince {thinnest} ± {error:.2g}, en dépouille ; {count} endroits sous {below:.2g}</translation>
+        <source>Thinnest wall {thinnest}, in a taper; {count} places below {below:.2g}</source>
+        <translation>Paroi la plus mince {thinnest}, en dépouille ; {count} endroits sous {below:.2g}</translation>
     </message>
     <message>
-        <source>Thinnest wall {thinnest} ± {error:.2g}; {count} places below {below:.2g}</source>
-        <translation>Paroi la plus mince {thinnest} ± {error:.2g} ; {count} endroits sous {below:.2g}</translation>
+        <source>Thinnest wall {thinnest}; {count} places below {below:.2g}</source>
+        <translation>Paroi la plus mince {thinnest} ; {count} endroits sous {below:.2g}</translation>
     </message>
     <message>
-        <source>Thinnest {thinnest} ± {error:.2g}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long.</source>
-        <translation>Endroit le plus mince {thinnest} ± {error:.2g}, à {depth:.2g} d’une arête vive ; les arêtes vives mesurent {edges}.</translation>
+        <source>Thinnest {thinnest}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long.</source>
+        <translation>Endroit le plus mince {thinnest}, à {depth:.2g} d’une arête vive ; les arêtes vives mesurent {edges}.</translation>
     </message>
     <message>
-        <source>Thinnest {thinnest} ± {error:.2g}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long. Apart from them, the thinnest wall is {walls}.</source>
-        <translation>Endroit le plus mince {thinnest} ± {error:.2g}, à {depth:.2g} d’une arête vive ; les arêtes vives mesurent {edges}. En dehors d’elles, la paroi la plus mince est de {walls}.</translation>
+        <source>Thinnest {thinnest}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long. Apart from them, the thinnest wall is {walls}.</source>
+        <translation>Endroit le plus mince {thinnest}, à {depth:.2g} d’une arête vive ; les arêtes vives mesurent {edges}. En dehors d’elles, la paroi la plus mince est de {walls}.</translation>
     </message>
     <message>
         <source>Thinnest, {unit}</source>
@@ -4970,6 +4994,10 @@ Son volume est inconnu.</translation>
         <translation>Parois tenues de deux côtés ; les parois libres demandent plus.</translation>
     </message>
     <message>
+        <source>Walls {low} to {high} thick, {share} of the surface</source>
+        <translation>Parois de {low} à {high}, {share} de la surface</translation>
+    </message>
+    <message>
         <source>Warnings</source>
         <translation>Avertissements</translation>
     </message>
@@ -5030,8 +5058,24 @@ Son volume est inconnu.</translation>
         <translation>une pièce de {file} n’est ni mesurée ni refusée</translation>
     </message>
     <message>
+        <source>a rib of {thickness} ({share} of the width)</source>
+        <translation>une nervure de {thickness} ({share} de la largeur)</translation>
+    </message>
+    <message>
+        <source>a stud of {thickness} ({share} of the width)</source>
+        <translation>un téton de {thickness} ({share} de la largeur)</translation>
+    </message>
+    <message>
+        <source>a taper {least} to {thickness} thick</source>
+        <translation>une dépouille de {least} à {thickness}</translation>
+    </message>
+    <message>
         <source>a twentieth of the surface is thinner than {limit}, 1/{part:.1f} of an element</source>
         <translation>un vingtième de la surface est plus mince que {limit}, 1/{part:.1f} d'un élément</translation>
+    </message>
+    <message>
+        <source>a wall of {thickness} ({share} of the width)</source>
+        <translation>une paroi de {thickness} ({share} de la largeur)</translation>
     </message>
     <message>
         <source>along the principal axes; diagonal {diagonal}</source>
@@ -5594,6 +5638,10 @@ Son volume est inconnu.</translation>
         <translation>zones minces</translation>
     </message>
     <message>
+        <source>thread {least} to {thickness} thick</source>
+        <translation>filet de {least} à {thickness}</translation>
+    </message>
+    <message>
         <source>tooth</source>
         <translation>dent</translation>
     </message>
@@ -5698,8 +5746,24 @@ Son volume est inconnu.</translation>
         <translation>{count} autres faces</translation>
     </message>
     <message>
+        <source>{count} ribs of {thickness} ({share} of the width)</source>
+        <translation>{count} nervures de {thickness} ({share} de la largeur)</translation>
+    </message>
+    <message>
+        <source>{count} studs of {thickness} ({share} of the width)</source>
+        <translation>{count} tétons de {thickness} ({share} de la largeur)</translation>
+    </message>
+    <message>
+        <source>{count} teeth {least} to {thickness} thick</source>
+        <translation>{count} dents de {least} à {thickness}</translation>
+    </message>
+    <message>
         <source>{count} triangles of zero area were left out.</source>
         <translation>{count} triangles d’aire nulle ont été omis.</translation>
+    </message>
+    <message>
+        <source>{count} walls of {thickness} ({share} of the width)</source>
+        <translation>{count} parois de {thickness} ({share} de la largeur)</translation>
     </message>
     <message>
         <source>{count} warnings</source>
@@ -5978,6 +6042,10 @@ Son volume est inconnu.</translation>
         <translation>{inside} des {free} d’arêtes libres sont dans la matière : là, des parois ne se rejoignent pas ou passent à ce qui reste solide. Fermez ces lacunes avant le calcul.</translation>
     </message>
     <message>
+        <source>{length} ± {error:.2g}</source>
+        <translation>{length} ± {error:.2g}</translation>
+    </message>
+    <message>
         <source>{link} was not opened: a link may lead to http:// or https://, or to a file of the library.</source>
         <translation>{link} n’a pas été ouvert : un lien peut mener à http:// ou https://, ou à un fichier de la bibliothèque.</translation>
     </message>
@@ -5992,6 +6060,18 @@ Son volume est inconnu.</translation>
     <message>
         <source>{number!r} in the condition {condition!r} is not a number.</source>
         <translation>{number!r} dans la condition {condition!r} n’est pas un nombre.</translation>
+    </message>
+    <message>
+        <source>{one} and {two}</source>
+        <translation>{one} et {two}</translation>
+    </message>
+    <message>
+        <source>{one}, {two} and {three}</source>
+        <translation>{one}, {two} et {three}</translation>
+    </message>
+    <message>
+        <source>{one}, {two}, {three} and {count} more</source>
+        <translation>{one}, {two}, {three} et {count} autres</translation>
     </message>
     <message>
         <source>{part} - wall thickness</source>
@@ -6142,6 +6222,10 @@ Son volume est inconnu.</translation>
         <translation>{quantity} = {value:.3g}</translation>
     </message>
     <message>
+        <source>{said} So thin a place, {share} of the median of {median}, is often an error of the model: look at it.</source>
+        <translation>{said} Un endroit aussi mince, {share} de la médiane de {median}, est souvent une erreur du modèle : vérifiez-le.</translation>
+    </message>
+    <message>
         <source>{sentence} It was not changed.</source>
         <translation>{sentence} Il est resté inchangé.</translation>
     </message>
@@ -6150,20 +6234,20 @@ Son volume est inconnu.</translation>
         <translation>{sentence} Il est resté inchangé : déplacez-le pour qu’il soit réécrit.</translation>
     </message>
     <message>
+        <source>{share} of the surface is thin: {features}. Refine the mesh there.</source>
+        <translation>{share} de la surface est mince : {features}. Y raffiner le maillage.</translation>
+    </message>
+    <message>
         <source>{share} of the surface lies over walls of more than {most}</source>
         <translation>{share} de la surface est au-dessus de parois de plus de {most}</translation>
     </message>
     <message>
-        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}, and {plates} over walls that are plates: consider shells (Prepare mesh says whether they can be made).</source>
-        <translation>{share} de la surface recouvre des parois plus minces que {limit}, {part} du côté médian de {middle}, et {plates} des plaques : envisager des éléments de coque (Préparer le maillage dit s’ils sont possibles).</translation>
+        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}: consider shells (Prepare mesh says whether they can be made).</source>
+        <translation>{share} de la surface recouvre des parois plus minces que {limit}, {part} de la largeur de {middle} : envisager des éléments de coque (Préparer le maillage dit s’ils sont possibles).</translation>
     </message>
     <message>
-        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: consider shells (Prepare mesh says whether they can be made).</source>
-        <translation>{share} de la surface recouvre des parois plus minces que {limit}, {part} du côté médian de {middle} : envisager des éléments de coque (Préparer le maillage dit s’ils sont possibles).</translation>
-    </message>
-    <message>
-        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: refine the mesh there.</source>
-        <translation>{share} de la surface recouvre des parois plus minces que {limit}, {part} du côté médian de {middle} : y raffiner le maillage.</translation>
+        <source>{share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}: refine the mesh there.</source>
+        <translation>{share} de la surface recouvre des parois plus minces que {limit}, {part} de la largeur de {middle} : y raffiner le maillage.</translation>
     </message>
     <message>
         <source>{share} of the surface over walls of {least} to {most}, beside a thick body</source>
@@ -6176,6 +6260,18 @@ Son volume est inconnu.</translation>
     <message>
         <source>{thickness} and more</source>
         <translation>{thickness} et plus</translation>
+    </message>
+    <message>
+        <source>{thickness} plate, {share} of the surface</source>
+        <translation>Plaque de {thickness}, {share} de la surface</translation>
+    </message>
+    <message>
+        <source>{thickness} sheet, {share} of the surface</source>
+        <translation>Tôle de {thickness}, {share} de la surface</translation>
+    </message>
+    <message>
+        <source>{thickness} wall, {share} of the surface</source>
+        <translation>Paroi de {thickness}, {share} de la surface</translation>
     </message>
     <message>
         <source>{thinnest}, give or take {error:.2g},</source>
@@ -6196,6 +6292,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{triangles} triangles, chord error {error}, {samples} samples</source>
         <translation>{triangles} triangles, erreur de corde {error}, {samples} points de mesure</translation>
+    </message>
+    <message>
+        <source>{walls}: consider shells (Prepare mesh says whether they can be made).</source>
+        <translation>{walls} : envisager des éléments de coque (Préparer le maillage dit s’ils sont possibles).</translation>
     </message>
     <message>
         <source>{wall} on {face}</source>

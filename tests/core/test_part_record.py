@@ -15,6 +15,7 @@ from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 from thinpart_workbench.core.record.part_record import descriptors_of, part_record
 from thinpart_workbench.core.thickness.measurement import measure
 from thinpart_workbench.core.walls.face_thickness import face_thicknesses
+from thinpart_workbench.core.walls.thinnest_place import WallErrors
 
 PAPER = load_profile("paper")
 PART = SimpleNamespace(name="Part", label="A part", instances=1, warnings=())
@@ -32,7 +33,7 @@ def record_of(shape, settings=AnalysisSettings()):
     verdict = classify(measurement.descriptors, PAPER)
     faces = face_thicknesses(measurement.field, 5.0)
     return measurement, verdict, part_record(
-        PART, mesh, measurement, verdict, verdict, faces, (0.01, 0.01, 0.01), 0.0)
+        PART, mesh, measurement, verdict, verdict, faces, WallErrors(0.01, 0.01, 0.01), 0.0)
 
 
 @pytest.mark.parametrize("name", SHAPES)

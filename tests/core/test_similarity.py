@@ -34,6 +34,7 @@ from thinpart_workbench.core.judging.criteria import load_profile
 from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 from thinpart_workbench.core.record.part_record import part_record
 from thinpart_workbench.core.thickness.measurement import measure
+from thinpart_workbench.core.walls.thinnest_place import WallErrors
 
 PART = SimpleNamespace(name="Part", label="A part", instances=1, warnings=())
 PAPER = load_profile("paper")
@@ -63,7 +64,7 @@ def signature_of(shape):
     mesh = surface_mesh(*shape)
     measurement = measure(mesh, AnalysisSettings())
     verdict = classify(measurement.descriptors, PAPER)
-    return signature(part_record(PART, mesh, measurement, verdict, verdict, [], (0.0, 0.0, 0.0), 0.0))
+    return signature(part_record(PART, mesh, measurement, verdict, verdict, [], WallErrors(0.0, 0.0, 0.0), 0.0))
 
 
 @pytest.fixture(scope="module")

@@ -21,8 +21,7 @@ def test_a_plate_is_thin_with_figures_and_the_advice_to_use_shells(document):
     window.classify()
     assert window.text("ThinPart_Headline") == "Thin part"
     assert window.text("ThinPart_Why") == (
-        "93\u00a0% of the surface lies over walls thinner than 7.2\u00a0mm, 12\u00a0% of the middle side of 60\u00a0mm: "
-        "consider shells (Prepare mesh says whether they can be made).")
+        "3\u00a0mm plate, 93\u00a0% of the surface: consider shells (Prepare mesh says whether they can be made).")
     assert window.text("ThinPart_HowSure").startswith("Probability: 87\u00a0%, next 'Part with thin features' with ")
     assert window.text("ThinPart_PaperVerdict") == ""  # the paper says the same
 
@@ -32,7 +31,7 @@ def test_a_bar_is_normal_where_the_paper_calls_it_thin(document):
     window.classify()
     assert window.text("ThinPart_Headline") == "Normal part"
     assert window.text("ThinPart_Why") == (
-        "No parallel walls are thinner than 1\u00a0mm, 5.0\u00a0% of the middle side of 20\u00a0mm: mesh it with solids.")
+        "Solid: no wall is thinner than 20\u00a0mm, 100\u00a0% of the width of 20\u00a0mm: mesh it with solids.")
     assert window.text("ThinPart_PaperVerdict") == (
         "By the paper's criteria: thin (criterion 4: 95\u00a0% of the surface over walls thinner than 50.5\u00a0mm).")
 
@@ -43,7 +42,8 @@ def test_a_block_with_a_thin_rib_has_thin_features_and_the_rib_is_red(document):
     feature = window.add(document, "Ribbed", Part.makeBox(100, 60, 40).fuse(rib))
     window.classify()
     assert window.text("ThinPart_Headline") == "Part with thin features"
-    assert window.text("ThinPart_Why").endswith("of the middle side of 60\u00a0mm: refine the mesh there.")
+    assert window.text("ThinPart_Why") == (
+        "12\u00a0% of the surface is thin: a wall of 2\u00a0mm (3.3\u00a0% of the width). Refine the mesh there.")
     assert 2 <= window.rgb(feature).count(RED) < len(feature.Shape.Faces)
 
 

@@ -177,7 +177,7 @@ def test_the_verdict_is_said_in_words_and_not_by_the_name_of_a_criterion(tmp_pat
     shutil.copy(SAMPLES / "plate.step", tmp_path)
     assert thinpart("report", tmp_path / "plate.step", "-o", tmp_path / "out").returncode == 0
     page, = [page for name, page in pages(tmp_path / "out").items() if name != "index.html"]
-    said = re.search(r"of the surface lies over walls thinner than [\d.]+.*: consider shells .*\. Probability: ", page.text)
+    said = re.search(r"[\d.]+\smm (sheet|plate), \d+\s% of the surface: consider shells .*\. Probability: ", page.text)
     assert said
     assert "thin_walls" not in page.text and "Thin plates nearly everywhere" in page.text
 

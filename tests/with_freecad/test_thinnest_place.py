@@ -135,8 +135,11 @@ def test_places_are_counted():
     assert "4 places below 1.3 mm" in str(thinnest_sentence(record))
 
 
-REAL = ["p048", "t022", "t225", "t206", "t209", "t145", "t040", "t286", "t198"]
-"""Parts to train on: a nozzle, lips, webs over slots and bores, a capsule, a knob, teeth of a pulley."""
+REAL = """
+    p048 t022 t225 t206 t209 t145 t040 t286 t198 p082 t117 t070 p100 t162 p023 t084 p069 p078 t108 p071 t007 t043
+    t199 t147 t152 p073 t376 t159 p059 t235 p084 p009 t234 t151
+""".split()
+"""Parts to train on: nozzles, lips, webs over slots and bores, countersinks, threads of screws and nuts, teeth, blends."""
 
 
 @pytest.mark.skipif(not TRAINING.is_dir(), reason="the parts to train on are not here")

@@ -24,7 +24,7 @@ def test_texts_are_looked_up_and_unknown_ones_stay(code, text):
 
 
 def test_sentences_are_translated_with_those_within_them_and_have_the_decimal_mark():
-    said = message("Only {share} of the surface lies over walls thinner than {limit}, {part} of the middle side of "
+    said = message("Solid: only {share} of the surface lies over walls thinner than {limit}, {part} of the width of "
                    "{middle}: mesh it with solids.", share=Share(0.005), limit=Length(1.25), part=Share(0.15),
                    middle=Length(40.0))
     assert page_language("en").sentence(said).replace("\u00a0mm", " mm") == said
@@ -50,7 +50,7 @@ def test_numbers(code, shown):
     ("de", "0,0492\u00a0in", "1,57\u00a0in"),
     ("fr", "0,0492\u00a0in", "1,57\u00a0in")])
 def test_lengths_in_sentences_are_in_the_unit_with_the_decimal_mark_of_the_language(code, limit, middle):
-    said = message("No walls are thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.",
+    said = message("Solid: no wall is thinner than {limit}, {part} of the width of {middle}: mesh it with solids.",
                    limit=Length(1.25), part=Share(0.031), middle=Length(40.0))
     shown = page_language(code, INCH).sentence(said)
     assert limit in shown and middle in shown and "mm" not in shown

@@ -108,8 +108,19 @@ def _store(thickness, parts):
     thickness.Proxy.cached_parts = map_version(thickness), parts
     thickness.Measure = next((part.map.measure for part in parts), RAY)
     thickness.Diagonal = max(map(_diagonal, parts), default=0.0)
-    thickness.Thinnest, thickness.Thickest = thickness_range(parts) or (0.0, 0.0)
+    thickness.Thinnest, thickness.Thickest = _extremes(parts)
     thickness.Proxy.measured(thickness)
+
+
+def _extremes(parts):
+    """The thinnest wall, as the records of the parts have it, and the greatest thickness of their maps, mm.
+
+    Beside an edge, facets are as thin as one likes: that is no wall.
+    """
+    thinnest, thickest = thickness_range(parts) or (0.0, 0.0)
+    recorded = [part.record["descriptors"]["thickness_mm"]["min"] for part in parts
+                if part.map.measure == RAY and part.record.get("descriptors")]
+    return min((wall for wall in recorded if wall is not None), default=thinnest), thickest
 
 
 def _choose_range(thickness, parts):

@@ -37,7 +37,7 @@ def why(record: PartRecord) -> Why:
 
     Examples
     --------
-    >>> "of the surface lies over walls thinner than" in why(record).sentence
+    >>> "% of the surface: consider shells" in why(record).sentence
     True
     """
     if record["category"] == UNKNOWN:

@@ -6,7 +6,12 @@ from ..descriptors.descriptor_table import quantity_named
 from ..descriptors.quantity import MiddleShare
 from ..figures import Length, Share
 from ..message import message
+from ..record.region_groups import region_groups
 from .verdict_reasons import deciding_criteria
+from .wall_words import thin_features, walls_it_is_made_of
+
+LEAST_SHARE = 0.001
+"""Share below which less than that is said: rounded, it would be none."""
 
 
 def verdict_sentence(record):
@@ -38,32 +43,63 @@ def _of_walls(record, quantity, condition, plates):
     width = record["descriptors"]["box_mm"][1]
     bound, middle = quantity.bounds[1], Length(width)
     share, limit, part = Share(condition["value"]), Length(bound * width), Share(bound)
-    if not condition["value"] and not quantity.slanted:  # there may be tapered ones
-        return message(
-            "No parallel walls are thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.",
-            limit=limit, part=part, middle=middle)
-    if not condition["value"]:
-        return message(
-            "No walls are thinner than {limit}, {part} of the middle side of {middle}: mesh it with solids.",
-            limit=limit, part=part, middle=middle)
-    if not condition["holds"] and not quantity.slanted:
-        return message(
-            "Only {share} of the surface lies over parallel walls thinner than {limit}, {part} of the middle side of "
-            "{middle}: mesh it with solids.", share=share, limit=limit, part=part, middle=middle)
+    if condition["holds"]:
+        said = _in_workshop_words(record, share, bound * width, _asks_for_plates(plates))
+        if said is not None:
+            return said
+    thinnest = record["descriptors"]["thickness_mm"]["min"]
+    if not condition["holds"] and "thinnest" in record and thinnest is not None and thinnest >= bound * width:
+        return message("Solid: no wall is thinner than {thinnest}, {part} of the width of {middle}: mesh it with solids.",
+                       thinnest=Length(thinnest), part=Share(thinnest / width), middle=middle)
     if not condition["holds"]:
+        found = thin_features(region_groups(record), bound * width, width)
+        if found is not None:
+            return message("Solid but for {features}: mesh it with solids, and refine there or suppress that.",
+                           features=found.words)
+        return _of_solid(share, limit, part, middle, quantity.slanted)
+    if _asks_for_plates(plates):
         return message(
-            "Only {share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: "
-            "mesh it with solids.", share=share, limit=limit, part=part, middle=middle)
-    if "plate_ratio" in plates:
-        return message(
-            "{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: consider "
+            "{share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}: consider "
             "shells (Prepare mesh says whether they can be made).",
             share=share, limit=limit, part=part, middle=middle)
-    if plates.get("plate_share") is not None:
-        return message(
-            "{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}, and "
-            "{plates} over walls that are plates: consider shells (Prepare mesh says whether they can be made).",
-            share=share, limit=limit, part=part, middle=middle, plates=Share(plates["plate_share"]))
     return message(
-        "{share} of the surface lies over walls thinner than {limit}, {part} of the middle side of {middle}: refine "
+        "{share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}: refine "
         "the mesh there.", share=share, limit=limit, part=part, middle=middle)
+
+
+def _of_solid(share, limit, part, middle, slanted):
+    if not share.value and not slanted:  # there may be tapered ones
+        return message("Solid: only tapered walls are thinner than {limit}, {part} of the width of {middle}: mesh it with "
+                       "solids.", limit=limit, part=part, middle=middle)
+    if not share.value:
+        return message("Solid: no wall is thinner than {limit}, {part} of the width of {middle}: mesh it with solids.",
+                       limit=limit, part=part, middle=middle)
+    if share.value < LEAST_SHARE:
+        return message("Solid: less than {share} of the surface lies over walls thinner than {limit}, {part} of the width "
+                       "of {middle}: mesh it with solids.", share=Share(LEAST_SHARE), limit=limit, part=part, middle=middle)
+    return message("Solid: only {share} of the surface lies over walls thinner than {limit}, {part} of the width of "
+                   "{middle}: mesh it with solids.", share=share, limit=limit, part=part, middle=middle)
+
+
+def _asks_for_plates(conditions):
+    return "plate_ratio" in conditions or conditions.get("plate_share") is not None
+
+
+def _in_workshop_words(record, share, limit, of_plates):
+    """The same by the walls of the part, where they are known: Message or None."""
+    groups = region_groups(record)
+    if of_plates:
+        made_of = walls_it_is_made_of(record, groups, limit)
+        return None if made_of is None else message(
+            "{walls}: consider shells (Prepare mesh says whether they can be made).", walls=made_of)
+    found = thin_features(groups, limit, record["descriptors"]["box_mm"][1])
+    if found is None:
+        return None
+    if found.has_core and found.are_teeth:
+        return message("Solid core, {share} of the surface is thin: {features}. Refine the mesh there, or suppress them.",
+                       share=share, features=found.words)
+    if found.has_core:
+        return message("Solid core, {share} of the surface is thin: {features}. Refine the mesh there.",
+                       share=share, features=found.words)
+    return message("{share} of the surface is thin: {features}. Refine the mesh there.",
+                   share=share, features=found.words)

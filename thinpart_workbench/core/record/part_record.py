@@ -47,8 +47,7 @@ def part_record(part, mesh, measurement, classification, paper, faces, errors, d
     classification, paper : Classification
         By the active profile, and by the paper's own thresholds.
     faces : list of FaceThickness
-    errors : tuple of float, mm
-        How far the thinnest parallel wall, the thinnest place, and the thinnest wall apart from sharp edges may be off.
+    errors : WallErrors
     deflection : float, mm
     risk : MeshRiskRecord, optional
     """
@@ -61,7 +60,7 @@ def part_record(part, mesh, measurement, classification, paper, faces, errors, d
         "evidence": evidence(classification),
         "paper": {"category": paper.category, "criteria": list(paper.criteria)},
         "descriptors": recorded_descriptors(
-            measurement.descriptors, measurement.wall_range, errors[1], _has_teeth(paper), mesh.watertight),
+            measurement.descriptors, measurement.wall_range, errors.thinnest, _has_teeth(paper), mesh.watertight),
         "thinnest": None if measurement.thinnest is None else _thinnest(measurement, errors),
         "thin_limit_mm": classification.thin_limit_x * measurement.descriptors.box.diagonal,
         "faces": [_face(face) for face in faces],
@@ -180,8 +179,8 @@ def _thinnest(measurement, errors) -> ThinnestRecord:
     place, parallel = measurement.thinnest, measurement.thinnest_wall
     return {
         "kind": place.kind, "face": face_name(place.witness.face), "witness": _witness(place.witness),
-        "walls_mm": None if place.wall is None else place.wall.distance, "walls_error_mm": errors[2],
-        "parallel_mm": None if parallel is None else parallel.distance, "parallel_error_mm": errors[0],
+        "walls_mm": None if place.wall is None else place.wall.distance, "walls_error_mm": errors.walls,
+        "parallel_mm": None if parallel is None else parallel.distance, "parallel_error_mm": errors.parallel,
         "depth_mm": place.depth, "edges_mm": place.edges_mm, "places": place.places, "below_mm": place.below_mm,
     }
 

@@ -2,11 +2,18 @@
 """Where a part is thinnest, in a sentence."""
 
 from ..descriptors.wall_kinds import EDGE, TAPERED
-from ..figures import Length
+from ..figures import Length, Share
 from ..message import message
 
 NOTED_EDGES = 0.01
 """Length of the sharp edges, in diagonals, from which on they are named where they are not the thinnest place."""
+
+
+SMALL_ERROR = 0.001
+"""Share of a length below which its error is not said: lengths are written with three digits."""
+
+SLIVER = 0.02
+"""Share of the usual wall below which the thinnest one is often an error of the model: surfaces that nearly touch."""
 
 
 def thinnest_sentence(record):
@@ -19,19 +26,34 @@ def thinnest_sentence(record):
     walls, place = record["descriptors"]["thickness_mm"], record.get("thinnest")
     if walls["min"] is None:
         return message("No wall could be measured.")
-    thinnest, error = Length(walls["min"]), Length(walls["error_bound"])
+    thinnest = with_error(walls["min"], walls["error_bound"])
     if place is None:
-        return message("Thinnest parallel wall {thinnest} \u00b1 {error:.2g}: classify the part again for its tapered "
-                       "walls.", thinnest=thinnest, error=error)
+        return message("Thinnest parallel wall {thinnest}: classify the part again for its tapered walls.",
+                       thinnest=thinnest)
+    said = _said(record, place, thinnest)
+    if not walls["median"] or walls["min"] >= SLIVER * walls["median"]:
+        return said
+    return message("{said} So thin a place, {share} of the median of {median}, is often an error of the model: look at it.",
+                   said=said, share=Share(walls["min"] / walls["median"]), median=Length(walls["median"]))
+
+
+def with_error(length, error):
+    """A length, mm, and how far it may be off, where that is seen in three digits: Length or Message."""
+    if error is None or error < SMALL_ERROR * length:
+        return Length(length)
+    return message("{length} \u00b1 {error:.2g}", length=Length(length), error=Length(error))
+
+
+def _said(record, place, thinnest):
     depth, edges = Length(place["depth_mm"]), Length(place["edges_mm"])
     if place["kind"] == EDGE and place["walls_mm"] is None:
-        return message("Thinnest {thinnest} \u00b1 {error:.2g}, {depth:.2g} beside a sharp edge; sharp edges are {edges} "
-                       "long.", thinnest=thinnest, error=error, depth=depth, edges=edges)
+        return message("Thinnest {thinnest}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long.",
+                       thinnest=thinnest, depth=depth, edges=edges)
     if place["kind"] == EDGE:
-        return message("Thinnest {thinnest} \u00b1 {error:.2g}, {depth:.2g} beside a sharp edge; sharp edges are {edges} "
-                       "long. Apart from them, the thinnest wall is {walls}.",
-                       thinnest=thinnest, error=error, depth=depth, edges=edges, walls=Length(place["walls_mm"]))
-    wall = _wall(place, thinnest, error)
+        return message("Thinnest {thinnest}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long. Apart from "
+                       "them, the thinnest wall is {walls}.",
+                       thinnest=thinnest, depth=depth, edges=edges, walls=Length(place["walls_mm"]))
+    wall = _wall(place, thinnest)
     if place["edges_mm"] > NOTED_EDGES * record["descriptors"]["diagonal_mm"]:
         return message("{wall}; sharp edges are {edges} long.", wall=wall, edges=edges)
     return message("{wall}.", wall=wall)
@@ -43,14 +65,14 @@ def thinnest_kind(record):
     return "" if place is None else {TAPERED: "taper", EDGE: "edge"}.get(place["kind"], "")
 
 
-def _wall(place, thinnest, error):
+def _wall(place, thinnest):
     below, count = Length(place["below_mm"]), place["places"]
     if place["kind"] == TAPERED and count > 1:
-        return message("Thinnest wall {thinnest} \u00b1 {error:.2g}, in a taper; {count} places below {below:.2g}",
-                       thinnest=thinnest, error=error, count=count, below=below)
+        return message("Thinnest wall {thinnest}, in a taper; {count} places below {below:.2g}",
+                       thinnest=thinnest, count=count, below=below)
     if place["kind"] == TAPERED:
-        return message("Thinnest wall {thinnest} \u00b1 {error:.2g}, in a taper", thinnest=thinnest, error=error)
+        return message("Thinnest wall {thinnest}, in a taper", thinnest=thinnest)
     if count > 1:
-        return message("Thinnest wall {thinnest} \u00b1 {error:.2g}; {count} places below {below:.2g}",
-                       thinnest=thinnest, error=error, count=count, below=below)
-    return message("Thinnest wall {thinnest} \u00b1 {error:.2g}", thinnest=thinnest, error=error)
+        return message("Thinnest wall {thinnest}; {count} places below {below:.2g}",
+                       thinnest=thinnest, count=count, below=below)
+    return message("Thinnest wall {thinnest}", thinnest=thinnest)

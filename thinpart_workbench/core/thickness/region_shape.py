@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy.sparse.csgraph import connected_components, dijkstra
-from scipy.spatial import cKDTree
+from scipy.spatial import ConvexHull, cKDTree
 
 from ..columns import cross, dot
 from ..descriptors.region_kinds import BAR, BLOCK, PLATE, TAPER, TOOTH, TUBE
@@ -37,6 +37,9 @@ windows of up to a tenth of it are allowed."""
 
 HOLLOW = 0.6
 """Least distance of a tube's walls from its axis, in thicknesses: of a round one, 0.5 is a bar."""
+
+MOST_FOLDED = 1.25
+"""Developed width of a tube by the way about it; a heat sink, whose fins go round too, has a multiple."""
 
 LONG_TUBE = 0.7
 """Length of a bent tube by its way round, from which it is one: an elbow is, a closed box is not."""
@@ -162,7 +165,7 @@ def _length(points, links, area, thickness, closer_links):
     axis = _tube_axis(points)
     if axis is not None:
         axial = float(np.ptp(points.points @ axis) * (count + 1) / (count - 1))
-        if axial >= PLATE_FROM * thickness:
+        if axial >= PLATE_FROM * thickness and area <= 2.0 * axial * MOST_FOLDED * _way_about(points, axis):
             return axial, True
     size = _box(points) * (count + 1) / (count - 1)
     bent = _bent_length(points, links, area, size)
@@ -237,6 +240,12 @@ def _tube_axis(points):
     cell = np.minimum((along - along.min()) / np.ptp(along) * slices, slices - 1).astype(int) * TUBE_SECTORS + sector
     covered = [len(np.unique(cell[side])) for side in (inward, ~inward)]
     return axes[:, 0] if min(covered) >= TUBE_COVERED * TUBE_SECTORS * slices else None
+
+
+def _way_about(points, axis):
+    """Way about the region, tightly, across an axis, mm: float."""
+    flat = points.points @ np.concatenate(_across(axis[None])).T
+    return float(ConvexHull(flat).area)  # of what is flat, scipy calls the perimeter so
 
 
 def _way_along(points, links):

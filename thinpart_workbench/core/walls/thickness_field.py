@@ -125,7 +125,7 @@ def measure_rays(mesh, samples, report=None, rays=None):
     rays = rays or InwardRays(mesh)
     walls, reach = walls_under(mesh, rays, samples, portion(report, 0.0, WALLS_DONE))
     entered = rays.entered(samples, reach)
-    corners = corner_samples(mesh, _likely_thinnest(mesh, samples, walls.distance, walls.wedge_angle))
+    corners = corner_samples(mesh, likely_thinnest(mesh, samples, walls, is_parallel(walls.wedge_angle)))
     report_progress(report, CORNERS_CHOSEN)
     of_corners, _ = walls_under(mesh, rays, corners, expected=_farthest_on(mesh, samples, reach)[corners.triangle])
     report_progress(report, 1.0)
@@ -143,19 +143,28 @@ def _farthest_on(mesh, samples, reach):
     return np.where(farthest > 0.0, farthest, np.inf)
 
 
-def _likely_thinnest(mesh, samples, distance, wedge_angle):
-    """Find triangles whose corners may lie over a thinner wall than any sample.
+def likely_thinnest(mesh, samples, walls, chosen):
+    """Triangles whose corners may lie over a thinner wall than any sample: ndarray of shape (k,), int64, ascending.
 
     Samples are in the middle of the area they represent, but a tapered wall is thinnest at its end. Away from a
     sample, the wall can get thinner by the tangent of its wedge angle.
+
+    Parameters
+    ----------
+    mesh : SurfaceMesh
+    samples : SurfaceSamples
+    walls : Walls or ThicknessField
+        Under each of the samples.
+    chosen : ndarray of shape (m,), bool
+        The samples over walls that are looked at.
     """
-    parallel = np.flatnonzero(is_parallel(wedge_angle))
-    triangle = samples.triangle[parallel]
+    chosen = np.flatnonzero(chosen)
+    triangle = samples.triangle[chosen]
     sides = mesh.corners - np.roll(mesh.corners, 1, axis=1)
     longest = np.sqrt((sides * sides).sum(axis=2).max(axis=1))
-    slope = np.tan(wedge_angle[parallel] + SLOPE_ALLOWANCE)
+    slope = np.tan(np.minimum(walls.wedge_angle[chosen] + SLOPE_ALLOWANCE, NONPARALLEL_BELOW))
     least = np.full(mesh.count, np.inf)
-    np.minimum.at(least, triangle, distance[parallel] - longest[triangle] * slope)
+    np.minimum.at(least, triangle, walls.distance[chosen] - longest[triangle] * slope)
     order = np.argsort(least, kind="stable")
     order = order[np.isfinite(least[order])]
     _, first_of_face = np.unique(mesh.face_of_triangle[order], return_index=True)

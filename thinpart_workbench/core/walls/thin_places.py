@@ -11,7 +11,7 @@ from ..mesh.sampling import corner_samples
 from ..rays.ray_casting import INNER
 from .depth_samples import depth_samples
 from .face_thickness import Witness, witness_of
-from .thickness_field import SLOPE_ALLOWANCE, ThicknessField
+from .thickness_field import ThicknessField, likely_thinnest
 from .thinnest_wall import first_of_extent
 from .walls import NONPARALLEL_BELOW, PARALLEL_BELOW, walls_under
 
@@ -24,9 +24,6 @@ WALL_BELOW = np.radians(45.0)
 
 LEAST = 0.1
 """Thickness, in depths, below which faces touch, or one runs out into the other, rather than enclose a wall."""
-
-PROBED_TRIANGLES = 400
-"""Triangles over tapered walls whose corners are looked at, besides the probably thinnest of each face."""
 
 _MOST_STEEP = np.tan(NONPARALLEL_BELOW)
 
@@ -92,27 +89,15 @@ def thin_places(field, rays, width):
     """
     mesh, depth = field.mesh, DEPTH * width
     edges = field.sharp_edges
-    added = corner_samples(mesh, _likely_thinnest(field))
-    beside = depth_samples(mesh, edges, depth)
-    whole = _with_samples(field, rays, added.followed_by(beside))
-    at_depth = np.arange(len(whole.distance)) >= len(whole.distance) - beside.count
-    wall = (whole.parallel | whole.nonparallel) & (whole.distance > LEAST * depth)
-    close = np.flatnonzero(wall & ~at_depth & (whole.distance < _MOST_STEEP * depth))
-    counted = wall.copy()
-    counted[close[edges.are_near(whole.samples.points[close], 0.99 * depth)]] = False
+    whole, at_depth = _probed(field, rays, depth)
     pair, faces = _pairs(whole)
     lengths = _edge_lengths(mesh, edges, faces)
-    counted &= _are_walls(whole, pair, wall, counted, lengths > 0.0)[pair]
+    counted = _counted(whole, edges, at_depth, pair, lengths, depth)
+    ends_in_edge = lengths >= 2.0 * depth
     over = np.flatnonzero(counted & ~at_depth)
     least = first_of_extent(whole, over, pair[over], np.full(len(faces), depth * depth))
-    ends_in_edge = lengths >= 2.0 * depth
-    beside = np.flatnonzero(counted & at_depth)
-    beside = beside[ends_in_edge[pair[beside]]]
-    beside = beside[np.argsort(-whole.distance[beside], kind="stable")]
-    nearest = np.full(len(faces), -1)
-    nearest[pair[beside]] = beside
-    thinner = (nearest >= 0) & ((least < 0) | (whole.distance[nearest] < whole.distance[least]))
-    least = np.where(thinner, nearest, least)
+    beside = np.flatnonzero(counted & at_depth & ends_in_edge[pair])
+    least = _thinner(whole, least, _first_of_pairs(whole, beside, pair, len(faces)))
     is_edge = (whole.wedge_angle[least] >= WALL_BELOW - _ROUNDING) & (ends_in_edge | (whole.distance[least] < depth))
     samples = least[(least >= 0) & ~is_edge]
     if not mesh.has_faces:
@@ -122,20 +107,38 @@ def thin_places(field, rays, width):
                       float(edges.under(WALL_BELOW - _ROUNDING).lengths.sum()))
 
 
-def _likely_thinnest(field):
-    """Triangles over tapered walls whose corners may lie over thinner ones than any sample: ndarray, ascending."""
-    mesh = field.mesh
-    tapered = np.flatnonzero(field.nonparallel)
-    triangle = field.samples.triangle[tapered]
-    sides = mesh.corners - np.roll(mesh.corners, 1, axis=1)
-    longest = np.sqrt((sides * sides).sum(axis=2).max(axis=1))
-    slope = np.tan(np.minimum(field.wedge_angle[tapered] + SLOPE_ALLOWANCE, NONPARALLEL_BELOW))
-    least = np.full(mesh.count, np.inf)
-    np.minimum.at(least, triangle, field.distance[tapered] - longest[triangle] * slope)
-    order = np.argsort(least, kind="stable")
-    order = order[np.isfinite(least[order])]
-    _, first_of_face = np.unique(mesh.face_of_triangle[order], return_index=True)
-    return np.union1d(order[:PROBED_TRIANGLES], order[first_of_face])
+def _probed(field, rays, depth):
+    """The field with samples where tapered walls may be thinnest, and which of its samples lie `depth` beside an edge.
+
+    The latter is an ndarray of shape (m,), bool.
+    """
+    corners = corner_samples(field.mesh, likely_thinnest(field.mesh, field.samples, field, field.nonparallel))
+    beside = depth_samples(field.mesh, field.sharp_edges, depth)
+    whole = _with_samples(field, rays, corners.followed_by(beside))
+    return whole, np.arange(len(whole.distance)) >= len(whole.distance) - beside.count
+
+
+def _counted(field, edges, at_depth, pair, lengths, depth):
+    """Which samples lie over a wall, and no nearer than `depth` to a sharp edge: ndarray of shape (m,), bool."""
+    wall = (field.parallel | field.nonparallel) & (field.distance > LEAST * depth)
+    counted = wall.copy()
+    close = np.flatnonzero(wall & ~at_depth & (field.distance < _MOST_STEEP * depth))
+    counted[close[edges.are_near(field.samples.points[close], 0.99 * depth)]] = False
+    return counted & _are_walls(field, pair, wall, counted, lengths > 0.0)[pair]
+
+
+def _first_of_pairs(field, samples, pair, count):
+    """Of each pair of faces, the sample over the thinnest wall: ndarray of shape (count,), -1 where it has none."""
+    order = samples[np.argsort(-field.distance[samples], kind="stable")]
+    first = np.full(count, -1)
+    first[pair[order]] = order
+    return first
+
+
+def _thinner(field, one, other):
+    """Of two samples for each pair, -1 for none, the one over the thinner wall: ndarray of shape (p,)."""
+    is_thinner = (other >= 0) & ((one < 0) | (field.distance[other] < field.distance[one]))
+    return np.where(is_thinner, other, one)
 
 
 def _with_samples(field, rays, samples):

@@ -3,7 +3,7 @@
 
 import math
 from dataclasses import dataclass
-from typing import Optional
+from typing import NamedTuple, Optional
 
 import numpy as np
 from scipy.sparse.csgraph import connected_components
@@ -48,6 +48,20 @@ class ThinnestPlace:
     wall: Optional[Witness]
     below_mm: float
     places: int
+
+
+class WallErrors(NamedTuple):
+    """How far thicknesses may be off.
+
+    Attributes
+    ----------
+    parallel, thinnest, walls : float, mm
+        Of the thinnest parallel wall, of the thinnest place, and of the thinnest wall apart from sharp edges.
+    """
+
+    parallel: float
+    thinnest: float
+    walls: float
 
 
 def thinnest_place(parallel, places, confirmed=None):

@@ -54,7 +54,8 @@ class BarContent:
 
 def tick_text(value):
     """Text of a tick, with enough digits to distinguish it from the next."""
-    return marked(f"{value:.4g}")
+    text = f"{value:.4g}"
+    return marked(f"{value:.8f}".rstrip("0") if "e-" in text else text)
 
 
 def round_values(low, high, max_count=_TICKS):
@@ -137,7 +138,8 @@ class _Drawing:
             above.append((translate("ThinPart", "Out of date: recompute"), "warning"))
         for band in content.colours.bands:
             below.append(("     " + _band_text(band, content.unit), band.name))
-        if content.threshold > 0.0 and not content.colours.bands:
+        # Beyond the end of the bar, all that it shows is thin.
+        if 0.0 < content.threshold <= self._ends[1] and not content.colours.bands:
             text = translate("ThinPart", "thin below {}").format(content.unit.text(content.threshold))
             below.append(("     " + text, "threshold"))
         if content.has_unmeasured:

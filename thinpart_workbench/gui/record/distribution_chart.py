@@ -117,5 +117,5 @@ class DistributionChart(ChartAxes):
         painter.setPen(QtGui.QPen(limit_colour, 1.5, QtCore.Qt.DashLine))
         painter.drawLine(QtCore.QPointF(x, plot.top() - 2), QtCore.QPointF(x, plot.bottom()))
         painter.setPen(limit_colour)
-        text = translate("ThinPart", "thin below {}").format(self._unit.text(self._thin_limit_x * self._diagonal_mm))
+        text = translate("ThinPart", "limit {}").format(self._unit.text(self._thin_limit_x * self._diagonal_mm))
         self.centred(painter, plot, x, 1, text)

@@ -8,6 +8,7 @@ from ..application.qt import QtCore, QtWidgets, Signal, colour, translate
 from ..application.sentences import translated
 from .criteria_tree import CriteriaTree
 from .distribution_chart import DistributionChart
+from .fold import Fold
 from .label_button import LabelButton, labels_sentence, own_label
 from .regions_table import RegionsTable
 from .verdict_text import category_colour, confidence_text, headline_text, paper_text, reason_text, risk_text, thinnest_text
@@ -68,7 +69,8 @@ class RecordView(QtWidgets.QWidget):
         column.addWidget(self._chart)
         self._shares = text_line(self, column, "ThinPart_Shares")
         self._table = CriteriaTree(self)
-        column.addWidget(self._table)
+        column.addWidget(Fold(translate("ThinPart", "Criteria and their quantities"), "ThinPart_CriteriaFold",
+                              self._table, self))
         self._warnings = text_line(self, column, "ThinPart_Warnings")
 
     def show_record(self, record, profile, unit):

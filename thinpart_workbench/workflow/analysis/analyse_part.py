@@ -26,11 +26,9 @@ from ...core.sizing.mesh_hazards import mesh_hazards
 from ...core.thickness.measured_precision import chords_of, precision_of
 from ...core.thickness.measurement import measure
 from ...core.walls.face_thickness import face_thicknesses, witness_of
+from ...core.walls.thinnest_place import MOST_TRIED, WallErrors
 from ...core.walls.thinnest_wall import touching_sample
 from ...system.exit_cause import is_out_of_memory
-
-MOST_TRIED = 12
-"""Walls that are looked for in the part's own geometry, from the thinnest on."""
 
 PLACED = 0.01
 """Share by which a place that was found in the geometry itself may be thicker than the thinnest one near by."""
@@ -237,9 +235,9 @@ def _confirmed(part, measurement, error):
 
 
 def _with_confirmed_place(part, measurement, resolution, error_bound):
-    """The measurement with its thinnest place taken from the part's own geometry.
+    """Take the thinnest place of a measurement from the part's own geometry.
 
-    And how far the thinnest parallel wall, that place, and the thinnest wall apart from sharp edges may be off, mm.
+    Returns it and its WallErrors.
     """
     field = measurement.places.field
 
@@ -248,11 +246,16 @@ def _with_confirmed_place(part, measurement, resolution, error_bound):
         return found or (wall if wall.distance > DOUBTFUL * resolution.error else None)
 
     measurement = measurement.with_thinnest_place(confirmed)
-    place = measurement.thinnest
-    errors = [error_bound if wall is measurement.thinnest_wall else PLACED * wall.distance if part.can_be_finer
-              else resolution.error
-              for wall in ((place.witness, place.wall) if place else ()) if wall is not None]
-    return measurement, (error_bound, *errors, error_bound)[:3]
+    placed = measurement.thinnest
+    if placed is None:
+        return measurement, WallErrors(error_bound, error_bound, error_bound)
+
+    def error_of(wall):
+        if wall is None or wall is measurement.thinnest_wall:
+            return error_bound
+        return PLACED * wall.distance if part.can_be_finer else resolution.error
+
+    return measurement, WallErrors(error_bound, error_of(placed.witness), error_of(placed.wall))
 
 
 def _facet_size(field, sample):

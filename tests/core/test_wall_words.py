@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Walls in the words of a workshop."""
+
+import math
+
+import made_library
+import made_meshes
+import pytest
+
+from thinpart_workbench.core.judging.verdict_sentence import verdict_sentence
+from thinpart_workbench.core.judging.wall_words import thin_features, walls_it_is_made_of
+from thinpart_workbench.core.record.region_groups import RegionGroup, region_groups
+
+
+def group(kind, thickness, count=1, least=None, length=20.0, share=0.1, volume=0.01):
+    return RegionGroup(kind, count, least or thickness, thickness, length, 5.0, volume, (), share, ())
+
+
+@pytest.mark.parametrize("height, said", [
+    (2.0, "2 mm sheet, 95\u00a0% of the surface"), (3.0, "3 mm plate, 93\u00a0% of the surface")])
+def test_a_sheet_is_named_with_the_share_that_its_two_sides_have(height, said):
+    record = made_library.measured_record("Plate", made_meshes.box(100.0, 60.0, height))
+    share = 12000.0 / (12000.0 + 320.0 * height)
+    assert f"{100 * share:.0f}" in said
+    assert walls_it_is_made_of(record, region_groups(record), 7.2) == said
+
+
+def test_a_block_is_made_of_no_walls():
+    record = made_library.measured_record("Block", made_meshes.box(100.0, 60.0, 40.0))
+    assert walls_it_is_made_of(record, region_groups(record), 7.2) is None
+
+
+def test_features_are_counted_and_named():
+    core = group("block", 40.0, share=0.5, volume=0.8)
+    walls = group("plate", 2.0, 3), group("tube", 2.01, share=0.05)
+    found = thin_features([core, *walls, group("bar", 1.5, share=0.2)], 3.0, 60.0)
+    assert found.has_core and not found.are_teeth
+    assert found.words == "a rib of 1.5 mm (2.5\u00a0% of the width) and 4 walls of 2 mm (3.3\u00a0% of the width)"
+
+
+def test_a_thread_is_told_from_teeth_by_its_turns():
+    core = group("bar", 20.0, share=0.5, volume=0.8)
+    thread = group("tooth", 5.4, least=1.0, length=5 * math.pi * 20.0)
+    found = thin_features([core, thread], 2.0, 20.0)
+    assert (found.words, found.are_teeth) == ("thread 1 mm to 5.4 mm thick", True)
+    assert thin_features([core, group("tooth", 5.4, 20, least=1.0)], 2.0, 20.0).words == "20 teeth 1 mm to 5.4 mm thick"
+    assert thin_features([core, group("tooth", 7.0, least=1.0)], 2.0, 20.0) is None  # a body that ends in an edge
+
+
+def test_more_than_three_are_summed_up():
+    several = [group("plate", 1.0 + 0.3 * number, number + 1, share=0.2 - 0.01 * number) for number in range(5)]
+    assert str(thin_features(several, 3.0, 60.0).words).endswith(" and 9 more")
+
+
+def test_a_normal_part_says_its_thinnest_wall():
+    record = made_library.measured_record("Block", made_meshes.box(100.0, 60.0, 40.0))
+    condition = {"quantity": "P[0;0.05]", "value": 0.0, "comparison": ">", "threshold": 0.01, "holds": False, "margin": -1.0,
+                 "error": 0.0}
+    record["evidence"] = [{"criterion": "thin_places", "category": "thin_features", "title": "", "holds": False,
+                           "margin": -1.0, "conditions": [condition]}]
+    record["category"] = "normal"
+    assert verdict_sentence(record) == (
+        "Solid: no wall is thinner than 40 mm, 67\u00a0% of the width of 60 mm: mesh it with solids.")

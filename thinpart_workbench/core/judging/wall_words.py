@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The walls of a part in the words of a workshop: "2 mm sheet, 93 % of the surface", "2 ribs of 6 mm"."""
+
+import math
+from typing import NamedTuple
+
+from ..descriptors.bins import BINS
+from ..descriptors.region_kinds import BAR, BLOCK, PLATE, TAPER, TOOTH, TUBE
+from ..figures import Length, Share
+from ..message import Message, message
+from ..record.region_groups import SAME
+
+MOST_OF_IT = 0.5
+"""Share of the surface from which walls of one thickness are what the part is made of."""
+
+SHEET_BELOW = 3.0
+"""Thickness, mm, from which on a sheet is a plate (EN 10079: flat products)."""
+
+ABOUT = 0.1
+"""Share by which walls of one thickness may be thicker or thinner."""
+
+OUTLYING = 0.05, 0.95
+"""Shares of the thin walls below and above which they are not named."""
+
+THREAD_TURNS = 1.5
+"""Length of a ridge, in ways round the part, from which it is a thread."""
+
+MOSTLY = 3.0
+"""Median thickness of a taper, in limits, from which it is a body that ends in an edge rather than a thin wall."""
+
+_MOST_NAMED = 3
+_CORE = 0.4
+"""Share of the volume from which a bulky region is the core of the part."""
+
+
+def walls_it_is_made_of(record, groups, limit):
+    """What sheet, plate or wall makes up most of the surface of a part, in words: Message; None where none does.
+
+    The share is that of the surface over parallel walls that are as thick, give or take a tenth.
+
+    Parameters
+    ----------
+    record : PartRecord
+    groups : list of RegionGroup
+        Of its regions.
+    limit : float, mm
+        Walls below it are thin.
+    """
+    walls = [group for group in groups if group.kind in (PLATE, TUBE)]
+    if sum(group.area_share for group in walls) < MOST_OF_IT:
+        return None
+    largest = max(walls, key=lambda group: group.area_share)
+    by_thickness = _Distribution(record["descriptors"])
+    thickness, share = Length(largest.median), Share(by_thickness.about(largest.median))
+    if share.value >= MOST_OF_IT and largest.kind == TUBE:
+        return message("{thickness} wall, {share} of the surface", thickness=thickness, share=share)
+    if share.value >= MOST_OF_IT and largest.median < SHEET_BELOW:
+        return message("{thickness} sheet, {share} of the surface", thickness=thickness, share=share)
+    if share.value >= MOST_OF_IT:
+        return message("{thickness} plate, {share} of the surface", thickness=thickness, share=share)
+    low, high, share = by_thickness.most(limit)
+    return message("Walls {low} to {high} thick, {share} of the surface", low=Length(low), high=Length(high),
+                   share=Share(share)) if share >= MOST_OF_IT else None
+
+
+class _Distribution:
+    """Shares of the surface over parallel walls, by thickness."""
+
+    def __init__(self, descriptors):
+        self._step = descriptors["diagonal_mm"] / BINS
+        self._bins = list(zip(descriptors["distribution"]["bins"], descriptors["distribution"]["area"]))
+
+    def about(self, thickness):
+        """Share over walls of about a thickness: float."""
+        low, high = (1.0 - ABOUT) * thickness / self._step, (1.0 + ABOUT) * thickness / self._step
+        return min(1.0, sum(area for number, area in self._bins if math.floor(low) <= number < math.ceil(high)))
+
+    def most(self, limit):
+        """Thicknesses, mm, between which nine tenths of the walls below a limit are, and their share: tuple of float."""
+        thin = [(number, area) for number, area in self._bins if number * self._step < limit]
+        total = sum(area for _, area in thin)
+        low, high = (self._below(thin, share * total) for share in OUTLYING)
+        return low * self._step, (high + 1) * self._step, (OUTLYING[1] - OUTLYING[0]) * total
+
+    @staticmethod
+    def _below(thin, area):
+        for number, own in thin:
+            area -= own
+            if area <= 0.0:
+                return number
+        return thin[-1][0] if thin else 0
+
+
+class ThinFeatures(NamedTuple):
+    """Thin walls, ribs, teeth and threads of a part.
+
+    Attributes
+    ----------
+    words : Message
+        The largest of them.
+    has_core : bool
+        Whether most of the part is a bulky body.
+    are_teeth : bool
+        Whether all of them are teeth or threads, which an analysis may leave out.
+    """
+
+    words: Message
+    has_core: bool
+    are_teeth: bool
+
+
+def thin_features(groups, limit, width):
+    """The thin regions of a part: ThinFeatures; None where it has none.
+
+    Parameters
+    ----------
+    groups : list of RegionGroup
+    limit : float, mm
+        Walls below it are thin.
+    width : float, mm
+        Middle side of the box of the part.
+    """
+    thin = sorted((group for group in groups if _is_thin(group, limit)), key=lambda group: -group.area_share)
+    if not thin:
+        return None
+    bulky = [group.volume_share or 0.0 for group in groups if group.kind in (BLOCK, BAR) and not _is_thin(group, limit)]
+    features = _features(thin, width)
+    words = _listed([_feature(feature) for feature in features[:_MOST_NAMED]],
+                    sum(feature.count for feature in features[_MOST_NAMED:]))
+    return ThinFeatures(words, max(bulky, default=0.0) >= _CORE, all(_is_toothing(feature) for feature in features))
+
+
+class _Feature(NamedTuple):
+    kind: str
+    count: int
+    least: float
+    thickness: float
+    is_thread: bool
+    width: float
+
+
+def _features(groups, width):
+    """Groups of regions, those of one kind and thickness as one: list of _Feature."""
+    found: list[_Feature] = []
+    for group in groups:
+        kind = {TUBE: PLATE, TAPER: TOOTH}.get(group.kind, group.kind)
+        is_thread = group.kind == TOOTH and group.length >= THREAD_TURNS * math.pi * width
+        feature = _Feature(kind, group.count, group.least, group.median, is_thread, width)
+        same = next((number for number, other in enumerate(found) if _are_one(feature, other)), None)
+        if same is None:
+            found.append(feature)
+        else:
+            other = found[same]
+            found[same] = other._replace(count=other.count + feature.count, least=min(other.least, feature.least))
+    return found
+
+
+def _are_one(feature, other):
+    alike = abs(feature.thickness - other.thickness) <= (ABOUT if feature.kind == TOOTH else SAME) * other.thickness
+    return alike and (feature.kind, feature.is_thread) == (other.kind, other.is_thread)
+
+
+def _is_toothing(feature):
+    return feature.is_thread or feature.kind == TOOTH and feature.count > 1
+
+
+
+
+def _listed(words, others):
+    if others:
+        return message("{one}, {two}, {three} and {count} more", one=words[0], two=words[1], three=words[2], count=others)
+    if len(words) == 3:
+        return message("{one}, {two} and {three}", one=words[0], two=words[1], three=words[2])
+    if len(words) == 2:
+        return message("{one} and {two}", one=words[0], two=words[1])
+    return words[0]
+
+
+def _is_thin(group, limit):
+    if group.kind in (TAPER, TOOTH):
+        return group.least < limit and group.median < MOSTLY * limit
+    return group.median < limit
+
+
+def _feature(feature):
+    kind, count = feature.kind, feature.count
+    least, thickness, share = Length(feature.least), Length(feature.thickness), Share(feature.thickness / feature.width)
+    if feature.is_thread:
+        return message("thread {least} to {thickness} thick", least=least, thickness=thickness)
+    if kind == TOOTH and count > 1:
+        return message("{count} teeth {least} to {thickness} thick", count=count, least=least, thickness=thickness)
+    if kind == TOOTH:
+        return message("a taper {least} to {thickness} thick", least=least, thickness=thickness)
+    if kind == BAR and count > 1:
+        return message("{count} ribs of {thickness} ({share} of the width)", count=count, thickness=thickness, share=share)
+    if kind == BAR:
+        return message("a rib of {thickness} ({share} of the width)", thickness=thickness, share=share)
+    if kind == BLOCK and count > 1:
+        return message("{count} studs of {thickness} ({share} of the width)", count=count, thickness=thickness, share=share)
+    if kind == BLOCK:
+        return message("a stud of {thickness} ({share} of the width)", thickness=thickness, share=share)
+    if count > 1:
+        return message("{count} walls of {thickness} ({share} of the width)", count=count, thickness=thickness, share=share)
+    return message("a wall of {thickness} ({share} of the width)", thickness=thickness, share=share)
