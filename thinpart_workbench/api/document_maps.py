@@ -118,8 +118,8 @@ def _extremes(parts):
     Beside an edge, facets are as thin as one likes: that is no wall.
     """
     thinnest, thickest = thickness_range(parts) or (0.0, 0.0)
-    recorded = [part.record["descriptors"]["thickness_mm"]["min"] for part in parts
-                if part.map.measure == RAY and part.record.get("descriptors")]
+    recorded = [part.record.get("descriptors", {}).get("thickness_mm", {}).get("min") for part in parts
+                if part.map.measure == RAY]
     return min((wall for wall in recorded if wall is not None), default=thinnest), thickest
 
 

@@ -82,6 +82,8 @@ ELSEWHERE = (
     "core.judging.criteria",  # the greatest margin of a profile
     "core.judging.limit_bands",  # walls just above a limit
     "core.judging.threshold_search",  # steps of learned thresholds
+    "core.judging.verdict_sentence",  # the least share that is said
+    "core.judging.wall_words",  # walls of one thickness, what a part is made of, sheets, threads
     "core.judging.wall_check",  # a mesh that is too coarse for a limit, thick and thin walls, walls near a limit
     "core.maps.jump_lines",  # jumps of thickness along the sides of facets
     "core.maps.level_cuts",  # facets of one thickness

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The CSV table of the faces of parts: a row per B-Rep face."""
 
-from ..core.record.part_record import face_number
+from ..core.record.face_names import face_number
 from .part_table import SUBJECT, TableForm
 
 FACE_COLUMNS = (

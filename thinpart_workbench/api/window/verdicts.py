@@ -90,7 +90,7 @@ def thinnest(record: PartRecord) -> Message:
 
     Examples
     --------
-    >>> str(thinnest(record)).split(" \u00b1")[0]
-    'Thinnest wall 8 mm'
+    >>> str(thinnest(record))
+    'Thinnest wall 8 mm.'
     """
     return thinnest_sentence.thinnest_sentence(record)

@@ -2,6 +2,7 @@
 """The walls of a part in the words of a workshop: "2 mm sheet, 93 % of the surface", "2 ribs of 6 mm"."""
 
 import math
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from ..descriptors.bins import BINS
@@ -51,16 +52,17 @@ def walls_it_is_made_of(record, groups, limit):
         return None
     largest = max(walls, key=lambda group: group.area_share)
     by_thickness = _Distribution(record["descriptors"])
-    thickness, share = Length(largest.median), Share(by_thickness.about(largest.median))
-    if share.value >= MOST_OF_IT and largest.kind == TUBE:
+    alike = by_thickness.about(largest.median)
+    if alike < MOST_OF_IT:
+        low, high, share = by_thickness.most(limit)
+        return message("Walls {low} to {high} thick, {share} of the surface", low=Length(low), high=Length(high),
+                       share=Share(share)) if share >= MOST_OF_IT else None
+    thickness, share = Length(largest.median), Share(alike)
+    if largest.kind == TUBE:
         return message("{thickness} wall, {share} of the surface", thickness=thickness, share=share)
-    if share.value >= MOST_OF_IT and largest.median < SHEET_BELOW:
+    if largest.median < SHEET_BELOW:
         return message("{thickness} sheet, {share} of the surface", thickness=thickness, share=share)
-    if share.value >= MOST_OF_IT:
-        return message("{thickness} plate, {share} of the surface", thickness=thickness, share=share)
-    low, high, share = by_thickness.most(limit)
-    return message("Walls {low} to {high} thick, {share} of the surface", low=Length(low), high=Length(high),
-                   share=Share(share)) if share >= MOST_OF_IT else None
+    return message("{thickness} plate, {share} of the surface", thickness=thickness, share=share)
 
 
 class _Distribution:
@@ -130,7 +132,8 @@ def thin_features(groups, limit, width):
     return ThinFeatures(words, max(bulky, default=0.0) >= _CORE, all(_is_toothing(feature) for feature in features))
 
 
-class _Feature(NamedTuple):
+@dataclass(frozen=True)
+class _Feature:
     kind: str
     count: int
     least: float
@@ -151,7 +154,7 @@ def _features(groups, width):
             found.append(feature)
         else:
             other = found[same]
-            found[same] = other._replace(count=other.count + feature.count, least=min(other.least, feature.least))
+            found[same] = replace(other, count=other.count + feature.count, least=min(other.least, feature.least))
     return found
 
 

@@ -19,20 +19,11 @@ from ..descriptors.precision import Precision
 from ..descriptors.recorded_descriptors import recorded_descriptors
 from ..mesh.bounds import OrientedBox
 from ..mesh.resolution import error_to_judge_with, smallest_side
+from .face_names import face_name
 from .record_types import EvidenceRow, MeshRiskRecord, PartRecord, ThinnestRecord, VerdictRecord
 
 SIGNIFICANT_DIGITS = 9
 """Number of digits that are written. Further ones are rounding errors and differ between processors."""
-
-
-def face_name(number):
-    """FreeCAD's name of a face with a number counted from 0."""
-    return f"Face{number + 1}"
-
-
-def face_number(entry):
-    """Number, from 0, of the face of an entry of a record's ``faces``. Faces without triangles have no entry."""
-    return int(entry["face"][len("Face"):]) - 1
 
 
 def part_record(part, mesh, measurement, classification, paper, faces, errors, deflection,

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Optional
 
 from ..descriptors.region_kinds import TAPER, TOOTH
-from .part_record import face_number
+from .face_names import face_number
 from .region_notes import notes_of_regions
 
 SAME, SAME_TAPER = 0.03, 0.12

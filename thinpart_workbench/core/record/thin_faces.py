@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Which faces of a part are shown as thin."""
 
-from .part_record import face_number
+from .face_names import face_number
 
 MOSTLY_THIN_SHARE = 0.5
 """Thin share of a face's area from which on the face is shown as thin, not as thin in part."""

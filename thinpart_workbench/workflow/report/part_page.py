@@ -15,7 +15,7 @@ from ...core.judging.verdict_reasons import deciding_criteria, nearest_other, re
 from ...core.judging.verdict_sentence import verdict_sentence
 from ...core.judging.wall_check import check_sentence, check_walls
 from ...core.length_unit import MILLIMETRE
-from ...core.record.part_record import face_number
+from ...core.record.face_names import face_number
 from ...core.record.region_groups import region_groups
 from ...core.rendering.part_views import thinnest_wall
 from ...core.risk.risk_sentence import risk_sentence
