@@ -54,6 +54,9 @@ def test_a_normal_part_keeps_its_colours(document):
 def test_the_table_has_a_row_per_condition_and_the_chart_its_bars(document):
     window.add_ribbed_block(document)
     window.classify()
+    assert not window.is_shown("ThinPart_CriteriaTable")
+    window.click("ThinPart_CriteriaFold")
+    assert window.is_shown("ThinPart_CriteriaTable")
     table = window.widget("ThinPart_CriteriaTable")
     groups = [table.topLevelItem(index) for index in range(table.topLevelItemCount())]
     assert [group.childCount() for group in groups] == [2, 3, 1, 1, 2, 3, 1]
@@ -79,6 +82,7 @@ def test_nothing_is_cut_off_in_a_narrow_task_view(document, width):
     form.setParent(None)
     form.resize(width, 900)
     form.show()
+    form.findChild(QtWidgets.QToolButton, "ThinPart_CriteriaFold").click()
     window.settle(100)
     assert form.width() == width
     assert form.findChild(QtWidgets.QWidget, "ThinPart_CriteriaTable").horizontalScrollBar().maximum() == 0
