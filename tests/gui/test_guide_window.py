@@ -9,6 +9,7 @@ import FreeCADGui as Gui
 import pytest
 import window_actions as window
 from every_window import WINDOWS, document_to_show
+from thickness_window import view_of, widget_of
 
 from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
 from thinpart_workbench.gui.commands import COMMANDS
@@ -99,6 +100,17 @@ def test_whats_this_and_f1_in_a_window_open_its_page(name, browser, part):
         window.key(target, QtCore.Qt.Key_F1)
         window.wait_until(lambda: is_at(HELP_OF[name]))
     assert browser.opened == []
+
+
+@pytest.mark.parametrize("name", ["ThinPart_ShowThickness", "ThinPart_Classify"])
+def test_f1_opens_the_page_of_a_panel_also_while_the_keyboard_acts_on_the_view(name, document):
+    COMMANDS[name].Activated()  # says that the document is empty, which is enough
+    window.wait_until(lambda: window.is_shown("ThinPart_Message"))
+    event = QtGui.QKeyEvent(QtCore.QEvent.ShortcutOverride, QtCore.Qt.Key_F1, QtCore.Qt.NoModifier)
+    event.ignore()
+    QtWidgets.QApplication.sendEvent(widget_of(view_of(document)), event)
+    assert event.isAccepted()
+    window.wait_until(lambda: is_at(name))
 
 
 @pytest.mark.parametrize("name", HELP_OF)

@@ -134,6 +134,40 @@ def test_a_second_press_measures_again_into_the_same_map(document):
     assert thickness.ColourMap == "magma" and not thickness.Stale
 
 
+def test_the_map_that_is_asked_for_is_seen_alone_in_its_place(document):
+    """Also where 'Classify' has hidden it, and where the user has shown its part again."""
+    plate = window.add(document, "Plate", Part.makeBox(40, 30, 4))
+    lid = window.add(document, "Lid", Part.makeBox(40, 30, 9, V(0, 40, 0)))
+    window.show_thickness()
+    both, = thickness_objects(document)
+    for visible in (False, True):
+        plate.ViewObject.Visibility = visible
+    both.ViewObject.Visibility = False
+    window.mouse_click(window.close_button())
+    window.show_thickness()
+    assert thickness_objects(document) == [both] and both.ViewObject.Visibility
+    window.wait_until(lambda: not is_drawn(plate) and not is_drawn(lid))
+    for visible in (False, True):
+        plate.ViewObject.Visibility = visible
+    window.settle(50)
+    assert is_drawn(plate)
+    Gui.Selection.addSelection(plate)
+    window.show_thickness()
+    of_plate = thickness_objects(document)[1]
+    assert of_plate.ViewObject.Visibility and not both.ViewObject.Visibility
+    window.wait_until(lambda: not is_drawn(plate) and is_drawn(lid))
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(both)
+    window.show_thickness()
+    assert both.ViewObject.Visibility and not of_plate.ViewObject.Visibility
+    window.wait_until(lambda: not is_drawn(plate) and not is_drawn(lid))
+
+
+def is_drawn(feature):
+    """Whether an object itself is in the view, and not covered by a map."""
+    return feature.ViewObject.SwitchNode.whichChild.getValue() != -1
+
+
 def test_a_selected_map_is_shown_without_measuring(document):
     window.add(document, "Plate", Part.makeBox(40, 30, 4))
     window.show_thickness()

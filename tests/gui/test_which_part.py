@@ -7,11 +7,14 @@ import FreeCADGui as Gui
 import Part
 import pytest
 import window_actions as window
+from thickness_window import show_map
 from window_actions import V
 
+from thinpart_workbench.api.window.open_parts import parts_selected
 from thinpart_workbench.core.judging.criteria import load_profile
 from thinpart_workbench.core.length_unit import MILLIMETRE
 from thinpart_workbench.gui.application.qt import QtWidgets
+from thinpart_workbench.gui.document.selection import selected_paths
 from thinpart_workbench.gui.record.parts_table import PartsTable, PartsTableRow
 
 RED = (0.84, 0.15, 0.12)
@@ -42,6 +45,25 @@ def test_source_of_a_cut_means_the_cut(document):
     Gui.Selection.addSelection(document.Name, "Hole")
     window.classify()
     assert window.text("ThinPart_PartLabel") == "Drilled"
+
+
+@pytest.mark.parametrize("container", [None, "App::Part", "PartDesign::Body"])
+def test_a_thickness_map_means_its_parts(two, container):
+    part = two.getObject("Plate")
+    if container == "PartDesign::Body":
+        part = two.addObject(container, "Body")
+        part.addObject(two.addObject("PartDesign::AdditiveBox", "Block"))
+    elif container:
+        two.addObject(container, "Assembly").addObject(part)
+    two.recompute()
+    made = show_map(two, part)
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(made)
+    meant, = parts_selected(two, selected_paths(two))
+    assert meant.label == part.Label
+    if container is None:
+        window.classify()
+        assert window.text("ThinPart_PartLabel") == "Plate" and not window.is_shown("ThinPart_Message")
 
 
 def test_what_has_no_solid_is_said(two):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The parts of an open document: those that are selected, whether they are as they were, and what files may be opened."""
 
+from ...freecad_adapter.objects.thickness_object import is_thickness
+from ...freecad_adapter.occurrence import object_at
 from ...freecad_adapter.occurrences.active_part import selected_parts
 from ...freecad_adapter.reading.closed_links import check_links
 from ...freecad_adapter.reading.document_parts import document_content, document_parts
@@ -32,7 +34,7 @@ def parts_selected(document, selected, active=None, parts=None):
     ----------
     document : FreeCAD.Document
     selected : list of (str, str)
-        Name of an object at the top, and path below it, of everything that is selected.
+        Name of an object at the top, and path below it, of everything that is selected. A thickness map means its parts.
     active : (str, str), optional
         The same of the active body or part.
     parts : list, optional
@@ -43,7 +45,18 @@ def parts_selected(document, selected, active=None, parts=None):
     >>> [part.label for part in parts_selected(document, [])]
     ['plate']
     """
-    return selected_parts(document, content_of(document).parts if parts is None else parts, selected, active)
+    meant = [each for path in selected for each in _meant_by(document, *path)]
+    return selected_parts(document, content_of(document).parts if parts is None else parts, meant, active)
+
+
+def _meant_by(document, root, path):
+    """What a selected object stands for: paths as in `parts_selected`."""
+    top = document.getObject(root)
+    chosen = None if top is None else object_at(top, path)
+    if chosen is None or not is_thickness(chosen):
+        return [(root, path)]
+    sources = [source for source in chosen.Sources if source is not None and source.Document == document]
+    return [(source.Name, "") for source in sources] or [(root, path)]
 
 
 def parts_as_measured(document, measured, is_whole=True):

@@ -4,6 +4,7 @@
 import FreeCADGui as Gui
 
 from ...freecad_adapter.guard import guarded_methods
+from ..application import lifelong
 from ..application.qt import QtCore, QtWidgets, Signal, flags_as_int
 from ..guide.command import lead_to_guide, show_guide
 from ..widgets.controls import focus_first, prepare_controls
@@ -54,6 +55,7 @@ class TaskDialog(QtCore.QObject):
         self.prepare()
         Gui.Control.showDialog(self)
         self._is_open = True
+        lifelong.whats_this.panel = self._name
         first = self.form[0] if isinstance(self.form, list) else self.form
         first.destroyed.connect(self._on_gone)
         focus_first(self.form)
@@ -97,4 +99,5 @@ class TaskDialog(QtCore.QObject):
     def _on_gone(self, *_):
         if self._is_open:
             self._is_open = False
+            lifelong.whats_this.panel = ""
             self.closed.emit()

@@ -5,6 +5,7 @@ from ...core.errors import ThinPartError
 from ..application.qt import QtCore, translate
 from ..application.sentences import translated
 from ..document.task_controller import TaskController
+from ..view3d.shown_map import show_alone
 from .measurement import ThicknessMeasurement, coarse_sentence
 from .panel import ThicknessPanel
 
@@ -55,6 +56,7 @@ class ThicknessController(TaskController):
         if self._thickness is None:
             self._measure_timer.start()
         else:
+            show_alone(self._thickness)
             self._boxes.show_map(self._thickness)
 
     def measure(self, shown_measure=None):

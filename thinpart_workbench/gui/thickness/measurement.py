@@ -17,6 +17,7 @@ from ..document.document_measurement import DocumentMeasurement
 from ..document.selection import selected_paths
 from ..document.transaction import transaction
 from ..view3d.first_colours import FirstColours
+from ..view3d.shown_map import show_alone
 from ..view3d.view_provider import ThicknessView
 
 
@@ -181,6 +182,7 @@ class ThicknessMeasurement(QtCore.QObject):
                 thickness, dropped = new_thickness_object(document, sources, parts), 0
                 thickness.Label = translate("ThinPart", "Thickness")
                 ThicknessView(thickness.ViewObject)
+            show_alone(thickness)
         if self._first is not None and self._first.is_shown:
             thickness.ViewObject.Proxy.cover(True)
             self._first.give_way(thickness)

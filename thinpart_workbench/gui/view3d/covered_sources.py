@@ -9,14 +9,18 @@ class CoveredSources:
 
     Notes
     -----
-    Two coincident surfaces would be drawn in patches. A user who hides and shows an object makes it visible again.
+    Two coincident surfaces would be drawn in patches. A user who hides and shows an object makes it visible again, until a map
+    of it is asked for.
     """
 
     def __init__(self):
         self._covered = {}  # (document, object) -> whichChild of its switch; None if it was not hidden
 
-    def cover(self, keys):
-        """Hide exactly these objects: a set of (document name, object name)."""
+    def cover(self, keys, shown_again=()):
+        """Hide exactly these objects: a set of (document name, object name); some of them also where the user has shown them."""
+        for key in keys:
+            if key in shown_again and key in self._covered and _is_drawn(key):
+                del self._covered[key]
         for key in list(self._covered):
             if key not in keys:
                 self._uncover(key, self._covered.pop(key))
@@ -42,6 +46,11 @@ class CoveredSources:
         if view is not None and child is not None and view.Visibility and (
                 view.SwitchNode.whichChild.getValue() == -1):
             view.SwitchNode.whichChild = child
+
+
+def _is_drawn(key):
+    view = _view(key)
+    return view is not None and view.SwitchNode.whichChild.getValue() != -1
 
 
 def _view(key):

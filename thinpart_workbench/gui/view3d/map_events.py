@@ -26,11 +26,14 @@ class MapEvents:
     set_aside : dict
         By the name of each document in whose views other colours are shown than those of its maps, whether the maps are
         hidden too; their colour bars and labels are.
+    shown_again : set
+        ``(document, object)`` names of objects that the user has shown since a map covered them, and that it is to cover
+        again at the next refresh.
     """
 
     def __init__(self):
         self.refresh_due, self.measure_requested, self.panel_requested = [Hook(report_fault) for _ in range(3)]
-        self.first_colours, self.set_aside = {}, {}
+        self.first_colours, self.set_aside, self.shown_again = {}, {}, set()
         self._soon = QtCore.QTimer(singleShot=True, interval=0)
         self._soon.timeout.connect(lambda: self.refresh_due())
 
@@ -39,6 +42,11 @@ class MapEvents:
         # FreeCAD imports this module with the first map; the import also loads numpy.
         if _MAPS in sys.modules:
             self._soon.start()
+
+    def cover_again(self, names):
+        """Cover the sources of a map also where the user has shown them: ``(document, object)`` names."""
+        self.shown_again.update(names)
+        self.refresh_soon()
 
     def set_maps_aside(self, name, hides_maps):
         """Leave the views of a document to other colours; None for `hides_maps` gives them back to its maps."""

@@ -59,7 +59,8 @@ class SceneSync:
             return
         self._shown = [key for key in self._shown if key in visible] + [
             key for key in visible if key not in self._shown]
-        self._covered.cover(sources)
+        self._covered.cover(sources, lifelong.map_events.shown_again)
+        lifelong.map_events.shown_again.clear()
         self._show_bars()
 
     def forget(self, name):
