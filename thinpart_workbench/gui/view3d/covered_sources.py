@@ -9,15 +9,15 @@ class CoveredSources:
 
     Notes
     -----
-    Two coincident surfaces would be drawn in patches. A user who hides and shows an object makes it visible again, until a map
-    of it is asked for.
+    Two coincident surfaces would be drawn in patches. A user who hides and shows an object makes it visible again, until a
+    map of it is asked for.
     """
 
     def __init__(self):
         self._covered = {}  # (document, object) -> whichChild of its switch; None if it was not hidden
 
     def cover(self, keys, shown_again=()):
-        """Hide exactly these objects: a set of (document name, object name); some of them also where the user has shown them."""
+        """Hide exactly these objects: a set of (document name, object name); some also where the user has shown them."""
         for key in keys:
             if key in shown_again and key in self._covered and _is_drawn(key):
                 del self._covered[key]
