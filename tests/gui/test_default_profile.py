@@ -43,7 +43,8 @@ def test_a_block_with_a_thin_rib_has_thin_features_and_the_rib_is_red(document):
     window.classify()
     assert window.text("ThinPart_Headline") == "Part with thin features"
     assert window.text("ThinPart_Why") == (
-        "Solid core, 14\u00a0% of the surface is thin: a wall of 2\u00a0mm (3.3\u00a0% of the width). Refine the mesh there.")
+        "Solid core, 14\u00a0% of the surface is thin: a wall of 2\u00a0mm (3.3\u00a0% of the width). Refine the mesh "
+        "there.")
     assert 2 <= window.rgb(feature).count(RED) < len(feature.Shape.Faces)
 
 
