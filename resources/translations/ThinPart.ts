@@ -2381,10 +2381,6 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Thinnest wall {} (± {})</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Thinnest wall, {}</source>
         <translation type="unfinished"></translation>
     </message>

@@ -2383,10 +2383,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Dünnste Wand unter der Fläche</translation>
     </message>
     <message>
-        <source>Thinnest wall {} (± {})</source>
-        <translation>Dünnste Wand {} (± {})</translation>
-    </message>
-    <message>
         <source>Thinnest wall, {}</source>
         <translation>Dünnste Wand, {}</translation>
     </message>

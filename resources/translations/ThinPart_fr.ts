@@ -2383,10 +2383,6 @@ Son volume est inconnu.</translation>
         <translation>Paroi la plus mince sous la face</translation>
     </message>
     <message>
-        <source>Thinnest wall {} (± {})</source>
-        <translation>Paroi la plus mince {} (± {})</translation>
-    </message>
-    <message>
         <source>Thinnest wall, {}</source>
         <translation>Paroi la plus mince, {}</translation>
     </message>

@@ -4,7 +4,6 @@
 from ...api.window.profiles import known_criteria
 from ...api.window.verdicts import mesh_risk, paper_sentence, sureness, thinnest, why
 from ...core.categories import NORMAL, UNKNOWN
-from ...core.descriptors.wall_kinds import PARALLEL
 from ..application.numbers import percent
 from ..application.qt import translate
 from ..application.sentences import translated
@@ -122,8 +121,3 @@ def holds_text(holds):
 def thinnest_text(record, unit):
     """Where the part of a record is thinnest, and whether that is a wall, a taper or a sharp edge, as a sentence."""
     return translated(thinnest(record), unit)
-
-
-def is_no_parallel_wall(record):
-    """Whether the part of a record is thinnest in a taper or beside a sharp edge."""
-    return (record.get("thinnest") or {"kind": PARALLEL})["kind"] != PARALLEL

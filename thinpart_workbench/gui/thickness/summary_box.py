@@ -7,7 +7,7 @@ from ..record.measure_text import measure_choices
 from ..record.measuring_progress import MeasuringProgress
 from ..record.parts_table import PartsTable
 from ..record.record_view import paint_swatch, show_text, swatch, text_line
-from ..record.verdict_text import category_colour, headline_text, is_no_parallel_wall, thinnest_text
+from ..record.verdict_text import category_colour, headline_text, thinnest_text
 from ..tables.wall_table import step_of
 from ..widgets.buttons import add_button
 from ..widgets.narrow_fields import narrow_combo
@@ -224,16 +224,12 @@ class SummaryBox(QtWidgets.QWidget):
     def _show_walls(self, records, unit):
         """Show thinnest wall, error bound and unmeasured share of one part, or the worst of several."""
         measured = [record["descriptors"] for record in records]
-        walls = [(descriptors["thickness_mm"]["min"], descriptors["thickness_mm"]["error_bound"], number)
+        walls = [(descriptors["thickness_mm"]["min"], number)
                  for number, descriptors in enumerate(measured) if descriptors["thickness_mm"]["min"] is not None]
         for button in (self._fly, *self._steps):
             button.setEnabled(bool(walls))
         if walls:
-            thinnest, bound, number = min(walls)
-            text = translate("ThinPart", "Thinnest wall {} (\u00b1\u00a0{})").format(
-                unit.text(thinnest), unit.bound_text(bound))
-            if is_no_parallel_wall(records[number]):
-                text = thinnest_text(records[number], unit)
+            text = thinnest_text(records[min(walls)[1]], unit)
         else:
             text = translate("ThinPart", "No wall could be measured.")
         show_text(self._walls, text)
