@@ -75,7 +75,7 @@ def test_a_folder_becomes_rows_counts_and_info_files(dialog, folder):
     assert window.widget("ThinPart_FolderRetry").isEnabled()
 
 
-def test_the_run_is_in_the_status_bar_and_the_folder_offers_itself_as_a_library(dialog, folder):
+def test_the_run_is_in_the_status_bar_and_the_folder_is_searched_in_find_parts(dialog, folder):
     set_preference_list("Libraries", [])
     start(folder)
     window.wait_until(lambda: window.is_shown("ThinPart_RunningJobs"))
@@ -86,7 +86,8 @@ def test_the_run_is_in_the_status_bar_and_the_folder_offers_itself_as_a_library(
     assert not window.is_shown("ThinPart_RunningJobs")
     window.click("ThinPart_FolderAddLibrary")
     assert preference_list("Libraries") == [str(folder)]
-    assert not window.is_shown("ThinPart_FolderAddLibrary")
+    assert not window.is_shown("ThinPart_FolderAddLibrary") and not dialog.isVisible()
+    window.wait_until(lambda: window.text("ThinPart_FindStatus").startswith("5 of 5"))
     set_preference_list("Libraries", [])
 
 

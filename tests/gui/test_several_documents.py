@@ -6,9 +6,12 @@ import FreeCADGui as Gui
 import Part
 import pytest
 import window_actions as window
+from thickness_window import look_at, view_of
 
 from thinpart_workbench.freecad_adapter.objects.thickness_object import thickness_objects
 from thinpart_workbench.gui.application import lifelong
+from thinpart_workbench.gui.application.front_document import bring_to_front
+from thinpart_workbench.gui.application.qt import QtWidgets
 from thinpart_workbench.gui.document.active_task import open_session
 from thinpart_workbench.gui.view3d import facet_nodes, view_provider
 from thinpart_workbench.gui.view3d.facet_nodes import FacetNodes
@@ -75,6 +78,43 @@ def test_the_part_is_drawn_until_its_map_is_complete(document, monkeypatch):
     assert len(seen) > 3 and all(drawn for is_withheld, drawn in seen if is_withheld)
     window.wait_until(lambda: feature.ViewObject.SwitchNode.whichChild.getValue() == -1
                       and document.Name not in lifelong.map_events.first_colours)
+
+
+def test_the_panel_follows_to_the_map_of_the_document_in_front_and_flies_there(document):
+    maps = {}
+    for name, thickness in (("Plate", 4), ("Lid", 9)):
+        each = document if name == "Plate" else App.newDocument("Other")
+        window.add(each, name, Part.makeBox(40, 30, thickness))
+        window.show_thickness()
+        maps[each], = thickness_objects(each)
+    other = App.getDocument("Other")
+    for each in (document, other, document):
+        bring_to_front(each)
+        window.wait_until(lambda shown=maps[each]: open_session() and open_session().shown == shown)
+        window.wait_until(lambda: window.is_shown("ThinPart_FlyButton"))
+        camera = look_at(each).getCamera()
+        window.click("ThinPart_FlyButton")
+        window.wait_until(lambda view=view_of(each), before=camera: view.getCamera() != before)
+    App.setActiveDocument(other.Name)  # before the panel has followed
+    window.click("ThinPart_FlyButton")
+    assert App.ActiveDocument == document
+
+
+def test_a_panel_says_which_other_document_it_is_about(document):
+    window.press("ThinPart_Classify")
+    window.wait_until(lambda: window.is_shown("ThinPart_Message"))
+    other = App.newDocument("Other")
+    window.wait_until(lambda: "'Test'" in window.text("ThinPart_Elsewhere"))
+    assert not window.is_shown("ThinPart_Message") and not window.is_shown("ThinPart_Panel")
+    window.click("ThinPart_GoThere")
+    window.wait_until(lambda: window.is_shown("ThinPart_Message"))
+    assert App.ActiveDocument == document and not window.is_shown("ThinPart_Elsewhere")
+    shown = Gui.getMainWindow().findChild(QtWidgets.QMdiArea).activeSubWindow()
+    assert shown.windowTitle().startswith("Test")
+    bring_to_front(other)
+    window.wait_until(lambda: window.is_shown("ThinPart_Elsewhere"))
+    App.closeDocument(other.Name)
+    window.wait_until(lambda: window.is_shown("ThinPart_Message"))
 
 
 @pytest.mark.parametrize("answer", ["Stay", "Stop"])

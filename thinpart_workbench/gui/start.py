@@ -15,7 +15,7 @@ from .application.profile_signals import ProfileSignals
 from .application.qt import translate
 from .application.unit_watch import UnitWatch
 from .commands import COMMANDS
-from .document.active_task import close_session_of
+from .document.active_task import close_session_of, follow_active_document
 from .document.document_observer import DocumentObserver
 from .document.face_colours import FaceColours
 from .document.measurement_signals import MeasurementSignals
@@ -59,6 +59,7 @@ def start():
     _connect_maps(observer, lifelong.map_events)
     observer.restored.add(MeasurementWatch().on_object_restored)
     observer.closed.add(close_session_of)
+    observer.activated.add(follow_active_document)
     lifelong.auto_classifier.clicked.add(_classify_or_explain)
     observer.begin()
     lifelong.auto_classifier.begin()

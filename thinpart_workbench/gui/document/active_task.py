@@ -112,6 +112,24 @@ def end_session():
         _sessions.pop()[1].close()
 
 
+def follow_active_document():
+    """Let the open panel be about the document in front, once FreeCAD has brought it there, or say what it is about.
+
+    A panel that measures stays as it is.
+    """
+    QtCore.QTimer.singleShot(0, _follow)
+
+
+def _follow():
+    session, document = open_session(), App.ActiveDocument
+    if session is None or document is None or session.is_running or session.document_name is None:
+        return
+    if session.document_name == document.Name:
+        session.panel.take_out()
+    elif session.document_name in App.listDocuments() and not session.follow(document):
+        session.panel.put_away(App.getDocument(session.document_name))
+
+
 def close_session_of(name):
     """Close the session of a document that is about to be closed."""
     session = open_session()

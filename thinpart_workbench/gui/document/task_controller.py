@@ -20,6 +20,10 @@ class TaskController(QtCore.QObject):
         """Whether a measurement is running."""
         return self.measured.is_running
 
+    def follow(self, _document):
+        """Go on in another document, which is in front now; returns whether there is anything to show of it."""
+        return False
+
     def close(self):
         """End the session and close the panel."""
         self._leave()

@@ -8,12 +8,13 @@ import FreeCADGui as Gui
 
 from ...core.errors import ThinPartError
 from ...core.judging.criteria import load_profile
-from ...freecad_adapter.preferences import preference_list, set_preference_list
+from ...freecad_adapter.preferences import preference_list
 from ..application import lifelong
 from ..application.icons import icon
 from ..application.qt import QtCore, QtWidgets, execute, translate
 from ..application.sentences import translated
 from ..guide.command import help_button
+from ..library.command import show_find_parts
 from ..processes.command_line_run import DONE, STOPPED, CommandLineRun
 from ..record.record_view import show_text, text_line
 from ..widgets.buttons import add_button
@@ -110,12 +111,10 @@ class FolderDialog(QtWidgets.QDialog):
         self._progress.show_waiting(translate("ThinPart", "stopping"))
 
     def add_to_libraries(self):
-        """Make the folder of the info files one of those that 'Find parts' searches."""
-        folder = _info_folder(self._settings)
-        set_preference_list("Libraries", [root for root in preference_list("Libraries") if not contains(folder, root)]
-                            + [folder])
-        show_text(self._message, translate("ThinPart", "'Find parts' searches this folder from now on."))
+        """Make the folder of the info files one of those that 'Find parts' searches, and open that, in place of this dialog."""
+        show_find_parts().search_in(_info_folder(self._settings))
         self._show_offer()
+        self.hide()  # it would be in front of the panel
 
     def end(self):
         """Stop at once and delete the dialog, without asking the user."""
@@ -172,7 +171,7 @@ class FolderDialog(QtWidgets.QDialog):
             row, self, "ThinPart_FolderRetry", translate("ThinPart", "&Retry failed"), self.retry)
         self._offer = add_button(
             row, self, "ThinPart_FolderAddLibrary", translate("ThinPart", "Search in it\u2026"), self.add_to_libraries)
-        self._offer.setToolTip(translate("ThinPart", "Adds the folder to the libraries of 'Find parts'"))
+        self._offer.setToolTip(translate("ThinPart", "Adds the folder to the libraries of 'Find parts', and opens that"))
         row.addWidget(self._progress, 1)
         column.addLayout(row)
 

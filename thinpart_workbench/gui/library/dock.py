@@ -117,6 +117,14 @@ class FindDock(QtWidgets.QDockWidget):
         root = next((root for root in self._libraries.roots if contains(root, info_file)), "")
         self._search.find_again(SimpleNamespace(root=root, info_file=info_file, name=name))
 
+    def search_in(self, folder):
+        """Make a folder, str, one of the libraries, unless it is in one, and show all parts of the libraries."""
+        self._libraries.add(folder)
+        self._clear_filters()
+        if self._reference is not None:
+            self._end_like()
+        self._choices.setCurrentIndex(FILTERS)
+
     def show_reclassify(self, profile_name):
         """Show the page that reclassifies the libraries, with a profile chosen."""
         self._choices.setCurrentIndex(RECLASSIFY)

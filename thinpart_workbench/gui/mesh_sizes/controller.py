@@ -43,7 +43,10 @@ class MeshDialog(TaskDialog):
 
     def accept(self):
         """Called by FreeCAD for OK."""
-        self._accept()
+        if self.is_put_away:
+            self.come_to_front()
+        else:
+            self._accept()
         return False
 
 

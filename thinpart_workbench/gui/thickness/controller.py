@@ -2,8 +2,10 @@
 """Controls one session of 'Show thickness': from the command to the map and its panel."""
 
 from ...core.errors import ThinPartError
+from ...freecad_adapter.objects.thickness_object import thickness_objects
 from ..application.qt import QtCore, translate
 from ..application.sentences import translated
+from ..document.active_task import THICKNESS, begin_session
 from ..document.task_controller import TaskController
 from ..view3d.shown_map import show_alone
 from .measurement import ThicknessMeasurement, coarse_sentence
@@ -14,11 +16,19 @@ class ThicknessController(TaskController):
     """Measures parts and shows their map in a panel, or shows an existing map.
 
     Without a map to show, parts are measured.
+
+    Parameters
+    ----------
+    document : FreeCAD.Document or None
+    thickness : FreeCAD.DocumentObject, optional
+        The map.
+    is_asked_for : bool, optional
+        Whether the user wants to see the map. Otherwise the views stay as they are, and the keyboard acts where it did.
     """
 
-    def __init__(self, document, thickness=None):
+    def __init__(self, document, thickness=None, is_asked_for=True):
         super().__init__()
-        self._thickness = thickness
+        self._thickness, self._is_asked_for = thickness, is_asked_for
         self._measuring = ThicknessMeasurement(document, self, with_first_colours=True)
         measured = self._measuring.measured
         measured.info_file_changed.connect(self._show_info_file)
@@ -52,12 +62,20 @@ class ThicknessController(TaskController):
 
     def start(self):
         """Open the panel; without a map to show, schedule a measurement."""
-        self._boxes.begin()
+        self._boxes.begin(self._is_asked_for)
         if self._thickness is None:
             self._measure_timer.start()
         else:
-            show_alone(self._thickness)
+            if self._is_asked_for:
+                show_alone(self._thickness)
             self._boxes.show_map(self._thickness)
+
+    def follow(self, document):
+        """Show the map that is seen in another document; returns whether there is one."""
+        seen = [each for each in thickness_objects(document) if each.ViewObject.Visibility]
+        if seen:
+            begin_session(THICKNESS, ThicknessController, document, seen[-1], False)
+        return bool(seen)
 
     def measure(self, shown_measure=None):
         """Measure the sources of the shown map, or else the selected parts; by one of `SHOWN_MEASURES` if given."""

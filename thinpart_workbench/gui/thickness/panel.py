@@ -6,7 +6,7 @@ from ...core.errors import ThinPartError
 from ..application.icons import icon
 from ..application.qt import QtCore, QtWidgets, call_later, translate
 from ..application.sentences import translated
-from ..document.task_dialog import TaskDialog
+from ..document.task_dialog import TaskDialog, task_box_of
 from ..section.section_box import SectionBox
 from .distribution_box import DistributionBox
 from .face_box import FaceBox
@@ -63,9 +63,9 @@ class ThicknessPanel(QtCore.QObject):
         """The shown map, or None."""
         return self._presenter and self._presenter.thickness
 
-    def begin(self):
-        """Open the panel without a map."""
-        self.panel.show()
+    def begin(self, takes_keyboard=True):
+        """Open the panel without a map; see `TaskDialog.show`."""
+        self.panel.show(takes_keyboard)
         self._show_others(False)
         self._create_timer.start()
 
@@ -113,10 +113,10 @@ class ThicknessPanel(QtCore.QObject):
 
     def _show_others(self, is_visible):
         for container, _ in self._containers.values():
-            _task_box_of(container).setVisible(is_visible)
+            task_box_of(container).setVisible(is_visible)
         if is_visible and not self._has_folded:
             self._has_folded = True
-            _fold(_task_box_of(self._containers["faces"][0]))
+            _fold(task_box_of(self._containers["faces"][0]))
 
 
 def _new_container(title):
@@ -131,13 +131,3 @@ def _new_container(title):
 def _fold(task_box):
     """Fold a task box, as a click on its title does; regions come first, faces are for those who want them."""
     QtCore.QMetaObject.invokeMethod(task_box, "showHide")
-
-
-def _task_box_of(widget):
-    """The titled task box that contains a widget."""
-    candidate = widget
-    while candidate is not None:
-        if candidate.metaObject().className() in ("Gui::TaskView::TaskBox", "QSint::ActionGroup"):
-            return candidate
-        candidate = candidate.parentWidget()
-    return widget

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...core.rays.line_of_sight import Scene, best_sight
+from ..application.front_document import bring_to_front
 from ..application.qt import translate
 from ..scene.camera_flight import fly_to, look_direction, visible_height
 from ..scene.document_views import view_of
@@ -31,7 +32,7 @@ class PlacedWall:
 
 
 class WallFlight:
-    """Flies to one wall after the other; only the last one is marked.
+    """Flies to one wall after the other, in a view that is brought to the front; only the last one is marked.
 
     Attributes
     ----------
@@ -58,6 +59,7 @@ class WallFlight:
         view = view_of(document)
         if view is None:
             return True
+        bring_to_front(document)
         root = view.getSceneGraph()
         sight = best_sight(Scene(drawn_triangles(root)), wall.places, look_direction(view))
         self._mark, text = LabelNode(view, MARK), unit.text(wall.value)
