@@ -329,10 +329,6 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>'Find parts' searches this folder from now on.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>'normal' and 'unknown' mean that no criterion holds, or that it cannot be told: choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -449,7 +445,7 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Adds the folder to the libraries of 'Find parts'</source>
+        <source>Adds the folder to the libraries of 'Find parts', and opens that</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -486,6 +482,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Angular deflection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another document</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1070,6 +1070,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Go on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2218,6 +2222,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>The measuring process ended unexpectedly; the document is unharmed. Check the part with 'Check geometry' of the Part workbench.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The open panel is about '{}'.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -331,10 +331,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>&amp;im Ordner</translation>
     </message>
     <message>
-        <source>'Find parts' searches this folder from now on.</source>
-        <translation>„Bauteile finden“ durchsucht diesen Ordner ab jetzt.</translation>
-    </message>
-    <message>
         <source>'normal' and 'unknown' mean that no criterion holds, or that it cannot be told: choose another name.</source>
         <translation>„normal“ und „unknown“ bedeuten, dass kein Kriterium erfüllt ist oder dass es sich nicht sagen lässt: Wählen Sie einen anderen Namen.</translation>
     </message>
@@ -451,8 +447,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Verfahren hinzufügen</translation>
     </message>
     <message>
-        <source>Adds the folder to the libraries of 'Find parts'</source>
-        <translation>Fügt den Ordner zu den Bibliotheken von „Bauteile finden“ hinzu</translation>
+        <source>Adds the folder to the libraries of 'Find parts', and opens that</source>
+        <translation>Fügt den Ordner den Bibliotheken von „Bauteile finden“ hinzu und öffnet dieses</translation>
     </message>
     <message>
         <source>Add…</source>
@@ -489,6 +485,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Angular deflection</source>
         <translation>Winkelabweichung</translation>
+    </message>
+    <message>
+        <source>Another document</source>
+        <translation>Anderes Dokument</translation>
     </message>
     <message>
         <source>Another folder…</source>
@@ -1073,6 +1073,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Go on</source>
         <translation>Weiterlaufen lassen</translation>
+    </message>
+    <message>
+        <source>Go to it</source>
+        <translation>Dorthin</translation>
     </message>
     <message>
         <source>Growth</source>
@@ -2221,6 +2225,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>The measuring process ended unexpectedly; the document is unharmed. Check the part with 'Check geometry' of the Part workbench.</source>
         <translation>Der Messprozess wurde unerwartet beendet; das Dokument ist unbeschädigt. Prüfen Sie das Bauteil mit „Geometrie prüfen“ des Arbeitsbereichs Part.</translation>
+    </message>
+    <message>
+        <source>The open panel is about '{}'.</source>
+        <translation>Das offene Panel gehört zu „{}“.</translation>
     </message>
     <message>
         <source>The probabilities of this profile belong to its thresholds before your change: they say how often engineers agreed with verdicts by those. The changed profile is saved without them, and its verdicts are borderline near a threshold instead. 'thinpart learn' makes new ones from labels.</source>

@@ -331,10 +331,6 @@ Son volume est inconnu.</translation>
         <translation>dans le d&amp;ossier</translation>
     </message>
     <message>
-        <source>'Find parts' searches this folder from now on.</source>
-        <translation>« Trouver des pièces » cherche désormais dans ce dossier.</translation>
-    </message>
-    <message>
         <source>'normal' and 'unknown' mean that no criterion holds, or that it cannot be told: choose another name.</source>
         <translation>« normal » et « unknown » signifient qu’aucun critère n’est rempli ou que c’est indécidable : choisissez un autre nom.</translation>
     </message>
@@ -451,8 +447,8 @@ Son volume est inconnu.</translation>
         <translation>Ajouter un procédé</translation>
     </message>
     <message>
-        <source>Adds the folder to the libraries of 'Find parts'</source>
-        <translation>Ajoute le dossier aux bibliothèques de « Trouver des pièces »</translation>
+        <source>Adds the folder to the libraries of 'Find parts', and opens that</source>
+        <translation>Ajoute le dossier aux bibliothèques de « Trouver des pièces », et l’ouvre</translation>
     </message>
     <message>
         <source>Add…</source>
@@ -489,6 +485,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Angular deflection</source>
         <translation>Déflexion angulaire</translation>
+    </message>
+    <message>
+        <source>Another document</source>
+        <translation>Autre document</translation>
     </message>
     <message>
         <source>Another folder…</source>
@@ -1073,6 +1073,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Go on</source>
         <translation>Continuer</translation>
+    </message>
+    <message>
+        <source>Go to it</source>
+        <translation>Y aller</translation>
     </message>
     <message>
         <source>Growth</source>
@@ -2221,6 +2225,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>The measuring process ended unexpectedly; the document is unharmed. Check the part with 'Check geometry' of the Part workbench.</source>
         <translation>Le processus de mesure s’est terminé de façon inattendue ; le document est intact. Vérifiez la pièce avec « Vérifier la géométrie » de l’atelier Part.</translation>
+    </message>
+    <message>
+        <source>The open panel is about '{}'.</source>
+        <translation>Le panneau ouvert concerne « {} ».</translation>
     </message>
     <message>
         <source>The probabilities of this profile belong to its thresholds before your change: they say how often engineers agreed with verdicts by those. The changed profile is saved without them, and its verdicts are borderline near a threshold instead. 'thinpart learn' makes new ones from labels.</source>

@@ -4,6 +4,7 @@
 import numpy as np
 import pytest
 
+from thinpart_workbench.core.rendering.alike_colours import is_alike
 from thinpart_workbench.core.rendering.colour_maps import RED_IS_THIN
 from thinpart_workbench.core.rendering.colour_scale import UNMEASURED, ColourScale, colour_table
 
@@ -81,3 +82,11 @@ def test_a_range_from_nothing_on_stays_linear():
     scale = ColourScale(0.0, 8.0, logarithmic=True)
     assert not scale.is_logarithmic and scale.positions([4.0]) == pytest.approx([0.5])
     assert scale.thickness_at([0.25]) == pytest.approx([2.0])
+
+
+@pytest.mark.parametrize("colour, is_taken_for_red", [
+    ((1.0, 0.0, 0.0), True), ((0.5, 0.05, 0.1), True), ((0.9, 0.3, 0.5), True), ((1.0, 0.5, 0.0), True),
+    ((0.8, 0.8, 0.86), False), ((0.05, 0.0, 0.0), False), ((0.9, 0.8, 0.75), False), ((0.1, 0.6, 0.2), False),
+    ((0.2, 0.3, 0.9), False)])
+def test_what_may_be_taken_for_red(colour, is_taken_for_red):
+    assert is_alike(colour, (0.84, 0.15, 0.12)) == is_taken_for_red

@@ -8,6 +8,8 @@ import pytest
 import window_actions as window
 from window_actions import V
 
+from thinpart_workbench.gui.document.face_colours import NEUTRAL
+
 RED = (0.84, 0.15, 0.12)
 
 
@@ -52,6 +54,22 @@ def test_what_is_not_thin_keeps_its_look(block):
     before = before * len(after) if len(before) == 1 else before
     same = [one == other for one, other in zip(before, after)]
     assert same.count(False) == 2 and len(after) == len(block.Shape.Faces)
+
+
+@pytest.mark.parametrize("own, is_neutral", [((1.0, 0.5, 0.0), True), ((0.7, 0.0, 0.1), True), ((0.1, 0.3, 0.9), False)])
+def test_own_colours_that_look_like_verdicts_are_neutral_meanwhile(document, own, is_neutral):
+    ribbed = window.add_ribbed_block(document)
+    features = [ribbed, window.add(document, "Own", Part.makeBox(60, 60, 60, V(200, 0, 0))),
+                window.add(document, "Green", Part.makeBox(60, 50, 60, V(300, 0, 0)))]
+    for feature, colour in zip(features[1:], (own, (0.1, 0.7, 0.3))):
+        feature.ViewObject.ShapeColor = colour
+    before = [look(each) for each in features]
+    Gui.Selection.addSelection(ribbed)
+    window.classify()
+    assert window.rgb(ribbed).count(RED) == 2
+    assert [set(window.rgb(each)) - {RED} == {NEUTRAL} for each in features] == 3 * [is_neutral]
+    window.press("ThinPart_ClearColours")
+    assert [look(each) for each in features] == before
 
 
 def test_undo_takes_the_colours_away_and_redo_brings_them_back(block):

@@ -94,7 +94,8 @@ def test_the_panel_follows_to_the_map_of_the_document_in_front_and_flies_there(d
         window.wait_until(lambda: window.is_shown("ThinPart_FlyButton"))
         camera = look_at(each).getCamera()
         window.click("ThinPart_FlyButton")
-        window.wait_until(lambda view=view_of(each), before=camera: view.getCamera() != before)
+        view = view_of(each)
+        window.wait_until(lambda view=view, before=camera: view.getCamera() != before)
     App.setActiveDocument(other.Name)  # before the panel has followed
     window.click("ThinPart_FlyButton")
     assert App.ActiveDocument == document

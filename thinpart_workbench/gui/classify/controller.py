@@ -220,7 +220,7 @@ class ClassificationController(TaskController):
     def _colour_all(self):
         """Colour all other parts too; the chosen part was coloured when it was measured."""
         if len(self._analysis.parts) > 1:
-            self._colour(list(self._analysis.records))
+            self._colour(self._analysis.records)
             if self._shown_record is not None:
                 self._show_legend(self._is_coloured(self._shown_name))
 
@@ -228,14 +228,18 @@ class ClassificationController(TaskController):
         """Colour the thin faces of parts; return whether there are any."""
         if not self.measured.is_unchanged():
             return False
-        document, owners = self.measured.document, {}
-        for name in names:
-            colours = self._colours_of(name)
-            for owner, indices in face_owners(document, self._part(name)):
+        document, owners, others = self.measured.document, {}, {}
+        for part in self._analysis.parts:
+            if part.name not in names:
+                others.update({owner.Name: owner for owner, _ in face_owners(document, part)})
+                continue
+            colours = self._colours_of(part.name)
+            for owner, indices in face_owners(document, part):
                 # One object may draw several parts, such as a compound.
                 owner_colours = owners.setdefault(owner.Name, (owner, {}))[1]
                 owner_colours.update({indices[face]: rgb for face, rgb in colours.items()})
-        lifelong.face_colours.show(document, list(owners.values()))
+        lifelong.face_colours.show(
+            document, list(owners.values()), [each for name, each in others.items() if name not in owners])
         self._hide_maps({owner for owner, (_, colours) in owners.items() if colours})
         return any(self._is_coloured(name) for name in names)
 

@@ -15,6 +15,11 @@ def appearance(view):
     return [value] if _property(view) == "ShapeColor" else list(value)
 
 
+def colours_of(entries):
+    """The colours in what `appearance` returned: set of (red, green, blue) from 0 to 1."""
+    return {tuple(getattr(entry, "DiffuseColor", entry)[:3]) for entry in entries}
+
+
 def set_appearance(view, entries):
     """Restore what `appearance` returned."""
     setattr(view, _property(view), entries[0] if _property(view) == "ShapeColor" else entries)

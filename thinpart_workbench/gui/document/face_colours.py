@@ -5,9 +5,14 @@ from contextlib import contextmanager
 
 import FreeCADGui as Gui
 
+from ...core.rendering.alike_colours import is_alike
+from ...freecad_adapter.preferences import preference
 from ..application.qt import translate
-from .face_appearance import appearance, fingerprint, paint, set_appearance, unrecorded
+from .face_appearance import appearance, colours_of, fingerprint, paint, set_appearance, unrecorded
 from .transaction import transaction
+
+NEUTRAL = (0.78, 0.79, 0.80)
+"""Of what is not thin, where its own colours could be taken for analysis colours. No colour that a user would choose."""
 
 
 class FaceColours:
@@ -23,7 +28,7 @@ class FaceColours:
         self._originals = {}  # document name -> object name -> fingerprint -> original appearance
         self._suspended = {}  # document name -> object name -> painted appearance
 
-    def show(self, document, painted):
+    def show(self, document, painted, others=()):
         """Colour faces, replacing earlier analysis colours of these objects.
 
         Parameters
@@ -31,7 +36,17 @@ class FaceColours:
         document : FreeCAD.Document
         painted : list of tuple
             ``(object, {face index: (red, green, blue)})``.
+        others : list of FreeCAD.DocumentObject, optional
+            Objects that are seen beside these.
+
+        Notes
+        -----
+        Where an own colour of any of them could be taken for an analysis colour, all that is not coloured is drawn neutral.
         """
+        if self._is_misleading(document, [*(owner for owner, _ in painted), *others]):
+            neutral = [(owner, {}) for owner in others if self._original(document, owner) is None]
+            painted = [(owner, {**dict.fromkeys(range(_count(owner)), NEUTRAL), **colours})
+                       for owner, colours in [*painted, *neutral]]
         painted = [(owner, colours) for owner, colours in painted
                    if colours or self._original(document, owner) is not None]
         if not painted:
@@ -91,9 +106,17 @@ class FaceColours:
             set_appearance(view, original)
         if not colours:
             return
-        paint(view, len(owner.Shape.Faces) if hasattr(owner, "Shape") else 1, colours)
+        paint(view, _count(owner), colours)
         known = self._originals.setdefault(document.Name, {}).setdefault(owner.Name, {})
         known[fingerprint(view)] = original
+
+    def _is_misleading(self, document, objects):
+        """Whether a colour that one of some objects has itself could be taken for an analysis colour."""
+        analysis = preference("ThinColour")[:3], preference("PartlyThinColour")[:3]
+        own = set()
+        for owner in objects:
+            own.update(colours_of(self._original(document, owner) or appearance(owner.ViewObject)))
+        return any(is_alike(each, thin) for each in own for thin in analysis)
 
     def _original(self, document, owner):
         """The original appearance of a coloured object; None where it is not coloured."""
@@ -106,6 +129,11 @@ class FaceColours:
             original = self._original(document, owner) if owner is not None else None
             if original is not None:
                 yield owner, original
+
+
+def _count(owner):
+    """Number of the faces that an object can have colours on; a mesh has one colour."""
+    return len(owner.Shape.Faces) if hasattr(owner, "Shape") else 1
 
 
 @contextmanager

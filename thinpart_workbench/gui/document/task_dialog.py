@@ -31,8 +31,8 @@ class TaskDialog(QtCore.QObject):
 
     Notes
     -----
-    FreeCAD calls methods with certain names itself, such as ``open``, ``accept`` and ``clicked``. It shows one panel whatever
-    document is in front: while that is another one, the panel only says what it is about.
+    FreeCAD calls methods with certain names itself, such as ``open``, ``accept`` and ``clicked``. It shows one panel
+    whatever document is in front: while that is another one, the panel only says what it is about.
     """
 
     closed = Signal()

@@ -111,7 +111,7 @@ class FolderDialog(QtWidgets.QDialog):
         self._progress.show_waiting(translate("ThinPart", "stopping"))
 
     def add_to_libraries(self):
-        """Make the folder of the info files one of those that 'Find parts' searches, and open that, in place of this dialog."""
+        """Make the folder of the info files one of those that 'Find parts' searches, and open that in place of this."""
         show_find_parts().search_in(_info_folder(self._settings))
         self._show_offer()
         self.hide()  # it would be in front of the panel
