@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The window of the guide: the pages of docs as they lie on this computer, with their links and pictures."""
+"""The window of the guide: the pages of docs as they lie on this computer, in the window's language where they are there in
+it, with their links and pictures."""
 
 import os
 
+from ..application.language import language_of
 from ..application.qt import QtCore, QtGui, QtWidgets, translate
 from ..widgets.buttons import add_button
-from .pages import CONTENTS, FOLDER, heading_anchor
+from .pages import CONTENTS, heading_anchor, languages, page_in
 
 _WIDEST = 1400
 """Pixels of a picture: those of the guide are not sharp beyond."""
@@ -46,9 +48,9 @@ class GuideWindow(QtWidgets.QDialog):
         return self._page.source().toLocalFile()
 
     def show_page(self, page):
-        """Show a page: the name of a file of the guide, with ``#`` and a heading if it is to begin there."""
-        name, _, anchor = page.partition("#")
-        url = QtCore.QUrl.fromLocalFile(os.path.join(FOLDER, name))
+        """Show a page in FreeCAD's language: its name, with ``#`` and an English heading if it is to begin there."""
+        file, anchor = page_in(language_of(languages()), page)
+        url = QtCore.QUrl.fromLocalFile(os.fspath(file))
         if anchor:
             url.setFragment(anchor)
         self._page.setSource(url)
