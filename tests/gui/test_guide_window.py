@@ -15,7 +15,7 @@ from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
 from thinpart_workbench.gui.commands import COMMANDS
 from thinpart_workbench.gui.document.active_task import open_session
 from thinpart_workbench.gui.guide.command import show_guide
-from thinpart_workbench.gui.guide.pages import FOLDER, PAGE_OF, heading_anchor
+from thinpart_workbench.gui.guide.pages import CONTENTS, FOLDER, PAGE_OF, heading_anchor, headings, page_in
 from thinpart_workbench.gui.profile.command import show_profile_editor
 from thinpart_workbench.gui.widgets.single_dialog import end_single_dialog
 
@@ -25,6 +25,9 @@ HELP_OF = {
     "learning": "ThinPart_LearnThresholds",
 }
 """The windows that have a Help button, or one below them in the task view, and the command of each."""
+
+LANGUAGES = {"German": "de"}
+"""FreeCAD's names of the languages that the guide is in, other than English."""
 
 
 class Browser(QtCore.QObject):
@@ -195,3 +198,45 @@ def test_tables_and_commands_of_all_pages_are_shown():
         assert text().startswith(heading), file
         assert "|---" not in text() and "](" not in text() and "| ---" not in text(), file
         assert os.path.samefile(guide.page, file)
+
+
+# -- in other languages
+
+@pytest.fixture(params=LANGUAGES.items(), ids=LANGUAGES)
+def language(request):
+    """Code of the language that FreeCAD speaks meanwhile."""
+    started, (name, code) = Gui.getLocale(), request.param
+    Gui.setLocale(name)
+    yield code
+    Gui.setLocale(started)
+
+
+def test_f1_opens_the_page_in_the_language_of_the_window_and_contents_too(language, part):
+    with WINDOWS["report"](part) as widgets:
+        window.key(widgets[0].findChild(QtWidgets.QPushButton, "ThinPart_Help"), QtCore.Qt.Key_F1)
+        window.wait_until(lambda: window.is_shown("ThinPart_GuideWindow"))
+    guide = window.widget("ThinPart_GuideWindow")
+    file, anchor = page_in(language, PAGE_OF["ThinPart_Report"])
+    assert Path(guide.page) == file == FOLDER / language / "judge-one-part.md" and anchor != "a-page-to-hand-on"
+    bar = window.widget("ThinPart_GuidePage").verticalScrollBar()
+    assert 0 < bar.value()
+    window.click("ThinPart_GuideContents")
+    assert Path(guide.page) == FOLDER / language / CONTENTS
+    window.widget("ThinPart_GuidePage").anchorClicked.emit(QtCore.QUrl("../README.md"))
+    assert Path(guide.page).resolve() == FOLDER / CONTENTS and text().startswith("Guide")
+
+
+def test_translated_pages_are_shown_with_tables_and_pictures(language):
+    guide = show_guide()
+    page = window.widget("ThinPart_GuidePage")
+    for file in sorted((FOLDER / language).glob("*.md")):
+        guide.show_page(file.name)
+        content = file.read_text(encoding="utf-8")
+        assert os.path.samefile(guide.page, file)
+        # The first line, which says what the page translates, is not shown.
+        assert text().startswith(headings(content)[0]), file
+        assert "|---" not in text() and "](" not in text() and "| ---" not in text(), file
+        for picture in re.findall(r"!\[[^\]]*\]\(([^)]+)\)", content):
+            url = QtCore.QUrl.fromLocalFile(os.path.normpath(file.parent / picture))
+            shown = page.document().resource(QtGui.QTextDocument.ImageResource, url)
+            assert shown is not None and shown.width() > 100, (file, picture)
