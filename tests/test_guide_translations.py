@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The guide in other languages: each page follows its English one, is built like it, and calls everything as the window does."""
+"""The guide in other languages: each page follows its English one, is built like it, and names things as the window does."""
 
 import re
 import subprocess
@@ -68,8 +68,8 @@ def code(content):
 
 
 def links(page, content):
-    """Targets of links and pictures, as what of the repository they name, in whatever language; anchors of pages of the guide
-    as the number of the heading."""
+    """Targets of links and pictures, as what of the repository they name, in whatever language; anchors of pages of the
+    guide as the number of the heading."""
     found = []
     for picture, target in re.findall(r"(!?)\[[^\]]*\]\(([^)]+)\)", content):
         name, _, anchor = target.partition("#")
@@ -127,7 +127,8 @@ TEXTS = {language: window_texts(language) for language in COMPLETE}
 def emphasised(content):
     """What is bold or italic, in one line each: list of str."""
     content = re.sub(r"`[^`]*`", "", content)
-    return [plain(" ".join((bold or italic).split())) for bold, italic in re.findall(r"\*\*([^*]+)\*\*|\*([^*\s][^*]*)\*", content)]
+    found = re.findall(r"\*\*([^*]+)\*\*|\*([^*\s][^*]*)\*", content)
+    return [plain(" ".join((bold or italic).split())) for bold, italic in found]
 
 
 def cells(content):
@@ -172,8 +173,9 @@ def test_messages_are_quoted_as_they_are_said(page):
         pieces = fragments(quote)
         sentences = [plain(said[key]) for key in said if pieces and all(piece.lower() in key[1].lower() for piece in pieces)]
         found += bool(sentences)
-        assert not sentences or any(all(piece.lower() in sentence.lower() for piece in fragments(translation.replace("\xa0", " ")))
-                                    for sentence in sentences), f"{page}: '{translation}' is none of {sentences}"
+        own = [piece.lower() for piece in fragments(translation.replace("\xa0", " "))]
+        assert not sentences or any(all(piece in sentence.lower() for piece in own) for sentence in sentences), (
+            f"{page}: '{translation}' is none of {sentences}")
     assert found > 6
 
 
@@ -185,7 +187,8 @@ def test_a_command_has_its_page_and_heading_in_each_language():
         for name, page in PAGE_OF.items():
             file, anchor = page_in(language, page)
             assert file == GUIDE / language / page.partition("#")[0], name
-            assert bool(anchor) == ("#" in page) and (not anchor or anchor in map(heading_anchor, headings(text(file)))), name
+            assert bool(anchor) == ("#" in page), name
+            assert not anchor or anchor in map(heading_anchor, headings(text(file))), name
     file, anchor = page_in("de", PAGE_OF["ThinPart_Report"])
     assert anchor == "eine-seite-zum-weitergeben"
     assert page_in(ENGLISH, PAGE_OF["ThinPart_Report"]) == (GUIDE / file.name, "a-page-to-hand-on")
@@ -217,8 +220,8 @@ def test_a_changed_english_page_is_named_with_what_to_do_and_one_command_settles
     english.write_text("# Keyboard\n", encoding="utf-8")
     assert update_guide.main([]) == 1
     assert capsys.readouterr().out.splitlines()[-1] == (
-        f"docs/guide/de/keys.md lags behind the English page: see what has changed with 'git diff {before} docs/guide/keys.md', "
-        "translate that, then run '/usr/bin/python3 resources/translations/update_guide.py docs/guide/de/keys.md'.")
+        "docs/guide/de/keys.md lags behind the English page: see what has changed with "
+        f"'git diff {before} docs/guide/keys.md', translate that, then run '/usr/bin/python3 resources/translations/update_guide.py docs/guide/de/keys.md'.")
     assert update_guide.main([str(page)]) == 0 and page.read_text(encoding="utf-8").count("<!--") == 1
     english.unlink()
     assert update_guide.main([]) == 1 and "has no English page" in capsys.readouterr().out
