@@ -221,7 +221,8 @@ def test_a_changed_english_page_is_named_with_what_to_do_and_one_command_settles
     assert update_guide.main([]) == 1
     assert capsys.readouterr().out.splitlines()[-1] == (
         "docs/guide/de/keys.md lags behind the English page: see what has changed with "
-        f"'git diff {before} docs/guide/keys.md', translate that, then run '/usr/bin/python3 resources/translations/update_guide.py docs/guide/de/keys.md'.")
+        f"'git diff {before} docs/guide/keys.md', translate that, "
+        "then run '/usr/bin/python3 resources/translations/update_guide.py docs/guide/de/keys.md'.")
     assert update_guide.main([str(page)]) == 0 and page.read_text(encoding="utf-8").count("<!--") == 1
     english.unlink()
     assert update_guide.main([]) == 1 and "has no English page" in capsys.readouterr().out
