@@ -3,6 +3,7 @@
 
 import os
 import shutil
+from itertools import combinations
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -10,7 +11,7 @@ import Part
 import pytest
 import window_actions as window
 from pivy import coin
-from thickness_window import bar_of_document
+from thickness_window import bar_of_document, look_at, picture, pixel, place_of
 from window_actions import V
 
 from thinpart_workbench.api.annotations import keep_mesh_settings, note_regions
@@ -247,7 +248,7 @@ def test_the_fem_regions_have_the_sizes_of_the_mesh_also_before_a_new_estimate(d
 
 
 @pytest.mark.default_profile
-def test_a_normal_part_has_one_size_until_a_wall_is_ticked(document):
+def test_a_normal_part_has_one_size_until_a_wall_is_ticked(document, tmp_path):
     """A block with a groove that leaves a small thin wall."""
     shape = Part.makeBox(50, 40, 30).cut(Part.makeBox(6, 2, 3, V(20, 1, 27)))
     window.add(document, "Block", shape)
@@ -259,7 +260,16 @@ def test_a_normal_part_has_one_size_until_a_wall_is_ticked(document):
     assert window.text("ThinPart_MeshEstimate").startswith("A normal part: one size is enough.")
     assert not window.is_shown("ThinPart_SizeBar")
     # The colour of the largest size, not of the least.
-    assert size_colours(document) == {tuple(ColourScale(1.0, 2.0).colours([2.0])[0])}
+    largest = tuple(ColourScale(1.0, 2.0).colours([2.0])[0])
+    assert size_colours(document) == {largest}
+    # Its sides are told apart by the light.
+    seen = look_at(document)
+    image = picture(seen, tmp_path)
+    sides = [pixel(image, place_of(seen, point)) for point in (V(40, 20, 30), V(25, 0, 15), V(50, 20, 15))]
+    shares = [sum(side) / sum(map(int, largest)) for side in sides]
+    assert 0.68 < min(shares) and max(shares) < 1.01 and min(abs(a - b) for a, b in combinations(shares, 2)) > 0.04
+    assert all(abs(part - share * whole) < 4 for side, share in zip(sides, shares)
+               for part, whole in zip(side, map(int, largest)))
     window.check_cell("ThinPart_WallSizes", 0, True)
     window.wait_until(lambda: table.rows[0]["size"] is not None)
     assert table.rows[0]["size"] == pytest.approx(1.0 / 2.3, rel=0.02)

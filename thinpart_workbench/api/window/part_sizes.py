@@ -28,7 +28,7 @@ from ...workflow.meshing.part_sizing import PartSizing
 from ...workflow.meshing.shell_meshing import shell_of_part, shell_walls
 from ..mesh_sizes import MESH_SECONDS
 
-_FACETS, _SIZES, _POOR = "facets.npy", "sizes.npy", "poor.npy"
+_FACETS, _NORMALS, _SIZES, _POOR = "facets.npy", "normals.npy", "sizes.npy", "poor.npy"
 
 
 class PartSizes:
@@ -67,7 +67,8 @@ class PartSizes:
         walls, obstacle = shell_walls(part, measurement)
         self.shell_walls = [{"thickness": wall.thickness, "area": wall.area, "faces": sorted(wall.faces)} for wall in walls]
         self._sizing = PartSizing(measurement, limit, obstacle, only_chosen=self.record["category"] == NORMAL)
-        np.save(os.path.join(folder, _FACETS), self._sizing.facets())
+        for name, array in zip((_FACETS, _NORMALS), self._sizing.facets()):
+            np.save(os.path.join(folder, name), array)
 
     def proposed(self, settings, sizes):
         """What is proposed: dict, see `PartSizing.proposed`. Writes what `shown_sizes` reads.
@@ -134,9 +135,10 @@ class PartSizes:
 
 
 def shown_sizes(folder):
-    """The facets of a part, ndarray of shape (n, 3, 3), and the element sizes at their corners, (n, 3), as proposed last.
+    """The facets of a part, ndarray of shape (n, 3, 3), the element sizes at their corners, (n, 3), as proposed last, and
+    the normals of the surface there, (n, 3, 3).
 
-    All in mm; `folder` is that of the snapshot.
+    All but the normals in mm; `folder` is that of the snapshot.
 
     Examples
     --------
@@ -145,7 +147,7 @@ def shown_sizes(folder):
     >>> shown_sizes(snapshot)[1].shape[1]
     3
     """
-    return _array(folder, _FACETS), _array(folder, _SIZES)
+    return _array(folder, _FACETS), _array(folder, _SIZES), _array(folder, _NORMALS)
 
 
 def poor_elements(folder):

@@ -314,8 +314,9 @@ class MeshSizesController(TaskController):
             corners, thickness = shown_shell(folder)
             self._view.show_shell(corners, _thickness_scale(self._shell).colours(thickness))
         elif not form.is_shell and form.preview.isChecked():
-            corners, sizes = shown_sizes(folder)
-            self._view.show_sizes(corners, _size_scale(self._proposal).colours(sizes.ravel()).reshape(-1, 3, 3))
+            corners, sizes, normals = shown_sizes(folder)
+            self._view.show_sizes(
+                corners, _size_scale(self._proposal).colours(sizes.ravel()).reshape(-1, 3, 3), normals)
         else:
             self._view.hide()
         shows_poor = self._check is not None and form.poor.isChecked() and not form.is_shell

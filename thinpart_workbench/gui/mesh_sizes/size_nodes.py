@@ -14,6 +14,7 @@ from ..scene.coin_nodes import (
     take_out_of,
     unpickable,
 )
+from ..view3d.soft_light import SoftLight
 
 _POOR = (0.85, 0.0, 0.35)
 _EDGES = (0.15, 0.15, 0.15)
@@ -34,7 +35,7 @@ class SizeNodes:
         transform = coin.SoMatrixTransform()
         set_matrix(transform, matrix)
         add_children(self._root, unpickable(), transform)
-        self._facets = self._poor = None
+        self._facets = self._poor = self._light = None
 
     def show_in(self, scenes):
         """Be part of scene graphs: iterable of pivy.coin.SoSeparator."""
@@ -46,13 +47,15 @@ class SizeNodes:
         for scene in scenes:
             take_out_of(scene, self._root)
 
-    def show_sizes(self, corners, colours, has_edges=False):
-        """Colour the surface, or a shell.
+    def show_sizes(self, corners, colours, normals, has_edges=False):
+        """Colour the surface, or a shell, in the soft light of thickness maps.
 
         Parameters
         ----------
         corners : ndarray of shape (m, 3, 3), mm
         colours : ndarray of shape (m, 3, 3), uint8
+        normals : ndarray of shape (m, 3, 3)
+            Unit vectors.
         has_edges : bool
             Whether the edges of the facets are drawn.
         """
@@ -62,9 +65,13 @@ class SizeNodes:
         offset.factor = offset.units = 1.0 if has_edges else -1.0
         packed = coin.SoPackedColor()
         fill_colours(packed.orderedRGBA, colours)
-        add_children(node, flat_colours(), offset, colour_per_vertex(), packed)
+        surface, directions = coin.SoSeparator(), coin.SoNormal()
+        fill_points(directions.vector, normals.reshape(-1, 3))
+        self._light = SoftLight()
+        add_children(surface, self._light.root, directions, offset, colour_per_vertex(), packed)
         triangles = np.arange(3 * len(corners)).reshape(-1, 3)
-        _add_triangles(node, corners.reshape(-1, 3), triangles)
+        _add_triangles(surface, corners.reshape(-1, 3), triangles)
+        add_children(node, flat_colours(), surface)
         if has_edges:
             style, even = coin.SoDrawStyle(), coin.SoMaterialBinding()
             style.style, even.value = coin.SoDrawStyle.LINES, coin.SoMaterialBinding.OVERALL

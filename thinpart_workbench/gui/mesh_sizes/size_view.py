@@ -21,14 +21,18 @@ class SizeView(QtCore.QObject):
         self._views = Gui.getMainWindow().findChild(QtWidgets.QMdiArea)
         self._views.subWindowActivated.connect(self._on_view)
 
-    def show_sizes(self, corners, colours):
-        """Colour the surface: ndarrays of shape (m, 3, 3), mm and uint8."""
-        self._shown().show_sizes(corners, colours)
+    def show_sizes(self, corners, colours, normals):
+        """Colour the surface: ndarrays of shape (m, 3, 3), mm, uint8 and unit vectors."""
+        self._shown().show_sizes(corners, colours, normals)
         self._set_aside(False)
 
     def show_shell(self, corners, colours):
         """Draw the shell in place of the part: ndarrays of shape (m, 3, 3), mm, and (m, 3), uint8."""
-        self._shown().show_sizes(corners, np.repeat(colours[:, None], 3, axis=1), has_edges=True)
+        sides = corners[:, 1:] - corners[:, :1]
+        normals = np.cross(sides[:, 0], sides[:, 1])
+        normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), np.finfo(np.float32).tiny)
+        self._shown().show_sizes(
+            corners, *(np.repeat(each[:, None], 3, axis=1) for each in (colours, normals)), has_edges=True)
         self._set_aside(True)
 
     def hide(self):

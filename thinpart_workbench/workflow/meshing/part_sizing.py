@@ -7,6 +7,7 @@ from contextlib import suppress
 import numpy as np
 
 from ...core.maps.facet_refinement import cut_sides, side_lengths
+from ...core.mesh.smooth_normals import normals_at
 from ...core.mesh.tetrahedra import POOR, radius_ratios
 from ...core.message import message
 from ...core.shells.shell_or_solid import idealisation_values
@@ -73,17 +74,23 @@ class PartSizing:
         }
 
     def facets(self):
-        """The surface, cut into facets on which sizes can be shown: ndarray of shape (m, 3, 3), float32, mm."""
+        """The surface, cut into facets on which sizes can be shown, and its normals at their corners.
+
+        Two ndarrays of shape (m, 3, 3), float32: mm, and unit vectors.
+        """
         mesh = self._measurement.field.mesh
         points, facets = mesh.vertices, mesh.triangles
         longest = 1.6 * np.sqrt(4.0 / np.sqrt(3.0) * mesh.areas.sum() / FACETS)
+        of_mesh = np.arange(mesh.count)
         for _ in range(_MOST_CUTS):
             cut = side_lengths(points, facets) > longest
             if not cut.any() or len(facets) > 3 * FACETS:
                 break
-            points, facets, _ = cut_sides(points, facets, cut)
+            points, facets, parents = cut_sides(points, facets, cut)
+            of_mesh = of_mesh[parents]
         self._points = (points + mesh.origin)[facets]
-        return self._points.astype(np.float32)
+        normals = normals_at(mesh, np.repeat(of_mesh, 3), points[facets].reshape(-1, 3)).reshape(-1, 3, 3)
+        return self._points.astype(np.float32), normals.astype(np.float32)
 
     def sizes_on_facets(self, settings, region_sizes):
         """Size at each corner of `facets`: ndarray of shape (m, 3), float32, mm."""
