@@ -5,8 +5,9 @@
     /usr/bin/python3 resources/translations/update_guide.py                           lists the pages that lag behind
     /usr/bin/python3 resources/translations/update_guide.py docs/guide/de/keys.md     says that this page does not any more
 
-The first line of a translated page names the English text that it translates, by the id that git gives to that content, so that
-git can show what has changed since. A new language is a folder beside the others; what it does not have is shown in English.
+The first line of a translated page names the English text that it translates, by the id that git gives to that content,
+so that git can show what has changed since. A new language is a folder beside the others; what it does not have is shown
+in English.
 """
 
 import hashlib
