@@ -375,12 +375,18 @@ def test_parts_like_this_one(library):
 
 def test_parts_like_the_active_one(library, document):
     dock = opened(library)
+    window.wait_until(lambda: dock.width() >= 50 * dock.fontMetrics().averageCharWidth())
+    place = table().mapTo(dock, QtCore.QPoint())
     window.click("ThinPart_LikeActive")
     assert "is empty" in window.text("ThinPart_FindMessage")
+    window.settle(50)
+    assert window.widget("ThinPart_FindMessage").height() < 2 * dock.fontMetrics().height()
+    assert table().mapTo(dock, QtCore.QPoint()) == place, "what is said moves nothing that is pressed"
     window.add_ribbed_block(document)
     window.click("ThinPart_LikeActive")
     assert "classify the part first" in window.text("ThinPart_FindMessage")
     window.classify()
+    assert not window.text("ThinPart_FindMessage")
     window.click("ThinPart_LikeActive")  # from the session: the document has no file
     window.wait_until(lambda: status().startswith("The 9 parts most like Ribbed, among 10 of 10"))
     window.click("ThinPart_EndLike")

@@ -225,3 +225,20 @@ def test_a_query_is_sorted_where_it_comes_from(query):
     view.model().sort_requested.connect(lambda key, descending: asked.append((key, descending)))
     view.sortByColumn(1, DOWN)
     assert set(asked) == {("thickness", True)}
+
+
+def test_in_a_narrow_panel_headings_give_way_before_names_and_figures():
+    Wall = namedtuple("Wall", "kind thick area long")
+    columns = (Column("wall", "Wall", lambda row: row.kind, stretches=True),
+               *(figures(key, f"{title}, {{}}", lambda row, key=key: getattr(row, key), length)
+                 for key, title in (("thick", "Thickness"), ("area", "Surface area"), ("long", "Length"))))
+    table = SmallTable("ThinPart_NarrowTable", columns, 4)
+    table.show_rows([Wall("18 \u00d7 plate", 1.25, 37658.0, 327.0), Wall("tube", 15.0, 10001.0, 40.1)])
+    for wide in (600, 250):
+        table.resize(wide, 120)
+        table.show()
+        window.settle(30)
+        assert all(table.columnWidth(number) >= table.sizeHintForColumn(number) for number in range(4)), wide
+        assert table.horizontalScrollBar().maximum() == 0, wide
+    assert table.columnWidth(2) < table.horizontalHeader().sectionSizeHint(2)
+    table.deleteLater()

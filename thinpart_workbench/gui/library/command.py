@@ -3,8 +3,11 @@
 
 import FreeCADGui as Gui
 
-from ..application.qt import QtCore
+from ..application.qt import QtCore, call_later
 from ..widgets.controls import prepare_controls
+
+_WIDTH = 60
+"""In characters, so that the names of parts and the figures beside them can be read."""
 
 _docks = []  # the single instance, if created
 
@@ -28,7 +31,8 @@ def show_find_parts():
     from .dock import FindDock
 
     main = Gui.getMainWindow()
-    if not _docks:
+    is_new = not _docks
+    if is_new:
         _docks.append(FindDock(main))
         # FreeCAD restores the position of docks by object name, also from earlier sessions.
         if not main.restoreDockWidget(_docks[0]):
@@ -37,7 +41,16 @@ def show_find_parts():
     prepare_controls(dock, main)
     dock.show()
     dock.raise_()
+    if is_new:
+        call_later(dock, lambda: _widen(dock))  # once it has its place
     return dock
+
+
+def _widen(dock):
+    """Give a docked panel room for its table, where FreeCAD has given it less; the user may make it narrower."""
+    main, width = Gui.getMainWindow(), _WIDTH * dock.fontMetrics().averageCharWidth()
+    if not dock.isFloating() and dock.width() < width:
+        main.resizeDocks([dock], [min(width, main.width() // 2)], QtCore.Qt.Horizontal)
 
 
 def end_find_parts():

@@ -60,11 +60,15 @@ class FindDock(QtWidgets.QDockWidget):
         column = QtWidgets.QVBoxLayout(form)
         column.setContentsMargins(4, 4, 4, 4)
         self._add_words(column)
-        self._message = text_line(form, column, "ThinPart_FindMessage")
-        self._judged_otherwise = JudgedOtherwiseNote(form)
-        column.addWidget(self._judged_otherwise)
         self._splitter = QtWidgets.QSplitter(QtCore.Qt.Vertical, form)
         column.addWidget(self._splitter, 1)
+        # Below all that is pressed, and with a line kept free for it: what is said moves nothing.
+        self._message = text_line(form, column, "ThinPart_FindMessage")
+        policy = self._message.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        self._message.setSizePolicy(policy)
+        self._judged_otherwise = JudgedOtherwiseNote(form)
+        column.addWidget(self._judged_otherwise)
         self._add_choices()
         self._add_results()
         self._details = PartDetails(self._pictures, self)
@@ -95,6 +99,7 @@ class FindDock(QtWidgets.QDockWidget):
 
     def find_like_active(self):
         """Find the parts most similar to the active part."""
+        self._show_message("")
         try:
             active = active_record()
         except ThinPartError as error:
@@ -217,9 +222,9 @@ class FindDock(QtWidgets.QDockWidget):
         search.annotation_saved.connect(self._details.notes.show_save_result)
         search.failed.connect(self._show_failed)
         self._words.textChanged.connect(lambda _: self._typing_timer.start())
-        self._typing_timer.timeout.connect(self._start_search)
-        self._filters.changed.connect(self._start_search)
-        self._same_size.toggled.connect(lambda _: self._start_search())
+        self._typing_timer.timeout.connect(self._search_anew)
+        self._filters.changed.connect(self._search_anew)
+        self._same_size.toggled.connect(lambda _: self._search_anew())
         self._libraries.changed.connect(self._open)
         self._judged_otherwise.reclassify_requested.connect(self.show_reclassify)
         self._libraries.refresh_requested.connect(self._refresh)
@@ -238,6 +243,7 @@ class FindDock(QtWidgets.QDockWidget):
         self._details.notes.message.connect(self._show_message)
         self._details.labelled.connect(self._label)
         lifelong.requests.answered.connect(self._on_label_kept)
+        lifelong.measurement_signals.begun.connect(self._forget_message)
         lifelong.units.changed.connect(self._show_unit)
         self._show_like()
 
@@ -260,6 +266,15 @@ class FindDock(QtWidgets.QDockWidget):
         self._pictures.clear()
         self._search.refresh()
 
+    def _search_anew(self):
+        """Search by other words or filters: what was said before is not about what is found now."""
+        self._show_message("")
+        self._start_search()
+
+    def _forget_message(self, _document):
+        """What has not been classified is now."""
+        self._show_message("")
+
     def _start_search(self):
         query = self._filters.query()
         if self._words.text().strip():
@@ -279,6 +294,7 @@ class FindDock(QtWidgets.QDockWidget):
         self._search.request_record(part)
 
     def _find_like(self, name, record, info_file):
+        self._show_message("")
         self._reference = {"name": name, "record": record, "like": {
             "record": record, "excluding": [info_file, record["name"]] if info_file else None}}
         self._details.compare_with(name, record)

@@ -58,8 +58,8 @@ class NotesPage(QtWidgets.QWidget):
         self._open = add_button(grid, self, "ThinPart_OpenLink", translate("ThinPart", "Open"), self._open_link, 1, 2)
         grid.setColumnStretch(1, 1)
         column.addLayout(grid)
-        self._message = text_line(self, column, "ThinPart_KeptMessage")
         self._save = add_button(column, self, "ThinPart_KeepNotes", translate("ThinPart", "Save"), self.save)
+        self._message = text_line(self, column, "ThinPart_KeptMessage")
         self.show_part(None)
 
     @property

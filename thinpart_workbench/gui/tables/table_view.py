@@ -91,6 +91,11 @@ class TableView(QtWidgets.QTableView):
         for number in shown:
             most = columns[number].most * letter + (max(0, icon - 16) if columns[number].picture else 0)
             widths[number] = min(max(self.sizeHintForColumn(number), header.sectionSizeHint(number)) + 4, most)
+        # Headings give way before what stands below them: they have tool tips.
+        for number in shown:
+            if not columns[number].least:
+                content = max(self.sizeHintForColumn(number) + 4, 3 * letter)
+                widths[number] -= max(0, min(widths[number] - content, sum(widths.values()) - self.viewport().width()))
         # The one with most to give gives way first, so that a long message does not push the numbers out of view.
         spare = {number: widths[number] - columns[number].least * letter for number in shown if columns[number].least}
         for number in sorted(spare, key=spare.__getitem__, reverse=True):
