@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The guide in other languages: each page follows its English one, is built like it, and names things as the window does."""
+"""The guide in other languages: each page follows its English one, is built like it, and uses the words of the window."""
 
 import re
 import subprocess
@@ -50,15 +50,10 @@ def test_all_pages_are_there_in_the_languages_of_the_window():
 # -- built alike
 
 def outline(content):
-    """Levels of headings, and the kinds of the other lines that are not plain text, with how many cells a row has."""
-    found = []
-    for line in content.splitlines():
-        start = re.match(r"#+ |\d+\. |- | *(?:\./thinpart)|\||!\[|\*(?!\*)\S.*", line)
-        if line.startswith("|"):
-            found.append(f"row of {line.count('|')}")
-        elif start and not start[0].startswith("*"):
-            found.append(start[0].strip())
-    return found
+    """Levels of headings, numbers of items, and the kinds of the other lines that are not plain text, in their order; of
+    a row of a table, the lines between its cells too."""
+    starts = re.findall(r"^(#+ |\d+\. |- | *\./thinpart| *!\[|\|.*)", content, re.MULTILINE)
+    return [re.sub(r"[^|]", "", start) or start for start in starts]
 
 
 def code(content):
@@ -121,7 +116,7 @@ def window_texts(language):
     return found
 
 
-TEXTS = {language: window_texts(language) for language in COMPLETE}
+TEXTS = {language: window_texts(language) for language in languages()[1:]}
 
 
 def emphasised(content):
@@ -152,31 +147,28 @@ def test_buttons_panels_and_columns_are_called_as_in_the_window(page):
 
 def fragments(cell):
     """The pieces of a message that a row of a table quotes."""
-    return [each.strip(" ()*") for each in re.split(r"\u2026|, (?!but|um|mais)| \(|\bnot \b", cell) if len(each) > 14]
+    return [each.strip(" ()*").lower() for each in re.split(r"\u2026|, | \(", cell) if len(each) > 14]
 
 
 def quoted(content):
-    """What the rows of the tables of messages quote, row by row."""
-    table = re.findall(r"^\| (.*?) \| .* \|$", content, re.MULTILINE)
-    return table[2:]
+    """The messages that the table of a page explains, row by row."""
+    return re.findall(r"^\| (.*?) \| .* \|$", content.replace("\xa0", " "), re.MULTILINE)[2:]
 
 
-MESSAGES = [page for page in PAGES if page.stem == "troubleshooting"]
+MESSAGES = [page for page in PAGES if page.stem in ("troubleshooting", "prepare-a-mesh")]
 
 
-@pytest.mark.parametrize("page", MESSAGES, ids=lambda page: page.parent.name)
+@pytest.mark.parametrize("page", MESSAGES, ids=lambda page: f"{page.parent.name}/{page.stem}")
 def test_messages_are_quoted_as_they_are_said(page):
-    said = ts_file.read_ts(TRANSLATIONS / f"ThinPart_{page.parent.name}.ts")
-    english, translated = both(page)
+    said = {key[1].lower(): plain(translation).lower() for key, translation in
+            ts_file.read_ts(TRANSLATIONS / f"ThinPart_{page.parent.name}.ts").items()}
     found = 0
-    for quote, translation in zip(quoted(english), quoted(translated)):
-        pieces = fragments(quote)
-        sentences = [plain(said[key]) for key in said if pieces and all(piece.lower() in key[1].lower() for piece in pieces)]
+    for pieces, translated in zip(*(map(fragments, quoted(content)) for content in both(page))):
+        sentences = [said[sentence] for sentence in said if pieces and all(piece in sentence for piece in pieces)]
         found += bool(sentences)
-        own = [piece.lower() for piece in fragments(translation.replace("\xa0", " "))]
-        assert not sentences or any(all(piece in sentence.lower() for piece in own) for sentence in sentences), (
-            f"{page}: '{translation}' is none of {sentences}")
-    assert found > 6
+        assert not sentences or any(all(piece in each for piece in translated) for each in sentences), (
+            f"{page}: {translated} is in none of {sentences}")
+    assert found > 3 or not said
 
 
 # -- which page the window shows
@@ -220,9 +212,9 @@ def test_a_changed_english_page_is_named_with_what_to_do_and_one_command_settles
     english.write_text("# Keyboard\n", encoding="utf-8")
     assert update_guide.main([]) == 1
     assert capsys.readouterr().out.splitlines()[-1] == (
-        "docs/guide/de/keys.md lags behind the English page: see what has changed with "
-        f"'git diff {before} docs/guide/keys.md', translate that, "
-        "then run '/usr/bin/python3 resources/translations/update_guide.py docs/guide/de/keys.md'.")
+        f"docs/guide/de/keys.md lags behind the English page: see what has changed with 'git diff {before} "
+        "docs/guide/keys.md', translate that, then run '/usr/bin/python3 resources/translations/update_guide.py "
+        "docs/guide/de/keys.md'.")
     assert update_guide.main([str(page)]) == 0 and page.read_text(encoding="utf-8").count("<!--") == 1
     english.unlink()
     assert update_guide.main([]) == 1 and "has no English page" in capsys.readouterr().out

@@ -77,7 +77,8 @@ def test_a_release_is_a_tag_and_a_zip_with_the_publisher_and_without_tests(check
         files = {name.partition("/")[2]: opened.read(name) for name in opened.namelist() if not name.endswith("/")}
     assert set(files) == set(git(checkout, "ls-tree", "-r", "--name-only", tag).splitlines())
     assert {name.partition("/")[0] for name in files}.isdisjoint(LEFT_OUT)
-    assert {"InitGui.py", "Init.py", "LICENSE", "README.md", "SECURITY.md", "thinpart"} <= set(files)
+    assert {"InitGui.py", "Init.py", "LICENSE", "README.md", "SECURITY.md", "thinpart", "docs/guide/README.md",
+            "docs/guide/de/README.md"} <= set(files)
 
     package = ElementTree.fromstring(files["package.xml"])
     assert check_package(package) == []
