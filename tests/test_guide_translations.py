@@ -21,7 +21,7 @@ import ts_file  # noqa: E402
 import update_guide  # noqa: E402
 
 PAGES = update_guide.translated_pages()
-COMPLETE = ("de",)
+COMPLETE = ("de", "fr")
 EACH_PAGE = pytest.mark.parametrize("page", PAGES, ids=lambda page: f"{page.parent.name}/{page.stem}")
 
 
@@ -42,7 +42,7 @@ def test_a_page_translates_the_english_page_as_it_is_now(page):
 
 def test_all_pages_are_there_in_the_languages_of_the_window():
     english = {page.name for page in GUIDE.glob("*.md")}
-    assert set(COMPLETE) == {path.stem.partition("_")[2] for path in TRANSLATIONS.glob("ThinPart_*.ts")} & set(languages())
+    assert set(COMPLETE) == {path.stem.partition("_")[2] for path in TRANSLATIONS.glob("ThinPart_*.ts")}
     for language in COMPLETE:
         assert {page.name for page in PAGES if page.parent.name == language} == english, f"docs/guide/{language}"
 

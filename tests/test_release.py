@@ -78,7 +78,7 @@ def test_a_release_is_a_tag_and_a_zip_with_the_publisher_and_without_tests(check
     assert set(files) == set(git(checkout, "ls-tree", "-r", "--name-only", tag).splitlines())
     assert {name.partition("/")[0] for name in files}.isdisjoint(LEFT_OUT)
     assert {"InitGui.py", "Init.py", "LICENSE", "README.md", "SECURITY.md", "thinpart", "docs/guide/README.md",
-            "docs/guide/de/README.md"} <= set(files)
+            "docs/guide/de/README.md", "docs/guide/fr/README.md"} <= set(files)
 
     package = ElementTree.fromstring(files["package.xml"])
     assert check_package(package) == []

@@ -26,7 +26,7 @@ HELP_OF = {
 }
 """The windows that have a Help button, or one below them in the task view, and the command of each."""
 
-LANGUAGES = {"German": "de"}
+LANGUAGES = {"German": "de", "French": "fr"}
 """FreeCAD's names of the languages that the guide is in, other than English."""
 
 
