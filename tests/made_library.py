@@ -44,7 +44,7 @@ def measured_record(label, shape):
     mesh = surface_mesh(*shape)
     measurement = measure(mesh, AnalysisSettings(minimum_samples=2000))
     verdict = classify(measurement.descriptors, PAPER)
-    part = SimpleNamespace(name="Solid1", label=label, instances=1, warnings=())
+    part = SimpleNamespace(name="Solid1", label=label, instances=1, warnings=(), face_surfaces=None)
     record = part_record(part, mesh, measurement, verdict, verdict,
                          face_thicknesses(measurement.field, 5.0), WallErrors(0.01, 0.01, 0.01), 0.0)
     return {**record, "seconds": {"read": 0.0, "tessellate": 0.0, "measure": 0.0}}

@@ -116,10 +116,10 @@ def test_one_module_of_gui_imports_qt():
 
 
 PACKAGE_ORDER = {
-    "core": "kinds mesh rays descriptors walls thickness record sizing shells judging risk maps rendering",
+    "core": "kinds mesh rays descriptors walls forms thickness record sizing shells judging reuse risk maps rendering",
     "storage": "exchange info index",
     "freecad_adapter": "tessellating shapes mid_surface reading occurrences features objects",
-    "workflow": "report analysis workers cluster library meshing solving maps learning",
+    "workflow": "report analysis workers cluster library reuse meshing solving maps learning",
     "api": "window",
     "cli": "commands",
     "gui": "application widgets tables guide processes record document scene colour_bar section view3d map_export "
@@ -185,7 +185,7 @@ def _core_imports(folder):
 
 
 def test_measuring_never_judges_and_judging_never_measures():
-    for package in ("mesh", "rays", "descriptors", "thickness", "maps", "rendering"):
+    for package in ("mesh", "rays", "descriptors", "forms", "thickness", "maps", "rendering"):
         assert "judging" not in _core_imports(package), package
     assert _core_imports("judging") <= {"", "descriptors", "kinds", "record"}
     measuring = {"measurement", "thickness_field", "nonparallel", "pair_rule"}

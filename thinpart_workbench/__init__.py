@@ -28,6 +28,7 @@ _MODULE_OF = {
     "ThinPartError": "core.errors",
     "classify": "api.classification",
     "classify_files": "api.classification",
+    "duplicates": "api.libraries",
     "find": "api.libraries",
     "learn": "api.learning",
     "measure": "api.mesh_measurement",

@@ -73,7 +73,7 @@ def _program(name):
 
 
 # Commands that open CAD files, and commands that need info files only.
-CAD = ("classify", "report", "map", "size", "gui", "demo", "test")
+CAD = ("classify", "report", "map", "duplicates", "size", "gui", "demo", "test")
 STORED = (
     "reclassify",
     "learn",

@@ -3456,6 +3456,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Alike: {percent:.0f} % of the surface is the same, the rest up to {apart:.2g} apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>All its triangles have zero area.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3792,6 +3796,30 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>It is {length:.4g} higher.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is {length:.4g} longer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is {length:.4g} lower.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is {length:.4g} narrower.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is {length:.4g} shorter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is {length:.4g} wider.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Its bounding box is empty or not finite.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4061,6 +4089,14 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>One of the given paths is empty: name a file or a folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the other has round faces of radius {radius:.3g} ({count}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only this one has round faces of radius {radius:.3g} ({count}).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4416,6 +4452,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The documents are the same, byte by byte.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The element size of a shell is more than 0 mm, not {value:g}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4592,11 +4632,23 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The mirror image: its surfaces are at most {apart:.2g} apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mirror image: triangles lie at most {apart:.2g} from the other surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The name is too long for an info file, which adds {ending} to it: it has {bytes} bytes, at most {most} are possible; rename it, or use --no-info.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The order of elements is 1 or 2, not {value}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The outline in an info file is damaged: classify its document again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4637,6 +4689,22 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>The profile {profile} has no category {categories}: labels by a program are of these.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same form, scaled: triangles lie at most {apart:.2g} from the other surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same form, {scale:.6g} times as large: in the size of the other, its surfaces are at most {apart:.2g} apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same form: its surfaces are at most {apart:.2g} apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same form: triangles lie at most {apart:.2g} from the other surface.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5272,6 +5340,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>it has no such motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>it has no triangles</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5833,6 +5905,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{file} has no part {part!r}: it has {parts}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{file} has no part {part} any more: classify it again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

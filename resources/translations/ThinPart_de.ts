@@ -3458,6 +3458,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Acrylglas (PMMA)</translation>
     </message>
     <message>
+        <source>Alike: {percent:.0f} % of the surface is the same, the rest up to {apart:.2g} apart.</source>
+        <translation>Ähnlich: {percent:.0f} % der Oberfläche sind gleich, der Rest liegt bis zu {apart:.2g} auseinander.</translation>
+    </message>
+    <message>
         <source>All its triangles have zero area.</source>
         <translation>Alle Dreiecke haben den Flächeninhalt null.</translation>
     </message>
@@ -3794,6 +3798,30 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Es enthält keine Dreiecke.</translation>
     </message>
     <message>
+        <source>It is {length:.4g} higher.</source>
+        <translation>Es ist {length:.4g} höher.</translation>
+    </message>
+    <message>
+        <source>It is {length:.4g} longer.</source>
+        <translation>Es ist {length:.4g} länger.</translation>
+    </message>
+    <message>
+        <source>It is {length:.4g} lower.</source>
+        <translation>Es ist {length:.4g} niedriger.</translation>
+    </message>
+    <message>
+        <source>It is {length:.4g} narrower.</source>
+        <translation>Es ist {length:.4g} schmaler.</translation>
+    </message>
+    <message>
+        <source>It is {length:.4g} shorter.</source>
+        <translation>Es ist {length:.4g} kürzer.</translation>
+    </message>
+    <message>
+        <source>It is {length:.4g} wider.</source>
+        <translation>Es ist {length:.4g} breiter.</translation>
+    </message>
+    <message>
         <source>Its bounding box is empty or not finite.</source>
         <translation>Der Hüllquader ist leer oder nicht endlich.</translation>
     </message>
@@ -4064,6 +4092,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>One of the given paths is empty: name a file or a folder.</source>
         <translation>Einer der angegebenen Pfade ist leer: Nennen Sie eine Datei oder einen Ordner.</translation>
+    </message>
+    <message>
+        <source>Only the other has round faces of radius {radius:.3g} ({count}).</source>
+        <translation>Nur das andere hat runde Flächen mit dem Radius {radius:.3g} ({count}).</translation>
+    </message>
+    <message>
+        <source>Only this one has round faces of radius {radius:.3g} ({count}).</source>
+        <translation>Nur dieses hat runde Flächen mit dem Radius {radius:.3g} ({count}).</translation>
     </message>
     <message>
         <source>Only {share:.0f} % of the volume of {part} can be cut off as walls.</source>
@@ -4418,6 +4454,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Der Ordner des Dokuments antwortet seit {seconds:g} s nicht: Verbinden Sie ihn oder wählen Sie in den Einstellungen einen Ordner für Infodateien.</translation>
     </message>
     <message>
+        <source>The documents are the same, byte by byte.</source>
+        <translation>Die Dokumente sind Byte für Byte gleich.</translation>
+    </message>
+    <message>
         <source>The element size of a shell is more than 0 mm, not {value:g}.</source>
         <translation>Die Elementgröße einer Schale ist größer als 0 mm, nicht {value:g}.</translation>
     </message>
@@ -4594,12 +4634,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die Mittelfläche von {part} zerfällt in {count} Stücke, die sich nicht treffen: Vernetzen Sie das Teil als Volumen.</translation>
     </message>
     <message>
+        <source>The mirror image: its surfaces are at most {apart:.2g} apart.</source>
+        <translation>Das Spiegelbild: Die Oberflächen liegen höchstens {apart:.2g} auseinander.</translation>
+    </message>
+    <message>
+        <source>The mirror image: triangles lie at most {apart:.2g} from the other surface.</source>
+        <translation>Das Spiegelbild: Dreiecke liegen höchstens {apart:.2g} neben der anderen Oberfläche.</translation>
+    </message>
+    <message>
         <source>The name is too long for an info file, which adds {ending} to it: it has {bytes} bytes, at most {most} are possible; rename it, or use --no-info.</source>
         <translation>Der Name ist zu lang für eine Infodatei, die {ending} anhängt: Er hat {bytes} Byte, höchstens {most} sind möglich; benennen Sie die Datei um oder verwenden Sie --no-info.</translation>
     </message>
     <message>
         <source>The order of elements is 1 or 2, not {value}.</source>
         <translation>Die Ordnung der Elemente ist 1 oder 2, nicht {value}.</translation>
+    </message>
+    <message>
+        <source>The outline in an info file is damaged: classify its document again.</source>
+        <translation>Der Umriss in einer Infodatei ist beschädigt: Klassifizieren Sie ihr Dokument neu.</translation>
     </message>
     <message>
         <source>The overview of the report could not be written into {folder} ({problem}): make room for it, and start again.</source>
@@ -4640,6 +4692,22 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>The profile {profile} has no category {categories}: labels by a program are of these.</source>
         <translation>Das Profil {profile} hat keine Kategorie {categories}: Einordnungen durch ein Programm sind von diesen.</translation>
+    </message>
+    <message>
+        <source>The same form, scaled: triangles lie at most {apart:.2g} from the other surface.</source>
+        <translation>Dieselbe Form, skaliert: Dreiecke liegen höchstens {apart:.2g} neben der anderen Oberfläche.</translation>
+    </message>
+    <message>
+        <source>The same form, {scale:.6g} times as large: in the size of the other, its surfaces are at most {apart:.2g} apart.</source>
+        <translation>Dieselbe Form, {scale:.6g}-mal so groß: In der Größe des anderen liegen die Oberflächen höchstens {apart:.2g} auseinander.</translation>
+    </message>
+    <message>
+        <source>The same form: its surfaces are at most {apart:.2g} apart.</source>
+        <translation>Dieselbe Form: Die Oberflächen liegen höchstens {apart:.2g} auseinander.</translation>
+    </message>
+    <message>
+        <source>The same form: triangles lie at most {apart:.2g} from the other surface.</source>
+        <translation>Dieselbe Form: Dreiecke liegen höchstens {apart:.2g} neben der anderen Oberfläche.</translation>
     </message>
     <message>
         <source>The script opens {copy}, a copy of the part beside it.</source>
@@ -5274,6 +5342,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>füllt {share} seines Hüllquaders</translation>
     </message>
     <message>
+        <source>it has no such motion</source>
+        <translation>es gibt diese Bewegung nicht</translation>
+    </message>
+    <message>
         <source>it has no triangles</source>
         <translation>sie hat keine Dreiecke</translation>
     </message>
@@ -5836,6 +5908,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{file} has no part {part!r}: it has {parts}.</source>
         <translation>{file} hat kein Bauteil {part!r}: Vorhanden sind {parts}.</translation>
+    </message>
+    <message>
+        <source>{file} has no part {part} any more: classify it again.</source>
+        <translation>{file} enthält das Bauteil {part} nicht mehr: Klassifizieren Sie es neu.</translation>
     </message>
     <message>
         <source>{file} has the name of a CAD file and was not changed: name another file.</source>

@@ -3458,6 +3458,10 @@ Son volume est inconnu.</translation>
         <translation>Acrylique (PMMA)</translation>
     </message>
     <message>
+        <source>Alike: {percent:.0f} % of the surface is the same, the rest up to {apart:.2g} apart.</source>
+        <translation>Semblable : {percent:.0f} % de la surface sont identiques, le reste s’en écarte jusqu’à {apart:.2g}.</translation>
+    </message>
+    <message>
         <source>All its triangles have zero area.</source>
         <translation>Tous ses triangles ont une aire nulle.</translation>
     </message>
@@ -3794,6 +3798,30 @@ Son volume est inconnu.</translation>
         <translation>Il ne contient aucun triangle.</translation>
     </message>
     <message>
+        <source>It is {length:.4g} higher.</source>
+        <translation>Elle est plus haute de {length:.4g}.</translation>
+    </message>
+    <message>
+        <source>It is {length:.4g} longer.</source>
+        <translation>Elle est plus longue de {length:.4g}.</translation>
+    </message>
+    <message>
+        <source>It is {length:.4g} lower.</source>
+        <translation>Elle est plus basse de {length:.4g}.</translation>
+    </message>
+    <message>
+        <source>It is {length:.4g} narrower.</source>
+        <translation>Elle est plus étroite de {length:.4g}.</translation>
+    </message>
+    <message>
+        <source>It is {length:.4g} shorter.</source>
+        <translation>Elle est plus courte de {length:.4g}.</translation>
+    </message>
+    <message>
+        <source>It is {length:.4g} wider.</source>
+        <translation>Elle est plus large de {length:.4g}.</translation>
+    </message>
+    <message>
         <source>Its bounding box is empty or not finite.</source>
         <translation>Sa boîte englobante est vide ou infinie.</translation>
     </message>
@@ -4064,6 +4092,14 @@ Son volume est inconnu.</translation>
     <message>
         <source>One of the given paths is empty: name a file or a folder.</source>
         <translation>Un des chemins donnés est vide : indiquez un fichier ou un dossier.</translation>
+    </message>
+    <message>
+        <source>Only the other has round faces of radius {radius:.3g} ({count}).</source>
+        <translation>Seule l’autre a des faces rondes de rayon {radius:.3g} ({count}).</translation>
+    </message>
+    <message>
+        <source>Only this one has round faces of radius {radius:.3g} ({count}).</source>
+        <translation>Seule celle-ci a des faces rondes de rayon {radius:.3g} ({count}).</translation>
     </message>
     <message>
         <source>Only {share:.0f} % of the volume of {part} can be cut off as walls.</source>
@@ -4418,6 +4454,10 @@ Son volume est inconnu.</translation>
         <translation>Le dossier du document ne répond pas depuis {seconds:g} s : connectez-le ou choisissez un dossier pour les fichiers d’information dans les préférences.</translation>
     </message>
     <message>
+        <source>The documents are the same, byte by byte.</source>
+        <translation>Les documents sont identiques, octet par octet.</translation>
+    </message>
+    <message>
         <source>The element size of a shell is more than 0 mm, not {value:g}.</source>
         <translation>La taille d’élément d’une coque est supérieure à 0 mm, et non {value:g}.</translation>
     </message>
@@ -4594,12 +4634,24 @@ Son volume est inconnu.</translation>
         <translation>La surface moyenne de {part} se compose de {count} morceaux qui ne se rejoignent pas : maillez la pièce comme solide.</translation>
     </message>
     <message>
+        <source>The mirror image: its surfaces are at most {apart:.2g} apart.</source>
+        <translation>L’image miroir : les surfaces s’écartent d’au plus {apart:.2g}.</translation>
+    </message>
+    <message>
+        <source>The mirror image: triangles lie at most {apart:.2g} from the other surface.</source>
+        <translation>L’image miroir : les triangles s’écartent d’au plus {apart:.2g} de l’autre surface.</translation>
+    </message>
+    <message>
         <source>The name is too long for an info file, which adds {ending} to it: it has {bytes} bytes, at most {most} are possible; rename it, or use --no-info.</source>
         <translation>Le nom est trop long pour un fichier d’information, qui y ajoute {ending} : il a {bytes} octets, {most} au plus sont possibles ; renommez le fichier ou utilisez --no-info.</translation>
     </message>
     <message>
         <source>The order of elements is 1 or 2, not {value}.</source>
         <translation>L'ordre des éléments est 1 ou 2, pas {value}.</translation>
+    </message>
+    <message>
+        <source>The outline in an info file is damaged: classify its document again.</source>
+        <translation>Le contour dans un fichier d’information est endommagé : classez de nouveau son document.</translation>
     </message>
     <message>
         <source>The overview of the report could not be written into {folder} ({problem}): make room for it, and start again.</source>
@@ -4640,6 +4692,22 @@ Son volume est inconnu.</translation>
     <message>
         <source>The profile {profile} has no category {categories}: labels by a program are of these.</source>
         <translation>Le profil {profile} n’a pas de catégorie {categories} : les étiquettes par un programme en sont.</translation>
+    </message>
+    <message>
+        <source>The same form, scaled: triangles lie at most {apart:.2g} from the other surface.</source>
+        <translation>La même forme, à une autre échelle : les triangles s’écartent d’au plus {apart:.2g} de l’autre surface.</translation>
+    </message>
+    <message>
+        <source>The same form, {scale:.6g} times as large: in the size of the other, its surfaces are at most {apart:.2g} apart.</source>
+        <translation>La même forme, {scale:.6g} fois aussi grande : à la taille de l’autre, les surfaces s’écartent d’au plus {apart:.2g}.</translation>
+    </message>
+    <message>
+        <source>The same form: its surfaces are at most {apart:.2g} apart.</source>
+        <translation>La même forme : les surfaces s’écartent d’au plus {apart:.2g}.</translation>
+    </message>
+    <message>
+        <source>The same form: triangles lie at most {apart:.2g} from the other surface.</source>
+        <translation>La même forme : les triangles s’écartent d’au plus {apart:.2g} de l’autre surface.</translation>
     </message>
     <message>
         <source>The script opens {copy}, a copy of the part beside it.</source>
@@ -5274,6 +5342,10 @@ Son volume est inconnu.</translation>
         <translation>remplit {share} de sa boîte englobante</translation>
     </message>
     <message>
+        <source>it has no such motion</source>
+        <translation>ce mouvement n’existe pas</translation>
+    </message>
+    <message>
         <source>it has no triangles</source>
         <translation>elle n’a pas de triangles</translation>
     </message>
@@ -5836,6 +5908,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{file} has no part {part!r}: it has {parts}.</source>
         <translation>{file} n’a pas de pièce {part!r} : il a {parts}.</translation>
+    </message>
+    <message>
+        <source>{file} has no part {part} any more: classify it again.</source>
+        <translation>{file} ne contient plus la pièce {part} : classez-le de nouveau.</translation>
     </message>
     <message>
         <source>{file} has the name of a CAD file and was not changed: name another file.</source>

@@ -18,7 +18,7 @@ from thinpart_workbench.core.walls.face_thickness import face_thicknesses
 from thinpart_workbench.core.walls.thinnest_place import WallErrors
 
 PAPER = load_profile("paper")
-PART = SimpleNamespace(name="Part", label="A part", instances=1, warnings=())
+PART = SimpleNamespace(name="Part", label="A part", instances=1, warnings=(), face_surfaces=None)
 SHAPES = {
     "plate": made_meshes.box(100, 100, 2), "ribbed block": made_meshes.ribbed_block(),
     "wedge": made_meshes.wedge(), "shell": made_meshes.spherical_shell(steps=40),

@@ -36,7 +36,7 @@ from thinpart_workbench.core.record.part_record import part_record
 from thinpart_workbench.core.thickness.measurement import measure
 from thinpart_workbench.core.walls.thinnest_place import WallErrors
 
-PART = SimpleNamespace(name="Part", label="A part", instances=1, warnings=())
+PART = SimpleNamespace(name="Part", label="A part", instances=1, warnings=(), face_surfaces=None)
 PAPER = load_profile("paper")
 NAMES = [term.name for term in TERMS]
 WALLS = NAMES.index("walls")

@@ -8,7 +8,8 @@ from thinpart_workbench.core.tolerances import ELSEWHERE
 
 PACKAGE = Path(__file__).resolve().parents[2] / "thinpart_workbench"
 FOLDERS = ["freecad_adapter", *(f"core/{name}" for name in (
-    "descriptors", "judging", "maps", "mesh", "rays", "record", "risk", "shells", "sizing", "thickness", "walls"))]
+    "descriptors", "forms", "judging", "maps", "mesh", "rays", "record", "reuse", "risk", "shells", "sizing", "thickness",
+    "walls"))]
 NO_LIMITS = {"core.descriptors.descriptor_table", "freecad_adapter.preferences"}
 """Modules whose tables have numbers of other kinds."""
 

@@ -211,3 +211,37 @@ def record_and_profile(info_file, name) -> tuple[PartRecord, ProfileContent]:
     """
     content = read_info(info_file)
     return select_record(content["parts"], name, info_file), content["profile"]
+
+
+class DuplicateGroups(Sequence):
+    """Groups of parts: identical ones first, then mirrored, scaled, and alike ones, the largest groups first.
+
+    Attributes
+    ----------
+    compared : int
+        Number of parts that were compared.
+    without_form : int
+        Number of parts that an earlier version has measured: their documents have to be classified again first.
+    failures : list of dict
+        Documents that could not be read again, with ``file`` and ``error``: what is said of them comes from their records.
+    problems : tuple of LibraryProblem
+        Folders and info files that could not be read.
+    """
+
+    def __init__(self, found, problems):
+        self._groups = found.groups
+        self.compared, self.without_form, self.failures = found.compared, found.without_form, found.failures
+        self.problems = problems
+
+    def __len__(self):
+        return len(self._groups)
+
+    def __getitem__(self, number):
+        return self._groups[number]
+
+    def lines(self):
+        """One dict a group, as ``duplicates --json`` prints them: ``group``, ``kind`` and ``parts``."""
+        for number, group in enumerate(self._groups, 1):
+            yield {"group": number, "kind": group.kind, "parts": [
+                {"file": part.stored.file, "name": part.stored.name, "label": part.stored.label, "kind": part.kind,
+                 "evidence": part.evidence} for part in group.parts]}

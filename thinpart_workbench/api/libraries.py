@@ -4,6 +4,7 @@
 import os
 from contextlib import ExitStack
 
+from ..core.analysis_limits import Limits
 from ..core.errors import ThinPartError
 from ..core.record.record_types import PART, PartRecord
 from ..storage.common_folder import common_folder
@@ -13,8 +14,9 @@ from ..storage.info.stored_records import info_file_of, select_record, single_re
 from ..workflow.library.judged_otherwise import judged_otherwise
 from ..workflow.library.library_search import LibrarySearch
 from ..workflow.library.similar_parts import similar_parts
+from ..workflow.reuse.duplicates import find_duplicates
 from .classified_parts import ClassifiedPart
-from .found_parts import FoundPart, LibraryProblem, SearchResult
+from .found_parts import DuplicateGroups, FoundPart, LibraryProblem, SearchResult
 
 
 class Libraries:
@@ -189,6 +191,47 @@ def similar(part, roots, count=10, *, same_size=None, name=None, report=None):
     record, own_key = reference_part(part, name)
     with _opened(roots, report) as libraries:
         return libraries.similar(record, count, same_size, own_key)
+
+
+def duplicates(roots, *, reads_documents=True, jobs=None, timeout=600.0, memory=6144, control=None, report=None):
+    """Find the parts that libraries have more than once: identical, mirrored, scaled, or alike but for something.
+
+    Parameters
+    ----------
+    roots : str, Path, or list of them
+        Folders with info files; see `find`.
+    reads_documents : bool, optional
+        Whether documents are read again, so that their geometry is the evidence; otherwise what their records keep of it.
+    jobs : int, optional
+        Number of worker processes; one per processor by default.
+    timeout : float, optional
+        Seconds for one document.
+    memory : int, optional
+        Megabytes of a worker.
+    control : RunControl, optional
+    report : callable, optional
+        Called with the numbers of steps done and of all; may raise to stop.
+
+    Returns
+    -------
+    DuplicateGroups
+        The first part of each group is the one to keep: the most used, with notes, in a document that can be edited, with a
+        name that somebody chose, the latest.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``missing`` if none of the folders exists.
+
+    Examples
+    --------
+    >>> duplicates(samples, reads_documents=False).compared
+    3
+    """
+    with _opened(roots, None) as libraries:
+        limits = Limits(timeout, memory, jobs or os.cpu_count() or 1)
+        return DuplicateGroups(find_duplicates(libraries.indexes, limits, reads_documents, control, report),
+                               libraries.problems)
 
 
 def reference_part(part, name=None):

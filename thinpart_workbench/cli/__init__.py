@@ -20,6 +20,7 @@ COMMANDS = {
     "map": ("map", "draw the thickness map of a part, or write it as triangles with values"),
     "find": ("find", "find stored parts by category, thickness, size, words and conditions"),
     "similar": ("similar", "find parts with similar walls, fill and box"),
+    "duplicates": ("duplicates", "find parts that a library has more than once: the same, mirrored, scaled, or alike"),
     "note": ("note", "show or set notes, mesh settings and link of a part"),
     "reclassify": ("reclassify", "judge stored parts by another profile, without geometry"),
     "size": ("size", "propose element sizes for a mesh that works, and try them with Gmsh"),

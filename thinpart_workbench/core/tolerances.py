@@ -78,6 +78,10 @@ ELSEWHERE = (
     "core.descriptors.precision",  # errors of shares, of the volume and of the area
     "core.descriptors.quantity",  # where an edge of a bin is blurred
     "core.descriptors.similarity",  # how near two parts are that are alike
+    "core.forms.alignment",  # turns that are tried, points of two outlines that belong together
+    "core.forms.comparison",  # geometry that is the same
+    "core.forms.form",  # what a turned normal counts as
+    "core.forms.laying",  # outlines that are the same
     "core.judging.classification",  # the thin limit of a profile that states none
     "core.judging.criteria",  # the greatest margin of a profile
     "core.judging.limit_bands",  # walls just above a limit
@@ -104,6 +108,7 @@ ELSEWHERE = (
     "core.record.region_groups",  # walls that are shown as one group
     "core.record.region_notes",  # regions that are the same after a change
     "core.record.thin_faces",  # faces that are shown as thin
+    "core.reuse.likeness",  # parts of one form, parts that are alike, scales that people know
     "core.risk.mesh_risk",  # what raises a risk
     "core.record.thinnest_sentence",  # sharp edges that are named
     "core.shells.facing_faces",  # sides of a wall

@@ -29,8 +29,8 @@ def is_to_be_measured(record, classification):
 
 
 def is_enough(record, profile):
-    """Whether a record has the thinnest wall of all, and all that a profile judges by, or what it lacks cannot turn the
-    verdict: bool.
+    """Whether a record has the thinnest wall of all, the form, and all that a profile judges by, or what it lacks cannot
+    turn the verdict: bool.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ def is_enough(record, profile):
     profile : dict
         Content of the profile.
     """
-    if "thinnest" not in record:  # it knew parallel walls only
+    if "thinnest" not in record or "form" not in record:  # it knew parallel walls only, or could not be compared
         return False
     lacks = lacking(record)
     if not lacks:

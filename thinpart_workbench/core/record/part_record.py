@@ -17,6 +17,8 @@ from ..descriptors.local_distribution import LocalDistribution
 from ..descriptors.local_quantiles import QUANTILES
 from ..descriptors.precision import Precision
 from ..descriptors.recorded_descriptors import recorded_descriptors
+from ..forms.form import form_of
+from ..forms.recorded_form import recorded_form
 from ..mesh.bounds import OrientedBox
 from ..mesh.resolution import error_to_judge_with, smallest_side
 from .face_names import face_name
@@ -32,7 +34,7 @@ def part_record(part, mesh, measurement, classification, paper, faces, errors, d
 
     Parameters
     ----------
-    part : object with name, label, instances, warnings
+    part : object with name, label, instances, warnings, face_surfaces
     mesh : SurfaceMesh
     measurement : Measurement
     classification, paper : Classification
@@ -54,8 +56,9 @@ def part_record(part, mesh, measurement, classification, paper, faces, errors, d
             measurement.descriptors, measurement.wall_range, errors.thinnest, _has_teeth(paper), mesh.watertight),
         "thinnest": None if measurement.thinnest is None else _thinnest(measurement, errors),
         "thin_limit_mm": classification.thin_limit_x * measurement.descriptors.box.diagonal,
-        "faces": [_face(face) for face in faces],
+        "faces": [_face(face, *_surface_of(part, face.face)) for face in faces],
         "regions": _regions(measurement.regions),
+        "form": recorded_form(form_of(measurement.field)),
         **({} if risk is None else {"mesh_risk": risk}),
         "notes": "",
         "warnings": [*part.warnings, *mesh.warnings],
@@ -212,7 +215,13 @@ def _has_teeth(paper):
     )
 
 
-def _face(face):
+def _surface_of(part, face):
+    """On which kind of surface a face lies, and its radius."""
+    surfaces = part.face_surfaces
+    return (None, None) if surfaces is None else surfaces[face]
+
+
+def _face(face, surface, radius):
     return {
         "face": face_name(face.face),
         "area_mm2": face.area,
@@ -224,6 +233,8 @@ def _face(face):
         "unmeasured_share": face.unmeasured_share,
         "witness": _witness(face.witness),
         "wedge": _witness(face.wedge),
+        "surface": surface,
+        "radius_mm": radius,
     }
 
 

@@ -12,6 +12,7 @@ from ..descriptors.descriptor_types import Share
 from ..descriptors.recorded_descriptors import DESCRIPTORS, DescriptorsRecord
 from ..descriptors.region_kinds import REGION_KINDS
 from ..descriptors.wall_kinds import WALL_KINDS
+from ..forms.face_surfaces import SURFACES
 from ..kinds.compound_kinds import Known
 from ..kinds.key_presence import NotRequired
 from ..kinds.typed_kinds import LATER, Restricted, kind_of
@@ -45,7 +46,8 @@ class WitnessRecord(TypedDict):
 
 class FaceRecord(TypedDict):
     """The walls under one face, None where there are none: the thinnest, and the thinnest apart from sharp edges; median and
-    greatest of parallel walls, or of tapered ones where none is parallel."""
+    greatest of parallel walls, or of tapered ones where none is parallel. And on which kind of surface it lies, with the
+    radius of one that has one; None for a patch of triangles."""
 
     face: str
     area_mm2: float
@@ -57,6 +59,8 @@ class FaceRecord(TypedDict):
     unmeasured_share: Share
     witness: Optional[WitnessRecord]
     wedge: Optional[WitnessRecord]
+    surface: NotRequired[Annotated[Optional[Annotated[str, OneOf(SURFACES)]], LATER]]
+    radius_mm: NotRequired[Annotated[Optional[float], LATER]]
 
 
 class ThinnestRecord(TypedDict):
@@ -99,6 +103,18 @@ class RegionsRecord(TypedDict):
     listed: list[RegionRecord]
     others: int
     others_share: Share
+
+
+class FormRecord(TypedDict):
+    """The form of the part, by which it is compared with others: centroid, moments of the surface about it, and points of
+    the surface with normals, packed."""
+
+    centroid: Point
+    second_mm2: Annotated[list[float], Restricted(least=6, most=6)]
+    third_mm3: Annotated[list[float], Restricted(least=10, most=10)]
+    points: Annotated[int, Whole(1)]
+    reach_mm: Annotated[float, Number(0.0)]
+    outline: Annotated[str, Text(1_000_000, r"[A-Za-z0-9+/]*={0,2}", "bytes in base64")]
 
 
 class ConditionRow(TypedDict):
@@ -277,6 +293,8 @@ class PartRecord(_Judged, Annotations):
         about="where the part is thinnest, over walls at any angle")]], LATER]]
     regions: NotRequired[Annotated[RegionsRecord, Restricted(
         about="connected walls of like thickness, the thinnest first"), LATER]]
+    form: NotRequired[Annotated[FormRecord, Restricted(
+        about="moments of the surface, and points of it with normals, by which parts are compared"), LATER]]
     mesh_risk: NotRequired[Annotated[MeshRiskRecord, Restricted(
         about="how probable it is that a mesh of a tenth of the diagonal goes wrong, and why"), LATER]]
 

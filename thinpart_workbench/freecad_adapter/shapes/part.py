@@ -11,10 +11,12 @@ from ...core.errors import ThinPartError
 from ...core.mesh.surface_mesh import surface_mesh, unchecked_mesh
 from ...core.mesh.thinned_facets import thinned_facets
 from ...core.message import message
+from ..tessellating.surface_types import face_surfaces
 from .brep_file import write_brep
 from .edge_lengths import edge_lengths
 from .exact_taper import exact_edge_wall, exact_taper
 from .exact_wall import exact_wall
+from .nearest_on_shape import NearestOnSolid, NearestOnTriangles
 from .solid_measures import SolidMeasures
 from .solid_mesher import SolidMesher, missing_faces
 
@@ -67,6 +69,11 @@ class SolidPart(Part):
         """The `EdgeLengths` of the shape."""
         return edge_lengths(self.shape)
 
+    @cached_property
+    def face_surfaces(self):
+        """The kind and the radius of the surface of each face; see `face_surfaces`."""
+        return face_surfaces(self.shape)
+
     @property
     def can_be_finer(self):
         """Whether the part can be meshed more finely."""
@@ -118,6 +125,10 @@ class SolidPart(Part):
             return exact_edge_wall(self.shape, wall, depth)
         return exact_taper(self.shape, wall, step, depth) or exact_wall(self.shape, wall, error)
 
+    def nearest_points(self):
+        """What finds the points of its faces nearest to others: `NearestOnSolid`."""
+        return NearestOnSolid(self.shape)
+
     def write_brep(self, path):
         """Write the solid to a BREP file; an OSError where that cannot be done."""
         write_brep(self.shape, path)
@@ -140,8 +151,8 @@ class MeshedPart(Part):
     points: np.ndarray = None
     triangles: np.ndarray = None
 
-    edge_lengths = None
-    """There are no edges, only triangles."""
+    edge_lengths = face_surfaces = None
+    """There are no edges and faces, only triangles."""
 
     @property
     def can_be_finer(self):
@@ -166,6 +177,10 @@ class MeshedPart(Part):
     def exact_place(self, wall, error, ends_in_edge, depth, step):
         """The wall as it is, as `exact_wall`."""
         return wall
+
+    def nearest_points(self):
+        """What finds its points nearest to others: `NearestOnTriangles`."""
+        return NearestOnTriangles(self)
 
     def write_brep(self, path):
         """Raise a ThinPartError: triangles are no solid."""

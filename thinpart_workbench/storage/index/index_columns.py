@@ -6,10 +6,11 @@ from typing import Callable
 from ...core.descriptors.packed_distribution import packed_local, packed_middle, packed_slanted, packed_walls
 from ...core.descriptors.similarity import signature
 from ...core.foreign_text import sql_text
+from ...core.forms.recorded_form import packed_form
 from ..record_columns import INDEXED
 
 LARGE_COLUMNS = ("wall_bins", "wall_area", "slanted_bins", "slanted_angles", "slanted_area", "middle_bins",
-                 "middle_parallel", "middle_nonparallel", "local_bins", "local_area", "signature")
+                 "middle_parallel", "middle_nonparallel", "local_bins", "local_area", "signature", "form", "outline")
 """Blobs, stored in a table of their own: most queries do not need them."""
 
 
@@ -27,7 +28,7 @@ def large_values(part):
     measured = part["descriptors"]
     walls, slanted = packed_walls(measured["distribution"]), packed_slanted(measured["nonparallel"])
     return (*walls, *slanted, *packed_middle(measured.get("middle")), *packed_local(measured.get("local")),
-            signature(part).tobytes())
+            signature(part).tobytes(), *packed_form(part))
 
 
 def _stored_value(column, value):

@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a comparison of two parts found: where their surfaces are the same, and how far they are apart elsewhere."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from .alignment import LEAST_FITTED, partners
+from .form import Form
+from .laying import LAST_LIMIT, Laid, share_of
+
+GEOMETRY_SAME = 2e-4
+"""Distance of two surfaces up to which their geometry is the same, as a share of the extent: what formats keep is nearer."""
+
+MOST_STEPS = 8
+"""Steps of least squares."""
+
+MOST_SEARCHED = 64
+"""Points that seem to lie apart for which the whole other geometry is searched, which takes long."""
+
+_LIFTED = 0.1
+_FITTED = 160
+_STILL = 1e-7
+
+
+class Side(NamedTuple):
+    """One of two parts that are compared.
+
+    Attributes
+    ----------
+    form : Form
+    nearest : object
+        What finds nearest points of its geometry, in the coordinates of its document; see `NearestOnSolid`.
+    """
+
+    form: Form
+    nearest: Any
+
+    def placed(self, points):
+        """Points in the coordinates of its document: ndarray of shape (k, 3), mm."""
+        return points + self.form.moments.centroid
+
+    def centred(self, points):
+        """Points from its centroid: ndarray of shape (k, 3), mm."""
+        return points - self.form.moments.centroid
+
+    def asked(self):
+        """Its form with the points that are looked at, on its geometry itself."""
+        outline = self.nearest.quick(self.form.outline)
+        found = self.centred(self.nearest.on_faces(self.placed(outline.points), outline.face))
+        is_near = np.linalg.norm(found - outline.points, axis=1) <= _LIFTED * outline.spacing
+        return Form(self.form.moments, outline._replace(points=np.where(is_near[:, None], found, outline.points)))
+
+
+class Compared(NamedTuple):
+    """Two parts whose geometry was compared.
+
+    Attributes
+    ----------
+    laid : Laid
+    form, other : Form
+        With the points of their outlines that were looked at.
+    """
+
+    laid: Laid
+    form: Form
+    other: Form
+
+
+def compared(side, other, motion):
+    """Compare the geometry of two parts at points of their outlines: `Compared`.
+
+    Parameters
+    ----------
+    side, other : Side
+    motion : Motion
+        That lays the first form upon the other, nearly.
+    """
+    same = GEOMETRY_SAME * other.form.extent
+    asked, other_asked = side.asked(), other.asked()
+    few = asked.thinned(_FITTED)
+    for _ in range(MOST_STEPS):
+        before, motion = motion, _nearer(few, other, motion)
+        if np.abs(motion.points(few.outline.points) - before.points(few.outline.points)).max() <= _STILL * other.form.extent:
+            break
+    distance = _distances(asked, other, motion, same)
+    other_distance = motion.scale * _distances(other_asked, side, motion.inverse(), same / motion.scale)
+    return Compared(Laid(motion, distance, other_distance, share_of(asked, distance <= same),
+                         share_of(other_asked, other_distance <= same)), asked, other_asked)
+
+
+def _nearer(asked, other, motion):
+    points, feet, partner = _feet(asked, other, motion)
+    away = points - feet
+    distance = np.linalg.norm(away, axis=1)
+    # What only one of the two has must not draw the rest.
+    fitting = distance <= LAST_LIMIT * other.form.extent
+    if np.count_nonzero(fitting) < LEAST_FITTED:
+        return motion
+    normals = other.form.outline.normals[partner[fitting]]
+    return motion.nearer(points[fitting], np.einsum("kj,kj->k", away[fitting], normals), normals,
+                         asked.outline.area[fitting])
+
+
+def _distances(asked, other, motion, same):
+    points, feet, _ = _feet(asked, other, motion)
+    distance = np.linalg.norm(points - feet, axis=1)
+    far = np.flatnonzero(distance > same)
+    far = far[np.linspace(0, len(far) - 1, min(len(far), MOST_SEARCHED)).astype(np.int64)]
+    if len(far):
+        nearest = other.centred(other.nearest.anywhere(other.placed(points[far])))
+        distance[far] = np.linalg.norm(points[far] - nearest, axis=1)
+    return distance
+
+
+def _feet(asked, other, motion):
+    """Moved points, the points of the other geometry that are near them, and the points of its outline nearest in kind."""
+    across, partner = partners(asked, other.form, motion)
+    points, reached = motion.points(asked.outline.points), np.isfinite(across)
+    likest = other.form.outline.points[partner]
+    # What the outlines say is taken where the geometry has no answer, or a worse one than a point that is known.
+    mean = motion.directions(asked.outline.normals) + other.form.outline.normals[partner]
+    length = np.maximum(np.linalg.norm(mean, axis=1), np.finfo(float).tiny)
+    feet = np.where(reached[:, None], points - np.where(reached, across / length, 0.0)[:, None] * mean, likest)
+    found = other.centred(other.nearest.on_faces(other.placed(points), other.form.outline.face[partner]))
+    is_nearer = reached & (np.linalg.norm(points - found, axis=1) < np.linalg.norm(points - likest, axis=1))
+    feet[is_nearer] = found[is_nearer]
+    return points, feet, partner

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Lays one form upon another, and tells where they are the same."""
+
+from itertools import product
+from typing import NamedTuple
+
+import numpy as np
+
+from .alignment import fitted, likely_turns, partners
+from .motion import Motion
+
+SAME = 2e-3
+"""Distance of two surfaces up to which outlines tell them to be one, as a share of the extent: they are points only."""
+
+LAST_LIMIT = 0.006
+"""Distance up to which points count at last when two forms are fitted, as a share of the extent."""
+
+_TURNS = 6
+_FIRST_LIMIT = 0.03
+_TRIED_POINTS, _TRIED = 64, 3
+_FITTED = 160
+_MOST_APART = 4.0
+_AT_ONCE = 5e-6
+
+
+class Laid(NamedTuple):
+    """A form laid upon another.
+
+    Attributes
+    ----------
+    motion : Motion
+    distance : ndarray of shape (k,), mm
+        Of each point of the form from the surface of the other, which it has nothing like near by where that is inf.
+    other_distance : ndarray of shape (m,), mm
+        The same of each point of the other from the form.
+    share, other_share : float
+        Shares of the two surfaces that are the same.
+    """
+
+    motion: Motion
+    distance: np.ndarray
+    other_distance: np.ndarray
+    share: float
+    other_share: float
+
+    @property
+    def least_share(self):
+        """float: the less of the two shares."""
+        return min(self.share, self.other_share)
+
+    def apart(self, most):
+        """Mean distance of the points of both, mm, each of which counts as `most` at most."""
+        return float(np.concatenate([np.minimum(self.distance, most), np.minimum(self.other_distance, most)]).mean())
+
+
+def laid_whole(form, other, scale, is_mirrored):
+    """The form laid upon another of the same form, in the likeliest ways: list of `Laid`, the best one first.
+
+    Parameters
+    ----------
+    form, other : Form
+    scale : float
+    is_mirrored : bool
+    """
+    tried: list = []
+    for turn in likely_turns(form, other, scale, is_mirrored, _TURNS):
+        tried.append(_laid(form, other, Motion(turn, scale)))
+        if tried[-1].apart(_MOST_APART * SAME * other.extent) <= _AT_ONCE * other.extent:
+            return [tried[-1]]
+    return sorted(tried, key=lambda each: each.apart(_MOST_APART * SAME * other.extent))
+
+
+def laid_partly(form, other, is_mirrored=False):
+    """The form laid upon another that is like it in places only: `Laid`, the one in which most is the same.
+
+    Besides centroid on centroid, their ends are laid upon each other along each principal axis.
+    """
+    motions = []
+    axes = other.axes
+    ends = _ends(other.outline.points @ axes)
+    for turn in likely_turns(form, other, 1.0, is_mirrored, _TURNS, any_axes=True):
+        own = _ends(form.outline.points @ turn.T @ axes)
+        choices = [sorted({0.0, *(float(there[axis] - here[axis]) for here, there in zip(own, ends))}) for axis in range(3)]
+        motions += [Motion(turn, 1.0, axes @ np.array(shift)) for shift in product(*choices)]
+    found = [_laid(form, other, motions[number]) for number in _nearest(form, other, motions)]
+    return min(found, key=lambda each: each.apart(_MOST_APART * SAME * other.extent))
+
+
+def _nearest(form, other, motions):
+    """The numbers of the motions that bring most points of a form near those of another with their normals."""
+    step = max(1, form.outline.count // _TRIED_POINTS)
+    points, normals = form.outline.points[::step], form.outline.normals[::step]
+    turn, shift = np.array([each.turn for each in motions]), np.array([each.shift for each in motions])
+    moved = np.einsum("rij,pj->rpi", turn, points) + shift[:, None]
+    directed = np.concatenate([moved, other.normal_length * np.einsum("rij,pj->rpi", turn, normals)], axis=2)
+    distance = other.directed_tree.query(directed.reshape(-1, 6))[0].reshape(len(motions), -1)
+    return np.argsort(np.minimum(distance, other.normal_length).mean(axis=1), kind="stable")[:_TRIED]
+
+
+def _ends(points):
+    return points.min(axis=0), points.max(axis=0)
+
+
+def _laid(form, other, motion):
+    size = max(motion.scale * form.extent, other.extent)
+    few = form.thinned(_FITTED)
+    for limit in (_FIRST_LIMIT, LAST_LIMIT):
+        motion = fitted(few, other, motion, limit * size)
+    distance, _ = partners(form, other, motion)
+    other_distance, _ = partners(other, form, motion.inverse())
+    distance, other_distance = np.abs(distance), np.abs(other_distance) * motion.scale
+    return Laid(motion, distance, other_distance, share_of(form, distance <= SAME * size),
+                share_of(other, other_distance <= SAME * size))
+
+
+def share_of(form, is_same):
+    """Share of the surface of a form at chosen points of its outline."""
+    return float(form.outline.area[is_same].sum() / form.outline.area.sum())

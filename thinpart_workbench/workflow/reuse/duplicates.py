@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Groups of parts of libraries that are the same, mirrored, scaled, or alike, each with its evidence."""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+from ...core.forms.laying import SAME
+from ...core.message import message
+from ...core.reuse.likeness import KINDS
+from ...core.run_control import RunControl
+from ..workers.preparation import require_preparation
+from ..workers.result_cache import ResultCache
+from ..workers.task_run import run_tasks
+from .comparison_task import ANSWER, ComparedPart, ComparisonTask, compare, side_answer
+from .evidence import BYTES, GEOMETRY, OUTLINES, evidence, judged
+from .formed_parts import formed_parts
+from .like_parts import LikeParts
+
+REFERENCE = "reference"
+"""What stands for the kind of the part of a group that is to be kept, with which the others are compared."""
+
+_CACHE, _LARGEST = "comparisons", 16 << 20
+
+
+@dataclass(frozen=True)
+class GroupPart:
+    """A part of a group.
+
+    Attributes
+    ----------
+    stored : StoredPart
+    kind : str
+        One of `KINDS`, or `REFERENCE`.
+    evidence : dict
+        See docs/command-line.md; empty for the reference.
+    """
+
+    stored: Any
+    kind: str
+    evidence: dict
+
+
+@dataclass(frozen=True)
+class PartGroup:
+    """Parts that are one kind of likeness to the first of them, which is the one to keep.
+
+    Attributes
+    ----------
+    kind : str
+        One of `KINDS`.
+    parts : list of GroupPart
+    """
+
+    kind: str
+    parts: list
+
+
+@dataclass(frozen=True)
+class Duplicates:
+    """What several parts of libraries have in common.
+
+    Attributes
+    ----------
+    groups : list of PartGroup
+        The closest kind first, and the largest groups of a kind.
+    compared : int
+        Number of parts that were compared.
+    without_form : int
+        Number of those that an earlier version has measured, which have to be classified again first.
+    failures : list of dict
+        As `failure` makes them, of documents that could not be read again: what is said of them comes from their records.
+    """
+
+    groups: list
+    compared: int
+    without_form: int
+    failures: list
+
+
+def find_duplicates(indexes, limits, reads_documents=True, control=None, report=None):
+    """Find the parts that refreshed LibraryIndexes have more than once: Duplicates.
+
+    Parts are found by the moments and outlines that their records keep. Then the documents of each pair are read again, and
+    their geometry is compared; results of before are taken from the cache. Raises Cancelled when `control` was asked to
+    stop.
+
+    Parameters
+    ----------
+    indexes : list of LibraryIndex
+    limits : Limits
+        Of seconds for each pair, of memory, and the number of workers.
+    reads_documents : bool, optional
+        Whether documents are read; otherwise the outlines are the evidence.
+    control : RunControl, optional
+    report : callable, optional
+        Called with the numbers of steps done and of all; may raise to stop.
+    """
+    control, report = control or RunControl(), report or (lambda done, total: None)
+    parts = formed_parts(indexes)
+
+    def step(done, total):
+        control.check()
+        report(done, total)
+
+    likes = LikeParts(parts)
+    found = list(likes.of_one_form(step))
+    rest = set(range(len(parts))) - {each.part for each in found}
+    found += likes.alike(rest, step)
+    stored = parts.stored(sorted({number for each in found for number in (each.part, each.reference)}))
+    found = [each for each in found if each.part in stored and each.reference in stored]
+    answers, failures = _answers(found, parts, stored, limits, reads_documents, control, report)
+    groups: dict = {}
+    for likeness, (answer, compared) in zip(found, answers):
+        likeness = likeness.taken(answer["motion"])
+        part, reference = stored[likeness.part], stored[likeness.reference]
+        kind = judged(likeness, answer, compared, part, reference)
+        if kind is not None:
+            member = GroupPart(part, kind, evidence(kind, likeness, answer, compared, part, reference))
+            groups.setdefault((kind, likeness.reference), []).append(member)
+    made = [PartGroup(kind, [GroupPart(stored[reference], REFERENCE, {}), *members])
+            for (kind, reference), members in groups.items()]
+    made.sort(key=lambda group: (KINDS.index(group.kind), -len(group.parts)))
+    return Duplicates(made, len(parts), parts.without_form, failures)
+
+
+def _answers(found, parts, stored, limits, reads_documents, control, report):
+    """Of each `Likeness`: an answer about it, and what was compared; and the failures of documents."""
+    answers, failures, tasks = [], [], {}
+    for number, likeness in enumerate(found):
+        part, reference = stored[likeness.part], stored[likeness.reference]
+        form, other = parts.form(likeness.part), parts.form(likeness.reference)
+        is_copy = part.sha256 == reference.sha256 and part.name == reference.name
+        answers.append((_of_outlines(likeness.laid, form, other), BYTES if is_copy else OUTLINES))
+        if reads_documents and not is_copy:
+            motions = tuple(laid.motion for laid in (likeness.laid, *likeness.others))
+            task = ComparisonTask(_compared_part(part, form), _compared_part(reference, other), motions)
+            tasks[id(task)] = number, task
+    limits = replace(limits, seconds=2.0 * limits.seconds)  # two documents are read
+    cache = ResultCache(_CACHE, lambda task: task.key, _LARGEST)
+    finished = run_tasks([task for _, task in tasks.values()], _answer, _checked, limits, cache=cache, control=control)
+    for count, done in enumerate(finished, 1):
+        report(count, len(tasks))
+        if done.failure is not None:
+            failures.append(done.failure)
+        else:
+            answers[tasks[id(done.task)][0]] = done.result, GEOMETRY
+    return answers, failures
+
+
+def _of_outlines(laid, form, other):
+    same = SAME * other.extent
+    return {"are_solids": True, "extent_mm": other.extent, "motion": 0,
+            "part": side_answer(form, laid.distance, same),
+            "reference": side_answer(other, laid.other_distance, same)}
+
+
+def _compared_part(stored, form):
+    return ComparedPart(stored.file, stored.sha256, stored.name, form)
+
+
+def _answer(task):
+    """Runs in a worker."""
+    require_preparation()
+    return compare(task)
+
+
+def _checked(task, answer):
+    fault = ANSWER.fault(answer, "")
+    if fault or answer["motion"] >= len(task.motions):
+        raise ValueError(fault or message("it has no such motion"))
+    return answer

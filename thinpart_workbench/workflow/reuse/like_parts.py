@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Finds parts of one form, and parts that are alike, by what their records keep of them."""
+
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from ...core.forms.laying import Laid, laid_partly, laid_whole
+from ...core.reuse.likeness import is_much_nearer, is_whole_by_outlines, kind_of, known_scale
+
+SAME_PROPORTIONS = 4e-3
+"""Distance of `FormedParts.proportions` up to which parts may have one form: triangles of a round part differ from it."""
+
+NEIGHBOURS = 10
+"""Parts, of those nearest in size and proportions, that are looked at as alike."""
+
+MOST_UNLIKE = 0.5
+"""Distance of the logarithms of sizes up to which they are."""
+
+LIKE_SIDE = 1e-3
+"""Share by which a side of the box may differ that two parts have in common."""
+
+_FORMS_AT_HAND = 4096
+
+
+@dataclass(frozen=True)
+class Likeness:
+    """What a part is to another one.
+
+    Attributes
+    ----------
+    part, reference : int
+        Numbers in the `FormedParts`.
+    kind : str
+        One of `likeness.KINDS`.
+    laid : Laid
+        The part laid upon the reference.
+    others : tuple of Laid
+        Other ways to lay it, nearly as likely: only geometry tells them from each other where a part is nearly symmetric.
+    """
+
+    part: int
+    reference: int
+    kind: str
+    laid: Laid
+    others: tuple = ()
+
+    def taken(self, number):
+        """The same, laid in one of its ways."""
+        return self if number == 0 else replace(self, laid=self.others[number - 1])
+
+
+class LikeParts:
+    """Finds what is alike among `FormedParts`."""
+
+    def __init__(self, parts):
+        self._parts = parts
+        self._form = lru_cache(_FORMS_AT_HAND)(parts.form)
+        self._order = sorted(range(len(parts)), key=lambda part: parts.standing[part], reverse=True)
+
+    def of_one_form(self, report=None):
+        """Yield a `Likeness` for each part that is identical with, mirrors or scales one that stands before it."""
+        if not self._order:
+            return
+        tree, taken = cKDTree(self._parts.proportions), set()
+        for done, reference in enumerate(self._order):
+            if report is not None:
+                report(done, len(self._order))
+            if reference in taken:
+                continue
+            taken.add(reference)
+            near = tree.query_ball_point(self._parts.proportions[reference], SAME_PROPORTIONS)
+            for part in sorted(near, key=lambda part: self._distance(part, reference)):
+                found = None if part in taken else self._whole(part, reference)
+                if found is not None:
+                    taken.add(part)
+                    yield found
+
+    def alike(self, among, report=None):
+        """Yield a `Likeness` for each of some parts that is alike but for something to one that stands before it."""
+        chosen = [part for part in self._order if part in among]
+        if len(chosen) < 2:
+            return
+        size = np.log(np.maximum(np.column_stack([self._parts.radii, np.sqrt(self._parts.area)])[chosen], 1e-9))
+        tree, taken = cKDTree(size), set()
+        for done, reference in enumerate(chosen):
+            if report is not None:
+                report(done, len(chosen))
+            if reference in taken:
+                continue
+            away, near = tree.query(size[done], k=min(NEIGHBOURS + 1, len(chosen)), distance_upper_bound=MOST_UNLIKE)
+            for place in near[np.isfinite(away)]:
+                part = chosen[place]
+                if place <= done or part in taken or not self._may_be_alike(part, reference):
+                    continue
+                found = self._partly(part, reference)
+                if found is not None:
+                    taken.add(part)
+                    yield found
+
+    def between(self, part, reference):
+        """The `Likeness` of two parts, or None."""
+        near = np.linalg.norm(self._parts.proportions[part] - self._parts.proportions[reference]) <= SAME_PROPORTIONS
+        return (self._whole(part, reference) if near else None) or self._partly(part, reference)
+
+    def _distance(self, part, reference):
+        return abs(np.log(self._parts.area[part] / self._parts.area[reference]))
+
+    def _whole(self, part, reference):
+        form, other = self._form(part), self._form(reference)
+        if form is None or other is None:
+            return None
+        scale = known_scale(float(np.sqrt(self._parts.area[reference] / self._parts.area[part])))
+        turned, mirrored = ([laid for laid in laid_whole(form, other, scale, is_mirrored) if is_whole_by_outlines(laid)]
+                            for is_mirrored in (False, True))
+        # Where the mirror image is as near, the part is a mirror image of itself.
+        if turned and mirrored and is_much_nearer(mirrored[0], turned[0], other.extent):
+            turned, mirrored = mirrored, turned
+        whole = [*turned, *mirrored]
+        return Likeness(part, reference, kind_of(whole[0], True), whole[0], tuple(whole[1:])) if whole else None
+
+    def _partly(self, part, reference):
+        form, other = self._form(part), self._form(reference)
+        if form is None or other is None:
+            return None
+        laid = laid_partly(form, other)
+        kind = kind_of(laid, False)
+        return None if kind is None else Likeness(part, reference, kind, laid)
+
+    def _may_be_alike(self, part, reference):
+        """Whether two parts have two sides of the box, or faces of a quarter of the surface, in common."""
+        sides, others = self._parts.sides[part], self._parts.sides[reference]
+        if (np.abs(sides[:, None] - others).min(axis=1) <= LIKE_SIDE * others.max()).sum() >= 2:
+            return True
+        return self._common_area(part, reference) >= 0.25
+
+    def _common_area(self, part, reference):
+        own, other = (self._face_areas(each) for each in (part, reference))
+        if own is None or other is None:
+            return 0.0
+        place = np.searchsorted(other, own)
+        above, below = other[np.minimum(place, len(other) - 1)], other[np.maximum(place - 1, 0)]
+        nearest = np.minimum(np.abs(own - above), np.abs(own - below))
+        return float(own[nearest <= LIKE_SIDE * own].sum() / own.sum())
+
+    def _face_areas(self, part) -> Any:
+        form = self._form(part)
+        if form is None:
+            return None
+        return np.sort(np.bincount(form.outline.face, form.outline.area)[np.unique(form.outline.face)])
