@@ -226,7 +226,7 @@ def duplicates(roots, *, reads_documents=True, jobs=None, timeout=600.0, memory=
     Examples
     --------
     >>> duplicates(samples, reads_documents=False).compared
-    3
+    2
     """
     with _opened(roots, None) as libraries:
         limits = Limits(timeout, memory, jobs or os.cpu_count() or 1)
