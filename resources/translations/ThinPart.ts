@@ -5256,6 +5256,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>different proportions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>different wall distribution</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5568,7 +5572,15 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>proportions not comparable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>same fill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>same proportions</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5581,6 +5593,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>shorter box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>similar proportions</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -5258,6 +5258,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>gekrümmte Wände, die Elemente um mehr als {part} ihrer Dicke verändern, an {share} der Oberfläche</translation>
     </message>
     <message>
+        <source>different proportions</source>
+        <translation>andere Proportionen</translation>
+    </message>
+    <message>
         <source>different wall distribution</source>
         <translation>andere Wandverteilung</translation>
     </message>
@@ -5570,8 +5574,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>processes[{number}]{place} hat weder min_mm noch max_mm</translation>
     </message>
     <message>
+        <source>proportions not comparable</source>
+        <translation>Proportionen nicht vergleichbar</translation>
+    </message>
+    <message>
         <source>same fill</source>
         <translation>gleiche Füllung</translation>
+    </message>
+    <message>
+        <source>same proportions</source>
+        <translation>gleiche Proportionen</translation>
     </message>
     <message>
         <source>same wall distribution</source>
@@ -5584,6 +5596,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>shorter box</source>
         <translation>kürzerer Quader</translation>
+    </message>
+    <message>
+        <source>similar proportions</source>
+        <translation>ähnliche Proportionen</translation>
     </message>
     <message>
         <source>similar wall distribution</source>

@@ -5258,6 +5258,10 @@ Son volume est inconnu.</translation>
         <translation>parois courbes que les éléments changent de plus de {part} de leur épaisseur sur {share} de la surface</translation>
     </message>
     <message>
+        <source>different proportions</source>
+        <translation>d’autres proportions</translation>
+    </message>
+    <message>
         <source>different wall distribution</source>
         <translation>répartition des parois différente</translation>
     </message>
@@ -5570,8 +5574,16 @@ Son volume est inconnu.</translation>
         <translation>processes[{number}]{place} n’a ni min_mm ni max_mm</translation>
     </message>
     <message>
+        <source>proportions not comparable</source>
+        <translation>proportions non comparables</translation>
+    </message>
+    <message>
         <source>same fill</source>
         <translation>même remplissage</translation>
+    </message>
+    <message>
+        <source>same proportions</source>
+        <translation>mêmes proportions</translation>
     </message>
     <message>
         <source>same wall distribution</source>
@@ -5584,6 +5596,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>shorter box</source>
         <translation>boîte plus courte</translation>
+    </message>
+    <message>
+        <source>similar proportions</source>
+        <translation>proportions semblables</translation>
     </message>
     <message>
         <source>similar wall distribution</source>

@@ -24,6 +24,12 @@ SIDES_RATIO = 10.0
 UNKNOWN_FILL = 0.25
 """Difference of fill where only one of two parts has a known fill; about that of two random parts."""
 
+FORM_UNIT = 1.5
+"""Difference of the proportions of two forms at which it reaches its maximum."""
+
+UNKNOWN_FORM = 0.2
+"""Term of the form where only one of two parts has a known one, which earlier versions did not record."""
+
 HALF_SCORE = 0.2
 """Distance that halves the score."""
 
@@ -56,15 +62,17 @@ class Term(NamedTuple):
 
 
 TERMS = (
-    Term("walls", 0.45, "same wall distribution", "similar wall distribution",
+    Term("walls", 0.35, "same wall distribution", "similar wall distribution",
          "different wall distribution", "similar wall distribution", "different wall distribution"),
-    Term("fill", 0.2, "same fill", "less filled", "much less filled", "more filled",
+    Term("form", 0.25, "same proportions", "similar proportions", "different proportions", "similar proportions",
+         "different proportions", "proportions not comparable"),
+    Term("fill", 0.15, "same fill", "less filled", "much less filled", "more filled",
          "much more filled", "fill not comparable"),
-    Term("length", 0.125, "box as long", "shorter box", "much shorter box", "longer box",
+    Term("length", 0.0875, "box as long", "shorter box", "much shorter box", "longer box",
          "much longer box"),
-    Term("flatness", 0.125, "box as flat", "less flat box", "much less flat box", "flatter box",
+    Term("flatness", 0.0875, "box as flat", "less flat box", "much less flat box", "flatter box",
          "much flatter box"),
-    Term("slanted", 0.1, "", "fewer tapered walls", "far fewer tapered walls",
+    Term("slanted", 0.075, "", "fewer tapered walls", "far fewer tapered walls",
          "more tapered walls", "far more tapered walls"),
 )
 """The terms of the distance, with their weights and texts."""
@@ -97,14 +105,17 @@ SPACING = _spacing(EDGES)
 """ndarray of shape (INTERVALS,): length of each interval on the scale of thickness, which is proportional to
 ``log(1 + x / THICKNESS_UNIT)`` and runs from 0 to 1."""
 
-PARALLEL, NONPARALLEL, UNMEASURED, FILL, D2_D1, D3_D1, DIAGONAL = range(INTERVALS, INTERVALS + 7)
-"""Columns of a signature after those of the distribution."""
+PARALLEL, NONPARALLEL, UNMEASURED, FILL, D2_D1, D3_D1, DIAGONAL, FORM = range(INTERVALS, INTERVALS + 8)
+"""Columns of a signature after those of the distribution; three from `FORM` on."""
 
-SIGNATURE_LENGTH = INTERVALS + 7
+SIGNATURE_LENGTH = INTERVALS + 10
+
+_ROWS = {term.name: row for row, term in enumerate(TERMS)}
 
 _WALL_WEIGHTS = (np.append(SPACING, NO_WALL) / (1.0 + NO_WALL)).astype(np.float32)
 _WEIGHTS = np.array([term.weight for term in TERMS])
 _LEAST_RATIO = np.float32(1e-4)
+_TINY = float(np.finfo(float).tiny)
 
 
 def signature(record):
@@ -112,8 +123,8 @@ def signature(record):
 
     Returns an ndarray of shape (SIGNATURE_LENGTH,), float32: the share of the area over parallel walls thinner than x, as
     its mean over each interval of x (so that it changes continuously when a wall moves across an edge); from `PARALLEL` on
-    the shares of parallel, non-parallel and unmeasured area, the fill V/VBB (NaN where it is not known), D2/D1, D3/D1, and
-    the diagonal in mm.
+    the shares of parallel, non-parallel and unmeasured area, the fill V/VBB (NaN where it is not known), D2/D1, D3/D1,
+    the diagonal in mm, and the `proportions` of the form (NaN where they are not known).
     """
     content = record["descriptors"]
     table, shares, sides = content["distribution"], content["shares"], content["box_mm"]
@@ -126,9 +137,25 @@ def signature(record):
     result[INTERVALS:] = (
         shares["parallel"], shares["nonparallel"], shares["unmeasured"],
         math.nan if fill is None else fill, sides[1] / sides[0], sides[2] / sides[0],
-        content["diagonal_mm"],
+        content["diagonal_mm"], *proportions(record),
     )
     return result
+
+
+def proportions(record):
+    """What stays the same of the form of a part record that is moved, mirrored or scaled: ndarray of shape (3,).
+
+    The logarithm of the greatest radius of gyration of the surface by the square root of its area, and the two other radii
+    by the greatest; NaN where an earlier version wrote the record.
+    """
+    form = record.get("form")
+    if form is None:
+        return np.full(3, math.nan)
+    xx, xy, xz, yy, yz, zz = form["second_mm2"]
+    squares = np.linalg.eigvalsh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])[::-1]
+    radii = np.sqrt(np.maximum(squares, 0.0))
+    area = record["descriptors"]["area_mm2"]
+    return np.array([math.log(max(radii[0], _TINY) / math.sqrt(max(area, _TINY))), *(radii[1:] / max(radii[0], _TINY))])
 
 
 class Similarity(NamedTuple):
@@ -159,6 +186,8 @@ def nearest(signatures, reference, count, same_size=None):
       area by thickness, ``integral |F - G|`` over the scale of `SPACING`, where area without a parallel
       wall lies `NO_WALL` behind its end, divided by the total length. So it is 1 between a part whose walls all
       have no thickness and a part without walls.
+    - ``form``: distance of the `proportions`, in units of `FORM_UNIT`, 1 at most; `UNKNOWN_FORM` if only one is known, 0
+      if none is.
     - ``fill``: difference of V/VBB; `UNKNOWN_FILL` if only one is known, 0 if none is.
     - ``length``, ``flatness``: difference of the logarithms of D1/D2 and of D2/D3, in units of the
       logarithm of `SIDES_RATIO`, 1 at most.
@@ -219,22 +248,25 @@ def _terms(signatures, reference):
     walls = signatures[:, :PARALLEL + 1] - reference[:PARALLEL + 1]
     np.abs(walls, out=walls)
     terms = np.empty((len(signatures), len(TERMS)), dtype=np.float32)
-    terms[:, 0] = walls @ _WALL_WEIGHTS
-    terms[:, 1] = signatures[:, FILL] - reference[FILL]
+    terms[:, _ROWS["walls"]] = walls @ _WALL_WEIGHTS
+    away = signatures[:, FORM:FORM + 3] - reference[FORM:FORM + 3]
+    terms[:, _ROWS["form"]] = np.minimum(np.sqrt(np.square(away).sum(axis=1)) / np.float32(FORM_UNIT), 1.0)
+    terms[:, _ROWS["fill"]] = signatures[:, FILL] - reference[FILL]
     length, flatness = _sides(signatures.T)
     reference_length, reference_flatness = _sides(reference)
-    terms[:, 2] = np.clip(length - reference_length, -1.0, 1.0)
-    terms[:, 3] = np.clip(flatness - reference_flatness, -1.0, 1.0)
-    terms[:, 4] = signatures[:, NONPARALLEL] - reference[NONPARALLEL]
+    terms[:, _ROWS["length"]] = np.clip(length - reference_length, -1.0, 1.0)
+    terms[:, _ROWS["flatness"]] = np.clip(flatness - reference_flatness, -1.0, 1.0)
+    terms[:, _ROWS["slanted"]] = signatures[:, NONPARALLEL] - reference[NONPARALLEL]
     return terms
 
 
 def _distances(signatures, reference):
     squares = np.square(_terms(signatures, reference))
-    unknown, reference_unknown = np.isnan(signatures[:, FILL]), np.isnan(reference[FILL])
-    squares[unknown | reference_unknown, 1] = UNKNOWN_FILL ** 2
-    # A part whose fill is unknown still has distance 0 from itself.
-    squares[unknown & reference_unknown, 1] = 0.0
+    for name, column, difference in (("fill", FILL, UNKNOWN_FILL), ("form", FORM, UNKNOWN_FORM)):
+        unknown, reference_unknown = np.isnan(signatures[:, column]), np.isnan(reference[column])
+        squares[unknown | reference_unknown, _ROWS[name]] = difference ** 2
+        # A part of which it is unknown still has distance 0 from itself.
+        squares[unknown & reference_unknown, _ROWS[name]] = 0.0
     return np.sqrt(squares @ _WEIGHTS)
 
 
