@@ -19,6 +19,7 @@ from thinpart_workbench.core.forms.recorded_form import (
     unpacked_form,
     unpacked_numbers,
 )
+from thinpart_workbench.core.forms.topology import topology
 from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 from thinpart_workbench.core.reuse.likeness import ALIKE, known_scale
 from thinpart_workbench.core.reuse.likeness import kind_of as likeness
@@ -141,3 +142,18 @@ def test_a_damaged_outline_is_refused_in_a_sentence(outline):
     record["form"]["outline"] = outline
     with pytest.raises(ThinPartError, match="is damaged: classify its document again"):
         form_of_record(record)
+
+
+def topology_of(shape):
+    mesh = surface_mesh(*shape)
+    return topology(mesh, ["plane"] * (mesh.face_of_triangle.max() + 1))
+
+
+def test_parts_of_a_family_have_one_topology_whatever_their_sizes():
+    assert topology_of(made_meshes.box(10, 20, 30)) == topology_of(made_meshes.box(3, 90, 5))
+    straight = letter(foot=0.0)
+    assert topology_of(straight) == topology_of((moved(letter(90.0, foot=0.0)[0]), straight[1]))
+    assert topology_of(straight) != topology_of(made_meshes.box(10, 20, 30))
+    # An L and a step outside in: as many faces, other corners.
+    assert topology_of(made_meshes.prism(LETTER, 5)) != topology_of(made_meshes.prism(
+        [(0, 0), (40, 0), (44, 12), (40, 30), (0, 30), (-4, 12)], 5))

@@ -159,3 +159,22 @@ def test_records_alone_tell_the_same_kinds_but_of_triangles(library):
     assert not {"drilled.step", "wider hole.step", "longer.step", "left.step"} & set(found["identical"])
     assert "left.step" in found["mirrored"] and "inches.step" in found["scaled"]
     assert {"drilled.step", "longer.step"} <= set(found["alike"])
+
+
+def test_families_are_what_has_the_same_faces_in_other_sizes(library):
+    assert thinpart("classify", library, "--jobs", 2).returncode == 0
+    lines = records(thinpart("duplicates", library, "--stored", "--families", "--json"))
+    family = next(line for line in lines if any(part["file"].endswith("longer.step") for part in line["parts"]))
+    names = {part["file"].rpartition("/")[2] for part in family["parts"]}
+    assert {"bracket.step", "longer.step", "wider hole.step"} <= names and "drilled.step" not in names
+    sizes = {part["file"].rpartition("/")[2]: part["evidence"] for part in family["parts"]}
+    assert sizes["longer.step"]["d1_mm"] == pytest.approx(64.0, abs=1e-3)
+    assert {4.1} == {round(value, 6) for name, value in sizes["wider hole.step"].items() if "radius" in name}
+    table = thinpart("duplicates", library, "--stored", "--families")
+    assert table.returncode == 0 and "radius_1_mm" in table.stdout
+    # A part that comes later changes no family but its own.
+    (library / "longer.step.thinpart.json").unlink()
+    (library / "longer.step").unlink()
+    again = records(thinpart("duplicates", library, "--stored", "--families", "--json"))
+    assert {part["file"] for part in family["parts"]} - {str(library / "longer.step")} in [
+        {part["file"] for part in line["parts"]} for line in again]

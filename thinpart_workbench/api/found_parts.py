@@ -245,3 +245,24 @@ class DuplicateGroups(Sequence):
             yield {"group": number, "kind": group.kind, "parts": [
                 {"file": part.stored.file, "name": part.stored.name, "label": part.stored.label, "kind": part.kind,
                  "evidence": part.evidence} for part in group.parts]}
+
+
+class FamilyList(Sequence):
+    """Families of parts, the largest first: each with ``parts``, and ``varies``, the dimensions in which they differ."""
+
+    def __init__(self, families, problems):
+        self._families, self.problems = families, problems
+
+    def __len__(self):
+        return len(self._families)
+
+    def __getitem__(self, number):
+        return self._families[number]
+
+    def lines(self):
+        """One dict a family, as ``duplicates --families --json`` prints them; its dimensions are the evidence of a part."""
+        for number, family in enumerate(self._families, 1):
+            yield {"group": number, "kind": "family", "varies": list(family.varies), "parts": [
+                {"file": part.file, "name": part.name, "label": part.label, "kind": "family",
+                 "evidence": {name: values[row] for name, values in family.varies.items()}}
+                for row, part in enumerate(family.parts)]}

@@ -15,8 +15,9 @@ from ..workflow.library.judged_otherwise import judged_otherwise
 from ..workflow.library.library_search import LibrarySearch
 from ..workflow.library.similar_parts import similar_parts
 from ..workflow.reuse.duplicates import find_duplicates
+from ..workflow.reuse.families import find_families
 from .classified_parts import ClassifiedPart
-from .found_parts import DuplicateGroups, FoundPart, LibraryProblem, SearchResult
+from .found_parts import DuplicateGroups, FamilyList, FoundPart, LibraryProblem, SearchResult
 
 
 class Libraries:
@@ -232,6 +233,34 @@ def duplicates(roots, *, reads_documents=True, jobs=None, timeout=600.0, memory=
         limits = Limits(timeout, memory, jobs or os.cpu_count() or 1)
         return DuplicateGroups(find_duplicates(libraries.indexes, limits, reads_documents, control, report),
                                libraries.problems)
+
+
+def families(roots, *, report=None):
+    """Find the families of libraries: parts whose faces are of the same kinds and lie beside each other in the same way.
+
+    Parameters
+    ----------
+    roots : str, Path, or list of them
+        Folders with info files; see `find`.
+    report : callable, optional
+        See `find`.
+
+    Returns
+    -------
+    FamilyList
+
+    Raises
+    ------
+    ThinPartError
+        kind ``missing`` if none of the folders exists.
+
+    Examples
+    --------
+    >>> len(families(samples))
+    0
+    """
+    with _opened(roots, report) as libraries:
+        return FamilyList(find_families(libraries.indexes), libraries.problems)
 
 
 def reference_part(part, name=None):

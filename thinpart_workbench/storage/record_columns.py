@@ -111,6 +111,7 @@ COLUMNS = (
     RecordColumn("walls_error_mm", "REAL", lambda part, measured: walls_of(part)[1]),
     RecordColumn("median_mm", "REAL", lambda part, measured: measured["thickness_mm"]["median"], "median_mm"),
     RecordColumn("error_bound_mm", "REAL", lambda part, measured: measured["thickness_mm"]["error_bound"], "error_bound_mm"),
+    RecordColumn("topology", "TEXT", lambda part, measured: part.get("form", {}).get("topology")),
     _of_record("triangles", "triangles"),
     RecordColumn("warnings", None, lambda part, measured: joined(part["warnings"]), "warnings"),
     RecordColumn("notes", "TEXT", lambda part, measured: part.get("notes") or ""),

@@ -5,7 +5,7 @@ import argparse
 import os
 import sys
 
-from ...api.libraries import duplicates
+from ...api.libraries import duplicates, families
 from ...core.analysis_settings import DEFAULT_PROFILE, AnalysisSettings
 from ...core.foreign_text import json_text, printable
 from ...core.judging.criteria import load_profile
@@ -29,6 +29,8 @@ def add_arguments(parser):
                         help="folders of parts, with all below them; what has no info file yet is classified first")
     parser.add_argument("--stored", action="store_true",
                         help="read no documents: only parts with info files, compared by what these keep")
+    parser.add_argument("--families", action="store_true",
+                        help="list families instead: parts whose faces are the same but for their sizes, with what varies")
     parser.add_argument("--json", action="store_true", help="print one JSON object per group")
     add_output_option(parser, "--csv", mark=TABLE, metavar="FILE", help="write a table of the groups to a CSV file as well")
     add_limit_options(parser)
@@ -40,6 +42,9 @@ def run(options):
     # What fails is named on stderr: stdout is for the groups.
     with controlled_run(argparse.Namespace(json=False, control=False)) as (report, control, _):
         failed = 0 if options.stored else _classify_new(options, control, report)
+        if options.families:
+            found = families(options.paths)
+            return _families(options, found) or (1 if failed else 0)
         limits = limits_of(options)
         found = duplicates(options.paths, reads_documents=not options.stored, jobs=limits.jobs, timeout=limits.seconds,
                            memory=limits.megabytes, control=control, report=_progress)
@@ -61,6 +66,24 @@ def run(options):
         print(f"thinpart: {found.without_form} parts were measured by an earlier version and are not compared: 'thinpart "
               "classify' measures their documents again.", file=sys.stderr)
     return 1 if failed or found.failures or any(problem.kind == "folder" for problem in found.problems) else 0
+
+
+def _families(options, found):
+    for problem in found.problems:
+        print(f"thinpart: {printable(problem.message)}", file=sys.stderr)
+    folder = common_folder(options.paths)
+    for line in found.lines():
+        if options.json:
+            print(json_text(line))
+            continue
+        columns = [TableColumn(name, lambda part, name=name: f"{part['evidence'][name]:.4g}", True)
+                   for name in line["varies"]]
+        print_table(sys.stdout, (
+            TableColumn("Family", lambda part, number=line["group"]: str(number)),
+            TableColumn("File", lambda part: os.path.relpath(part["file"], folder)),
+            TableColumn("Part", lambda part: part["label"]), *columns), lambda parts=line["parts"]: parts)
+    print(f"{len(found)} families.", file=sys.stderr)
+    return 1 if any(problem.kind == "folder" for problem in found.problems) else 0
 
 
 def _classify_new(options, control, report):

@@ -19,6 +19,7 @@ from ..descriptors.precision import Precision
 from ..descriptors.recorded_descriptors import recorded_descriptors
 from ..forms.form import form_of
 from ..forms.recorded_form import recorded_form
+from ..forms.topology import topology
 from ..mesh.bounds import OrientedBox
 from ..mesh.resolution import error_to_judge_with, smallest_side
 from .face_names import face_name
@@ -58,7 +59,7 @@ def part_record(part, mesh, measurement, classification, paper, faces, errors, d
         "thin_limit_mm": classification.thin_limit_x * measurement.descriptors.box.diagonal,
         "faces": [_face(face, *_surface_of(part, face.face)) for face in faces],
         "regions": _regions(measurement.regions),
-        "form": recorded_form(form_of(measurement.field)),
+        "form": {**recorded_form(form_of(measurement.field)), "topology": _topology(part, mesh)},
         **({} if risk is None else {"mesh_risk": risk}),
         "notes": "",
         "warnings": [*part.warnings, *mesh.warnings],
@@ -213,6 +214,10 @@ def _has_teeth(paper):
         checked.holds and any(row.condition.quantity.is_wall_distance for row in checked.conditions)
         for checked in paper.checked
     )
+
+
+def _topology(part, mesh):
+    return None if part.face_surfaces is None else topology(mesh, [kind for kind, _ in part.face_surfaces])
 
 
 def _surface_of(part, face):

@@ -106,14 +106,15 @@ class RegionsRecord(TypedDict):
 
 
 class FormRecord(TypedDict):
-    """The form of the part, by which it is compared with others: centroid, moments of the surface about it, and points of
-    the surface with normals, packed."""
+    """The form of the part, by which it is compared with others: centroid, moments of the surface about it, points of the
+    surface with normals, packed, and a hash of how faces of which kinds lie beside each other, None for triangles."""
 
     centroid: Point
     second_mm2: Annotated[list[float], Restricted(least=6, most=6)]
     third_mm3: Annotated[list[float], Restricted(least=10, most=10)]
     points: Annotated[int, Whole(1)]
     reach_mm: Annotated[float, Number(0.0)]
+    topology: Optional[Annotated[str, Text(16, r"[0-9a-f]{16}", "a hash")]]
     outline: Annotated[str, Text(1_000_000, r"[A-Za-z0-9+/]*={0,2}", "bytes in base64")]
 
 

@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from ...core.errors import ThinPartError
+from ...core.file_formats import MESH, format_of
 from ...core.forms.recorded_form import second_moments, unpacked_form, unpacked_numbers
 from ..library.find_parts import stored_parts
 
@@ -84,9 +85,9 @@ class FormedParts:
         return found
 
 
-_STANDING = ("instances", "has_notes", "is_native", "is_named", "modified")
-"""What counts for the part that is kept: how often it is used, whether somebody wrote about it, a document that can be
-edited before an exchanged one, a name that somebody chose, and the latest."""
+_STANDING = ("has_geometry", "instances", "has_notes", "is_native", "is_named", "modified")
+"""What counts for the part that is kept: geometry before triangles; how often it is used, whether somebody wrote about it, a
+document that can be edited before an exchanged one, a name that somebody chose, and the latest."""
 
 _SELECT = """
     SELECT parts.id, form, volume_mm3, d1_mm, d2_mm, d3_mm, instances, notes != '' OR mesh IS NOT NULL OR link IS NOT NULL,
@@ -118,8 +119,10 @@ def formed_parts(indexes):
 
 def _standing(row):
     instances, has_notes, name, label, document, modified = row[6:12]
-    ending = bytes(document or b"").lower()
-    return int(instances), bool(has_notes), ending.endswith(b".fcstd"), _is_named(label or name), modified or ""
+    file = os.fsdecode(document or b"")
+    found = format_of(file)
+    return (found is None or found.kind != MESH, int(instances), bool(has_notes), file.lower().endswith(".fcstd"),
+            _is_named(label or name), modified or "")
 
 
 def _is_named(label):
