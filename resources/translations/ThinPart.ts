@@ -1869,6 +1869,14 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Say below a verdict whether the libraries of Find parts have the part already, its mirror image, another size, or one like it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Say what libraries have already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Say what the part is in your eyes. The label is kept in the info file, as of {}; thresholds can be learned from labels.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5097,6 +5105,22 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Why:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your libraries have it in another size: this is {scale:.6g} times {file}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your libraries have its mirror image: {file}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your libraries have one like it: {file}. {evidence}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your libraries have this part: {file}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

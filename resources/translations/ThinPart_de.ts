@@ -1871,6 +1871,14 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Speichert das Profil und beurteilt Bauteile ab jetzt danach</translation>
     </message>
     <message>
+        <source>Say below a verdict whether the libraries of Find parts have the part already, its mirror image, another size, or one like it</source>
+        <translation>Unter einem Urteil sagen, ob die Bibliotheken von Bauteile finden das Bauteil schon haben, sein Spiegelbild, eine andere Größe oder ein ähnliches</translation>
+    </message>
+    <message>
+        <source>Say what libraries have already</source>
+        <translation>Sagen, was Bibliotheken schon haben</translation>
+    </message>
+    <message>
         <source>Say what the part is in your eyes. The label is kept in the info file, as of {}; thresholds can be learned from labels.</source>
         <translation>Sagen Sie, was das Bauteil in Ihren Augen ist. Die Einordnung bleibt in der Infodatei, als die von {}; aus Einordnungen lassen sich Schwellenwerte lernen.</translation>
     </message>
@@ -5100,6 +5108,22 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Why:</source>
         <translation>Warum:</translation>
+    </message>
+    <message>
+        <source>Your libraries have it in another size: this is {scale:.6g} times {file}.</source>
+        <translation>Ihre Bibliotheken haben es in anderer Größe: Dies ist das {scale:.6g}-Fache von {file}.</translation>
+    </message>
+    <message>
+        <source>Your libraries have its mirror image: {file}.</source>
+        <translation>Ihre Bibliotheken haben sein Spiegelbild: {file}.</translation>
+    </message>
+    <message>
+        <source>Your libraries have one like it: {file}. {evidence}</source>
+        <translation>Ihre Bibliotheken haben ein ähnliches: {file}. {evidence}</translation>
+    </message>
+    <message>
+        <source>Your libraries have this part: {file}.</source>
+        <translation>Ihre Bibliotheken haben dieses Bauteil: {file}.</translation>
     </message>
     <message>
         <source>Your own limits {file} cannot be written ({problem}): make room, or name another file in THINPART_LIMITS.</source>

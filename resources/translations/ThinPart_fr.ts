@@ -1871,6 +1871,14 @@ Son volume est inconnu.</translation>
         <translation>Enregistre le profil et juge désormais les pièces selon lui</translation>
     </message>
     <message>
+        <source>Say below a verdict whether the libraries of Find parts have the part already, its mirror image, another size, or one like it</source>
+        <translation>Dire sous un verdict si les bibliothèques de Trouver des pièces ont déjà la pièce, son image miroir, une autre taille ou une semblable</translation>
+    </message>
+    <message>
+        <source>Say what libraries have already</source>
+        <translation>Dire ce que les bibliothèques ont déjà</translation>
+    </message>
+    <message>
         <source>Say what the part is in your eyes. The label is kept in the info file, as of {}; thresholds can be learned from labels.</source>
         <translation>Dites ce qu’est la pièce à vos yeux. L’étiquette est gardée dans le fichier d’information, comme celle de {} ; on peut apprendre des seuils à partir des étiquettes.</translation>
     </message>
@@ -5100,6 +5108,22 @@ Son volume est inconnu.</translation>
     <message>
         <source>Why:</source>
         <translation>Pourquoi :</translation>
+    </message>
+    <message>
+        <source>Your libraries have it in another size: this is {scale:.6g} times {file}.</source>
+        <translation>Vos bibliothèques l’ont dans une autre taille : celle-ci fait {scale:.6g} fois {file}.</translation>
+    </message>
+    <message>
+        <source>Your libraries have its mirror image: {file}.</source>
+        <translation>Vos bibliothèques ont son image miroir : {file}.</translation>
+    </message>
+    <message>
+        <source>Your libraries have one like it: {file}. {evidence}</source>
+        <translation>Vos bibliothèques en ont une semblable : {file}. {evidence}</translation>
+    </message>
+    <message>
+        <source>Your libraries have this part: {file}.</source>
+        <translation>Vos bibliothèques ont cette pièce : {file}.</translation>
     </message>
     <message>
         <source>Your own limits {file} cannot be written ({problem}): make room, or name another file in THINPART_LIMITS.</source>

@@ -101,12 +101,12 @@ def test_the_pages_show_every_preference_with_its_default():
     shown = in_preferences(act)
     for declared in ON_PAGES:
         assert shown[declared.name] == pytest.approx(declared.default, abs=0.003), declared.name
-    assert len(ON_PAGES) == 24
+    assert len(ON_PAGES) == 25
 
 
 OTHER = {
     "Accuracy": "fine", "LinearDeflection": 0.004, "AngularDeflection": 7.5,
-    "Jobs": 3, "Seconds": 77, "MemoryMegabytes": 3000,
+    "KnownParts": False, "Jobs": 3, "Seconds": 77, "MemoryMegabytes": 3000,
     "ThinLimit": "share", "ThinLimitMillimetres": 4.125, "ThinLimitShare": 0.0625,
     "ThinColour": (0.0, 0.2, 1.0), "PartlyThinColour": (0.0, 1.0, 0.0), "UnmeasuredColour": (1.0, 1.0, 0.0),
     "HeatMapColours": "magma", "HeatMapReversed": True, "HeatMapBands": 12,

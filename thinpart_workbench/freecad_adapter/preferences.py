@@ -128,6 +128,13 @@ PREFERENCES = {declared.name: declared for declared in (
             zero=QT_TRANSLATE_NOOP("ThinPart", "beside each document")),
     ),
     *_on(
+        _CLASSIFICATION, QT_TRANSLATE_NOOP("ThinPart", "Libraries"),
+        Preference("KnownParts", True, QT_TRANSLATE_NOOP(
+            "ThinPart", "Say below a verdict whether the libraries of Find parts have the part already, its mirror image, "
+                        "another size, or one like it"),
+            title=QT_TRANSLATE_NOOP("ThinPart", "Say what libraries have already")),
+    ),
+    *_on(
         _CLASSIFICATION, QT_TRANSLATE_NOOP("ThinPart", "Labels"),
         Preference("Person", "", QT_TRANSLATE_NOOP(
             "ThinPart", "Your name, under which your labels of parts are kept. Empty: your name on this computer"),

@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Controls one classification in the window: from the command to the colours and the info file."""
 
+import os
+
 import FreeCADGui as Gui
 
 from ...api.window.open_parts import colours_of_thin_faces, parts_selected
 from ...core.errors import ThinPartError
 from ...freecad_adapter.objects.thickness_object import thickness_objects
 from ...freecad_adapter.occurrences.face_owners import face_owners
+from ...freecad_adapter.preferences import preference, preference_list
+from ...storage.info.info_location import info_location
 from ..application import lifelong
 from ..application.length_unit import length_unit
 from ..application.qt import translate
@@ -16,7 +20,7 @@ from ..document.part_chooser import ask_for_part
 from ..document.selection import active_path, select_faces, select_part, selected_paths
 from ..document.task_controller import TaskController
 from ..document.task_dialog import TaskDialog
-from ..processes.request_queue import LABEL
+from ..processes.request_queue import KNOWN, LABEL
 from ..record.label_button import with_own_label
 from ..record.parts_table import part_rows
 from ..view3d.wall_flight import PlacedWall, WallFlight, hidden_sentence
@@ -46,6 +50,8 @@ class ClassificationController(TaskController):
         self._form.result.labelled.connect(self._label)
         self._unkept_labels = {}  # by part: category, and whether the user is sure
         lifelong.requests.answered.connect(self._show_kept_label)
+        self._asked_known = None  # the request whether libraries have the shown part
+        lifelong.requests.answered.connect(self._show_known)
         self._form.result.visited.connect(self._fly)
         self.panel.closed.connect(self._leave)
         lifelong.units.changed.connect(self._show_unit)
@@ -87,6 +93,7 @@ class ClassificationController(TaskController):
             self._flight.clear()
             lifelong.units.changed.disconnect(self._show_unit)
             lifelong.requests.answered.disconnect(self._show_kept_label)
+            lifelong.requests.answered.disconnect(self._show_known)
         self.measured.leave()
 
     @property
@@ -128,6 +135,7 @@ class ClassificationController(TaskController):
         if name != self._shown_name or self._shown_record is None:
             return  # failures are reported at the end
         self._form.show_result(self._shown_record, self._analysis.profile, self._unit)
+        self._ask_for_known()
         self._show_labels()
         self._show_legend(self._colour([name]))
 
@@ -141,6 +149,7 @@ class ClassificationController(TaskController):
         self._form.result.file = self.measured.document.FileName
         self._form.show_part(self._shown_record, self._analysis.profile,
                              translated(failure["message"]) if failure else "", self._unit)
+        self._ask_for_known()
         if self._shown_record is not None:
             self._show_labels()
             self._show_legend(self._is_coloured(name))
@@ -176,6 +185,25 @@ class ClassificationController(TaskController):
         self._form.show_ended(sentence)
         self._colour_all()
         self.measured.write_info_file()
+
+    def _ask_for_known(self):
+        """Ask whether the libraries have the shown part already; the answer comes when it comes."""
+        self._form.show_known("")
+        if self._asked_known is not None:
+            lifelong.requests.cancel(self._asked_known)
+            self._asked_known = None
+        record = self._analysis.records.get(self._shown_name)
+        if record is None or not preference("KnownParts") or not preference_list("Libraries"):
+            return
+        own = self.measured.document.FileName
+        info_file = os.fspath(info_location(own, preference("InfoFolder"))) if own else None
+        self._asked_known = lifelong.requests.ask(KNOWN, record=record, info_file=info_file)
+
+    def _show_known(self, request):
+        if request is self._asked_known:
+            self._asked_known = None
+            if request.answer is not None:
+                self._form.show_known(translated(request.answer["sentence"]), request.answer["file"])
 
     def _show_info_file(self, state):
         self._form.show_info(state.sentence, state.can_save, state.can_repeat, state.tool_tip)

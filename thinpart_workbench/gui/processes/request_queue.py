@@ -14,6 +14,9 @@ from .conversation import PATIENCE, Conversation
 LABEL = "document_info.keep_label"
 """Request to keep a label: its answer is the list of all labels of the part."""
 
+KNOWN = "window.known_parts.part_in_libraries"
+"""Request whether libraries have a part: its answer is as of that function."""
+
 HANGING = 60.0
 """Seconds without a sign of life after which a process counts as hanging, as on a network share that is gone. Requests about
 other folders wait so long behind one about such a share."""

@@ -111,7 +111,7 @@ def find_duplicates(indexes, limits, reads_documents=True, control=None, report=
     answers, failures = _answers(found, parts, stored, limits, reads_documents, control, report)
     groups: dict = {}
     for likeness, (answer, compared) in zip(found, answers):
-        likeness = likeness.taken(answer["motion"])
+        likeness = likeness.taken(answer["motion"]) if compared == GEOMETRY else likeness
         part, reference = stored[likeness.part], stored[likeness.reference]
         kind = judged(likeness, answer, compared, part, reference)
         if kind is not None:
@@ -130,9 +130,9 @@ def _answers(found, parts, stored, limits, reads_documents, control, report):
         part, reference = stored[likeness.part], stored[likeness.reference]
         form, other = parts.form(likeness.part), parts.form(likeness.reference)
         is_copy = part.sha256 == reference.sha256 and part.name == reference.name
-        answers.append((_of_outlines(likeness.laid, form, other), BYTES if is_copy else OUTLINES))
+        answers.append((of_outlines(likeness.laid, form, other), BYTES if is_copy else OUTLINES))
         if reads_documents and not is_copy:
-            motions = tuple(laid.motion for laid in (likeness.laid, *likeness.others))
+            motions = tuple(laid.motion for laid in likeness.ways)
             task = ComparisonTask(_compared_part(part, form), _compared_part(reference, other), motions)
             tasks[id(task)] = number, task
     limits = replace(limits, seconds=2.0 * limits.seconds)  # two documents are read
@@ -147,7 +147,8 @@ def _answers(found, parts, stored, limits, reads_documents, control, report):
     return answers, failures
 
 
-def _of_outlines(laid, form, other):
+def of_outlines(laid, form, other):
+    """What the outlines of two forms say, as `comparison_task.ANSWER`."""
     same = SAME * other.extent
     return {"are_solids": True, "extent_mm": other.extent, "motion": 0,
             "part": side_answer(form, laid.distance, same),

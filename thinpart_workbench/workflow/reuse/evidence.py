@@ -53,6 +53,7 @@ def evidence(kind, likeness, answer, compared, part, reference):
     compared : str
         `GEOMETRY`, `OUTLINES` or `BYTES`.
     part, reference : StoredPart
+        Or, for the part, anything with its dimensions and with the ``faces`` of its record.
     """
     sides = [("part", answer["part"], part), ("reference", answer["reference"], reference)]
     differences = _differences(sides) if kind == ALIKE else []
@@ -89,14 +90,14 @@ def _differences(sides):
     return sorted(found, key=lambda each: -each["apart_mm"])[:MOST_DIFFERENCES]
 
 
-def _surfaces(stored):
+def _surfaces(part):
     """By the name of a face: kind and radius of its surface."""
     try:
-        records = stored_records(stored.info_file)
+        faces = part.faces if hasattr(part, "faces") else [
+            face for record in stored_records(part.info_file) if record["name"] == part.name for face in record["faces"]]
     except ThinPartError:
         return {}
-    return {face["face"]: (face.get("surface"), face.get("radius_mm"))
-            for record in records if record["name"] == stored.name for face in record["faces"]}
+    return {face["face"]: (face.get("surface"), face.get("radius_mm")) for face in faces}
 
 
 def _sentence(kind, content, answer, part, reference):

@@ -2,14 +2,14 @@
 """The parts of libraries with what they are compared by."""
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
 from ...core.errors import ThinPartError
 from ...core.file_formats import MESH, format_of
-from ...core.forms.recorded_form import second_moments, unpacked_form, unpacked_numbers
+from ...core.forms.recorded_form import form_of_record, packed_form, second_moments, unpacked_form, unpacked_numbers
 from ..library.find_parts import stored_parts
 
 _TINY = np.finfo(float).tiny
@@ -34,6 +34,8 @@ class FormedParts:
         By which the one of several that is kept is chosen, greatest first: see `_STANDING`.
     without_form : int
         Number of parts that an earlier version has measured, which cannot be compared.
+    more : tuple of Form
+        Those of the last parts, which are in no index: their library is -1.
     """
 
     indexes: list
@@ -44,6 +46,7 @@ class FormedParts:
     sides: np.ndarray
     standing: list
     without_form: int
+    more: tuple = ()
 
     def __len__(self):
         return len(self.id)
@@ -68,6 +71,8 @@ class FormedParts:
 
     def form(self, part):
         """The `Form` of a part, None where its outline is damaged."""
+        if self.library[part] < 0:
+            return self.more[part - len(self)]
         (outline,), = self.indexes[self.library[part]].query(
             "SELECT outline FROM distributions WHERE id = ?", (int(self.id[part]),)) or [(b"",)]
         try:
@@ -85,6 +90,19 @@ class FormedParts:
         return found
 
 
+    def with_record(self, record):
+        """These parts and one more, the last, of a part record that has a form."""
+        numbers, _ = packed_form(record)
+        measured = record["descriptors"]
+        volume = measured["volume_mm3"]
+        return replace(
+            self, library=np.append(self.library, -1), id=np.append(self.id, -1),
+            numbers=np.concatenate([self.numbers, unpacked_numbers([numbers])]),
+            volume=np.append(self.volume, np.nan if volume is None else volume),
+            sides=np.concatenate([self.sides, [measured["box_mm"]]]), standing=[*self.standing, ()],
+            more=(*self.more, form_of_record(record)))
+
+
 _STANDING = ("has_geometry", "instances", "has_notes", "is_native", "is_named", "modified")
 """What counts for the part that is kept: geometry before triangles; how often it is used, whether somebody wrote about it, a
 document that can be edited before an exchanged one, a name that somebody chose, and the latest."""
@@ -97,13 +115,21 @@ _SELECT = """
 """
 
 
-def formed_parts(indexes):
-    """The `FormedParts` of refreshed LibraryIndexes."""
+def formed_parts(indexes, excluding=None):
+    """The `FormedParts` of refreshed LibraryIndexes.
+
+    Parameters
+    ----------
+    indexes : list of LibraryIndex
+    excluding : str, optional
+        Path of an info file whose parts are left out.
+    """
+    excluded = None if excluding is None else os.path.realpath(excluding)
     rows, without, seen = [], 0, set()
     for position, index in enumerate(indexes):
         for row in index.query(_SELECT):
             key = os.path.realpath(os.path.join(index.root, os.fsdecode(row[12]))), row[8]
-            if key in seen:  # one library lies within another
+            if key in seen or key[0] == excluded:  # one library lies within another
                 continue
             seen.add(key)
             if row[1] is None:

@@ -9,7 +9,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ...core.forms.laying import Laid, laid_partly, laid_whole
-from ...core.reuse.likeness import is_much_nearer, is_whole_by_outlines, kind_of, known_scale
+from ...core.reuse.likeness import KINDS, is_much_nearer, is_whole_by_outlines, kind_of, known_scale
 
 SAME_PROPORTIONS = 4e-3
 """Distance of `FormedParts.proportions` up to which parts may have one form: triangles of a round part differ from it."""
@@ -24,6 +24,8 @@ LIKE_SIDE = 1e-3
 """Share by which a side of the box may differ that two parts have in common."""
 
 _FORMS_AT_HAND = 4096
+_TURNED_FIRST = 2
+_LEAST_LENGTH = 1e-9
 
 
 @dataclass(frozen=True)
@@ -38,19 +40,20 @@ class Likeness:
         One of `likeness.KINDS`.
     laid : Laid
         The part laid upon the reference.
-    others : tuple of Laid
-        Other ways to lay it, nearly as likely: only geometry tells them from each other where a part is nearly symmetric.
+    ways : tuple of Laid
+        All ways to lay it that are likely, in the order in which geometry is to try them: only it tells them from each other
+        where a part is nearly symmetric.
     """
 
     part: int
     reference: int
     kind: str
     laid: Laid
-    others: tuple = ()
+    ways: tuple = ()
 
     def taken(self, number):
         """The same, laid in one of its ways."""
-        return self if number == 0 else replace(self, laid=self.others[number - 1])
+        return replace(self, laid=self.ways[number])
 
 
 class LikeParts:
@@ -84,7 +87,7 @@ class LikeParts:
         chosen = [part for part in self._order if part in among]
         if len(chosen) < 2:
             return
-        size = np.log(np.maximum(np.column_stack([self._parts.radii, np.sqrt(self._parts.area)])[chosen], 1e-9))
+        size = self._size(chosen)
         tree, taken = cKDTree(size), set()
         for done, reference in enumerate(chosen):
             if report is not None:
@@ -101,10 +104,25 @@ class LikeParts:
                     taken.add(part)
                     yield found
 
-    def between(self, part, reference):
-        """The `Likeness` of two parts, or None."""
-        near = np.linalg.norm(self._parts.proportions[part] - self._parts.proportions[reference]) <= SAME_PROPORTIONS
-        return (self._whole(part, reference) if near else None) or self._partly(part, reference)
+    def of_part(self, part):
+        """What a part is to the one of the others that is closest to it: `Likeness`, or None where none is alike."""
+        proportions, size = self._parts.proportions, self._size(slice(None))
+        away = np.linalg.norm(proportions - proportions[part], axis=1)
+        away[part] = np.inf
+        whole = [self._whole(part, other) for other in np.argsort(away, kind="stable")[:NEIGHBOURS]
+                 if away[other] <= SAME_PROPORTIONS]
+        found = [each for each in whole if each is not None]
+        if found:
+            return min(found, key=lambda each: (KINDS.index(each.kind), each.laid.apart(np.inf)))
+        away = np.linalg.norm(size - size[part], axis=1)
+        away[part] = np.inf
+        partly = [self._partly(part, other) for other in np.argsort(away, kind="stable")[:NEIGHBOURS]
+                  if away[other] <= MOST_UNLIKE and self._may_be_alike(part, other)]
+        return max((each for each in partly if each is not None), key=lambda each: each.laid.least_share, default=None)
+
+    def _size(self, parts):
+        lengths = np.column_stack([self._parts.radii, np.sqrt(self._parts.area)])[parts]
+        return np.log(np.maximum(lengths, _LEAST_LENGTH))
 
     def _distance(self, part, reference):
         return abs(np.log(self._parts.area[part] / self._parts.area[reference]))
@@ -116,11 +134,13 @@ class LikeParts:
         scale = known_scale(float(np.sqrt(self._parts.area[reference] / self._parts.area[part])))
         turned, mirrored = ([laid for laid in laid_whole(form, other, scale, is_mirrored) if is_whole_by_outlines(laid)]
                             for is_mirrored in (False, True))
+        ways = (*turned[:_TURNED_FIRST], *mirrored, *turned[_TURNED_FIRST:])
+        if not ways:
+            return None
         # Where the mirror image is as near, the part is a mirror image of itself.
-        if turned and mirrored and is_much_nearer(mirrored[0], turned[0], other.extent):
-            turned, mirrored = mirrored, turned
-        whole = [*turned, *mirrored]
-        return Likeness(part, reference, kind_of(whole[0], True), whole[0], tuple(whole[1:])) if whole else None
+        is_mirrored = not turned or bool(mirrored) and is_much_nearer(mirrored[0], turned[0], other.extent)
+        laid = mirrored[0] if is_mirrored else turned[0]
+        return Likeness(part, reference, kind_of(laid, True), laid, ways)
 
     def _partly(self, part, reference):
         form, other = self._form(part), self._form(reference)
@@ -128,7 +148,7 @@ class LikeParts:
             return None
         laid = laid_partly(form, other)
         kind = kind_of(laid, False)
-        return None if kind is None else Likeness(part, reference, kind, laid)
+        return None if kind is None else Likeness(part, reference, kind, laid, (laid,))
 
     def _may_be_alike(self, part, reference):
         """Whether two parts have two sides of the box, or faces of a quarter of the surface, in common."""
