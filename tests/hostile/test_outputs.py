@@ -40,7 +40,8 @@ from thinpart_workbench.workflow.report.report_pages import PICTURE_HEIGHT, PICT
 
 PACKAGE, SCREENSHOTS = ROOT / "thinpart_workbench", ROOT / "docs" / "screenshots"
 
-READ = {"classify": ["part.step"], "size": ["part.step"], "map": ["part.step"], "report": ["part.step"],
+READ = {"classify": ["part.step"], "duplicates": ["part.step"], "size": ["part.step"],
+        "map": ["part.step"], "report": ["part.step"],
         "learn": ["library", "--labels", "labels.csv"]}
 """What each command with outputs reads: its first file is the input of the tests, the last of `learn`."""
 
@@ -200,6 +201,7 @@ WRITTEN = {
     "map": (["--pixels", "64x64"], {"--png": "out.png", "--vtp": "out.vtp", "--ply": "out.ply"}),
     "size": ([], {"--csv": "out.csv", "--geo": "out.geo", "--shell": "out.inp"}),
     "classify": (["--no-thumbnails"], {"--csv": "out.csv"}),
+    "duplicates": ([], {"--csv": "out.csv"}),
 }
 
 

@@ -103,6 +103,7 @@ def begin_session(kind, controller, document, *subject):
         _measure_tool.append(MeasureTool(_blocks_measure_tool))
     _measure_tool[0].watch()
     _sessions.append((kind, session))
+    session.measured.ended.connect(follow_active_document)  # another may have come to the front meanwhile
     session.start()
 
 
@@ -115,7 +116,7 @@ def end_session():
 def follow_active_document():
     """Let the open panel be about the document in front, once FreeCAD has brought it there, or say what it is about.
 
-    A panel that measures stays as it is.
+    A panel that measures stays as it is until it has ended.
     """
     QtCore.QTimer.singleShot(0, _follow)
 

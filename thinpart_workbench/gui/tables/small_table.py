@@ -85,11 +85,6 @@ class SmallTable(TableView):
         if event.type() in (QtCore.QEvent.FontChange, QtCore.QEvent.StyleChange):
             self._fit_rows()
 
-    def resizeEvent(self, event):
-        """Adapt the column that stretches."""
-        super().resizeEvent(event)
-        self.fit_columns()
-
     def showEvent(self, event):
         """Adapt rows and columns: the font size is final only now."""
         super().showEvent(event)

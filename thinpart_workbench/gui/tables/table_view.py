@@ -109,6 +109,11 @@ class TableView(QtWidgets.QTableView):
             self.setColumnWidth(number, width)
         self._is_fitting = False
 
+    def resizeEvent(self, event):
+        """Fit the columns to the width: that of the window, or what a scroll bar leaves of it."""
+        super().resizeEvent(event)
+        self.fit_columns()
+
     def menu(self, row=None):
         """QMenu with what can be done with a row, by default the current one, and with all rows."""
         menu = self.row_menu(self.current_row if row is None else row)

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from ...core.errors import ThinPartError
-from ...core.file_formats import MESH, format_of
+from ...core.file_formats import DOCUMENT, MESH, format_of
 from ...core.forms.recorded_form import form_of_record, packed_form, second_moments, unpacked_form, unpacked_numbers
 from ..library.find_parts import stored_parts
 
@@ -145,10 +145,9 @@ def formed_parts(indexes, excluding=None):
 
 def _standing(row):
     instances, has_notes, name, label, document, modified = row[6:12]
-    file = os.fsdecode(document or b"")
-    found = format_of(file)
-    return (found is None or found.kind != MESH, int(instances), bool(has_notes), file.lower().endswith(".fcstd"),
-            _is_named(label or name), modified or "")
+    found = format_of(os.fsdecode(document or b""))
+    kind = found and found.kind
+    return kind != MESH, int(instances), bool(has_notes), kind == DOCUMENT, _is_named(label or name), modified or ""
 
 
 def _is_named(label):
