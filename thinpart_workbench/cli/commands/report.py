@@ -3,7 +3,7 @@
 
 from contextlib import closing
 
-from ...api.report_folder import LANGUAGES, ReportFolder
+from ...api.report.report_folder import LANGUAGES, ReportFolder
 from ...core.foreign_text import printable
 from ...core.judging.criteria import load_profile
 from ...core.length_unit import MILLIMETRE, UNITS
