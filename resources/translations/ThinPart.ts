@@ -3400,6 +3400,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>(in no folder of its own)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>(the ring is at the thinnest wall)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3428,11 +3432,23 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>--library reads info files only, and takes no {option}: leave it out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>--like is for one part: name one file.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>--range takes the thinner wall first, then the thicker: not {low} and {high}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 document has no info file and is not on this page: 'thinpart classify' measures it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 part is not on the map: no wall was found opposite, or its surface is not closed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3460,7 +3476,15 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Across:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Acrylic (PMMA)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alike</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3469,6 +3493,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>All its triangles have zero area.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All parts</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3520,6 +3548,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Belongs to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Borderline: close to “{other}” ({margin} from the limit).</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3537,6 +3569,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Brass, small casting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By category</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3588,7 +3624,15 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Contents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Could not be measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counts</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3648,11 +3692,31 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Families</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Family {number}: {part}, {count} parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Fills little of its box</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Flat and about as long as wide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Format</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3772,6 +3836,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Group {number}: {part}, {count} parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Held on two sides</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3785,6 +3853,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>How near it is to another category cannot be told.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Identical</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3892,6 +3964,14 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Library of 1 part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Library of {count} parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Light alloys in green sand; iron needs more.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3940,11 +4020,27 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Made of what info files keep; no document was read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Magnesium, large casting</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Magnesium, small casting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map of the parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map of {count} parts: across, the median wall as a share of the diagonal of the box; upwards, the share of its box that a part fills</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3957,6 +4053,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Median</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4000,6 +4100,22 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Mirror images of the part to keep.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More than once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Most of the surface is the same, the rest is not: a hole more, another length.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Name what to write: --png FILE, --vtp FILE or --ply FILE.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4012,7 +4128,15 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Next parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No criterion holds: its walls are thick all over.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No part has all of these words.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4041,6 +4165,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>No wall of {part} is wide and thin enough for a shell: mesh it as a solid.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None of these folders has an info file of a part: 'thinpart classify' writes them.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4096,6 +4224,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>One form, wherever it lies, in whatever file, format or name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>One of the given paths is empty: name a file or a folder.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4124,11 +4256,23 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parts whose faces are the same but for their sizes, with what varies, in {unit}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Passes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture of {part}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4141,6 +4285,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Plate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point at a part to see it, click to find it in the table. With the keyboard: arrow keys go from part to part, Enter finds it in the table.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4172,6 +4320,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Previous parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Probability: {probability}, next “{other}” with {others}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4193,6 +4345,14 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Risk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Risk of the automatic mesh</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4225,6 +4385,14 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Sand casting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scaled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4345,6 +4513,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Shortest side of the bounding box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all {count}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4497,6 +4669,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>The file {file} no longer exists.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first part of a group is the one to keep: geometry before triangles, the one used most, with notes, in a document that FreeCAD can edit, with a name that somebody chose, the latest. The others are compared with it, by what info files keep of their form. Nothing is deleted.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4664,6 +4840,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The page about the library could not be written into {folder} ({problem}): make room for it, and start again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The page {page} could not be written ({problem}): make room, or give another folder for the report.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4697,6 +4877,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>The profile {profile} has no category {categories}: labels by a program are of these.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same form in another size.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4769,6 +4953,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>The surface was inside out and has been reversed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The table and the search need JavaScript.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4908,7 +5096,15 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>These are not among the parts above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>These are not in the table above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thickness and box: {unit}. The fill is the share of its box that a part fills, V/VBB.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5092,6 +5288,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>What shows it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Where it is thin</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5236,6 +5436,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>below {share}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>block</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5308,6 +5512,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>family {number}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>far fewer tapered walls</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5329,6 +5537,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>fill not comparable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fill, V/VBB</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5357,6 +5569,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>format is not {format!r}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>group {number}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5476,6 +5692,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>keep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>layers in its thin walls</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5500,7 +5720,19 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>longest side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>look in FreeCAD what 'Check geometry' says about it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>median wall / diagonal of the box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>middle side</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5580,6 +5812,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>parts of its surface</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5600,6 +5836,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>radius {number}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>same fill</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5617,6 +5857,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>shorter box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shortest side</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5752,6 +5996,14 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>thinnest wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>thinnest wall, {unit}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>thread {least} to {thickness} thick</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5772,6 +6024,14 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>unsure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>varies: {names}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>version is {version}, and this reads version 1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5789,6 +6049,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>walls thinner than {limit} over {share} of the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>words of names and folders</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5832,6 +6096,14 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{category}, thinnest wall {thinnest}, median {median}, fill {fill}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{command} compares the documents themselves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{condition} never holds, because it is never above {limit:g}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5848,6 +6120,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{count} documents have no info file and are not on this page: 'thinpart classify' measures them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{count} documents of the library are called {file!r}: write the path</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5856,7 +6132,27 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{count} more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{count} more faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} more folders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} of them are unsure: close to another category.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} parts are not on the map: no wall was found opposite, or their surface is not closed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} parts were measured by an earlier version and are not compared: 'thinpart classify' measures their documents again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6128,6 +6424,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{first} to {last} of {count} parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{first} {next}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6349,6 +6649,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{sentence} It was not changed: move it away to have a new one written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{share} and more</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
