@@ -162,10 +162,10 @@ def _standing(row):
     instances, has_notes, name, label, document, modified = row[6:12]
     found = format_of(os.fsdecode(document or b""))
     kind = found and found.kind
-    return kind != MESH, int(instances), bool(has_notes), kind == DOCUMENT, _is_named(label or name), modified or ""
+    return kind != MESH, int(instances), bool(has_notes), kind == DOCUMENT, is_named(label or name), modified or ""
 
 
-def _is_named(label):
+def is_named(label):
     """Whether a label is more than what programs call a body by themselves."""
     word = label.casefold().rstrip("0123456789_-. ()").replace(" ", "")
     return word not in _GENERIC and any(letter.isalpha() for letter in word)
