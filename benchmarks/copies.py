@@ -95,16 +95,16 @@ def _found(made, info, options):
             found = libraries.similar(record, BEST, excluding=(os.path.realpath(path), record["name"])).parts
             rows[kind]["similar"] += any(Path(part.file).name == original for part in found)
     false = []
-    for group in duplicates([info], reads_documents=not options.stored).groups:
-        names = [Path(part.file).name for part in group.parts]
+    for group in duplicates([info], reads_documents=not options.stored).lines():
+        names = [Path(part["file"]).name for part in group["parts"]]
         for name in names[1:]:
             original, kind = made.get(name) or made.get(names[0]) or (None, None)
             is_pair = original in (name, names[0]) or {made.get(each, (each,))[0] for each in (name, names[0])} == {original}
-            if is_pair and group.kind != "alike":
-                rows[kind]["duplicates"] += group.kind in (KINDS[kind], "identical")
+            if is_pair and group["kind"] != "alike":
+                rows[kind]["duplicates"] += group["kind"] in (KINDS[kind], "identical")
             elif is_pair:
                 rows[kind]["as alike"] += 1
-            elif group.kind == "identical":
+            elif group["kind"] == "identical":
                 false.append((names[0], name))
     return rows, false
 
@@ -138,8 +138,8 @@ def _agreement(manifest, info):
                 and row["source_path"].startswith("Mechanical Parts/Fasteners/")]
     named = {Path(row["file"]).name: _family_name(Path(row["source_path"]).stem) for row in rows}
     found = {}
-    for number, family in enumerate(families([info]).families):
-        found.update((Path(part.file).name, number) for part in family.parts)
+    for family in families([info]).lines():
+        found.update((Path(part["file"]).name, family["group"]) for part in family["parts"])
     names = sorted(named)
     labels = [found.get(name, -1 - place) for place, name in enumerate(names)]
     score = adjusted_rand_score([named[name] for name in names], labels)

@@ -37,8 +37,12 @@ def judged(likeness, answer, compared, part, reference):
     laid = likeness.laid._replace(share=answer["part"]["share"], other_share=answer["reference"]["share"])
     if compared == BYTES:
         return IDENTICAL
-    is_one = is_whole(answer) and has_same_measures(part, reference, laid.motion.scale, answer["are_solids"])
-    return kind_of(laid, is_one)
+    if compared == OUTLINES:
+        # Their points lie beside the surface, so volumes and areas tell what is closer than they can.
+        is_one, are_solids = likeness.kind != ALIKE, None not in (part.topology, reference.topology)
+    else:
+        is_one, are_solids = is_whole(answer), answer["are_solids"]
+    return kind_of(laid, is_one and has_same_measures(part, reference, laid.motion.scale, are_solids))
 
 
 def evidence(kind, likeness, answer, compared, part, reference):

@@ -54,7 +54,7 @@ def known_part(indexes, record, excluding=None):
     measured = record["descriptors"]
     d1, d2, d3 = measured["box_mm"]
     own = SimpleNamespace(d1_mm=d1, d2_mm=d2, d3_mm=d3, volume_mm3=measured["volume_mm3"], area_mm2=measured["area_mm2"],
-                          faces=record["faces"])
+                          faces=record["faces"], topology=record["form"]["topology"])
     answer = of_outlines(likeness.laid, parts.form(number), parts.form(likeness.reference))
     kind = judged(likeness, answer, OUTLINES, own, stored)
     return None if kind is None else KnownPart(stored, kind, evidence(kind, likeness, answer, OUTLINES, own, stored))
