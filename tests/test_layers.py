@@ -120,7 +120,7 @@ PACKAGE_ORDER = {
     "storage": "exchange info index",
     "freecad_adapter": "tessellating shapes mid_surface reading occurrences features objects",
     "workflow": "report analysis workers cluster library reuse meshing solving maps learning",
-    "api": "window",
+    "api": "window report",
     "cli": "commands",
     "gui": "application widgets tables guide processes record document scene colour_bar section view3d map_export "
            "map_presenters classify thickness mesh_sizes reclassify library folder profile learning report preferences "

@@ -47,6 +47,8 @@ NO_MESSAGES = {
     "The content of <{}> cannot be escaped: it comes from a file of ThinPart.",  # for programmers
     " ThinPart {}.", "default-src 'none'; style-src 'unsafe-inline'; img-src data:",  # of pages, as their classes
     "dot failed", "faint path", "faint small", "faint small path", "noprint small", "path small", "small faint",
+    "small faint path", "small noprint", "small faint noprint", "search noprint", "badge keep", "group even",
+    "thinpart duplicates",  # a command, as it is typed
 }
 """What looks like a text for people and is none, or is shown as it is."""
 

@@ -3588,6 +3588,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>(in no folder of its own)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>(the ring is at the thinnest wall)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3616,11 +3620,23 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>--library reads info files only, and takes no {option}: leave it out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>--like is for one part: name one file.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>--range takes the thinner wall first, then the thicker: not {low} and {high}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 document has no info file and is not on this page: 'thinpart classify' measures it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 part is not on the map: no wall was found opposite, or its surface is not closed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3648,7 +3664,15 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Across:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Acrylic (PMMA)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alike</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3661,6 +3685,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>All its triangles have zero area.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All parts</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3716,6 +3744,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Belongs to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Borderline: close to “{other}” ({margin} from the limit).</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3733,6 +3765,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Brass, small casting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By category</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3784,7 +3820,15 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Contents</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Could not be measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counts</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3844,11 +3888,31 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Families</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Family {number}: {part}, {count} parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Fills little of its box</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Flat and about as long as wide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Format</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3968,6 +4032,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Group {number}: {part}, {count} parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Held on two sides</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3981,6 +4049,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>How near it is to another category cannot be told.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Identical</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4088,6 +4160,14 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Library of 1 part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Library of {count} parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Light alloys in green sand; iron needs more.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4136,11 +4216,27 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Made of what info files keep; no document was read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Magnesium, large casting</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Magnesium, small casting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map of the parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map of {count} parts: across, the median wall as a share of the diagonal of the box; upwards, the share of its box that a part fills</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4153,6 +4249,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Median</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4196,6 +4296,22 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Mirror images of the part to keep.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More than once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Most of the surface is the same, the rest is not: a hole more, another length.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Name what to write: --png FILE, --vtp FILE or --ply FILE.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4208,7 +4324,15 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Next parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No criterion holds: its walls are thick all over.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No part has all of these words.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4237,6 +4361,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>No wall of {part} is wide and thin enough for a shell: mesh it as a solid.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None of these folders has an info file of a part: 'thinpart classify' writes them.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4292,6 +4420,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>One form, wherever it lies, in whatever file, format or name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>One of the given paths is empty: name a file or a folder.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4320,11 +4452,23 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parts whose faces are the same but for their sizes, with what varies, in {unit}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Passes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture of {part}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4337,6 +4481,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Plate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Point at a part to see it, click to find it in the table. With the keyboard: arrow keys go from part to part, Enter finds it in the table.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4368,6 +4516,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Previous parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Probability: {probability}, next “{other}” with {others}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4389,6 +4541,14 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Risk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Risk of the automatic mesh</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4421,6 +4581,14 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Sand casting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scaled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4541,6 +4709,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Shortest side of the bounding box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show all {count}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4693,6 +4865,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>The file {file} no longer exists.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first part of a group is the one to keep: geometry before triangles, the one used most, with notes, in a document that FreeCAD can edit, with a name that somebody chose, the latest. The others are compared with it, by what info files keep of their form. Nothing is deleted.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4860,6 +5036,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The page about the library could not be written into {folder} ({problem}): make room for it, and start again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The page {page} could not be written ({problem}): make room, or give another folder for the report.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4893,6 +5073,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>The profile {profile} has no category {categories}: labels by a program are of these.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same form in another size.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4965,6 +5149,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>The surface was inside out and has been reversed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The table and the search need JavaScript.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5104,7 +5292,15 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>These are not among the parts above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>These are not in the table above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thickness and box: {unit}. The fill is the share of its box that a part fills, V/VBB.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5288,6 +5484,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>What shows it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Where it is thin</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5432,6 +5632,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>below {share}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>block</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5508,6 +5712,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>family {number}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>far fewer tapered walls</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5529,6 +5737,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>fill not comparable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fill, V/VBB</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5561,6 +5773,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>geometry, not triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>group {number}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5688,6 +5904,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>keep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>layers in its thin walls</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5712,7 +5932,19 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>longest side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>look in FreeCAD what 'Check geometry' says about it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>median wall / diagonal of the box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>middle side</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5792,6 +6024,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>parts of its surface</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5812,6 +6048,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>radius {number}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>same fill</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5829,6 +6069,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>shorter box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shortest side</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5972,6 +6216,14 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>thinnest wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>thinnest wall, {unit}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>thread {least} to {thickness} thick</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5992,7 +6244,15 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>unsure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>used {count} times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>varies: {names}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6013,6 +6273,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>walls thinner than {limit} over {share} of the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>words of names and folders</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6056,6 +6320,14 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{category}, thinnest wall {thinnest}, median {median}, fill {fill}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{command} compares the documents themselves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{condition} never holds, because it is never above {limit:g}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6072,6 +6344,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{count} documents have no info file and are not on this page: 'thinpart classify' measures them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{count} documents of the library are called {file!r}: write the path</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6080,7 +6356,27 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{count} more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{count} more faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} more folders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} of them are unsure: close to another category.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} parts are not on the map: no wall was found opposite, or their surface is not closed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} parts were measured by an earlier version and are not compared: 'thinpart classify' measures their documents again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6352,6 +6648,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{first} to {last} of {count} parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{first} {next}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6577,6 +6877,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{sentence} It was not changed: move it away to have a new one written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{share} and more</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

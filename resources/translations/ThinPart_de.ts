@@ -3590,6 +3590,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>„{part}“ besteht aus {count} Festkörpern, die FEM als einen vernetzt: Zerlegen Sie es zuerst (Arbeitsbereich Part: Verbund &gt; Verbund auflösen) und wählen Sie dann einen Festkörper.</translation>
     </message>
     <message>
+        <source>(in no folder of its own)</source>
+        <translation>(in keinem eigenen Ordner)</translation>
+    </message>
+    <message>
         <source>(the ring is at the thinnest wall)</source>
         <translation>(der Ring ist an der dünnsten Wand)</translation>
     </message>
@@ -3618,12 +3622,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>--keep gehört zu --check, das zeigt, was sich bewährt.</translation>
     </message>
     <message>
+        <source>--library reads info files only, and takes no {option}: leave it out.</source>
+        <translation>--library liest nur Infodateien und nimmt kein {option}: Lassen Sie es weg.</translation>
+    </message>
+    <message>
         <source>--like is for one part: name one file.</source>
         <translation>--like gilt für ein Teil: nennen Sie eine Datei.</translation>
     </message>
     <message>
         <source>--range takes the thinner wall first, then the thicker: not {low} and {high}.</source>
         <translation>--range nimmt zuerst die dünnere Wand, dann die dickere: nicht {low} und {high}.</translation>
+    </message>
+    <message>
+        <source>1 document has no info file and is not on this page: 'thinpart classify' measures it.</source>
+        <translation>1 Dokument hat keine Infodatei und fehlt auf dieser Seite: „thinpart classify“ misst es.</translation>
+    </message>
+    <message>
+        <source>1 part is not on the map: no wall was found opposite, or its surface is not closed.</source>
+        <translation>1 Teil ist nicht auf der Karte: Gegenüber wurde keine Wand gefunden, oder die Oberfläche ist nicht geschlossen.</translation>
     </message>
     <message>
         <source>1 warning</source>
@@ -3650,8 +3666,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Polyacetal (POM)</translation>
     </message>
     <message>
+        <source>Across:</source>
+        <translation>Nach rechts:</translation>
+    </message>
+    <message>
         <source>Acrylic (PMMA)</source>
         <translation>Acrylglas (PMMA)</translation>
+    </message>
+    <message>
+        <source>Alike</source>
+        <translation>Ähnlich</translation>
     </message>
     <message>
         <source>Alike: {percent:.0f} % of the surface is the same, the rest up to {apart:.2g} apart.</source>
@@ -3664,6 +3688,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>All its triangles have zero area.</source>
         <translation>Alle Dreiecke haben den Flächeninhalt null.</translation>
+    </message>
+    <message>
+        <source>All parts</source>
+        <translation>Alle Teile</translation>
     </message>
     <message>
         <source>All parts of this report</source>
@@ -3718,6 +3746,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Balkendiagramm: Anteil der Oberfläche über Wänden jeder Dicke, bis {end}; Wände unter {limit} gelten als dünn</translation>
     </message>
     <message>
+        <source>Belongs to</source>
+        <translation>Gehört zu</translation>
+    </message>
+    <message>
         <source>Borderline: close to “{other}” ({margin} from the limit).</source>
         <translation>Grenzfall: nahe an „{other}“ ({margin} von der Grenze).</translation>
     </message>
@@ -3736,6 +3768,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Brass, small casting</source>
         <translation>Messing, kleines Gussteil</translation>
+    </message>
+    <message>
+        <source>By category</source>
+        <translation>Nach Kategorie</translation>
     </message>
     <message>
         <source>By the paper's criteria: unknown. {reason}</source>
@@ -3786,8 +3822,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Zusammenhängende Wände ähnlicher Dicke, gleiche in einer Zeile; die dünnste zuerst</translation>
     </message>
     <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
         <source>Could not be measured</source>
         <translation>Konnte nicht gemessen werden</translation>
+    </message>
+    <message>
+        <source>Counts</source>
+        <translation>Anzahlen</translation>
     </message>
     <message>
         <source>Cutting the mid-faces of the walls to each other takes too long, as there are too many that nearly touch: mesh it as a solid.</source>
@@ -3846,12 +3890,32 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Flächen: {faces}.</translation>
     </message>
     <message>
+        <source>Families</source>
+        <translation>Familien</translation>
+    </message>
+    <message>
+        <source>Family {number}: {part}, {count} parts</source>
+        <translation>Familie {number}: {part}, {count} Teile</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Füllung</translation>
+    </message>
+    <message>
         <source>Fills little of its box</source>
         <translation>Füllt den Hüllquader kaum</translation>
     </message>
     <message>
         <source>Flat and about as long as wide</source>
         <translation>Flach und etwa so lang wie breit</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Dateiformat</translation>
     </message>
     <message>
         <source>Free-standing</source>
@@ -3970,6 +4034,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Grauguss</translation>
     </message>
     <message>
+        <source>Group {number}: {part}, {count} parts</source>
+        <translation>Gruppe {number}: {part}, {count} Teile</translation>
+    </message>
+    <message>
         <source>Held on two sides</source>
         <translation>An zwei Seiten gehalten</translation>
     </message>
@@ -3984,6 +4052,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>How near it is to another category cannot be told.</source>
         <translation>Wie nahe es einer anderen Kategorie ist, lässt sich nicht sagen.</translation>
+    </message>
+    <message>
+        <source>Identical</source>
+        <translation>Gleich</translation>
     </message>
     <message>
         <source>Info files cannot be written into {folder} ({problem}): give another folder to --info-dir.</source>
@@ -4090,6 +4162,14 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Länge, {unit}</translation>
     </message>
     <message>
+        <source>Library of 1 part</source>
+        <translation>Bibliothek mit 1 Teil</translation>
+    </message>
+    <message>
+        <source>Library of {count} parts</source>
+        <translation>Bibliothek mit {count} Teilen</translation>
+    </message>
+    <message>
         <source>Light alloys in green sand; iron needs more.</source>
         <translation>Leichtmetalle in Grünsand; Eisen braucht mehr.</translation>
     </message>
@@ -4138,12 +4218,28 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Erzeugt von</translation>
     </message>
     <message>
+        <source>Made of what info files keep; no document was read.</source>
+        <translation>Aus den Infodateien erstellt; kein Dokument wurde gelesen.</translation>
+    </message>
+    <message>
         <source>Magnesium, large casting</source>
         <translation>Magnesium, großes Gussteil</translation>
     </message>
     <message>
         <source>Magnesium, small casting</source>
         <translation>Magnesium, kleines Gussteil</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>Map of the parts</source>
+        <translation>Karte der Teile</translation>
+    </message>
+    <message>
+        <source>Map of {count} parts: across, the median wall as a share of the diagonal of the box; upwards, the share of its box that a part fills</source>
+        <translation>Karte von {count} Teilen: nach rechts die mittlere Wand als Anteil der Diagonale des Hüllquaders, nach oben der Anteil, den ein Teil von seinem Hüllquader füllt</translation>
     </message>
     <message>
         <source>Margin</source>
@@ -4156,6 +4252,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Measured</source>
         <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
     </message>
     <message>
         <source>Median of the local thickness, by the middle side</source>
@@ -4198,6 +4298,22 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Mittlere zu kürzester Seite des Hüllquaders</translation>
     </message>
     <message>
+        <source>Mirror images of the part to keep.</source>
+        <translation>Spiegelbilder des Teils, das zu behalten ist.</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation>Gespiegelt</translation>
+    </message>
+    <message>
+        <source>More than once</source>
+        <translation>Mehrfach vorhanden</translation>
+    </message>
+    <message>
+        <source>Most of the surface is the same, the rest is not: a hole more, another length.</source>
+        <translation>Der größte Teil der Oberfläche ist gleich, der Rest nicht: ein Loch mehr, eine andere Länge.</translation>
+    </message>
+    <message>
         <source>Name what to write: --png FILE, --vtp FILE or --ply FILE.</source>
         <translation>Nennen Sie, was geschrieben werden soll: --png DATEI, --vtp DATEI oder --ply DATEI.</translation>
     </message>
@@ -4210,8 +4326,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Netgen hat zu lange gebraucht</translation>
     </message>
     <message>
+        <source>Next parts</source>
+        <translation>Nächste Teile</translation>
+    </message>
+    <message>
         <source>No criterion holds: its walls are thick all over.</source>
         <translation>Kein Kriterium ist erfüllt: Die Wände sind überall dick.</translation>
+    </message>
+    <message>
+        <source>No part has all of these words.</source>
+        <translation>Kein Teil hat alle diese Wörter.</translation>
     </message>
     <message>
         <source>No part is labelled {categories}: label at least {needed} parts of every category.</source>
@@ -4240,6 +4364,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>No wall of {part} is wide and thin enough for a shell: mesh it as a solid.</source>
         <translation>Keine Wand von {part} ist breit und dünn genug für eine Schale: Vernetzen Sie das Teil als Volumen.</translation>
+    </message>
+    <message>
+        <source>None of these folders has an info file of a part: 'thinpart classify' writes them.</source>
+        <translation>Keiner dieser Ordner hat eine Infodatei eines Teils: „thinpart classify“ schreibt sie.</translation>
     </message>
     <message>
         <source>Normal part</source>
@@ -4294,6 +4422,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Polyamid (PA)</translation>
     </message>
     <message>
+        <source>One form, wherever it lies, in whatever file, format or name.</source>
+        <translation>Eine Form, wo immer sie liegt, in welcher Datei, welchem Format und unter welchem Namen auch immer.</translation>
+    </message>
+    <message>
         <source>One of the given paths is empty: name a file or a folder.</source>
         <translation>Einer der angegebenen Pfade ist leer: Nennen Sie eine Datei oder einen Ordner.</translation>
     </message>
@@ -4322,12 +4454,24 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Bauteil mit dünnen Bereichen</translation>
     </message>
     <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Parts whose faces are the same but for their sizes, with what varies, in {unit}.</source>
+        <translation>Teile, deren Flächen bis auf ihre Größen gleich sind, mit dem, was sich ändert, in {unit}.</translation>
+    </message>
+    <message>
         <source>Passes</source>
         <translation>Besteht</translation>
     </message>
     <message>
         <source>Picture</source>
         <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Picture of {part}</source>
+        <translation>Bild von {part}</translation>
     </message>
     <message>
         <source>Pieces that do not meet the rest were left out, {share:.2g} % of the volume: they belong to what is left solid.</source>
@@ -4340,6 +4484,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Plate</source>
         <translation>Platte</translation>
+    </message>
+    <message>
+        <source>Point at a part to see it, click to find it in the table. With the keyboard: arrow keys go from part to part, Enter finds it in the table.</source>
+        <translation>Zeigen Sie auf ein Teil, um es zu sehen; ein Klick findet es in der Tabelle. Mit der Tastatur: Pfeiltasten gehen von Teil zu Teil, die Eingabetaste findet es in der Tabelle.</translation>
     </message>
     <message>
         <source>Polycarbonate (PC)</source>
@@ -4370,6 +4518,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Polyurethan (PU)</translation>
     </message>
     <message>
+        <source>Previous parts</source>
+        <translation>Vorige Teile</translation>
+    </message>
+    <message>
         <source>Probability: {probability}, next “{other}” with {others}.</source>
         <translation>Wahrscheinlichkeit: {probability}, danach „{other}“ mit {others}.</translation>
     </message>
@@ -4392,6 +4544,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Risk</source>
+        <translation>Risiko</translation>
+    </message>
+    <message>
+        <source>Risk of the automatic mesh</source>
+        <translation>Risiko des automatischen Netzes</translation>
     </message>
     <message>
         <source>Risk of the automatic mesh: unknown, an earlier version measured the part. Measure it again (classify --force).</source>
@@ -4424,6 +4584,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Sand casting</source>
         <translation>Sandguss</translation>
+    </message>
+    <message>
+        <source>Scaled</source>
+        <translation>Skaliert</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
     </message>
     <message>
         <source>See</source>
@@ -4544,6 +4712,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Shortest side of the bounding box</source>
         <translation>Kürzeste Seite des Hüllquaders</translation>
+    </message>
+    <message>
+        <source>Show all {count}</source>
+        <translation>Alle {count} zeigen</translation>
     </message>
     <message>
         <source>Small castings of aluminium; large ones need about twice as much. The greatest section is that of DeGarmo, Black and Kohser (2003).</source>
@@ -4696,6 +4868,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>The file {file} no longer exists.</source>
         <translation>Die Datei {file} gibt es nicht mehr.</translation>
+    </message>
+    <message>
+        <source>The first part of a group is the one to keep: geometry before triangles, the one used most, with notes, in a document that FreeCAD can edit, with a name that somebody chose, the latest. The others are compared with it, by what info files keep of their form. Nothing is deleted.</source>
+        <translation>Das erste Teil einer Gruppe ist das, das zu behalten ist: Geometrie vor Dreiecken, das am meisten verwendete, mit Notizen, in einem Dokument, das FreeCAD bearbeiten kann, mit einem Namen, den jemand gewählt hat, das neueste. Die anderen werden mit ihm verglichen, nach dem, was Infodateien von ihrer Form behalten. Nichts wird gelöscht.</translation>
     </message>
     <message>
         <source>The folder for info files {folder} cannot be reached ({problem}): connect it, or choose another one in the preferences.</source>
@@ -4862,6 +5038,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die Übersicht des Berichts konnte nicht in {folder} geschrieben werden ({problem}): Schaffen Sie Platz dafür und starten Sie erneut.</translation>
     </message>
     <message>
+        <source>The page about the library could not be written into {folder} ({problem}): make room for it, and start again.</source>
+        <translation>Die Seite über die Bibliothek konnte nicht in {folder} geschrieben werden ({problem}): Schaffen Sie Platz, und beginnen Sie von vorn.</translation>
+    </message>
+    <message>
         <source>The page {page} could not be written ({problem}): make room, or give another folder for the report.</source>
         <translation>Die Seite {page} konnte nicht geschrieben werden ({problem}): Schaffen Sie Platz oder geben Sie einen anderen Ordner für den Bericht an.</translation>
     </message>
@@ -4896,6 +5076,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>The profile {profile} has no category {categories}: labels by a program are of these.</source>
         <translation>Das Profil {profile} hat keine Kategorie {categories}: Einordnungen durch ein Programm sind von diesen.</translation>
+    </message>
+    <message>
+        <source>The same form in another size.</source>
+        <translation>Dieselbe Form in einer anderen Größe.</translation>
     </message>
     <message>
         <source>The same form, scaled: triangles lie at most {apart:.2g} from the other surface.</source>
@@ -4968,6 +5152,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>The surface was inside out and has been reversed.</source>
         <translation>Die Oberfläche war nach innen gekehrt und wurde umgedreht.</translation>
+    </message>
+    <message>
+        <source>The table and the search need JavaScript.</source>
+        <translation>Die Tabelle und die Suche brauchen JavaScript.</translation>
     </message>
     <message>
         <source>The thickness map {file} cannot be read: measure the part again.</source>
@@ -5106,8 +5294,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Der Speicher reicht dafür nicht aus.</translation>
     </message>
     <message>
+        <source>These are not among the parts above</source>
+        <translation>Diese sind nicht unter den Teilen oben</translation>
+    </message>
+    <message>
         <source>These are not in the table above</source>
         <translation>Diese sind nicht in der Tabelle oben</translation>
+    </message>
+    <message>
+        <source>Thickness and box: {unit}. The fill is the share of its box that a part fills, V/VBB.</source>
+        <translation>Dicke und Hüllquader: {unit}. Die Füllung ist der Anteil, den ein Teil von seinem Hüllquader füllt, V/VBB.</translation>
     </message>
     <message>
         <source>Thickness and box: {unit}. The margin is how far the deciding quantities lie from another category, relative to their thresholds.</source>
@@ -5290,6 +5486,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Das Volumen von {part} ist nicht in der Datei. {problem}</translation>
     </message>
     <message>
+        <source>What shows it</source>
+        <translation>Woran man es sieht</translation>
+    </message>
+    <message>
         <source>Where it is thin</source>
         <translation>Wo es dünn ist</translation>
     </message>
@@ -5434,6 +5634,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Stab</translation>
     </message>
     <message>
+        <source>below {share}</source>
+        <translation>unter {share}</translation>
+    </message>
+    <message>
         <source>block</source>
         <translation>Block</translation>
     </message>
@@ -5510,6 +5714,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>fehlgeschlagen</translation>
     </message>
     <message>
+        <source>family {number}</source>
+        <translation>Familie {number}</translation>
+    </message>
+    <message>
         <source>far fewer tapered walls</source>
         <translation>viel weniger schräge Wände</translation>
     </message>
@@ -5532,6 +5740,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>fill not comparable</source>
         <translation>Füllung nicht vergleichbar</translation>
+    </message>
+    <message>
+        <source>fill, V/VBB</source>
+        <translation>Füllung, V/VBB</translation>
     </message>
     <message>
         <source>fine</source>
@@ -5564,6 +5776,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>geometry, not triangles</source>
         <translation>Geometrie statt Dreiecke</translation>
+    </message>
+    <message>
+        <source>group {number}</source>
+        <translation>Gruppe {number}</translation>
     </message>
     <message>
         <source>has a name of its own</source>
@@ -5690,6 +5906,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>seine {entry} wäre größer als {gigabytes} GB</translation>
     </message>
     <message>
+        <source>keep</source>
+        <translation>behalten</translation>
+    </message>
+    <message>
         <source>layers in its thin walls</source>
         <translation>Lagen in den dünnen Wänden</translation>
     </message>
@@ -5714,8 +5934,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>längerer Quader</translation>
     </message>
     <message>
+        <source>longest side</source>
+        <translation>längste Seite</translation>
+    </message>
+    <message>
         <source>look in FreeCAD what 'Check geometry' says about it</source>
         <translation>sehen Sie in FreeCAD nach, was „Geometrie prüfen“ dazu sagt</translation>
+    </message>
+    <message>
+        <source>median wall / diagonal of the box</source>
+        <translation>mittlere Wand / Diagonale des Hüllquaders</translation>
+    </message>
+    <message>
+        <source>middle side</source>
+        <translation>mittlere Seite</translation>
     </message>
     <message>
         <source>more filled</source>
@@ -5794,6 +6026,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>eine einzige Größe, da nichts Feineres vernetzt wird</translation>
     </message>
     <message>
+        <source>other</source>
+        <translation>andere</translation>
+    </message>
+    <message>
         <source>parts of its surface</source>
         <translation>Teile seiner Oberfläche</translation>
     </message>
@@ -5814,6 +6050,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Proportionen nicht vergleichbar</translation>
     </message>
     <message>
+        <source>radius {number}</source>
+        <translation>Radius {number}</translation>
+    </message>
+    <message>
         <source>same fill</source>
         <translation>gleiche Füllung</translation>
     </message>
@@ -5832,6 +6072,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>shorter box</source>
         <translation>kürzerer Quader</translation>
+    </message>
+    <message>
+        <source>shortest side</source>
+        <translation>kürzeste Seite</translation>
     </message>
     <message>
         <source>similar proportions</source>
@@ -5974,6 +6218,14 @@ Sein Volumen ist unbekannt.</translation>
         <translation>teils dünn</translation>
     </message>
     <message>
+        <source>thinnest wall</source>
+        <translation>dünnste Wand</translation>
+    </message>
+    <message>
+        <source>thinnest wall, {unit}</source>
+        <translation>dünnste Wand, {unit}</translation>
+    </message>
+    <message>
         <source>thread {least} to {thickness} thick</source>
         <translation>Gewinde von {least} bis {thickness}</translation>
     </message>
@@ -5994,8 +6246,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>unbekannt</translation>
     </message>
     <message>
+        <source>unsure</source>
+        <translation>unsicher</translation>
+    </message>
+    <message>
         <source>used {count} times</source>
         <translation>{count}-mal verwendet</translation>
+    </message>
+    <message>
+        <source>varies: {names}</source>
+        <translation>ändert sich: {names}</translation>
     </message>
     <message>
         <source>version is {version}, and this reads version 1</source>
@@ -6016,6 +6276,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>walls thinner than {limit} over {share} of the surface</source>
         <translation>Wände dünner als {limit} auf {share} der Oberfläche</translation>
+    </message>
+    <message>
+        <source>words of names and folders</source>
+        <translation>Wörter aus Namen und Ordnern</translation>
     </message>
     <message>
         <source>wrong usage of the command</source>
@@ -6058,6 +6322,14 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{category!r} ist keine Kategorie: Es gibt {known}.</translation>
     </message>
     <message>
+        <source>{category}, thinnest wall {thinnest}, median {median}, fill {fill}</source>
+        <translation>{category}, dünnste Wand {thinnest}, Median {median}, Füllung {fill}</translation>
+    </message>
+    <message>
+        <source>{command} compares the documents themselves.</source>
+        <translation>{command} vergleicht die Dokumente selbst.</translation>
+    </message>
+    <message>
         <source>{condition} never holds, because it is never above {limit:g}</source>
         <translation>{condition} gilt nie, denn der Wert liegt nie über {limit:g}</translation>
     </message>
@@ -6074,6 +6346,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{count:.0f} Kanten kürzer als {limit}, die kürzeste {shortest}, 1/{part:.0f} eines Elements</translation>
     </message>
     <message>
+        <source>{count} documents have no info file and are not on this page: 'thinpart classify' measures them.</source>
+        <translation>{count} Dokumente haben keine Infodatei und fehlen auf dieser Seite: „thinpart classify“ misst sie.</translation>
+    </message>
+    <message>
         <source>{count} documents of the library are called {file!r}: write the path</source>
         <translation>{count} Dokumente der Bibliothek heißen {file!r}: Schreiben Sie den Pfad</translation>
     </message>
@@ -6082,8 +6358,28 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{count} doppelte Dreiecke wurden weggelassen.</translation>
     </message>
     <message>
+        <source>{count} more</source>
+        <translation>{count} weitere</translation>
+    </message>
+    <message>
         <source>{count} more faces</source>
         <translation>{count} weitere Flächen</translation>
+    </message>
+    <message>
+        <source>{count} more folders</source>
+        <translation>{count} weitere Ordner</translation>
+    </message>
+    <message>
+        <source>{count} of them are unsure: close to another category.</source>
+        <translation>{count} davon sind unsicher: nahe an einer anderen Kategorie.</translation>
+    </message>
+    <message>
+        <source>{count} parts are not on the map: no wall was found opposite, or their surface is not closed.</source>
+        <translation>{count} Teile sind nicht auf der Karte: Gegenüber wurde keine Wand gefunden, oder ihre Oberfläche ist nicht geschlossen.</translation>
+    </message>
+    <message>
+        <source>{count} parts were measured by an earlier version and are not compared: 'thinpart classify' measures their documents again.</source>
+        <translation>{count} Teile hat eine frühere Version gemessen, sie werden nicht verglichen: „thinpart classify“ misst ihre Dokumente neu.</translation>
     </message>
     <message>
         <source>{count} ribs of {thickness} ({share} of the width)</source>
@@ -6354,6 +6650,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{first} und {second} schließen sich aus</translation>
     </message>
     <message>
+        <source>{first} to {last} of {count} parts</source>
+        <translation>{first} bis {last} von {count} Teilen</translation>
+    </message>
+    <message>
         <source>{first} {next}</source>
         <translation>{first} {next}</translation>
     </message>
@@ -6580,6 +6880,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{sentence} It was not changed: move it away to have a new one written.</source>
         <translation>{sentence} Sie blieb unverändert: Verschieben Sie sie, damit sie neu geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>{share} and more</source>
+        <translation>{share} und mehr</translation>
     </message>
     <message>
         <source>{share} of the surface is thin: {features}. Refine the mesh there.</source>

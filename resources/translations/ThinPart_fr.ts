@@ -3590,6 +3590,10 @@ Son volume est inconnu.</translation>
         <translation>« {part} » est constitué de {count} solides, que FEM maille ensemble : séparez-les d'abord (atelier Part : Composé &gt; Éclater le composé), puis sélectionnez un solide.</translation>
     </message>
     <message>
+        <source>(in no folder of its own)</source>
+        <translation>(dans aucun dossier propre)</translation>
+    </message>
+    <message>
         <source>(the ring is at the thinnest wall)</source>
         <translation>(l’anneau marque la paroi la plus mince)</translation>
     </message>
@@ -3618,12 +3622,24 @@ Son volume est inconnu.</translation>
         <translation>--keep va avec --check, qui montre ce qui marche.</translation>
     </message>
     <message>
+        <source>--library reads info files only, and takes no {option}: leave it out.</source>
+        <translation>--library ne lit que des fichiers d’information et n’accepte pas {option} : omettez-le.</translation>
+    </message>
+    <message>
         <source>--like is for one part: name one file.</source>
         <translation>--like vaut pour une seule pièce : nommez un fichier.</translation>
     </message>
     <message>
         <source>--range takes the thinner wall first, then the thicker: not {low} and {high}.</source>
         <translation>--range prend d’abord la paroi la plus mince, puis la plus épaisse : pas {low} et {high}.</translation>
+    </message>
+    <message>
+        <source>1 document has no info file and is not on this page: 'thinpart classify' measures it.</source>
+        <translation>1 document n’a pas de fichier d’information et manque sur cette page : « thinpart classify » le mesure.</translation>
+    </message>
+    <message>
+        <source>1 part is not on the map: no wall was found opposite, or its surface is not closed.</source>
+        <translation>1 pièce n’est pas sur la carte : aucune paroi n’a été trouvée en face, ou sa surface n’est pas fermée.</translation>
     </message>
     <message>
         <source>1 warning</source>
@@ -3650,8 +3666,16 @@ Son volume est inconnu.</translation>
         <translation>Polyacétal (POM)</translation>
     </message>
     <message>
+        <source>Across:</source>
+        <translation>Horizontalement :</translation>
+    </message>
+    <message>
         <source>Acrylic (PMMA)</source>
         <translation>Acrylique (PMMA)</translation>
+    </message>
+    <message>
+        <source>Alike</source>
+        <translation>Semblables</translation>
     </message>
     <message>
         <source>Alike: {percent:.0f} % of the surface is the same, the rest up to {apart:.2g} apart.</source>
@@ -3664,6 +3688,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>All its triangles have zero area.</source>
         <translation>Tous ses triangles ont une aire nulle.</translation>
+    </message>
+    <message>
+        <source>All parts</source>
+        <translation>Toutes les pièces</translation>
     </message>
     <message>
         <source>All parts of this report</source>
@@ -3718,6 +3746,10 @@ Son volume est inconnu.</translation>
         <translation>Histogramme : part de la surface sur des parois de chaque épaisseur, jusqu’à {end} ; les parois sous {limit} comptent comme minces</translation>
     </message>
     <message>
+        <source>Belongs to</source>
+        <translation>Appartient à</translation>
+    </message>
+    <message>
         <source>Borderline: close to “{other}” ({margin} from the limit).</source>
         <translation>Cas limite : proche de « {other} » ({margin} de la limite).</translation>
     </message>
@@ -3736,6 +3768,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Brass, small casting</source>
         <translation>Laiton, petite pièce</translation>
+    </message>
+    <message>
+        <source>By category</source>
+        <translation>Par catégorie</translation>
     </message>
     <message>
         <source>By the paper's criteria: unknown. {reason}</source>
@@ -3786,8 +3822,16 @@ Son volume est inconnu.</translation>
         <translation>Parois continues d’épaisseur semblable, les identiques sur une ligne ; la plus mince d’abord</translation>
     </message>
     <message>
+        <source>Contents</source>
+        <translation>Sommaire</translation>
+    </message>
+    <message>
         <source>Could not be measured</source>
         <translation>N’a pas pu être mesuré</translation>
+    </message>
+    <message>
+        <source>Counts</source>
+        <translation>Nombres</translation>
     </message>
     <message>
         <source>Cutting the mid-faces of the walls to each other takes too long, as there are too many that nearly touch: mesh it as a solid.</source>
@@ -3846,12 +3890,32 @@ Son volume est inconnu.</translation>
         <translation>Faces : {faces}.</translation>
     </message>
     <message>
+        <source>Families</source>
+        <translation>Familles</translation>
+    </message>
+    <message>
+        <source>Family {number}: {part}, {count} parts</source>
+        <translation>Famille {number} : {part}, {count} pièces</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Remplissage</translation>
+    </message>
+    <message>
         <source>Fills little of its box</source>
         <translation>Remplit peu sa boîte englobante</translation>
     </message>
     <message>
         <source>Flat and about as long as wide</source>
         <translation>Plate et à peu près aussi longue que large</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
     </message>
     <message>
         <source>Free-standing</source>
@@ -3970,6 +4034,10 @@ Son volume est inconnu.</translation>
         <translation>Fonte grise</translation>
     </message>
     <message>
+        <source>Group {number}: {part}, {count} parts</source>
+        <translation>Groupe {number} : {part}, {count} pièces</translation>
+    </message>
+    <message>
         <source>Held on two sides</source>
         <translation>Tenue de deux côtés</translation>
     </message>
@@ -3984,6 +4052,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>How near it is to another category cannot be told.</source>
         <translation>La distance à une autre catégorie ne peut pas être donnée.</translation>
+    </message>
+    <message>
+        <source>Identical</source>
+        <translation>Identiques</translation>
     </message>
     <message>
         <source>Info files cannot be written into {folder} ({problem}): give another folder to --info-dir.</source>
@@ -4090,6 +4162,14 @@ Son volume est inconnu.</translation>
         <translation>Longueur, {unit}</translation>
     </message>
     <message>
+        <source>Library of 1 part</source>
+        <translation>Bibliothèque d’une pièce</translation>
+    </message>
+    <message>
+        <source>Library of {count} parts</source>
+        <translation>Bibliothèque de {count} pièces</translation>
+    </message>
+    <message>
         <source>Light alloys in green sand; iron needs more.</source>
         <translation>Alliages légers en sable vert ; la fonte demande plus.</translation>
     </message>
@@ -4138,12 +4218,28 @@ Son volume est inconnu.</translation>
         <translation>Créée par</translation>
     </message>
     <message>
+        <source>Made of what info files keep; no document was read.</source>
+        <translation>Établie à partir des fichiers d’information ; aucun document n’a été lu.</translation>
+    </message>
+    <message>
         <source>Magnesium, large casting</source>
         <translation>Magnésium, grande pièce</translation>
     </message>
     <message>
         <source>Magnesium, small casting</source>
         <translation>Magnésium, petite pièce</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Carte</translation>
+    </message>
+    <message>
+        <source>Map of the parts</source>
+        <translation>Carte des pièces</translation>
+    </message>
+    <message>
+        <source>Map of {count} parts: across, the median wall as a share of the diagonal of the box; upwards, the share of its box that a part fills</source>
+        <translation>Carte de {count} pièces : horizontalement, la paroi médiane en part de la diagonale de la boîte ; verticalement, la part de sa boîte que remplit une pièce</translation>
     </message>
     <message>
         <source>Margin</source>
@@ -4156,6 +4252,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Measured</source>
         <translation>Mesuré</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Médiane</translation>
     </message>
     <message>
         <source>Median of the local thickness, by the middle side</source>
@@ -4198,6 +4298,22 @@ Son volume est inconnu.</translation>
         <translation>Rapport du côté moyen au plus petit côté de la boîte englobante</translation>
     </message>
     <message>
+        <source>Mirror images of the part to keep.</source>
+        <translation>Images miroir de la pièce à conserver.</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation>Symétriques</translation>
+    </message>
+    <message>
+        <source>More than once</source>
+        <translation>En plusieurs exemplaires</translation>
+    </message>
+    <message>
+        <source>Most of the surface is the same, the rest is not: a hole more, another length.</source>
+        <translation>La plus grande part de la surface est la même, le reste non : un trou de plus, une autre longueur.</translation>
+    </message>
+    <message>
         <source>Name what to write: --png FILE, --vtp FILE or --ply FILE.</source>
         <translation>Indiquez ce qui est à écrire : --png FICHIER, --vtp FICHIER ou --ply FICHIER.</translation>
     </message>
@@ -4210,8 +4326,16 @@ Son volume est inconnu.</translation>
         <translation>Netgen a mis trop de temps</translation>
     </message>
     <message>
+        <source>Next parts</source>
+        <translation>Pièces suivantes</translation>
+    </message>
+    <message>
         <source>No criterion holds: its walls are thick all over.</source>
         <translation>Aucun critère n’est rempli : ses parois sont épaisses partout.</translation>
+    </message>
+    <message>
+        <source>No part has all of these words.</source>
+        <translation>Aucune pièce n’a tous ces mots.</translation>
     </message>
     <message>
         <source>No part is labelled {categories}: label at least {needed} parts of every category.</source>
@@ -4240,6 +4364,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>No wall of {part} is wide and thin enough for a shell: mesh it as a solid.</source>
         <translation>Aucune paroi de {part} n’est assez large et mince pour une coque : maillez la pièce comme solide.</translation>
+    </message>
+    <message>
+        <source>None of these folders has an info file of a part: 'thinpart classify' writes them.</source>
+        <translation>Aucun de ces dossiers n’a de fichier d’information d’une pièce : « thinpart classify » les écrit.</translation>
     </message>
     <message>
         <source>Normal part</source>
@@ -4294,6 +4422,10 @@ Son volume est inconnu.</translation>
         <translation>Nylon (PA)</translation>
     </message>
     <message>
+        <source>One form, wherever it lies, in whatever file, format or name.</source>
+        <translation>Une même forme, où qu’elle soit, quels que soient le fichier, le format et le nom.</translation>
+    </message>
+    <message>
         <source>One of the given paths is empty: name a file or a folder.</source>
         <translation>Un des chemins donnés est vide : indiquez un fichier ou un dossier.</translation>
     </message>
@@ -4322,12 +4454,24 @@ Son volume est inconnu.</translation>
         <translation>Pièce à zones minces</translation>
     </message>
     <message>
+        <source>Parts</source>
+        <translation>Pièces</translation>
+    </message>
+    <message>
+        <source>Parts whose faces are the same but for their sizes, with what varies, in {unit}.</source>
+        <translation>Pièces dont les faces sont les mêmes à leurs dimensions près, avec ce qui varie, en {unit}.</translation>
+    </message>
+    <message>
         <source>Passes</source>
         <translation>Conforme</translation>
     </message>
     <message>
         <source>Picture</source>
         <translation>Image</translation>
+    </message>
+    <message>
+        <source>Picture of {part}</source>
+        <translation>Image de {part}</translation>
     </message>
     <message>
         <source>Pieces that do not meet the rest were left out, {share:.2g} % of the volume: they belong to what is left solid.</source>
@@ -4340,6 +4484,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Plate</source>
         <translation>Plaque</translation>
+    </message>
+    <message>
+        <source>Point at a part to see it, click to find it in the table. With the keyboard: arrow keys go from part to part, Enter finds it in the table.</source>
+        <translation>Pointez une pièce pour la voir, cliquez pour la trouver dans le tableau. Au clavier : les flèches vont d’une pièce à l’autre, Entrée la trouve dans le tableau.</translation>
     </message>
     <message>
         <source>Polycarbonate (PC)</source>
@@ -4370,6 +4518,10 @@ Son volume est inconnu.</translation>
         <translation>Polyuréthane (PU)</translation>
     </message>
     <message>
+        <source>Previous parts</source>
+        <translation>Pièces précédentes</translation>
+    </message>
+    <message>
         <source>Probability: {probability}, next “{other}” with {others}.</source>
         <translation>Probabilité : {probability}, puis « {other} » avec {others}.</translation>
     </message>
@@ -4392,6 +4544,14 @@ Son volume est inconnu.</translation>
     <message>
         <source>Result</source>
         <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Risk</source>
+        <translation>Risque</translation>
+    </message>
+    <message>
+        <source>Risk of the automatic mesh</source>
+        <translation>Risque du maillage automatique</translation>
     </message>
     <message>
         <source>Risk of the automatic mesh: unknown, an earlier version measured the part. Measure it again (classify --force).</source>
@@ -4424,6 +4584,14 @@ Son volume est inconnu.</translation>
     <message>
         <source>Sand casting</source>
         <translation>Moulage en sable</translation>
+    </message>
+    <message>
+        <source>Scaled</source>
+        <translation>À une autre échelle</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Chercher</translation>
     </message>
     <message>
         <source>See</source>
@@ -4544,6 +4712,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Shortest side of the bounding box</source>
         <translation>Plus petit côté de la boîte englobante</translation>
+    </message>
+    <message>
+        <source>Show all {count}</source>
+        <translation>Tout afficher ({count})</translation>
     </message>
     <message>
         <source>Small castings of aluminium; large ones need about twice as much. The greatest section is that of DeGarmo, Black and Kohser (2003).</source>
@@ -4696,6 +4868,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>The file {file} no longer exists.</source>
         <translation>Le fichier {file} n’existe plus.</translation>
+    </message>
+    <message>
+        <source>The first part of a group is the one to keep: geometry before triangles, the one used most, with notes, in a document that FreeCAD can edit, with a name that somebody chose, the latest. The others are compared with it, by what info files keep of their form. Nothing is deleted.</source>
+        <translation>La première pièce d’un groupe est celle à conserver : la géométrie avant les triangles, la plus utilisée, avec des notes, dans un document que FreeCAD peut modifier, avec un nom que quelqu’un a choisi, la plus récente. Les autres lui sont comparées, d’après ce que les fichiers d’information gardent de leur forme. Rien n’est supprimé.</translation>
     </message>
     <message>
         <source>The folder for info files {folder} cannot be reached ({problem}): connect it, or choose another one in the preferences.</source>
@@ -4862,6 +5038,10 @@ Son volume est inconnu.</translation>
         <translation>La vue d’ensemble du rapport n’a pas pu être écrite dans {folder} ({problem}) : faites de la place et démarrez à nouveau.</translation>
     </message>
     <message>
+        <source>The page about the library could not be written into {folder} ({problem}): make room for it, and start again.</source>
+        <translation>La page sur la bibliothèque n’a pas pu être écrite dans {folder} ({problem}) : libérez de la place, et recommencez.</translation>
+    </message>
+    <message>
         <source>The page {page} could not be written ({problem}): make room, or give another folder for the report.</source>
         <translation>La page {page} n’a pas pu être écrite ({problem}) : faites de la place ou indiquez un autre dossier pour le rapport.</translation>
     </message>
@@ -4896,6 +5076,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>The profile {profile} has no category {categories}: labels by a program are of these.</source>
         <translation>Le profil {profile} n’a pas de catégorie {categories} : les étiquettes par un programme en sont.</translation>
+    </message>
+    <message>
+        <source>The same form in another size.</source>
+        <translation>La même forme dans une autre taille.</translation>
     </message>
     <message>
         <source>The same form, scaled: triangles lie at most {apart:.2g} from the other surface.</source>
@@ -4968,6 +5152,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>The surface was inside out and has been reversed.</source>
         <translation>La surface était à l’envers et a été retournée.</translation>
+    </message>
+    <message>
+        <source>The table and the search need JavaScript.</source>
+        <translation>Le tableau et la recherche nécessitent JavaScript.</translation>
     </message>
     <message>
         <source>The thickness map {file} cannot be read: measure the part again.</source>
@@ -5106,8 +5294,16 @@ Son volume est inconnu.</translation>
         <translation>La mémoire ne suffit pas pour cela.</translation>
     </message>
     <message>
+        <source>These are not among the parts above</source>
+        <translation>Ils ne sont pas parmi les pièces ci-dessus</translation>
+    </message>
+    <message>
         <source>These are not in the table above</source>
         <translation>Ils ne sont pas dans le tableau ci-dessus</translation>
+    </message>
+    <message>
+        <source>Thickness and box: {unit}. The fill is the share of its box that a part fills, V/VBB.</source>
+        <translation>Épaisseur et boîte : {unit}. Le remplissage est la part de sa boîte que remplit une pièce, V/VBB.</translation>
     </message>
     <message>
         <source>Thickness and box: {unit}. The margin is how far the deciding quantities lie from another category, relative to their thresholds.</source>
@@ -5290,6 +5486,10 @@ Son volume est inconnu.</translation>
         <translation>Le solide de {part} n’est pas dans le fichier. {problem}</translation>
     </message>
     <message>
+        <source>What shows it</source>
+        <translation>Ce qui le montre</translation>
+    </message>
+    <message>
         <source>Where it is thin</source>
         <translation>Où elle est mince</translation>
     </message>
@@ -5434,6 +5634,10 @@ Son volume est inconnu.</translation>
         <translation>barre</translation>
     </message>
     <message>
+        <source>below {share}</source>
+        <translation>moins de {share}</translation>
+    </message>
+    <message>
         <source>block</source>
         <translation>bloc</translation>
     </message>
@@ -5510,6 +5714,10 @@ Son volume est inconnu.</translation>
         <translation>échec</translation>
     </message>
     <message>
+        <source>family {number}</source>
+        <translation>famille {number}</translation>
+    </message>
+    <message>
         <source>far fewer tapered walls</source>
         <translation>beaucoup moins de parois obliques</translation>
     </message>
@@ -5532,6 +5740,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>fill not comparable</source>
         <translation>remplissage non comparable</translation>
+    </message>
+    <message>
+        <source>fill, V/VBB</source>
+        <translation>remplissage, V/VBB</translation>
     </message>
     <message>
         <source>fine</source>
@@ -5564,6 +5776,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>geometry, not triangles</source>
         <translation>une géométrie, pas des triangles</translation>
+    </message>
+    <message>
+        <source>group {number}</source>
+        <translation>groupe {number}</translation>
     </message>
     <message>
         <source>has a name of its own</source>
@@ -5690,6 +5906,10 @@ Son volume est inconnu.</translation>
         <translation>son {entry} dépasserait {gigabytes} Go</translation>
     </message>
     <message>
+        <source>keep</source>
+        <translation>à conserver</translation>
+    </message>
+    <message>
         <source>layers in its thin walls</source>
         <translation>couches dans les parois minces</translation>
     </message>
@@ -5714,8 +5934,20 @@ Son volume est inconnu.</translation>
         <translation>boîte plus longue</translation>
     </message>
     <message>
+        <source>longest side</source>
+        <translation>plus long côté</translation>
+    </message>
+    <message>
         <source>look in FreeCAD what 'Check geometry' says about it</source>
         <translation>voyez dans FreeCAD ce qu’en dit « Vérifier la géométrie »</translation>
+    </message>
+    <message>
+        <source>median wall / diagonal of the box</source>
+        <translation>paroi médiane / diagonale de la boîte</translation>
+    </message>
+    <message>
+        <source>middle side</source>
+        <translation>côté moyen</translation>
     </message>
     <message>
         <source>more filled</source>
@@ -5794,6 +6026,10 @@ Son volume est inconnu.</translation>
         <translation>une seule taille, car rien de plus fin ne se maille</translation>
     </message>
     <message>
+        <source>other</source>
+        <translation>autre</translation>
+    </message>
+    <message>
         <source>parts of its surface</source>
         <translation>des parties de sa surface</translation>
     </message>
@@ -5814,6 +6050,10 @@ Son volume est inconnu.</translation>
         <translation>proportions non comparables</translation>
     </message>
     <message>
+        <source>radius {number}</source>
+        <translation>rayon {number}</translation>
+    </message>
+    <message>
         <source>same fill</source>
         <translation>même remplissage</translation>
     </message>
@@ -5832,6 +6072,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>shorter box</source>
         <translation>boîte plus courte</translation>
+    </message>
+    <message>
+        <source>shortest side</source>
+        <translation>plus petit côté</translation>
     </message>
     <message>
         <source>similar proportions</source>
@@ -5974,6 +6218,14 @@ Son volume est inconnu.</translation>
         <translation>zones minces</translation>
     </message>
     <message>
+        <source>thinnest wall</source>
+        <translation>paroi la plus mince</translation>
+    </message>
+    <message>
+        <source>thinnest wall, {unit}</source>
+        <translation>paroi la plus mince, {unit}</translation>
+    </message>
+    <message>
         <source>thread {least} to {thickness} thick</source>
         <translation>filet de {least} à {thickness}</translation>
     </message>
@@ -5994,8 +6246,16 @@ Son volume est inconnu.</translation>
         <translation>inconnu</translation>
     </message>
     <message>
+        <source>unsure</source>
+        <translation>incertain</translation>
+    </message>
+    <message>
         <source>used {count} times</source>
         <translation>utilisée {count} fois</translation>
+    </message>
+    <message>
+        <source>varies: {names}</source>
+        <translation>varie : {names}</translation>
     </message>
     <message>
         <source>version is {version}, and this reads version 1</source>
@@ -6016,6 +6276,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>walls thinner than {limit} over {share} of the surface</source>
         <translation>parois plus minces que {limit} sur {share} de la surface</translation>
+    </message>
+    <message>
+        <source>words of names and folders</source>
+        <translation>mots des noms et des dossiers</translation>
     </message>
     <message>
         <source>wrong usage of the command</source>
@@ -6058,6 +6322,14 @@ Son volume est inconnu.</translation>
         <translation>{category!r} n’est pas une catégorie : il y a {known}.</translation>
     </message>
     <message>
+        <source>{category}, thinnest wall {thinnest}, median {median}, fill {fill}</source>
+        <translation>{category}, paroi la plus mince {thinnest}, médiane {median}, remplissage {fill}</translation>
+    </message>
+    <message>
+        <source>{command} compares the documents themselves.</source>
+        <translation>{command} compare les documents eux-mêmes.</translation>
+    </message>
+    <message>
         <source>{condition} never holds, because it is never above {limit:g}</source>
         <translation>{condition} n’est jamais vrai, car la valeur n’est jamais supérieure à {limit:g}</translation>
     </message>
@@ -6074,6 +6346,10 @@ Son volume est inconnu.</translation>
         <translation>{count:.0f} arêtes plus courtes que {limit}, la plus courte {shortest}, 1/{part:.0f} d'un élément</translation>
     </message>
     <message>
+        <source>{count} documents have no info file and are not on this page: 'thinpart classify' measures them.</source>
+        <translation>{count} documents n’ont pas de fichier d’information et manquent sur cette page : « thinpart classify » les mesure.</translation>
+    </message>
+    <message>
         <source>{count} documents of the library are called {file!r}: write the path</source>
         <translation>{count} documents de la bibliothèque s’appellent {file!r} : écrivez le chemin</translation>
     </message>
@@ -6082,8 +6358,28 @@ Son volume est inconnu.</translation>
         <translation>{count} triangles en double ont été omis.</translation>
     </message>
     <message>
+        <source>{count} more</source>
+        <translation>{count} autres</translation>
+    </message>
+    <message>
         <source>{count} more faces</source>
         <translation>{count} autres faces</translation>
+    </message>
+    <message>
+        <source>{count} more folders</source>
+        <translation>{count} autres dossiers</translation>
+    </message>
+    <message>
+        <source>{count} of them are unsure: close to another category.</source>
+        <translation>{count} d’entre elles sont incertaines : proches d’une autre catégorie.</translation>
+    </message>
+    <message>
+        <source>{count} parts are not on the map: no wall was found opposite, or their surface is not closed.</source>
+        <translation>{count} pièces ne sont pas sur la carte : aucune paroi n’a été trouvée en face, ou leur surface n’est pas fermée.</translation>
+    </message>
+    <message>
+        <source>{count} parts were measured by an earlier version and are not compared: 'thinpart classify' measures their documents again.</source>
+        <translation>{count} pièces ont été mesurées par une version antérieure et ne sont pas comparées : « thinpart classify » mesure de nouveau leurs documents.</translation>
     </message>
     <message>
         <source>{count} ribs of {thickness} ({share} of the width)</source>
@@ -6354,6 +6650,10 @@ Son volume est inconnu.</translation>
         <translation>{first} et {second} s’excluent</translation>
     </message>
     <message>
+        <source>{first} to {last} of {count} parts</source>
+        <translation>{first} à {last} sur {count} pièces</translation>
+    </message>
+    <message>
         <source>{first} {next}</source>
         <translation>{first} {next}</translation>
     </message>
@@ -6580,6 +6880,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{sentence} It was not changed: move it away to have a new one written.</source>
         <translation>{sentence} Il est resté inchangé : déplacez-le pour qu’il soit réécrit.</translation>
+    </message>
+    <message>
+        <source>{share} and more</source>
+        <translation>{share} et plus</translation>
     </message>
     <message>
         <source>{share} of the surface is thin: {features}. Refine the mesh there.</source>

@@ -145,6 +145,11 @@ def content_of(folder):
                    path.lstat().st_ino) for path in sorted(folder.rglob("*"))}
 
 
+def bytes_of(folder):
+    """The same, whoever wrote it: a mark may be written anew before a picture is refused."""
+    return {path: content for path, (content, _) in content_of(folder).items()}
+
+
 def refused(place, command, option, output, *more):
     """Whether a command refuses an output before it reads anything, and leaves everything as it was; in one sentence."""
     before = content_of(place)
@@ -208,7 +213,8 @@ WRITTEN = {
 @pytest.mark.parametrize("command", WRITTEN)
 def test_what_thinpart_wrote_is_written_anew_and_what_it_did_not_write_where_the_user_says_so(place, command):
     more, options = WRITTEN[command]
-    arguments = [command, "part.step", *more, *(each for pair in options.items() for each in pair)]
+    arguments = [command, "library" if command == "duplicates" else "part.step", *more,
+                 *(each for pair in options.items() for each in pair)]
     outputs = [place / name for name in options.values()]
     for output in outputs:
         if output.suffix != ".ply":
@@ -324,6 +330,26 @@ def test_a_report_replaces_its_own_files_alone(place):
         before = content_of(place)
         assert main(["report", "part.step", "-o", str(folder)]) == 2 and content_of(place) == before
         (folder / name).write_bytes(kept)
+
+
+def test_a_page_about_a_library_replaces_its_own_files_alone(place):
+    folder, arguments = place / "report", ["report", "--library", "library", "-o", "report"]
+    for _ in range(2):
+        assert main(arguments) == 0
+    files = sorted(path for path in folder.rglob("*") if path.is_file())
+    assert [path.suffix for path in files] == [".html", ".png", ".json"]
+    for file in files:
+        kept = file.read_bytes()
+        for make in (_foreign, *NEVER):
+            file.unlink()
+            make(file, place / "library" / "plate.step" if make is not _info_file else place / "part.step")
+            before = bytes_of(place)
+            assert main(arguments) == 2 and bytes_of(place) == before, make
+            if make is not _foreign and (make is not _hard_link or file.suffix != ".png"):
+                assert main([*arguments, "--overwrite"]) == 2 and bytes_of(place) == before, make
+        file.unlink()
+        file.write_bytes(kept)
+    assert main(arguments) == 0
 
 
 def test_pages_of_others_stay(tmp_path):

@@ -9,80 +9,16 @@ import shutil
 import signal
 import subprocess
 import sys
-from html.parser import HTMLParser
 from pathlib import Path
-from urllib.parse import unquote_to_bytes
 
 import pytest
 import time_limit
 from program import ROOT, SAMPLES, group_ended, thinpart
+from read_page import Page, pages
 
 from thinpart_workbench.core.judging.criteria import load_profile
 
-VOID = {"meta", "link", "br", "img", "input", "hr", "image", "rect", "line", "circle", "stop"}
 HOSTILE = "<script>alert('1')</script> \"&amp; \x1b[31m \u202e"
-
-
-class Page(HTMLParser):
-    """A page that was read: every tag is closed, and what it refers to is known."""
-
-    def __init__(self, path):
-        super().__init__(convert_charrefs=True)
-        self.open, self.tags, self.references, self.words = [], [], [], []
-        self.path = path
-        self.feed(path.read_bytes().decode("utf-8"))
-        self.close()
-        assert self.open == [], path
-
-    def handle_starttag(self, tag, attributes):
-        self.tags.append((tag, dict(attributes)))
-        self.references += [value for name, value in attributes if name in ("href", "src", "action", "data")]
-        if tag not in VOID:
-            self.open.append(tag)
-
-    def handle_startendtag(self, tag, attributes):
-        self.handle_starttag(tag, attributes)
-        if tag not in VOID:
-            self.open.pop()
-
-    def handle_endtag(self, tag):
-        if tag not in VOID:
-            assert self.open.pop() == tag, self.path
-
-    def handle_data(self, data):
-        if self.open and self.open[-1] not in ("style", "script"):
-            self.words.append(data)
-
-    @property
-    def text(self):
-        return " ".join(" ".join(self.words).split())
-
-    def count(self, tag):
-        return sum(each == tag for each, _ in self.tags)
-
-    def targets(self):
-        """Files beside the page that it refers to, by their bytes."""
-        for reference in self.references:
-            if not reference.startswith(("data:", "#")):
-                yield Path(os.fsdecode(os.path.join(
-                    os.fsencode(self.path.parent), unquote_to_bytes(reference))))
-
-
-def pages(folder):
-    """Every page of a report by its name, each checked on its own."""
-    found = {}
-    for path in folder.rglob("*.html"):
-        page = found[path.relative_to(folder).as_posix()] = Page(path)
-        assert page.count("h1") == 1
-        assert not [each for each in page.references if re.match(r"(?!data:)\w+:|//", each)], path
-        assert all(target.exists() for target in page.targets()), path
-        assert not re.search(rb"url\((?!#)|@import", path.read_bytes())
-        assert all(attributes.get("alt") is not None for tag, attributes in page.tags if tag == "img")
-        drawn = [attributes for tag, attributes in page.tags if tag == "svg"]
-        assert all(attributes["role"] == "img" and attributes["aria-label"] for attributes in drawn)
-        headings = [attributes for tag, attributes in page.tags if tag == "th"]
-        assert headings and all("scope" in attributes for attributes in headings)
-    return found
 
 
 def read_csv(path):
@@ -341,3 +277,53 @@ def test_pictures_can_show_balls_while_the_verdict_is_by_rays(tmp_path):
     assert "Colours stand for the local thickness" in said["local"][0]
     assert "largest ball inside" in said["sphere"][0] and "largest ball inside" not in said["rays"][0]
     assert re.findall("base64,([^\"]+)", said["rays"][0])[0] != re.findall("base64,([^\"]+)", said["sphere"][0])[0]
+
+
+@pytest.fixture(scope="module")
+def library(tmp_path_factory):
+    """Classified samples, one of them twice, and a file that is none."""
+    folder = tmp_path_factory.mktemp("library") / "parts"
+    (folder / "old").mkdir(parents=True)
+    for name in ("plate.step", "tube.step"):
+        shutil.copy(SAMPLES / name, folder)
+    shutil.copy(SAMPLES / "plate.step", folder / "old" / "plate <b>.step")
+    assert thinpart("classify", folder).returncode == 0
+    (folder / "damaged.step").write_text("ISO-10303-21;\nthis is no STEP file\n")
+    return folder
+
+
+def test_a_page_about_a_library_reads_no_document(library, tmp_path):
+    moved = shutil.copytree(library, tmp_path / "parts", copy_function=shutil.copy2)
+    for name in ("plate.step", "tube.step"):
+        os.truncate(moved / name, 0)  # whoever reads it fails
+    run = thinpart("report", "--library", moved, "-o", tmp_path / "out")
+    assert run.returncode == 0 and run.stdout == f"{tmp_path / 'out' / 'library.html'}\n"
+    assert "1 document has no info file and is not on the page" in run.stderr
+    page = pages(tmp_path / "out")["library.html"]
+    assert "Library of 3 parts" in page.text and "The documents are the same, byte by byte." in page.text
+    assert "old/plate <b>.step" in page.text and "damaged.step" in page.text
+    pictures = [attributes["src"] for tag, attributes in page.tags if tag == "img"]
+    assert len(pictures) == 2 and all((tmp_path / "out" / each).is_file() for each in pictures)
+    assert len(list((tmp_path / "out" / "pictures").rglob("*.png"))) == 2  # copies share theirs
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == ["library.html", "pictures", "thinpart-report.json"]
+
+
+@pytest.mark.parametrize("options", [("--json",), ("--check", "FDM"), ("--info-dir", "x"), ("--include", "*.step"),
+                                     ("--profile", "paper"), ("--jobs", "1000")])
+def test_a_page_about_a_library_takes_no_options_about_documents(library, tmp_path, options):
+    run = thinpart("report", "--library", library, "-o", tmp_path / "out", *options)
+    assert run.returncode == 2 and not (tmp_path / "out").exists()
+    assert run.stderr == f"thinpart: --library reads info files only, and takes no {options[0]}: leave it out.\n"
+
+
+def test_a_page_about_a_library_is_about_folders(library, tmp_path):
+    for wrong, said in ((library / "plate.step", "is a file: name the folder of a library"),
+                        (library / "nowhere", "There is no folder")):
+        run = thinpart("report", "--library", wrong, "-o", tmp_path / "out")
+        assert run.returncode in (1, 2) and said in run.stderr and not (tmp_path / "out").exists()
+
+
+def test_a_library_beside_one_that_is_missing_is_shown_and_the_other_named(library, tmp_path):
+    run = thinpart("report", "--library", library, library.parent / "nowhere", "-o", tmp_path / "out", "--language", "de")
+    assert run.returncode == 1 and "There is no folder" in run.stderr
+    assert "Bibliothek mit 3 Teilen" in pages(tmp_path / "out")["library.html"].text

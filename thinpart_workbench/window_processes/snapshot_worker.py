@@ -58,7 +58,7 @@ def _measure(request, snapshots, parent):
 
 def _new_report(folder, wanted):
     # Imported here: a report needs Jinja2, a measurement does not.
-    from ..api.report_folder import OpenDocumentReport
+    from ..api.report.report_folder import OpenDocumentReport
     from ..api.snapshots import read_snapshot
 
     job, _ = read_snapshot(folder)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import FreeCAD as App
 
-from ...api.report_folder import LANGUAGES, OVERVIEW
+from ...api.report.report_folder import LANGUAGES, OVERVIEW
 from ...api.window.open_parts import content_of
 from ...api.window.profiles import preferred_profile
 from ...core.analysis_settings import RAY

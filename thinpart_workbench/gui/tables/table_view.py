@@ -94,7 +94,7 @@ class TableView(QtWidgets.QTableView):
         # Headings give way before what stands below them: they have tool tips.
         for number in shown:
             if not columns[number].least:
-                content = max(self.sizeHintForColumn(number) + 4, 3 * letter)
+                content = max(self.sizeHintForColumn(number) + 4, 3 * letter, header.minimumSectionSize())
                 widths[number] -= max(0, min(widths[number] - content, sum(widths.values()) - self.viewport().width()))
         # The one with most to give gives way first, so that a long message does not push the numbers out of view.
         spare = {number: widths[number] - columns[number].least * letter for number in shown if columns[number].least}

@@ -38,10 +38,10 @@ def element(tag, *content, **attributes):
     return made
 
 
-def own_file(tag):
-    """The element ``style`` or ``script`` with ThinPart's own file."""
+def own_file(tag, name=None):
+    """The element ``style`` or ``script`` with a file of ThinPart's own, by default the one of most pages."""
     made = ElementTree.Element(tag)
-    made.text = (FILES / _RAW[tag]).read_text(encoding="utf-8")
+    made.text = (FILES / (name or _RAW[tag])).read_text(encoding="utf-8")
     return made
 
 

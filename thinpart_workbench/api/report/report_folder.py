@@ -1,38 +1,34 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The folder of a report, with its marker file, overview and tables; and a report about an open document."""
 
-import json
 import os
 import tempfile
 from collections import Counter, namedtuple
 
-from .. import __version__
-from ..core.analysis_settings import RAY
-from ..core.errors import ThinPartError
-from ..core.foreign_text import csv_form
-from ..core.judging.criteria import NORMAL, UNKNOWN, profile_from
-from ..core.judging.wall_check import check_walls
-from ..core.kinds.file_marks import PAGE, REPORT, TABLE
-from ..core.length_unit import MILLIMETRE, UNITS
-from ..core.message import message
-from ..freecad_adapter.reading.linked_files import linked_files
-from ..storage.face_table import FACES
-from ..storage.info.info_file import new_source
-from ..storage.info.info_location import call_in_folder, info_location
-from ..storage.output_file import check_output, write_output
-from ..storage.part_table import checked_row, failed_row, part_table, write_table
-from ..storage.user_limits import limits_named
-from ..workflow.report import page_language
-from ..workflow.report.overview_page import overview_page
-from ..workflow.report.page_language import ENGLISH
-from ..workflow.report.report_pages import PageMaker, ReportPages, address
-
-MARK = "thinpart-report.json"
-"""File that marks the folder of a report; it is written before the first page."""
+from ...core.analysis_settings import RAY
+from ...core.errors import ThinPartError
+from ...core.foreign_text import csv_form
+from ...core.judging.criteria import NORMAL, UNKNOWN, profile_from
+from ...core.judging.wall_check import check_walls
+from ...core.kinds.file_marks import PAGE, TABLE
+from ...core.length_unit import MILLIMETRE, UNITS
+from ...core.message import message
+from ...freecad_adapter.reading.linked_files import linked_files
+from ...storage.face_table import FACES
+from ...storage.info.info_file import new_source
+from ...storage.info.info_location import call_in_folder, info_location
+from ...storage.output_file import write_output
+from ...storage.part_table import checked_row, failed_row, part_table, write_table
+from ...storage.user_limits import limits_named
+from ...workflow.report import page_language
+from ...workflow.report.marked_folder import prepare_folder
+from ...workflow.report.overview_page import overview_page
+from ...workflow.report.page_language import ENGLISH
+from ...workflow.report.report_pages import PageMaker, ReportPages, address
 
 OVERVIEW = "index.html"
 
-_FILES = {MARK: REPORT, OVERVIEW: PAGE, "parts.csv": TABLE, "faces.csv": TABLE}
+_FILES = {OVERVIEW: PAGE, "parts.csv": TABLE, "faces.csv": TABLE}
 """Files of a report beside its pages, and their marks."""
 
 LANGUAGES = page_language.LANGUAGES
@@ -89,7 +85,7 @@ class ReportFolder:
         self._parts, self._failures, self._part_blocks = [], [], []
         self._face_blocks = []  # (document, start, length) of its rows in the temporary file
         self._replacing = {"overwrite": overwrite, "inputs": inputs}
-        _prepare(self.folder, folder, self._replacing)
+        prepare_folder(self.folder, folder, _FILES, **self._replacing)
         self._faces = tempfile.TemporaryFile(dir=self.folder)
 
     @property
@@ -244,27 +240,3 @@ def _summary(record, pages, checks):
         tuple(measured["box_mm"]), measured["diagonal_mm"], len(record["warnings"]), address(pages.page(record["name"])),
         address(pages.picture(record["name"])), checks,
     )
-
-
-def _prepare(path, given_name, replacing):
-    """Create the folder, or reuse that of an earlier report."""
-    try:
-        os.makedirs(path, exist_ok=True)
-        entries = os.listdir(path)
-        if entries and MARK not in entries and not replacing["overwrite"]:
-            raise ThinPartError(
-                message("{folder} already exists and is not the folder of a report: it was not changed; give a new or "
-                        "an empty folder.", folder=given_name), "usage")
-        for name, mark in _FILES.items():
-            check_output(os.path.join(path, name), mark, **replacing)
-        content = {"format": REPORT.format, "version": 1, "software": __version__}
-        write_output(os.path.join(path, MARK), json.dumps(content).encode() + b"\n", REPORT, **replacing)
-    except FileExistsError:
-        raise _not_writable(given_name, message("it is a file")) from None
-    except OSError as error:
-        raise _not_writable(given_name, error.strerror) from None
-
-
-def _not_writable(given_name, problem):
-    return ThinPartError(message("No report can be written into {folder} ({problem}): give another folder.",
-                                 folder=given_name, problem=problem), "usage")
