@@ -53,13 +53,13 @@ class DuplicateRows(KeptRows):
                 "dimensions", translate("ThinPart", "Dimensions that vary"), lambda row: "", dimensions_text, most=60,
                 least=16, stretches=True)]
         return [
-            group, Column("kind", translate("ThinPart", "Kind"), kind_text, most=24, least=10), part, file,
+            group, Column("kind", translate("ThinPart", "Kind"), kind_text, most=24, least=14), part, file,
             Column("greatest_mm", translate("ThinPart", "Apart, {}"), lambda row: row.greatest_mm, _length_or_none,
-                   is_number=True, has_unit=True, most=10, least=10,
+                   is_number=True, has_unit=True, most=13, least=13,
                    meaning=translate("ThinPart", "How far a place of one of the two surfaces is from the other at most")),
             Column("same_share", translate("ThinPart", "Same"), lambda row: row.same_share,
-                   lambda row, unit: "" if row.same_share is None else percent(row.same_share), is_number=True, most=8,
-                   least=7, meaning=translate("ThinPart", "Share of the surface that is the same: the less of both")),
+                   lambda row, unit: "" if row.same_share is None else percent(row.same_share), is_number=True, most=9,
+                   least=9, meaning=translate("ThinPart", "Share of the surface that is the same: the less of both")),
             Column("says", translate("ThinPart", "Evidence"), lambda row: row.says,
                    lambda row, unit: evidence_text(row, unit), tip=evidence_text, most=60, least=16, stretches=True),
         ]
