@@ -112,7 +112,7 @@ def test_the_difference_to_the_one_to_keep_is_shown(library):
     search(BY_RECORDS)
     view = dock.findChild(DuplicatesView)
     view.selectRow(0)
-    assert not window.is_shown("ThinPart_KnownText")
+    assert window.text("ThinPart_KnownText") == "Kept because: the latest" and not window.is_shown("ThinPart_OpenKnown")
     view.selectRow(7)
     assert "It is 4 mm longer." in window.text("ThinPart_KnownText").replace("\u00a0", " ")
     window.click("ThinPart_ShowDifference")

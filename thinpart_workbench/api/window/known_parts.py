@@ -33,21 +33,7 @@ def part_in_libraries(record, roots, info_file=None):
     True
     """
     with Libraries(roots) as libraries:
-        found = known_part(libraries.indexes, record, info_file)
-    if found is None:
-        return None
-    file = os.path.basename(found.stored.file)
-    if found.kind == IDENTICAL:
-        sentence = message("Your libraries have this part: {file}.", file=file)
-    elif found.kind == MIRRORED:
-        sentence = message("Your libraries have its mirror image: {file}.", file=file)
-    elif found.kind == ALIKE:
-        sentence = message("Your libraries have one like it: {file}. {evidence}", file=file, evidence=found.evidence["says"])
-    else:
-        sentence = message("Your libraries have it in another size: this is {scale:.6g} times {file}.",
-                           scale=found.evidence["scale"], file=file)
-    return {"sentence": sentence, "kind": found.kind, "file": found.stored.file, "info_file": found.stored.info_file,
-            "name": found.stored.name}
+        return _known(libraries, record, info_file)
 
 
 def document_in_libraries(info_file, roots):
@@ -66,7 +52,26 @@ def document_in_libraries(info_file, roots):
     []
     """
     records = stored_records(info_file)
-    known = [(record["label"], part_in_libraries(record, roots, info_file)) for record in records]
+    with Libraries(roots) as libraries:
+        known = [(record["label"], _known(libraries, record, info_file)) for record in records]
     return list(dict.fromkeys(
         each["sentence"] if len(records) == 1 else message("{part}: {sentence}", part=label, sentence=each["sentence"])
         for label, each in known if each is not None))
+
+
+def _known(libraries, record, info_file):
+    found = known_part(libraries.indexes, record, info_file)
+    if found is None:
+        return None
+    file = os.path.basename(found.stored.file)
+    if found.kind == IDENTICAL:
+        sentence = message("Your libraries have this part: {file}.", file=file)
+    elif found.kind == MIRRORED:
+        sentence = message("Your libraries have its mirror image: {file}.", file=file)
+    elif found.kind == ALIKE:
+        sentence = message("Your libraries have one like it: {file}. {evidence}", file=file, evidence=found.evidence["says"])
+    else:
+        sentence = message("Your libraries have it in another size: this is {scale:.6g} times {file}.",
+                           scale=found.evidence["scale"], file=file)
+    return {"sentence": sentence, "kind": found.kind, "file": found.stored.file, "info_file": found.stored.info_file,
+            "name": found.stored.name}

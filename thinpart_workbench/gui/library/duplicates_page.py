@@ -100,6 +100,7 @@ class DuplicatesPage(QtWidgets.QWidget):
             self._roots = list(roots)
             self.cancel()
             self.view.show_kind(False)
+            self._show_current(None)
             self._say("" if roots else translate("ThinPart", "Add a folder with classified parts under 'Libraries'."))
 
     def search(self):
@@ -107,6 +108,7 @@ class DuplicatesPage(QtWidgets.QWidget):
         self.cancel()
         way = self._way.currentIndex()
         self.view.show_kind(way == FAMILIES)
+        self._show_current(None)
         if way == FAMILIES:
             self._request = self._queue.ask(_FAMILIES, roots=self._roots)
         else:

@@ -13,6 +13,9 @@ from .thumbnails import RowPictures
 
 _REFERENCE = "reference"
 
+_LEAST_SAID = 1e-4
+"""Distance, mm, that is said where it is less, as in the sentences."""
+
 
 class DuplicateRows(KeptRows):
     """Model of rows of `duplicate_rows`, or of `family_rows`.
@@ -43,20 +46,20 @@ class DuplicateRows(KeptRows):
     def _columns(self, is_families):
         group = Column("group", translate("ThinPart", "No."), lambda row: row.group, lambda row, unit: number(row.group),
                        is_number=True, most=6, meaning=translate("ThinPart", "Number of the group"))
-        part = Column("label", translate("ThinPart", "Part"), part_name, picture=self.pictures.of, most=30, least=12)
+        part = Column("label", translate("ThinPart", "Part"), part_name, picture=self.pictures.of, most=30, least=20)
         file = Column("file", translate("ThinPart", "File"), lambda row: row.place, is_path=True, most=34, least=10)
         if is_families:
             return [group, part, file, Column(
                 "dimensions", translate("ThinPart", "Dimensions that vary"), lambda row: "", dimensions_text, most=60,
                 least=16, stretches=True)]
         return [
-            group, Column("kind", translate("ThinPart", "Kind"), kind_text, most=24), part, file,
+            group, Column("kind", translate("ThinPart", "Kind"), kind_text, most=24, least=14), part, file,
             Column("greatest_mm", translate("ThinPart", "Apart, {}"), lambda row: row.greatest_mm, _length_or_none,
-                   is_number=True, has_unit=True, most=10,
+                   is_number=True, has_unit=True, most=13, least=13,
                    meaning=translate("ThinPart", "How far a place of one of the two surfaces is from the other at most")),
             Column("same_share", translate("ThinPart", "Same"), lambda row: row.same_share,
-                   lambda row, unit: "" if row.same_share is None else percent(row.same_share), is_number=True, most=8,
-                   meaning=translate("ThinPart", "Share of the surface that is the same: the less of both")),
+                   lambda row, unit: "" if row.same_share is None else percent(row.same_share), is_number=True, most=9,
+                   least=9, meaning=translate("ThinPart", "Share of the surface that is the same: the less of both")),
             Column("says", translate("ThinPart", "Evidence"), lambda row: row.says,
                    lambda row, unit: evidence_text(row, unit), tip=evidence_text, most=60, least=16, stretches=True),
         ]
@@ -142,4 +145,4 @@ def _families_form():
 
 
 def _length_or_none(row, unit):
-    return "" if row.greatest_mm is None else unit.number(row.greatest_mm, 2)
+    return "" if row.greatest_mm is None else unit.number(max(row.greatest_mm, _LEAST_SAID), 2)
