@@ -39,10 +39,10 @@ def _record(shape):
     return measured_record(shape, SHAPES[shape]())
 
 
-def measured_record(label, shape):
+def measured_record(label, shape, settings=AnalysisSettings(minimum_samples=2000)):
     """The part record of a shape of `made_meshes`."""
     mesh = surface_mesh(*shape)
-    measurement = measure(mesh, AnalysisSettings(minimum_samples=2000))
+    measurement = measure(mesh, settings)
     verdict = classify(measurement.descriptors, PAPER)
     part = SimpleNamespace(name="Solid1", label=label, instances=1, warnings=(), face_surfaces=None)
     record = part_record(part, mesh, measurement, verdict, verdict,

@@ -100,7 +100,7 @@ TABLE = (
                 ("learn --from-meshing", "learn --from-solver", "size --check", "size --shell", "test")),
     Requirement("calculix-ccx", "solves parts, to label them by it", _program("ccx"), ("learn --from-solver", "test")),
     Requirement("python3-distributed", "spreads the work over a cluster", _module("distributed"),
-                ("classify --dask", "test")),
+                ("classify --dask", "duplicates --dask", "test")),
     Requirement("python3-pytest", "runs the tests", _module("pytest"), ("test",)),
     Requirement("python3-pytest-timeout", "ends a test that hangs", _module("pytest_timeout"), ("test",)),
     Requirement("python3-pytest-xdist", "runs tests on all cores", _module("xdist"), ("test",)),

@@ -497,6 +497,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Apart, {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Area of both of its sides</source>
         <translation type="unfinished"></translation>
     </message>
@@ -582,6 +586,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -757,11 +765,19 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Colour in the view what only one of the two parts has; the document stays as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Colour thin faces</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Colour where no wall could be measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coloured where the two are more than {} apart; at most it is {}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -778,6 +794,22 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Compared with what the info file said before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compared: {} parts. Groups: {}. Parts besides those to keep: {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compared: {} parts. None of them is there twice, mirrored, in another size, or alike.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comparing the two…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comparing: {} of {}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -845,6 +877,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Dimensions that vary</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Display</source>
         <translation type="unfinished"></translation>
     </message>
@@ -866,6 +902,18 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Drag it in the view to move it, a corner of it to size it; a right click has more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicates, quickly: by what info files keep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicates, surely: the documents are read</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -921,6 +969,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Evidence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Exclude a wall</source>
         <translation type="unfinished"></translation>
     </message>
@@ -958,6 +1010,14 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Failed: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Families: parts that differ in dimensions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Families: {}. Parts in them: {}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1109,6 +1169,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>How far a place of one of the two surfaces is from the other at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>How far it is from each point of the surface straight through the material to the other side. Verdicts are always judged by it.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1173,7 +1237,15 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Kept because: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Kept in the info file, also when the part is measured again; the verdict does not change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1481,6 +1553,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>No place is more than {} apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No program was found that opens {}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1501,7 +1577,15 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>No.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Normal part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not compared, because an earlier version has measured them: {}. Classify them again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1534,6 +1618,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Number of files of a folder that are measured at the same time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of the group</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1586,6 +1674,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1821,6 +1913,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Save</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1881,7 +1977,19 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Search in it…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Searching for duplicates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Searching…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1933,6 +2041,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Share of the surface that is the same: the less of both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Shell: its mid-surface</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1966,6 +2078,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Show sizes on the part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the difference</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2137,6 +2253,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The document has changed since it was measured: classify it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The document has changed since it was measured: no info file was written. Classify it again.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2249,6 +2369,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The same part, its mirror image, another size, or one like it; each is said once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The second bound has to be greater than the first.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2310,6 +2434,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>There are no classified parts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no families.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2573,6 +2701,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>When libraries have a part already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>When the category of a part changes</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2662,6 +2794,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>about {} left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>alike</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2773,6 +2909,14 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>height {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>identical</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>in</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2813,6 +2957,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>length {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>limit {}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2830,6 +2978,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>min {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mirror image</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2877,6 +3029,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>not in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>not measured</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2902,6 +3058,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>only as the verdict needs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only in {}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2938,6 +3098,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>quality of the elements (gamma)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radius {}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3037,6 +3201,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>to keep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>tooth</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3065,7 +3233,15 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>wall {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>wedge {:g}–{:g}°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>width {}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3146,6 +3322,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{} has no info file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} has several parts, of which none is named {}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3249,6 +3429,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{} times as large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{} to {}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3298,6 +3482,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{}, and share of the diagonal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}, mirrored</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3492,6 +3680,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Alike: {percent:.0f} % of the surface is the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>All its triangles have zero area.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3521,6 +3713,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Aluminium, small casting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An earlier version has measured {file}: classify it again, to compare it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5464,6 +5660,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>can be edited in FreeCAD</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>colours stand for the largest ball inside that touches the surface</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5572,7 +5772,19 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>geometry, not triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>group {number}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has a name of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has notes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5912,6 +6124,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the first of equals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the first wall along the inward normal</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5921,6 +6137,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>the info file could not be written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the latest</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6025,6 +6245,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>unsure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>used {count} times</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6521,6 +6745,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{part} needs more than {megabytes} MB of memory: raise the limit in the preferences.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{part}: {sentence}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -499,6 +499,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Antworten</translation>
     </message>
     <message>
+        <source>Apart, {}</source>
+        <translation>Abstand, {}</translation>
+    </message>
+    <message>
         <source>Area of both of its sides</source>
         <translation>Fläche ihrer beiden Seiten</translation>
     </message>
@@ -585,6 +589,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
     </message>
     <message>
         <source>Cancelled. Nothing was changed.</source>
@@ -759,12 +767,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Farbbalken</translation>
     </message>
     <message>
+        <source>Colour in the view what only one of the two parts has; the document stays as it is</source>
+        <translation>In der Ansicht einfärben, was nur eines der beiden Bauteile hat; das Dokument bleibt, wie es ist</translation>
+    </message>
+    <message>
         <source>Colour thin faces</source>
         <translation>Dünne Flächen einfärben</translation>
     </message>
     <message>
         <source>Colour where no wall could be measured</source>
         <translation>Farbe, wo keine Wand gemessen werden konnte</translation>
+    </message>
+    <message>
+        <source>Coloured where the two are more than {} apart; at most it is {}.</source>
+        <translation>Gefärbt, wo die beiden mehr als {} auseinander liegen; höchstens sind es {}.</translation>
     </message>
     <message>
         <source>Colours</source>
@@ -781,6 +797,22 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Compared with what the info file said before</source>
         <translation>Verglichen mit der bisherigen Infodatei</translation>
+    </message>
+    <message>
+        <source>Compared: {} parts. Groups: {}. Parts besides those to keep: {}.</source>
+        <translation>Verglichen: {} Bauteile. Gruppen: {}. Bauteile außer denen, die bleiben sollen: {}.</translation>
+    </message>
+    <message>
+        <source>Compared: {} parts. None of them is there twice, mirrored, in another size, or alike.</source>
+        <translation>Verglichen: {} Bauteile. Keines davon ist doppelt, gespiegelt, in anderer Größe oder ähnlich da.</translation>
+    </message>
+    <message>
+        <source>Comparing the two…</source>
+        <translation>Die beiden werden verglichen…</translation>
+    </message>
+    <message>
+        <source>Comparing: {} of {}</source>
+        <translation>Vergleichen: {} von {}</translation>
     </message>
     <message>
         <source>Comparison</source>
@@ -847,6 +879,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Schneidet die Karte und das Bauteil; der Rand des Schnitts hat die Farben der Wände</translation>
     </message>
     <message>
+        <source>Dimensions that vary</source>
+        <translation>Maße, die sich ändern</translation>
+    </message>
+    <message>
         <source>Display</source>
         <translation>Anzeige</translation>
     </message>
@@ -869,6 +905,18 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Drag it in the view to move it, a corner of it to size it; a right click has more</source>
         <translation>In der Ansicht ziehen, um ihn zu verschieben, an einer Ecke, um seine Größe zu ändern; ein Rechtsklick bietet mehr</translation>
+    </message>
+    <message>
+        <source>Duplicates</source>
+        <translation>Duplikate</translation>
+    </message>
+    <message>
+        <source>Duplicates, quickly: by what info files keep</source>
+        <translation>Duplikate, schnell: nach dem, was Infodateien enthalten</translation>
+    </message>
+    <message>
+        <source>Duplicates, surely: the documents are read</source>
+        <translation>Duplikate, sicher: die Dokumente werden gelesen</translation>
     </message>
     <message>
         <source>E&amp;xcept</source>
@@ -923,6 +971,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Fehler der Wahrscheinlichkeiten</translation>
     </message>
     <message>
+        <source>Evidence</source>
+        <translation>Beleg</translation>
+    </message>
+    <message>
         <source>Exclude a wall</source>
         <translation>Wand ausschließen</translation>
     </message>
@@ -961,6 +1013,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Failed: {}</source>
         <translation>Fehlgeschlagen: {}</translation>
+    </message>
+    <message>
+        <source>Families: parts that differ in dimensions</source>
+        <translation>Familien: Bauteile, die sich in Maßen unterscheiden</translation>
+    </message>
+    <message>
+        <source>Families: {}. Parts in them: {}.</source>
+        <translation>Familien: {}. Bauteile darin: {}.</translation>
     </message>
     <message>
         <source>File</source>
@@ -1111,6 +1171,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Erfüllt</translation>
     </message>
     <message>
+        <source>How far a place of one of the two surfaces is from the other at most</source>
+        <translation>Wie weit eine Stelle der einen Oberfläche höchstens von der anderen entfernt ist</translation>
+    </message>
+    <message>
         <source>How far it is from each point of the surface straight through the material to the other side. Verdicts are always judged by it.</source>
         <translation>Wie weit es von jedem Punkt der Oberfläche geradeaus durch das Material zur anderen Seite ist. Urteile richten sich immer danach.</translation>
     </message>
@@ -1175,8 +1239,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>In wie viele Stufen die Farben unterteilt sind</translation>
     </message>
     <message>
+        <source>Kept because: {}</source>
+        <translation>Soll bleiben: {}</translation>
+    </message>
+    <message>
         <source>Kept in the info file, also when the part is measured again; the verdict does not change</source>
         <translation>Bleibt in der Infodatei, auch wenn das Teil neu gemessen wird; das Urteil ändert sich nicht</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
     </message>
     <message>
         <source>L&amp;abels</source>
@@ -1483,6 +1555,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Kein Bauteil wurde gemessen, daher wurde keine Infodatei geschrieben.</translation>
     </message>
     <message>
+        <source>No place is more than {} apart.</source>
+        <translation>Keine Stelle liegt mehr als {} auseinander.</translation>
+    </message>
+    <message>
         <source>No program was found that opens {}.</source>
         <translation>Es wurde kein Programm gefunden, das {} öffnet.</translation>
     </message>
@@ -1503,8 +1579,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Hier wurde keine Wand gemessen.</translation>
     </message>
     <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
         <source>Normal part</source>
         <translation>Normales Bauteil</translation>
+    </message>
+    <message>
+        <source>Not compared, because an earlier version has measured them: {}. Classify them again.</source>
+        <translation>Nicht verglichen, weil eine frühere Version sie gemessen hat: {}. Klassifizieren Sie sie erneut.</translation>
     </message>
     <message>
         <source>Not counted: {}</source>
@@ -1537,6 +1621,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Number of files of a folder that are measured at the same time</source>
         <translation>Dateien eines Ordners, die gleichzeitig gemessen werden</translation>
+    </message>
+    <message>
+        <source>Number of the group</source>
+        <translation>Nummer der Gruppe</translation>
     </message>
     <message>
         <source>OK also makes an analysis, if there is none</source>
@@ -1588,6 +1676,10 @@ Sein Volumen ist unbekannt.</translation>
     </message>
     <message>
         <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open it</source>
         <translation>Öffnen</translation>
     </message>
     <message>
@@ -1823,6 +1915,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>&amp;Teilen</translation>
     </message>
     <message>
+        <source>Same</source>
+        <translation>Gleich</translation>
+    </message>
+    <message>
         <source>Save</source>
         <translation>Speichern</translation>
     </message>
@@ -1883,8 +1979,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Sagen Sie, was das Bauteil in Ihren Augen ist. Die Einordnung bleibt in der Infodatei, als die von {}; aus Einordnungen lassen sich Schwellenwerte lernen.</translation>
     </message>
     <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
         <source>Search in it…</source>
         <translation>Darin suchen…</translation>
+    </message>
+    <message>
+        <source>Searching for duplicates</source>
+        <translation>Duplikate werden gesucht</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Suche…</translation>
     </message>
     <message>
         <source>Section</source>
@@ -1935,6 +2043,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Anteil der Fläche, dessen Wände dünner als der Schwellenwert sind</translation>
     </message>
     <message>
+        <source>Share of the surface that is the same: the less of both</source>
+        <translation>Anteil der Oberfläche, der gleich ist: der kleinere der beiden</translation>
+    </message>
+    <message>
         <source>Shell: its mid-surface</source>
         <translation>Schale: seine Mittelfläche</translation>
     </message>
@@ -1969,6 +2081,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Show sizes on the part</source>
         <translation>Größen am Teil zeigen</translation>
+    </message>
+    <message>
+        <source>Show the difference</source>
+        <translation>Unterschied zeigen</translation>
     </message>
     <message>
         <source>Show the shell by its thickness</source>
@@ -2139,6 +2255,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Der Durchmesser der größten Kugel, die in das Material passt und die Oberfläche an der jeweiligen Stelle berührt. Er ist nie größer als die Wand quer gemessen und reicht nicht über die nächste Fläche hinaus: An scharfen Kanten geht er gegen null. Das Messen dauert länger.</translation>
     </message>
     <message>
+        <source>The document has changed since it was measured: classify it again.</source>
+        <translation>Das Dokument hat sich seit der Messung geändert: Klassifizieren Sie es erneut.</translation>
+    </message>
+    <message>
         <source>The document has changed since it was measured: no info file was written. Classify it again.</source>
         <translation>Das Dokument hat sich seit der Messung geändert: Es wurde keine Infodatei geschrieben. Klassifizieren Sie es erneut.</translation>
     </message>
@@ -2251,6 +2371,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Der Bericht liegt in {}.</translation>
     </message>
     <message>
+        <source>The same part, its mirror image, another size, or one like it; each is said once</source>
+        <translation>Dasselbe Bauteil, sein Spiegelbild, eine andere Größe oder ein ähnliches; jedes wird einmal gesagt</translation>
+    </message>
+    <message>
         <source>The second bound has to be greater than the first.</source>
         <translation>Die zweite Schranke muss größer als die erste sein.</translation>
     </message>
@@ -2313,6 +2437,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>There are no classified parts.</source>
         <translation>Es gibt keine klassifizierten Bauteile.</translation>
+    </message>
+    <message>
+        <source>There are no families.</source>
+        <translation>Es gibt keine Familien.</translation>
     </message>
     <message>
         <source>There are two categories {}.</source>
@@ -2575,6 +2703,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Wenn eine Wand dünner ist als</translation>
     </message>
     <message>
+        <source>When libraries have a part already</source>
+        <translation>Wenn Bibliotheken ein Bauteil schon haben</translation>
+    </message>
+    <message>
         <source>When the category of a part changes</source>
         <translation>Wenn sich die Kategorie eines Bauteils ändert</translation>
     </message>
@@ -2665,6 +2797,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>about {} left</source>
         <translation>noch etwa {}</translation>
+    </message>
+    <message>
+        <source>alike</source>
+        <translation>ähnlich</translation>
     </message>
     <message>
         <source>all {} libraries</source>
@@ -2775,6 +2911,14 @@ Sein Volumen ist unbekannt.</translation>
         <translation>gamma: dreimal der Radius der Inkugel durch den der Umkugel; 1 bei regelmäßigen Tetraedern, unter 0,3 schlecht</translation>
     </message>
     <message>
+        <source>height {}</source>
+        <translation>Höhe {}</translation>
+    </message>
+    <message>
+        <source>identical</source>
+        <translation>identisch</translation>
+    </message>
+    <message>
         <source>in</source>
         <translation>in</translation>
     </message>
@@ -2815,6 +2959,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>bleibt Volumen: {}</translation>
     </message>
     <message>
+        <source>length {}</source>
+        <translation>Länge {}</translation>
+    </message>
+    <message>
         <source>limit {}</source>
         <translation>Grenze {}</translation>
     </message>
@@ -2833,6 +2981,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>min {}</source>
         <translation>min. {}</translation>
+    </message>
+    <message>
+        <source>mirror image</source>
+        <translation>Spiegelbild</translation>
     </message>
     <message>
         <source>more than {}</source>
@@ -2879,6 +3031,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>nicht abgeschlossen</translation>
     </message>
     <message>
+        <source>not in {}</source>
+        <translation>nicht in {}</translation>
+    </message>
+    <message>
         <source>not measured</source>
         <translation>nicht gemessen</translation>
     </message>
@@ -2905,6 +3061,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>only as the verdict needs</source>
         <translation>nur so weit das Urteil es braucht</translation>
+    </message>
+    <message>
+        <source>only in {}</source>
+        <translation>nur in {}</translation>
     </message>
     <message>
         <source>over {}: too thick</source>
@@ -2941,6 +3101,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>quality of the elements (gamma)</source>
         <translation>Qualität der Elemente (gamma)</translation>
+    </message>
+    <message>
+        <source>radius {}</source>
+        <translation>Radius {}</translation>
     </message>
     <message>
         <source>red is thin</source>
@@ -3039,6 +3203,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>neu zu messen</translation>
     </message>
     <message>
+        <source>to keep</source>
+        <translation>soll bleiben</translation>
+    </message>
+    <message>
         <source>tooth</source>
         <translation>Zahn</translation>
     </message>
@@ -3067,8 +3235,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Werte fehlen oder sind von anderer Art</translation>
     </message>
     <message>
+        <source>wall {}</source>
+        <translation>Wand {}</translation>
+    </message>
+    <message>
         <source>wedge {:g}–{:g}°</source>
         <translation>Keil {:g}–{:g}°</translation>
+    </message>
+    <message>
+        <source>width {}</source>
+        <translation>Breite {}</translation>
     </message>
     <message>
         <source>yes</source>
@@ -3149,6 +3325,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{} has no info file.</source>
         <translation>{} hat keine Infodatei.</translation>
+    </message>
+    <message>
+        <source>{} has several parts, of which none is named {}.</source>
+        <translation>{} hat mehrere Bauteile, von denen keines {} heißt.</translation>
     </message>
     <message>
         <source>{} info files cannot be read.</source>
@@ -3251,6 +3431,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{} dick</translation>
     </message>
     <message>
+        <source>{} times as large</source>
+        <translation>{}-mal so groß</translation>
+    </message>
+    <message>
         <source>{} to {}</source>
         <translation>{} bis {}</translation>
     </message>
@@ -3301,6 +3485,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{}, and share of the diagonal</source>
         <translation>{} und Anteil der Diagonale</translation>
+    </message>
+    <message>
+        <source>{}, mirrored</source>
+        <translation>{}, gespiegelt</translation>
     </message>
     <message>
         <source>{}, {}: {}</source>
@@ -3494,6 +3682,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Ähnlich: {percent:.0f} % der Oberfläche sind gleich, der Rest liegt bis zu {apart:.2g} auseinander.</translation>
     </message>
     <message>
+        <source>Alike: {percent:.0f} % of the surface is the same.</source>
+        <translation>Ähnlich: {percent:.0f} % der Oberfläche sind gleich.</translation>
+    </message>
+    <message>
         <source>All its triangles have zero area.</source>
         <translation>Alle Dreiecke haben den Flächeninhalt null.</translation>
     </message>
@@ -3524,6 +3716,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Aluminium, small casting</source>
         <translation>Aluminium, kleines Gussteil</translation>
+    </message>
+    <message>
+        <source>An earlier version has measured {file}: classify it again, to compare it.</source>
+        <translation>Eine frühere Version hat {file} gemessen: Klassifizieren Sie es erneut, um es zu vergleichen.</translation>
     </message>
     <message>
         <source>Area of its surface</source>
@@ -5466,6 +5662,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Byte {place} ist kein Text in Unicode</translation>
     </message>
     <message>
+        <source>can be edited in FreeCAD</source>
+        <translation>lässt sich in FreeCAD bearbeiten</translation>
+    </message>
+    <message>
         <source>colours stand for the largest ball inside that touches the surface</source>
         <translation>die Farben stehen für die größte Kugel im Innern, die die Oberfläche berührt</translation>
     </message>
@@ -5574,8 +5774,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>format ist nicht {format!r}</translation>
     </message>
     <message>
+        <source>geometry, not triangles</source>
+        <translation>Geometrie statt Dreiecke</translation>
+    </message>
+    <message>
         <source>group {number}</source>
         <translation>Gruppe {number}</translation>
+    </message>
+    <message>
+        <source>has a name of its own</source>
+        <translation>hat einen eigenen Namen</translation>
+    </message>
+    <message>
+        <source>has notes</source>
+        <translation>hat Notizen</translation>
     </message>
     <message>
         <source>it cannot be unpacked</source>
@@ -5914,6 +6126,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>die Datei oder das Dokument ist leer</translation>
     </message>
     <message>
+        <source>the first of equals</source>
+        <translation>das erste von gleichen</translation>
+    </message>
+    <message>
         <source>the first wall along the inward normal</source>
         <translation>die erste Wand entlang der Normalen nach innen</translation>
     </message>
@@ -5924,6 +6140,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>the info file could not be written</source>
         <translation>die Infodatei konnte nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>the latest</source>
+        <translation>das neueste</translation>
     </message>
     <message>
         <source>the memory limit was reached</source>
@@ -6028,6 +6248,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>unsure</source>
         <translation>unsicher</translation>
+    </message>
+    <message>
+        <source>used {count} times</source>
+        <translation>{count}-mal verwendet</translation>
     </message>
     <message>
         <source>varies: {names}</source>
@@ -6524,6 +6748,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{part} needs more than {megabytes} MB of memory: raise the limit in the preferences.</source>
         <translation>{part} braucht mehr als {megabytes} MB Speicher: Erhöhen Sie die Grenze in den Einstellungen.</translation>
+    </message>
+    <message>
+        <source>{part}: {sentence}</source>
+        <translation>{part}: {sentence}</translation>
     </message>
     <message>
         <source>{person!r} cannot be kept as a person's name: choose a shorter one, in one line.</source>

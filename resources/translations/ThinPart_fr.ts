@@ -499,6 +499,10 @@ Son volume est inconnu.</translation>
         <translation>Réponses</translation>
     </message>
     <message>
+        <source>Apart, {}</source>
+        <translation>Écart, {}</translation>
+    </message>
+    <message>
         <source>Area of both of its sides</source>
         <translation>Aire de ses deux côtés</translation>
     </message>
@@ -585,6 +589,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Annulé.</translation>
     </message>
     <message>
         <source>Cancelled. Nothing was changed.</source>
@@ -759,12 +767,20 @@ Son volume est inconnu.</translation>
         <translation>Barre de couleurs</translation>
     </message>
     <message>
+        <source>Colour in the view what only one of the two parts has; the document stays as it is</source>
+        <translation>Colorer dans la vue ce que l’une des deux pièces est seule à avoir ; le document reste tel quel</translation>
+    </message>
+    <message>
         <source>Colour thin faces</source>
         <translation>Colorer les faces minces</translation>
     </message>
     <message>
         <source>Colour where no wall could be measured</source>
         <translation>Couleur là où aucune paroi n’a pu être mesurée</translation>
+    </message>
+    <message>
+        <source>Coloured where the two are more than {} apart; at most it is {}.</source>
+        <translation>Coloré là où les deux sont distantes de plus de {} ; au plus, c’est {}.</translation>
     </message>
     <message>
         <source>Colours</source>
@@ -781,6 +797,22 @@ Son volume est inconnu.</translation>
     <message>
         <source>Compared with what the info file said before</source>
         <translation>Par rapport au fichier d’information précédent</translation>
+    </message>
+    <message>
+        <source>Compared: {} parts. Groups: {}. Parts besides those to keep: {}.</source>
+        <translation>Comparées : {} pièces. Groupes : {}. Pièces en plus de celles à garder : {}.</translation>
+    </message>
+    <message>
+        <source>Compared: {} parts. None of them is there twice, mirrored, in another size, or alike.</source>
+        <translation>Comparées : {} pièces. Aucune n’existe en double, en miroir, dans une autre taille, ou semblable.</translation>
+    </message>
+    <message>
+        <source>Comparing the two…</source>
+        <translation>Comparaison des deux…</translation>
+    </message>
+    <message>
+        <source>Comparing: {} of {}</source>
+        <translation>Comparaison : {} sur {}</translation>
     </message>
     <message>
         <source>Comparison</source>
@@ -847,6 +879,10 @@ Son volume est inconnu.</translation>
         <translation>Coupe la carte et la pièce ; le bord de la coupe a les couleurs des parois</translation>
     </message>
     <message>
+        <source>Dimensions that vary</source>
+        <translation>Dimensions qui varient</translation>
+    </message>
+    <message>
         <source>Display</source>
         <translation>Affichage</translation>
     </message>
@@ -869,6 +905,18 @@ Son volume est inconnu.</translation>
     <message>
         <source>Drag it in the view to move it, a corner of it to size it; a right click has more</source>
         <translation>Dans la vue, la faire glisser pour la déplacer, par un coin pour en changer la taille ; un clic droit offre plus</translation>
+    </message>
+    <message>
+        <source>Duplicates</source>
+        <translation>Doublons</translation>
+    </message>
+    <message>
+        <source>Duplicates, quickly: by what info files keep</source>
+        <translation>Doublons, vite : d’après ce que gardent les fichiers d’information</translation>
+    </message>
+    <message>
+        <source>Duplicates, surely: the documents are read</source>
+        <translation>Doublons, sûrement : les documents sont lus</translation>
     </message>
     <message>
         <source>E&amp;xcept</source>
@@ -923,6 +971,10 @@ Son volume est inconnu.</translation>
         <translation>Erreur des probabilités</translation>
     </message>
     <message>
+        <source>Evidence</source>
+        <translation>Preuve</translation>
+    </message>
+    <message>
         <source>Exclude a wall</source>
         <translation>Exclure une paroi</translation>
     </message>
@@ -961,6 +1013,14 @@ Son volume est inconnu.</translation>
     <message>
         <source>Failed: {}</source>
         <translation>Échec : {}</translation>
+    </message>
+    <message>
+        <source>Families: parts that differ in dimensions</source>
+        <translation>Familles : pièces qui diffèrent par des dimensions</translation>
+    </message>
+    <message>
+        <source>Families: {}. Parts in them: {}.</source>
+        <translation>Familles : {}. Pièces qu’elles contiennent : {}.</translation>
     </message>
     <message>
         <source>File</source>
@@ -1111,6 +1171,10 @@ Son volume est inconnu.</translation>
         <translation>Rempli</translation>
     </message>
     <message>
+        <source>How far a place of one of the two surfaces is from the other at most</source>
+        <translation>Distance maximale d’un point de l’une des deux surfaces à l’autre</translation>
+    </message>
+    <message>
         <source>How far it is from each point of the surface straight through the material to the other side. Verdicts are always judged by it.</source>
         <translation>La distance, de chaque point de la surface, tout droit à travers la matière jusqu’à l’autre côté. Les verdicts se fondent toujours sur elle.</translation>
     </message>
@@ -1175,8 +1239,16 @@ Son volume est inconnu.</translation>
         <translation>En combien de paliers les couleurs sont divisées</translation>
     </message>
     <message>
+        <source>Kept because: {}</source>
+        <translation>À garder : {}</translation>
+    </message>
+    <message>
         <source>Kept in the info file, also when the part is measured again; the verdict does not change</source>
         <translation>Gardé dans le fichier d'information, même si la pièce est mesurée à nouveau ; le verdict ne change pas</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Sorte</translation>
     </message>
     <message>
         <source>L&amp;abels</source>
@@ -1483,6 +1555,10 @@ Son volume est inconnu.</translation>
         <translation>Aucune pièce n’a été mesurée, donc aucun fichier d’information n’a été écrit.</translation>
     </message>
     <message>
+        <source>No place is more than {} apart.</source>
+        <translation>Aucun endroit n’est distant de plus de {}.</translation>
+    </message>
+    <message>
         <source>No program was found that opens {}.</source>
         <translation>Aucun programme n’a été trouvé pour ouvrir {}.</translation>
     </message>
@@ -1503,8 +1579,16 @@ Son volume est inconnu.</translation>
         <translation>Aucune paroi n’a été mesurée ici.</translation>
     </message>
     <message>
+        <source>No.</source>
+        <translation>Gr.</translation>
+    </message>
+    <message>
         <source>Normal part</source>
         <translation>Pièce normale</translation>
+    </message>
+    <message>
+        <source>Not compared, because an earlier version has measured them: {}. Classify them again.</source>
+        <translation>Non comparées, car mesurées par une version antérieure : {}. Classifiez-les à nouveau.</translation>
     </message>
     <message>
         <source>Not counted: {}</source>
@@ -1537,6 +1621,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Number of files of a folder that are measured at the same time</source>
         <translation>Fichiers d’un dossier mesurés en même temps</translation>
+    </message>
+    <message>
+        <source>Number of the group</source>
+        <translation>Numéro du groupe</translation>
     </message>
     <message>
         <source>OK also makes an analysis, if there is none</source>
@@ -1589,6 +1677,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Open</source>
         <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation>L’ouvrir</translation>
     </message>
     <message>
         <source>Open part</source>
@@ -1823,6 +1915,10 @@ Son volume est inconnu.</translation>
         <translation>&amp;Partager</translation>
     </message>
     <message>
+        <source>Same</source>
+        <translation>Identique</translation>
+    </message>
+    <message>
         <source>Save</source>
         <translation>Enregistrer</translation>
     </message>
@@ -1883,8 +1979,20 @@ Son volume est inconnu.</translation>
         <translation>Dites ce qu’est la pièce à vos yeux. L’étiquette est gardée dans le fichier d’information, comme celle de {} ; on peut apprendre des seuils à partir des étiquettes.</translation>
     </message>
     <message>
+        <source>Search</source>
+        <translation>Rechercher</translation>
+    </message>
+    <message>
         <source>Search in it…</source>
         <translation>Y chercher…</translation>
+    </message>
+    <message>
+        <source>Searching for duplicates</source>
+        <translation>Recherche de doublons</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Recherche…</translation>
     </message>
     <message>
         <source>Section</source>
@@ -1935,6 +2043,10 @@ Son volume est inconnu.</translation>
         <translation>Part de la face dont les parois sont plus minces que le seuil</translation>
     </message>
     <message>
+        <source>Share of the surface that is the same: the less of both</source>
+        <translation>Part de la surface qui est la même : la plus petite des deux</translation>
+    </message>
+    <message>
         <source>Shell: its mid-surface</source>
         <translation>Coque : sa surface moyenne</translation>
     </message>
@@ -1969,6 +2081,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Show sizes on the part</source>
         <translation>Montrer les tailles sur la pièce</translation>
+    </message>
+    <message>
+        <source>Show the difference</source>
+        <translation>Montrer la différence</translation>
     </message>
     <message>
         <source>Show the shell by its thickness</source>
@@ -2139,6 +2255,10 @@ Son volume est inconnu.</translation>
         <translation>Le diamètre de la plus grande boule qui tient dans la matière et touche la surface en chaque point. Il n’est jamais supérieur à la paroi mesurée à travers et ne va pas au-delà de la face suivante : aux arêtes vives, il tend vers zéro. La mesure est plus longue.</translation>
     </message>
     <message>
+        <source>The document has changed since it was measured: classify it again.</source>
+        <translation>Le document a changé depuis la mesure : classifiez-le à nouveau.</translation>
+    </message>
+    <message>
         <source>The document has changed since it was measured: no info file was written. Classify it again.</source>
         <translation>Le document a changé depuis la mesure : aucun fichier d’information n’a été écrit. Classifiez-le à nouveau.</translation>
     </message>
@@ -2251,6 +2371,10 @@ Son volume est inconnu.</translation>
         <translation>Le rapport est dans {}.</translation>
     </message>
     <message>
+        <source>The same part, its mirror image, another size, or one like it; each is said once</source>
+        <translation>La même pièce, son image miroir, une autre taille, ou une pièce semblable ; chacune est dite une fois</translation>
+    </message>
+    <message>
         <source>The second bound has to be greater than the first.</source>
         <translation>La seconde borne doit être supérieure à la première.</translation>
     </message>
@@ -2313,6 +2437,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>There are no classified parts.</source>
         <translation>Il n’y a pas de pièces classifiées.</translation>
+    </message>
+    <message>
+        <source>There are no families.</source>
+        <translation>Il n’y a pas de familles.</translation>
     </message>
     <message>
         <source>There are two categories {}.</source>
@@ -2575,6 +2703,10 @@ Son volume est inconnu.</translation>
         <translation>Si une paroi est plus mince que</translation>
     </message>
     <message>
+        <source>When libraries have a part already</source>
+        <translation>Quand les bibliothèques ont déjà une pièce</translation>
+    </message>
+    <message>
         <source>When the category of a part changes</source>
         <translation>Si la catégorie d’une pièce change</translation>
     </message>
@@ -2665,6 +2797,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>about {} left</source>
         <translation>encore {} environ</translation>
+    </message>
+    <message>
+        <source>alike</source>
+        <translation>semblable</translation>
     </message>
     <message>
         <source>all {} libraries</source>
@@ -2775,6 +2911,14 @@ Son volume est inconnu.</translation>
         <translation>gamma : trois fois le rayon inscrit sur le rayon circonscrit ; 1 pour des tétraèdres réguliers, mauvais sous 0,3</translation>
     </message>
     <message>
+        <source>height {}</source>
+        <translation>hauteur {}</translation>
+    </message>
+    <message>
+        <source>identical</source>
+        <translation>identique</translation>
+    </message>
+    <message>
         <source>in</source>
         <translation>en</translation>
     </message>
@@ -2815,6 +2959,10 @@ Son volume est inconnu.</translation>
         <translation>reste en volume : {}</translation>
     </message>
     <message>
+        <source>length {}</source>
+        <translation>longueur {}</translation>
+    </message>
+    <message>
         <source>limit {}</source>
         <translation>limite {}</translation>
     </message>
@@ -2833,6 +2981,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>min {}</source>
         <translation>min. {}</translation>
+    </message>
+    <message>
+        <source>mirror image</source>
+        <translation>image miroir</translation>
     </message>
     <message>
         <source>more than {}</source>
@@ -2879,6 +3031,10 @@ Son volume est inconnu.</translation>
         <translation>inachevé</translation>
     </message>
     <message>
+        <source>not in {}</source>
+        <translation>pas dans {}</translation>
+    </message>
+    <message>
         <source>not measured</source>
         <translation>non mesuré</translation>
     </message>
@@ -2905,6 +3061,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>only as the verdict needs</source>
         <translation>seulement ce que le verdict exige</translation>
+    </message>
+    <message>
+        <source>only in {}</source>
+        <translation>seulement dans {}</translation>
     </message>
     <message>
         <source>over {}: too thick</source>
@@ -2941,6 +3101,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>quality of the elements (gamma)</source>
         <translation>qualité des éléments (gamma)</translation>
+    </message>
+    <message>
+        <source>radius {}</source>
+        <translation>rayon {}</translation>
     </message>
     <message>
         <source>red is thin</source>
@@ -3039,6 +3203,10 @@ Son volume est inconnu.</translation>
         <translation>à mesurer de nouveau</translation>
     </message>
     <message>
+        <source>to keep</source>
+        <translation>à garder</translation>
+    </message>
+    <message>
         <source>tooth</source>
         <translation>dent</translation>
     </message>
@@ -3067,8 +3235,16 @@ Son volume est inconnu.</translation>
         <translation>des valeurs manquent ou sont d’un autre type</translation>
     </message>
     <message>
+        <source>wall {}</source>
+        <translation>paroi {}</translation>
+    </message>
+    <message>
         <source>wedge {:g}–{:g}°</source>
         <translation>coin {:g}–{:g}°</translation>
+    </message>
+    <message>
+        <source>width {}</source>
+        <translation>largeur {}</translation>
     </message>
     <message>
         <source>yes</source>
@@ -3149,6 +3325,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{} has no info file.</source>
         <translation>{} n’a pas de fichier d’information.</translation>
+    </message>
+    <message>
+        <source>{} has several parts, of which none is named {}.</source>
+        <translation>{} a plusieurs pièces, dont aucune ne s’appelle {}.</translation>
     </message>
     <message>
         <source>{} info files cannot be read.</source>
@@ -3251,6 +3431,10 @@ Son volume est inconnu.</translation>
         <translation>épaisseur {}</translation>
     </message>
     <message>
+        <source>{} times as large</source>
+        <translation>{} fois plus grande</translation>
+    </message>
+    <message>
         <source>{} to {}</source>
         <translation>{} à {}</translation>
     </message>
@@ -3301,6 +3485,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{}, and share of the diagonal</source>
         <translation>{} et part de la diagonale</translation>
+    </message>
+    <message>
+        <source>{}, mirrored</source>
+        <translation>{}, en miroir</translation>
     </message>
     <message>
         <source>{}, {}: {}</source>
@@ -3494,6 +3682,10 @@ Son volume est inconnu.</translation>
         <translation>Semblable : {percent:.0f} % de la surface sont identiques, le reste s’en écarte jusqu’à {apart:.2g}.</translation>
     </message>
     <message>
+        <source>Alike: {percent:.0f} % of the surface is the same.</source>
+        <translation>Semblable : {percent:.0f} % de la surface sont identiques.</translation>
+    </message>
+    <message>
         <source>All its triangles have zero area.</source>
         <translation>Tous ses triangles ont une aire nulle.</translation>
     </message>
@@ -3524,6 +3716,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Aluminium, small casting</source>
         <translation>Aluminium, petite pièce</translation>
+    </message>
+    <message>
+        <source>An earlier version has measured {file}: classify it again, to compare it.</source>
+        <translation>Une version antérieure a mesuré {file} : classifiez-le à nouveau pour le comparer.</translation>
     </message>
     <message>
         <source>Area of its surface</source>
@@ -5466,6 +5662,10 @@ Son volume est inconnu.</translation>
         <translation>l'octet {place} n'est pas du texte Unicode</translation>
     </message>
     <message>
+        <source>can be edited in FreeCAD</source>
+        <translation>modifiable dans FreeCAD</translation>
+    </message>
+    <message>
         <source>colours stand for the largest ball inside that touches the surface</source>
         <translation>les couleurs représentent la plus grande bille intérieure qui touche la surface</translation>
     </message>
@@ -5574,8 +5774,20 @@ Son volume est inconnu.</translation>
         <translation>format n’est pas {format!r}</translation>
     </message>
     <message>
+        <source>geometry, not triangles</source>
+        <translation>une géométrie, pas des triangles</translation>
+    </message>
+    <message>
         <source>group {number}</source>
         <translation>groupe {number}</translation>
+    </message>
+    <message>
+        <source>has a name of its own</source>
+        <translation>a un nom propre</translation>
+    </message>
+    <message>
+        <source>has notes</source>
+        <translation>a des notes</translation>
     </message>
     <message>
         <source>it cannot be unpacked</source>
@@ -5914,6 +6126,10 @@ Son volume est inconnu.</translation>
         <translation>le fichier ou le document est vide</translation>
     </message>
     <message>
+        <source>the first of equals</source>
+        <translation>la première d’égales</translation>
+    </message>
+    <message>
         <source>the first wall along the inward normal</source>
         <translation>la première paroi le long de la normale intérieure</translation>
     </message>
@@ -5924,6 +6140,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>the info file could not be written</source>
         <translation>le fichier d’information n’a pas pu être écrit</translation>
+    </message>
+    <message>
+        <source>the latest</source>
+        <translation>la plus récente</translation>
     </message>
     <message>
         <source>the memory limit was reached</source>
@@ -6028,6 +6248,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>unsure</source>
         <translation>incertain</translation>
+    </message>
+    <message>
+        <source>used {count} times</source>
+        <translation>utilisée {count} fois</translation>
     </message>
     <message>
         <source>varies: {names}</source>
@@ -6524,6 +6748,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{part} needs more than {megabytes} MB of memory: raise the limit in the preferences.</source>
         <translation>{part} demande plus de {megabytes} Mo de mémoire : augmentez la limite dans les préférences.</translation>
+    </message>
+    <message>
+        <source>{part}: {sentence}</source>
+        <translation>{part} : {sentence}</translation>
     </message>
     <message>
         <source>{person!r} cannot be kept as a person's name: choose a shorter one, in one line.</source>

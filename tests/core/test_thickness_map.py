@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 
 from thinpart_workbench.core.analysis_settings import LOCAL, RAY, SPHERE, AnalysisSettings
 from thinpart_workbench.core.errors import ThinPartError
-from thinpart_workbench.core.maps.facet_refinement import cut_sides, side_keys
+from thinpart_workbench.core.maps.facet_refinement import FACETS, MOST_FACETS, cut_sides, side_keys
 from thinpart_workbench.core.maps.map_summary import (
     are_between,
     area_by_thickness,
@@ -20,7 +20,7 @@ from thinpart_workbench.core.maps.map_summary import (
     typical_range,
 )
 from thinpart_workbench.core.maps.mapped_part import MappedPart
-from thinpart_workbench.core.maps.thickness_map import FACETS, MOST_FACETS, thickness_map
+from thinpart_workbench.core.maps.thickness_map import thickness_map
 from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 from thinpart_workbench.core.rendering.colour_scale import COLOUR_MAPS, ColourScale, colour_table
 from thinpart_workbench.core.thickness.measurement import measure
@@ -235,7 +235,7 @@ def test_a_range_of_no_width_still_has_colours():
 def test_large_triangles_of_a_fine_surface_mesh_are_cut_all_the_same(monkeypatch):
     fine = made_meshes.moved(made_meshes.box(10, 10, 10, cells=12), shift=(300.0, 0.0, 0.0))
     mesh = surface_mesh(*made_meshes.joined(made_meshes.ribbed_block(), fine))
-    monkeypatch.setattr("thinpart_workbench.core.maps.thickness_map.MOST_FACETS", mesh.count // 2)
+    monkeypatch.setattr("thinpart_workbench.core.maps.facet_refinement.MOST_FACETS", mesh.count // 2)
     shown = thickness_map(measure(mesh, AnalysisSettings()))
     assert mesh.count < shown.count <= 1.5 * mesh.count + 1
     assert shown.areas.max() < 0.2 * mesh.areas.max()

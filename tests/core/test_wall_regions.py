@@ -29,12 +29,13 @@ def i_beam(height=100.0, width=60.0, web=5.0, flange=8.0, length=300.0):
     return made_meshes.prism(right + [(-x, y) for x, y in reversed(right)], length)
 
 
-def heat_sink(fins=6, fin=1.5, gap=4.0, height=25.0, base=5.0, length=60.0):
-    pitch = fin + gap
-    outline = [(0.0, 0.0), (fins * pitch - gap, 0.0)]
+def heat_sink(fins=6, fin=1.5, gap=4.0, height=25.0, base=5.0, length=60.0, thicker=1.0):
+    """Each fin is so many times as thick as the one before."""
+    right = np.cumsum(fin * thicker ** np.arange(fins) + gap) - gap
+    outline = [(0.0, 0.0), (right[-1], 0.0)]
     for number in reversed(range(fins)):
-        left, right = number * pitch, number * pitch + fin
-        outline += [(right, base), (right, base + height), (left, base + height), (left, base)]
+        left = right[number] - fin * thicker**number
+        outline += [(right[number], base), (right[number], base + height), (left, base + height), (left, base)]
     return made_meshes.prism([outline[0], outline[1], *outline[3:-1]], length)
 
 
@@ -176,10 +177,15 @@ def test_walls_across_a_slot_are_two():
 
 
 def test_the_list_is_short_and_says_how_many_are_left_out():
-    found = regions_of(heat_sink(fins=30, fin=0.5, gap=1.5))
+    found = regions_of(heat_sink(fins=30, fin=0.5, gap=1.5, thicker=1.04))
     assert len(found.listed) == 20 and found.others == 11
     assert found.others_share == pytest.approx(0.95 * 11 / 31, abs=0.15)
     assert [region.median for region in found.listed] == sorted(region.median for region in found.listed)
+
+
+def test_equal_regions_count_as_one_of_the_list():
+    found = regions_of(heat_sink(fins=30, fin=0.5, gap=1.5))
+    assert len(found.listed) == 31 and (found.others, found.others_share) == (0, 0.0)
 
 
 def test_no_region_is_thinner_than_the_thinnest_wall():

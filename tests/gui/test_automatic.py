@@ -10,13 +10,14 @@ import Part
 import pytest
 import window_actions as window
 
-from thinpart_workbench.freecad_adapter.preferences import set_preference
+from thinpart_workbench.api.classification import classify
+from thinpart_workbench.freecad_adapter.preferences import set_preference, set_preference_list
 from thinpart_workbench.gui.application import lifelong
 from thinpart_workbench.gui.application.qt import QtWidgets
 from thinpart_workbench.storage.info.info_file import change_info, read_info, source_is_unchanged
 from thinpart_workbench.storage.info.info_location import info_location
 
-CHANGED = ("AutomaticClassification", "WarnOfCategory", "WarnWallUnder", "InfoFolder", "Seconds")
+CHANGED = ("AutomaticClassification", "WarnOfCategory", "WarnWallUnder", "InfoFolder", "Seconds", "KnownPartsOnSave")
 
 
 @pytest.fixture(autouse=True)
@@ -445,3 +446,34 @@ def test_switching_it_off_ends_what_is_under_way(document, tmp_path):
     set_preference("AutomaticClassification", False)
     window.wait_until(lambda: not window.workers())
     assert not lifelong.auto_classifier.is_busy and not info(tmp_path / "sieve.FCStd").exists()
+
+
+@pytest.fixture
+def library(tmp_path, monkeypatch):
+    """A library with a plate that is 100 mm long."""
+    monkeypatch.setenv("THINPART_CACHE", str(tmp_path / "cache"))
+    folder = tmp_path / "library"
+    folder.mkdir()
+    Part.makeBox(100, 90, 2).cut(Part.makeCylinder(6, 9, App.Vector(30, 20, -2))).exportStep(str(folder / "sieve.step"))
+    classify(folder / "sieve.step", write_info=True)
+    set_preference_list("Libraries", [str(folder)])
+    yield folder
+    set_preference_list("Libraries", [])
+
+
+def test_what_libraries_have_already_is_said_on_save_where_that_is_wanted(document, library, tmp_path):
+    plate = window.add(document, "Plate", Part.makeBox(100, 90, 2).cut(
+        Part.makeCylinder(6, 9, App.Vector(30, 20, -2))))
+    save(document, tmp_path / "mine.FCStd")
+    window.settle(500)
+    assert "sieve.step" not in notice()
+    set_preference("KnownPartsOnSave", True)
+    plate.Placement.Base.x = 7
+    document.recompute()
+    save(document)
+    window.wait_until(lambda: "mine.FCStd: Your libraries have this part: sieve.step." in notice())
+    plate.Placement.Base.x = 9
+    document.recompute()
+    save(document)
+    window.settle(1500)
+    assert notice().count("sieve.step") == 1

@@ -13,7 +13,8 @@ import Part
 import pytest
 import window_actions as window
 
-from thinpart_workbench.gui.application.qt import QtWidgets
+from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
+from thinpart_workbench.gui.document.active_task import open_session
 
 RED = (0.84, 0.15, 0.12)
 
@@ -267,3 +268,67 @@ def test_equal_walls_are_one_row(document):
     table.selectRow(0)
     selected, = Gui.Selection.getSelectionEx(document.Name)
     assert len(selected.SubObjects) == 12
+
+
+def finned_block():
+    """A block of 120 mm with 18 fins, four ribs of other thicknesses and a long wall."""
+    block = Part.makeBox(120, 80, 12)
+    for number in range(18):
+        block = block.fuse(Part.makeBox(1.25, 60, 25, window.V(2 + 5 * number, 2, 12)))
+    for number, thick in enumerate((1.1, 1.6, 2.2, 2.9)):
+        block = block.fuse(Part.makeBox(thick, 60, 12, window.V(93 + 7 * number, 2, 12)))
+    return block.fuse(Part.makeBox(120, 1.8, 30, window.V(0, 70, 12))).removeSplitter()
+
+
+def assert_fits(table):
+    """No cell and no heading of a table is cut off, and all of its columns are in view."""
+    header, model = table.horizontalHeader(), table.model()
+    shown = [number for number in range(model.columnCount()) if not table.isColumnHidden(number)]
+    assert table.horizontalScrollBar().maximum() == 0
+    for number in shown:
+        heading = model.headerData(number, QtCore.Qt.Horizontal)
+        assert header.fontMetrics().boundingRect(heading).width() <= table.columnWidth(number), heading
+        assert table.sizeHintForColumn(number) <= table.columnWidth(number), heading
+        assert model.columns[number].heading(model.unit) in model.headerData(
+            number, QtCore.Qt.Horizontal, QtCore.Qt.ToolTipRole) or model.columns[number].meaning
+
+
+@pytest.mark.parametrize("width", [300, 420])
+def test_many_walls_are_whole_in_the_table_of_a_narrow_panel(document, width):
+    window.add(document, "Finned", finned_block())
+    window.classify()
+    form, table = window.widget("ThinPart_Panel"), window.widget("ThinPart_RegionsTable")
+    form.setParent(None)
+    form.resize(width - 40, 900)
+    form.show()
+    window.settle(100)
+    walls = [table.model().index(row, 0).data() for row in range(table.model().rowCount())]
+    assert any(wall.endswith(" \u00d7 plate") for wall in walls) and len(walls) >= 4
+    assert_fits(table)
+    # The features that made them give way to the rest, and are whole in their tool tips.
+    record = open_session().record_of(document.Name, "Finned")
+    table.show_regions(record, table.model().unit, ["Pad of the upper fins"] * len(record["faces"]))
+    window.settle(50)
+    assert table.horizontalScrollBar().maximum() == 0
+    for number, column in enumerate(table.model().columns):
+        if column.key in ("wall", "area_mm2", "length_mm"):
+            assert table.sizeHintForColumn(number) <= table.columnWidth(number), column.key
+        assert table.model().index(0, number).data(QtCore.Qt.ToolTipRole) == table.model().index(0, number).data()
+    form.hide()
+
+
+def test_long_names_of_parts_give_way_to_their_figures(document):
+    for number in range(4):
+        block = window.add(document, f"Block{number}", Part.makeBox(30, 20, 1 + number))
+        block.Label = f"Upper left bracket of the housing, version {number}"
+    window.classify()
+    form, table = window.widget("ThinPart_Panel"), window.widget("ThinPart_PartTable")
+    form.setParent(None)
+    form.resize(260, 900)
+    form.show()
+    window.settle(100)
+    assert table.horizontalScrollBar().maximum() == 0
+    for number in range(1, 4):
+        assert table.sizeHintForColumn(number) <= table.columnWidth(number)
+    assert table.model().index(0, 0).data(QtCore.Qt.ToolTipRole).startswith("Upper left bracket of the housing, version")
+    form.hide()

@@ -101,7 +101,7 @@ def test_the_pages_show_every_preference_with_its_default():
     shown = in_preferences(act)
     for declared in ON_PAGES:
         assert shown[declared.name] == pytest.approx(declared.default, abs=0.003), declared.name
-    assert len(ON_PAGES) == 25
+    assert len(ON_PAGES) == 26
 
 
 OTHER = {
@@ -111,7 +111,7 @@ OTHER = {
     "ThinColour": (0.0, 0.2, 1.0), "PartlyThinColour": (0.0, 1.0, 0.0), "UnmeasuredColour": (1.0, 1.0, 0.0),
     "HeatMapColours": "magma", "HeatMapReversed": True, "HeatMapBands": 12,
     "HeatMapShading": False, "HeatMapLogarithmic": True,
-    "AutomaticClassification": True, "WarnOfCategory": False, "WarnWallUnder": 1.5,
+    "AutomaticClassification": True, "WarnOfCategory": False, "WarnWallUnder": 1.5, "KnownPartsOnSave": True,
 }
 
 

@@ -213,7 +213,8 @@ WRITTEN = {
 @pytest.mark.parametrize("command", WRITTEN)
 def test_what_thinpart_wrote_is_written_anew_and_what_it_did_not_write_where_the_user_says_so(place, command):
     more, options = WRITTEN[command]
-    arguments = [command, "part.step", *more, *(each for pair in options.items() for each in pair)]
+    arguments = [command, "library" if command == "duplicates" else "part.step", *more,
+                 *(each for pair in options.items() for each in pair)]
     outputs = [place / name for name in options.values()]
     for output in outputs:
         if output.suffix != ".ply":

@@ -297,3 +297,15 @@ def test_workers_that_lack_freecad_or_do_not_see_a_file(bare, tmp_path):
     outcome, = analyse_files_on_cluster(bare.address, tasks, Limits())
     assert outcome["file"] == tasks[0].file and outcome["error"]["kind"] == "missing"
     assert f"does not see {tasks[0].file}" in outcome["error"]["message"]
+
+
+def test_duplicates_of_new_files_are_classified_there(cluster, tmp_path):
+    folder = tmp_path / "parts"
+    folder.mkdir()
+    for name in ("one.step", "two.step"):
+        shutil.copy(SAMPLES / "tube.step", folder / name)
+    run = thinpart("duplicates", folder, "--json", "--dask", cluster.address)
+    assert run.returncode == 0, run.stderr
+    line, = map(json.loads, run.stdout.splitlines())
+    assert line["kind"] == "identical" and {Path(part["file"]).name for part in line["parts"]} == {"one.step", "two.step"}
+    assert thinpart("duplicates", folder, "--dask", "tcp://nowhere").returncode == 2

@@ -2,6 +2,7 @@
 """Results of a search in libraries."""
 
 import json
+import os
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Optional, cast
@@ -11,8 +12,26 @@ from ..core.record.record_types import PartRecord, PersonLabel, ProfileContent
 from ..storage.index.stored_part import StoredPart
 from ..storage.info.info_reading import read_info
 from ..storage.info.stored_records import select_record
+from ..storage.thumbnails import thumbnail_path
 from ..workflow.library.find_parts import read_records
 from .classified_parts import PartFailure
+
+
+def stored_row(part: StoredPart) -> dict[str, Any]:
+    """The fields of a part as the window shows them, JSON values: with ``place``, its file within the library, and where it
+    may have one ``thumbnail``, the path of its picture.
+
+    Examples
+    --------
+    >>> from thinpart_workbench.api.libraries import find
+    >>> stored_row(find(samples, category="thin")[0].stored)["place"]
+    'plate.step'
+    """
+    content = {**part._asdict(), "place": os.path.relpath(part.file, part.root)}
+    thumbnail = thumbnail_path(part.sha256, part.name) if part.name else None
+    if thumbnail is not None:
+        content["thumbnail"] = os.fspath(thumbnail)
+    return content
 
 
 @dataclass(frozen=True)

@@ -5,6 +5,7 @@ import argparse
 import os
 from dataclasses import fields
 
+from ..api.classification import cluster_address
 from ..api.file_run import FileRun
 from ..core.analysis_limits import LEAST_MEGABYTES, Limits
 from ..core.analysis_settings import (
@@ -102,6 +103,20 @@ def add_limit_options(parser, limits=_LIMITS, when=""):
     parser.add_argument("--memory", metavar="MB", default=default["megabytes"],
                         type=_number("--memory", int, "a whole number of megabytes", LEAST_MEGABYTES),
                         help=when + "memory limit per file, in MB (default: %(default)s)")
+
+
+def add_cluster_option(parser, what="measure"):
+    """Declare the option that names a cluster, where it does `what`."""
+    parser.add_argument("--dask", metavar="ADDRESS", type=_cluster,
+                        help=what + " on the workers of a Dask cluster that see the same files, one file per "
+                             "worker thread at a time; ADDRESS is its scheduler, tcp://HOST:PORT")
+
+
+def _cluster(text):
+    try:
+        return cluster_address(text)
+    except ThinPartError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
 
 
 def add_control_options(parser):

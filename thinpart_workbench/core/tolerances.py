@@ -74,12 +74,14 @@ TOLERANCES = Tolerances()
 
 ELSEWHERE = (
     "core.descriptors.automatic_mesh",  # short edges, narrow faces, tight curves, knife's edges
+    "core.descriptors.equal_walls",  # walls that are equal
     "core.descriptors.local_quantiles",  # shares of the surface whose local thickness is recorded
     "core.descriptors.precision",  # errors of shares, of the volume and of the area
     "core.descriptors.quantity",  # where an edge of a bin is blurred
     "core.descriptors.similarity",  # how near two parts are that are alike
     "core.forms.alignment",  # turns that are tried, points of two outlines that belong together
     "core.forms.comparison",  # geometry that is the same
+    "core.forms.equal_faces",  # faces that are equal
     "core.forms.form",  # what a turned normal counts as
     "core.forms.laying",  # outlines that are the same
     "core.judging.classification",  # the thin limit of a profile that states none
@@ -105,7 +107,6 @@ ELSEWHERE = (
     "core.rays.ray_casting",  # boxes that a ray grazes
     "core.rays.ray_packets",  # rays that are cast together
     "core.record.mesh_settings",  # parts alike and walls that are the same, for settings that worked
-    "core.record.region_groups",  # walls that are shown as one group
     "core.record.region_notes",  # regions that are the same after a change
     "core.record.thin_faces",  # faces that are shown as thin
     "core.reuse.likeness",  # parts of one form, parts that are alike, scales that people know
@@ -128,13 +129,14 @@ ELSEWHERE = (
     "core.sizing.size_sources",  # chord errors, narrow faces, walls of a region
     "core.sizing.sizing_settings",  # least and greatest size of elements
     "core.thickness.inscribed_balls",  # when a ball is empty
+    "core.thickness.listed_regions",  # regions that are listed and counted
     "core.thickness.local_thickness",  # how far a ball reaches
     "core.thickness.measurement",  # progress
     "core.thickness.nonparallel",  # the greatest distance of slanted walls that is searched
     "core.thickness.plate_likeness",  # places of a wall that are plates
     "core.thickness.region_shape",  # plates, bars, blocks, tubes, tapers and teeth
     "core.thickness.wall_graph",  # neighbours on one wall
-    "core.thickness.wall_regions",  # regions that are listed and counted
+    "core.thickness.wall_regions",  # regions that are plates, faces that belong to one
     "core.walls.face_thickness",  # walls of a face that are as thin as the thinnest
     "core.walls.thickness_field",  # errors of wedge angles
     "core.walls.thin_places",  # the depth beside sharp edges, edges that are walls

@@ -225,6 +225,10 @@ PREFERENCES = {declared.name: declared for declared in (
             title=QT_TRANSLATE_NOOP("ThinPart", "When a wall is thinner than"), unit=MILLIMETRES,
             range=(0.001, 100_000.0), zero=QT_TRANSLATE_NOOP("ThinPart", "off"),
             needs=("AutomaticClassification", True)),
+        Preference("KnownPartsOnSave", False, QT_TRANSLATE_NOOP(
+            "ThinPart", "The same part, its mirror image, another size, or one like it; each is said once"),
+            title=QT_TRANSLATE_NOOP("ThinPart", "When libraries have a part already"),
+            needs=("AutomaticClassification", True)),
     ),
     Preference("ColourBarShown", True, "Whether thickness maps have a colour bar in the view"),
     Preference("ColourBarAcross", 0.0, "Where the colour bar stands: 0 left, 1 right", range=(0.0, 1.0)),

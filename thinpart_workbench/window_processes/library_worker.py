@@ -5,15 +5,13 @@ It handles requests in their order: JSON objects with ``ask``, the name of a met
 parameters of that method. Of several pending ``find`` requests it only handles the last.
 """
 
-import os
 import queue
 
 from ..api.annotations import annotate_part, mesh_settings
-from ..api.found_parts import record_and_profile
+from ..api.found_parts import record_and_profile, stored_row
 from ..api.open_libraries import OpenLibraries
 from ..core.errors import ThinPartError
 from ..core.judging.conditions import search_conditions
-from ..storage.thumbnails import thumbnail_path
 from .json_lines import JsonLines
 
 FIRST_ROWS = 100
@@ -153,11 +151,7 @@ class LibraryWorker:
         return [part and self._row_content(part) for part in self._libraries.rows(start, end)]
 
     def _row_content(self, part):
-        content = {**part.stored._asdict(), "root": self._libraries.root_of(part),
-                   "place": os.path.relpath(part.file, part.stored.root)}
-        thumbnail = thumbnail_path(part.stored.sha256, part.name) if part.name else None
-        if thumbnail is not None:
-            content["thumbnail"] = os.fspath(thumbnail)
+        content = {**stored_row(part.stored), "root": self._libraries.root_of(part)}
         if part.score is not None:
             content.update(score=part.score, reasons=part.reasons)
         return content

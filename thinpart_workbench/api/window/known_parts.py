@@ -5,6 +5,7 @@ import os
 
 from ...core.message import message
 from ...core.reuse.likeness import ALIKE, IDENTICAL, MIRRORED
+from ...storage.info.stored_records import stored_records
 from ...workflow.reuse.known_part import known_part
 from ..libraries import Libraries
 
@@ -23,7 +24,8 @@ def part_in_libraries(record, roots, info_file=None):
     Returns
     -------
     dict or None
-        ``sentence``, ``file`` and ``name``; None where there is none.
+        ``sentence``; ``kind``, one of `likeness.KINDS`; ``file``, ``info_file`` and ``name`` of the part of a library. None
+        where there is none.
 
     Examples
     --------
@@ -44,4 +46,27 @@ def part_in_libraries(record, roots, info_file=None):
     else:
         sentence = message("Your libraries have it in another size: this is {scale:.6g} times {file}.",
                            scale=found.evidence["scale"], file=file)
-    return {"sentence": sentence, "file": found.stored.file, "name": found.stored.name}
+    return {"sentence": sentence, "kind": found.kind, "file": found.stored.file, "info_file": found.stored.info_file,
+            "name": found.stored.name}
+
+
+def document_in_libraries(info_file, roots):
+    """What libraries have of the parts of a document: list of str, a sentence for each part that they have, or one like it.
+
+    Parameters
+    ----------
+    info_file : str
+        Of the document; its own parts are left out.
+    roots : list of str
+        See `part_in_libraries`.
+
+    Examples
+    --------
+    >>> document_in_libraries(f"{plate}.thinpart.json", [samples])
+    []
+    """
+    records = stored_records(info_file)
+    known = [(record["label"], part_in_libraries(record, roots, info_file)) for record in records]
+    return list(dict.fromkeys(
+        each["sentence"] if len(records) == 1 else message("{part}: {sentence}", part=label, sentence=each["sentence"])
+        for label, each in known if each is not None))

@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """``thinpart classify``: classify parts and folders into a table, JSON lines, CSV and info files."""
 
-import argparse
 import errno
 import os
 import tempfile
 
-from ...api.classification import cluster_address
 from ...core.errors import ThinPartError
 from ...core.judging.criteria import load_profile
 from ...core.kinds.file_marks import TABLE
@@ -19,6 +17,7 @@ from ..file_run import analyse_and_report, controlled_run
 from ..output_options import add_output_option, replacing
 from ..part_rows import PartRows
 from ..run_options import (
+    add_cluster_option,
     add_control_options,
     add_file_options,
     add_info_folder_options,
@@ -53,9 +52,7 @@ def add_arguments(parser):
     add_measurement_options(parser)
     add_check_options(parser)
     add_limit_options(parser)
-    parser.add_argument("--dask", metavar="ADDRESS", type=_cluster,
-                        help="measure on the workers of a Dask cluster that see the same files, one file per "
-                             "worker thread at a time; ADDRESS is its scheduler, tcp://HOST:PORT")
+    add_cluster_option(parser)
     add_control_options(parser)
 
 
@@ -140,10 +137,3 @@ def _check_info_folder(folder):
             message("Info files cannot be written into {folder} ({problem}): give another folder to --info-dir.",
                     folder=folder, problem=error.strerror), "usage",
         ) from None
-
-
-def _cluster(text):
-    try:
-        return cluster_address(text)
-    except ThinPartError as error:
-        raise argparse.ArgumentTypeError(str(error)) from None

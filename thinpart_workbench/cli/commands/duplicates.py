@@ -15,7 +15,7 @@ from ...storage.info.info_file import info_path
 from ...storage.part_table import SUBJECT, TableForm, write_table
 from ..file_run import analyse_and_report, controlled_run
 from ..output_options import add_output_option, replacing
-from ..run_options import add_limit_options, limits_of, new_file_run
+from ..run_options import add_cluster_option, add_limit_options, limits_of, new_file_run
 from ..terminal_table import TableColumn, print_table
 
 _MEASURES = ("compared", "greatest_mm", "same_share", "scale", "says")
@@ -34,6 +34,7 @@ def add_arguments(parser):
     parser.add_argument("--json", action="store_true", help="print one JSON object per group")
     add_output_option(parser, "--csv", mark=TABLE, metavar="FILE", help="write a table of the groups to a CSV file as well")
     add_limit_options(parser)
+    add_cluster_option(parser, "classify what has no info file yet")
     parser.set_defaults(include=[], exclude=[])
 
 
@@ -95,7 +96,7 @@ def _classify_new(options, control, report):
     return analyse_and_report(
         new_file_run(options, control, report, new), report, lambda outcome: None,
         profile=load_profile(DEFAULT_PROFILE).content, settings=AnalysisSettings(), limits=limits_of(options),
-        info_for=info_path, force=False, thumbnails=True)
+        info_for=info_path, force=False, thumbnails=True, cluster=options.dask)
 
 
 def _progress(done, total):

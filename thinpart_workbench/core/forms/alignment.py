@@ -3,6 +3,7 @@
 
 import numpy as np
 
+from .form import NORMAL_SPACINGS
 from .motion import turn_by
 
 EQUAL_RADII = 0.02
@@ -29,16 +30,23 @@ REACH = 3.0
 ALONG = 0.005
 """What a distance along the surface counts beside one across it, for the choice of a partner."""
 
+MOST_SKEW = 0.02
+"""Difference of the third moments up to which two forms may be the same, as a share of the cube of the greatest radius."""
+
+MOST_AWAY = 2.0
+"""Spacings of an outline from which points of the same form, laid upon it as near as turns are tried, are in the mean."""
+
 LEAST_FITTED = 6
 """Points without which no motion is fitted: a motion has as many freedoms."""
 
 _TRIED_POINTS = 96
+_AXES_BESIDE = np.radians(3.0)  # where radii differ little, triangles of another fineness turn the axes
 _ORDERS = np.array([np.eye(3)[list(order)] * [1.0, 1.0, sign] for order, sign in (
     ((0, 1, 2), 1), ((1, 2, 0), 1), ((2, 0, 1), 1), ((0, 2, 1), -1), ((2, 1, 0), -1), ((1, 0, 2), -1))])
 _FLIPS = np.array([(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)], dtype=float)
 
 
-def likely_turns(form, other, scale, is_mirrored, count, any_axes=False):
+def likely_turns(form, other, scale, is_mirrored, count, any_axes=False, whole=False):
     """Turns that lay the principal axes of a form upon those of another, the likeliest first.
 
     Returns an ndarray of shape (count at most, 3, 3). Where two radii of gyration are equal, all turns about the third axis
@@ -54,17 +62,29 @@ def likely_turns(form, other, scale, is_mirrored, count, any_axes=False):
     count : int
     any_axes : bool, optional
         Whether each axis may come upon each: that of a plate may be the longest of one and the second of a shorter one.
+    whole : bool, optional
+        Whether the forms are the same: turns after which their third moments or points differ are left out.
     """
     axes = _right_handed(form.axes) * np.array([1.0, 1.0, -1.0 if is_mirrored else 1.0])
     orders = _ORDERS if any_axes else _ORDERS[:1]
+    upon, step = _turned_axes(other)
     turns = np.concatenate([np.einsum("ij,fj,kj->fik", turned, _FLIPS, axes @ order.T)
-                            for turned in _turned_axes(other) for order in orders])
+                            for turned in upon for order in orders])
+    skew = np.abs(scale ** 3 * _turned_third(form, turns) - other.moments.third).max(axis=(1, 2, 3)) / other.radii[0] ** 3
+    if whole:
+        # A turn by a small angle changes no third moment by more than three times as much.
+        is_likely = skew <= MOST_SKEW + 3.0 * step * np.abs(other.moments.third).max() / other.radii[0] ** 3
+        turns, skew = turns[is_likely], skew[is_likely]
+        if not len(turns):
+            return turns
     few = form.thinned(_TRIED_POINTS).outline
     moved = np.einsum("rij,pj->rpi", turns, np.hstack([scale * few.points, few.normals]).reshape(-1, 3))
     moved = moved.reshape(len(turns), -1, 6) * np.repeat([1.0, other.normal_length], 3)
     distance = other.directed_tree.query(moved.reshape(-1, 6))[0].reshape(len(turns), -1)
     away = distance.mean(axis=1) / other.extent
-    skew = np.abs(scale ** 3 * _turned_third(form, turns) - other.moments.third).max(axis=(1, 2, 3)) / other.radii[0] ** 3
+    if whole:
+        is_near = away <= (MOST_AWAY * other.normal_length / NORMAL_SPACINGS + step * other.radii[0]) / other.extent
+        turns, away, skew = turns[is_near], away[is_near], skew[is_near]
     return _apart(turns[np.argsort(away + skew, kind="stable")], count)
 
 
@@ -138,15 +158,18 @@ def _turned_third(form, turns):
 
 
 def _turned_axes(form):
-    """The principal axes of a form, and those that its radii do not tell from them: ndarray of shape (n, 3, 3)."""
+    """The principal axes of a form, and those that its radii do not tell from them.
+
+    Returns an ndarray of shape (n, 3, 3), and the angle in radians by which the best of them may be beside the true ones.
+    """
     axes, radii = _right_handed(form.axes), form.radii
     first, last = (radii[k] - radii[k + 1] <= EQUAL_RADII * radii[k] for k in range(2))
     if first and last:
-        return axes @ _all_around()
+        return axes @ _all_around(), np.radians(15.0)
     if first or last:
         vector = np.eye(3)[2 if first else 0]
-        return np.array([axes @ turn_by(vector * angle) for angle in np.arange(TURNS) * (np.pi / TURNS)])
-    return axes[None]
+        return np.array([axes @ turn_by(vector * angle) for angle in np.arange(TURNS) * (np.pi / TURNS)]), np.pi / TURNS
+    return axes[None], _AXES_BESIDE
 
 
 def _all_around():

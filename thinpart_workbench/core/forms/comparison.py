@@ -18,8 +18,13 @@ MOST_STEPS = 8
 MOST_SEARCHED = 64
 """Points that seem to lie apart for which the whole other geometry is searched, which takes long."""
 
+FITTED = 160
+"""Points by which two forms are fitted."""
+
+_LIMITS = tuple(LAST_LIMIT / 2 ** halved for halved in range(6))
+"""Distances up to which points count, as shares of the extent: faces that are a little aside draw the rest less and less."""
+
 _LIFTED = 0.1
-_FITTED = 160
 _STILL = 1e-7
 
 
@@ -78,28 +83,50 @@ def compared(side, other, motion):
     """
     same = GEOMETRY_SAME * other.form.extent
     asked, other_asked = side.asked(), other.asked()
-    few = asked.thinned(_FITTED)
-    for _ in range(MOST_STEPS):
-        before, motion = motion, _nearer(few, other, motion)
-        if np.abs(motion.points(few.outline.points) - before.points(few.outline.points)).max() <= _STILL * other.form.extent:
-            break
+    motion = laid_closely(asked, other, motion)
     distance = _distances(asked, other, motion, same)
     other_distance = motion.scale * _distances(other_asked, side, motion.inverse(), same / motion.scale)
     return Compared(Laid(motion, distance, other_distance, share_of(asked, distance <= same),
                          share_of(other_asked, other_distance <= same)), asked, other_asked)
 
 
-def _nearer(asked, other, motion):
+def laid_closely(asked, other, motion, count=FITTED):
+    """The `Motion` by which points of a form lie as close to the geometry of another as they can, from one that is near it.
+
+    Parameters
+    ----------
+    asked : Form
+        See `Side.asked`.
+    other : Side
+    motion : Motion
+    count : int, optional
+        About so many points are looked at.
+    """
+    few, extent = asked.thinned(count), other.form.extent
+    for limit in _LIMITS:
+        for _ in range(MOST_STEPS):
+            before = motion
+            motion, distance = _nearer(few, other, motion, limit * extent)
+            if np.abs(motion.points(few.outline.points) - before.points(few.outline.points)).max() <= _STILL * extent:
+                break
+        # Where the two are the same, or nowhere, nothing draws the rest aside any more.
+        if (np.minimum(distance, limit * extent) <= GEOMETRY_SAME * extent).all():
+            break
+    return motion
+
+
+def _nearer(asked, other, motion, limit):
+    """The motion after a step, and how far the points were before it, mm."""
     points, feet, partner = _feet(asked, other, motion)
     away = points - feet
     distance = np.linalg.norm(away, axis=1)
     # What only one of the two has must not draw the rest.
-    fitting = distance <= LAST_LIMIT * other.form.extent
+    fitting = distance <= limit
     if np.count_nonzero(fitting) < LEAST_FITTED:
-        return motion
+        return motion, distance
     normals = other.form.outline.normals[partner[fitting]]
     return motion.nearer(points[fitting], np.einsum("kj,kj->k", away[fitting], normals), normals,
-                         asked.outline.area[fitting])
+                         asked.outline.area[fitting]), distance
 
 
 def _distances(asked, other, motion, same):

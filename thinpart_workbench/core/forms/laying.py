@@ -15,6 +15,9 @@ SAME = 2e-3
 LAST_LIMIT = 0.006
 """Distance up to which points count at last when two forms are fitted, as a share of the extent."""
 
+SAME_POINTS = 1e-4
+"""Greatest distance, as a share of the extent, of outlines that are made of the same points: records round them."""
+
 _TURNS = 6
 _FIRST_LIMIT = 0.03
 _TRIED_POINTS, _TRIED = 64, 3
@@ -62,12 +65,24 @@ def laid_whole(form, other, scale, is_mirrored):
     scale : float
     is_mirrored : bool
     """
+    if not is_mirrored and scale == 1.0 and np.array_equal(form.outline.points, other.outline.points):
+        none = np.zeros(form.outline.count)
+        return [Laid(Motion(np.eye(3)), none, none, 1.0, 1.0)]
     tried: list = []
-    for turn in likely_turns(form, other, scale, is_mirrored, _TURNS):
-        tried.append(_laid(form, other, Motion(turn, scale)))
+    for turn in likely_turns(form, other, scale, is_mirrored, _TURNS, whole=True):
+        motion = Motion(turn, scale)
+        found = _laid_on_same_points(form, other, motion)
+        if found is not None:
+            return [found]
+        tried.append(_laid(form, other, motion))
         if tried[-1].apart(_MOST_APART * SAME * other.extent) <= _AT_ONCE * other.extent:
             return [tried[-1]]
     return sorted(tried, key=lambda each: each.apart(_MOST_APART * SAME * other.extent))
+
+
+def is_exact(laid, extent):
+    """Whether a form lies upon another, of an extent in mm, as exactly as outlines can say: no other way is nearer."""
+    return max(laid.distance.max(), laid.other_distance.max()) <= SAME_POINTS * extent
 
 
 def laid_partly(form, other, is_mirrored=False):
@@ -84,6 +99,32 @@ def laid_partly(form, other, is_mirrored=False):
         motions += [Motion(turn, 1.0, axes @ np.array(shift)) for shift in product(*choices)]
     found = [_laid(form, other, motions[number]) for number in _nearest(form, other, motions)]
     return min(found, key=lambda each: each.apart(_MOST_APART * SAME * other.extent))
+
+
+def _laid_on_same_points(form, other, motion):
+    """The form laid upon one whose outline is made of the same points, such as that of a copy: `Laid`, None otherwise."""
+    if form.outline.count != other.outline.count:
+        return None
+    size = max(motion.scale * form.extent, other.extent)
+    few = form.outline.chosen(slice(None, None, max(1, form.outline.count // _TRIED_POINTS)))
+    if _directed(few, other, motion)[0].max() > SAME * size:
+        return None
+    away, place = _directed(form.outline, other, motion)
+    if away.max() > SAME * size or len(np.unique(place)) < 0.9 * len(place):
+        return None
+    motion = motion.between(form.outline.points, other.outline.points[place])
+    distance = np.linalg.norm(motion.points(form.outline.points) - other.outline.points[place], axis=1)
+    if distance.max() > SAME_POINTS * size:
+        return None
+    other_distance = np.zeros(other.outline.count)
+    other_distance[place] = distance
+    return Laid(motion, distance, other_distance, 1.0, 1.0)
+
+
+def _directed(outline, other, motion):
+    """Distance and number of the point of another form that is nearest with its normal, of points of an outline."""
+    return other.directed_tree.query(np.hstack([
+        motion.points(outline.points), other.normal_length * motion.directions(outline.normals)]))
 
 
 def _nearest(form, other, motions):

@@ -38,6 +38,22 @@ class Motion(NamedTuple):
         """The motion back."""
         return Motion(self.turn.T, 1.0 / self.scale, -(self.shift @ self.turn) / self.scale)
 
+    def between(self, points, others):
+        """The motion of the same kind and scale that lays points upon others best (Kabsch 1976,
+        doi:10.1107/S0567739476001873).
+
+        Parameters
+        ----------
+        points, others : ndarray of shape (k, 3), mm
+        """
+        middle, other_middle = points.mean(axis=0), others.mean(axis=0)
+        left, sizes, right = np.linalg.svd((others - other_middle).T @ (points - middle))
+        if sizes[1] <= 1e-9 * sizes[0]:  # on a line: any turn about it is as good
+            return self
+        side = np.sign(np.linalg.det(left @ right)) * np.sign(np.linalg.det(self.turn))
+        turn = left @ np.diag([1.0, 1.0, side]) @ right
+        return Motion(turn, self.scale, other_middle - self.scale * turn @ middle)
+
     def nearer(self, points, distance, normals, weights):
         """The motion turned and moved a little further, so that moved points come nearer to a surface: `Motion`.
 

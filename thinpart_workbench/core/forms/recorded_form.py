@@ -4,6 +4,7 @@
 import base64
 import binascii
 import zlib
+from itertools import permutations
 
 import numpy as np
 
@@ -62,6 +63,15 @@ def second_moments(numbers):
     found = np.empty((len(numbers), 3, 3))
     for column, (i, j) in enumerate(_PAIRS):
         found[:, i, j] = found[:, j, i] = numbers[:, 4 + column]
+    return found
+
+
+def third_moments(numbers):
+    """ndarray of shape (n, 3, 3, 3), mm3: third moments of rows of `unpacked_numbers`."""
+    found = np.empty((len(numbers), 3, 3, 3))
+    for column, triple in enumerate(_TRIPLES):
+        for place in set(permutations(triple)):
+            found[:, place[0], place[1], place[2]] = numbers[:, 10 + column]
     return found
 
 

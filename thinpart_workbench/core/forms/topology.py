@@ -32,7 +32,7 @@ def topology(mesh, kinds):
     str
         Sixteen hexadecimal digits.
     """
-    first, second, way = _neighbours(mesh)
+    first, second, way = neighbouring_faces(mesh)
     colours = [_digest(kind) for kind in kinds]
     for _ in range(ROUNDS):
         around: list = [[] for _ in kinds]
@@ -43,7 +43,7 @@ def topology(mesh, kinds):
     return _digest(",".join(sorted(colours)))
 
 
-def _neighbours(mesh):
+def neighbouring_faces(mesh):
     """Pairs of faces that share edges, and how they meet in most of them: -1 hollow, 0 smoothly, 1 convex; each once."""
     one, other = (side // 3 for side in mesh.shared_sides)
     faces = mesh.face_of_triangle[one], mesh.face_of_triangle[other]

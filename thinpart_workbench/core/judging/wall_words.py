@@ -6,10 +6,10 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from ..descriptors.bins import BINS
+from ..descriptors.equal_walls import SAME
 from ..descriptors.region_kinds import BAR, BLOCK, PLATE, TAPER, TOOTH, TUBE
 from ..figures import Length, Share
 from ..message import Message, message
-from ..record.region_groups import SAME
 
 MOST_OF_IT = 0.5
 """Share of the surface from which walls of one thickness are what the part is made of."""

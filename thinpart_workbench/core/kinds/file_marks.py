@@ -177,8 +177,8 @@ MAPS = {
 """Thickness maps, by their endings."""
 
 TABLE = HeadMark(rb"file,part,label,(instances,category,criteria,|category,order,wanted_layers,|face,made_by,area_mm2,|"
-                 rb"face,(made_by,)?thinnest_mm,|wall,(thinnest|size|thickness)_mm,|probe,thickness_mm\r?\n)")
-"""CSV tables of parts, of their sizes, and of their faces, walls and probes: their titles."""
+                 rb"group,kind,compared,|face,(made_by,)?thinnest_mm,|wall,(thinnest|size|thickness)_mm,|probe,thickness_mm\r?\n)")
+"""CSV tables of parts, of their sizes, of what is there twice, and of faces, walls and probes: their titles."""
 
 PAGE = HeadMark(rb'\s*<!DOCTYPE html>.{0,400}<meta name="generator" content="ThinPart ')
 """Pages of reports."""

@@ -5,6 +5,16 @@ import numpy as np
 
 from ..columns import corners_of, dot
 
+FACETS = 20_000
+"""The surface of a part is cut about as finely as this many equal facets would be."""
+
+LONGEST = 1.6
+"""Sides longer than this many sides of such an equal facet are cut, so that no piece gets much shorter than one."""
+
+MOST_FACETS = 60_000
+"""Facets are cut more coarsely where there would be more than this. A surface mesh that is finer already may get at
+most this many facets more, because its plane faces may still have large triangles."""
+
 _CUTS = {
     # Key: the sides to cut, as bits. Value: the resulting facets; nodes 0 to 2 are the corners, 3 to 5 the
     # middles of the sides from corners 0, 1 and 2 to the next corner.
@@ -17,6 +27,41 @@ _CUTS = {
     6: ((4, 2, 5), (0, 1, 4), (0, 4, 5)),
     7: ((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5)),
 }
+
+
+def small_facets(mesh):
+    """Cut the triangles of a SurfaceMesh until they are small.
+
+    Returns
+    -------
+    points : ndarray of shape (v, 3), mm
+    facets : ndarray of shape (m, 3), int64
+    parent : ndarray of shape (m,), int64
+        The triangle that each is a piece of.
+    size : float, mm
+        No side is longer.
+    most : int
+        How many facets there may be at last.
+    """
+    points, facets = mesh.vertices, mesh.triangles
+    parent = np.arange(mesh.count)
+    size = LONGEST * np.sqrt(4.0 / np.sqrt(3.0) * mesh.areas.sum() / FACETS)
+    most = max(MOST_FACETS, min(2 * mesh.count, MOST_FACETS + mesh.count))
+    while True:
+        long = side_lengths(points, facets) > size
+        if not long.any():
+            return points, facets, parent, size, most
+        if too_many(facets, long, most):
+            size *= 1.5
+            continue
+        points, facets, pieces = cut_sides(points, facets, long)
+        parent = parent[pieces]
+
+
+def too_many(facets, cut, most):
+    """Whether there are more facets than `most` once sides are cut, as in `cut_sides`."""
+    # Each cut side adds about one facet on either side of it, and is counted on both.
+    return len(facets) + cut.sum() > most
 
 
 def side_lengths(points, facets):

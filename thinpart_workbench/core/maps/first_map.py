@@ -8,9 +8,9 @@ from ..analysis_settings import LOCAL, RAY, SPHERE
 from ..mesh.sampling import even_samples, smooth_samples
 from ..rays.inward_rays import InwardRays
 from ..thickness.inscribed_balls import inscribed_balls
-from .facet_refinement import cut_sides, side_lengths
+from .facet_refinement import LONGEST, cut_sides, side_lengths
 from .seen_walls import JUMP, seen_walls
-from .thickness_map import LONGEST, ThicknessMap
+from .thickness_map import ThicknessMap
 
 FACETS = 6_000
 """The surface is cut about as finely as this many equal facets would be."""

@@ -15,19 +15,9 @@ from ..rays.inward_rays import InwardRays
 from ..thickness.inscribed_balls import inscribed_balls
 from ..thickness.local_thickness import local_thickness
 from ..walls.walls import NONPARALLEL_BELOW
-from .facet_refinement import cut_sides, side_keys, side_lengths
+from .facet_refinement import cut_sides, side_keys, side_lengths, small_facets, too_many
 from .jump_lines import cut_along_jumps
 from .map_outline import outline
-
-FACETS = 20_000
-"""The surface of a part is cut about as finely as this many equal facets would be."""
-
-LONGEST = 1.6
-"""Sides longer than this many sides of such an equal facet are cut, so that no piece gets much shorter than one."""
-
-MOST_FACETS = 60_000
-"""Facets are cut more coarsely where there would be more than this. A surface mesh that is finer already may get at
-most this many facets more, because its plane faces may still have large triangles."""
 
 JUMP = 1.15
 """Neighbours on which balls differ by more than this ratio are cut further."""
@@ -172,7 +162,7 @@ def thickness_map(measurement, report=None, by=RAY):
     mesh = measurement.field.mesh
     rays = measurement.rays or InwardRays(mesh)
     report_progress(report, 0.0)
-    points, facets, parent, size, most = _small_facets(mesh)
+    points, facets, parent, size, most = small_facets(mesh)
     report_progress(report, CUT_DONE)
     made = portion(report, CUT_DONE, 1.0)
     if by == RAY:
@@ -181,23 +171,6 @@ def thickness_map(measurement, report=None, by=RAY):
         found = _map_of_balls(_DIAMETERS[by](measurement, rays), by, mesh, points, facets, parent, size, most, made)
     report_progress(report, 1.0)
     return found
-
-
-def _small_facets(mesh):
-    """The triangles of a mesh, cut until they are small; the length of their sides, and how many there may be."""
-    points, facets = mesh.vertices, mesh.triangles
-    parent = np.arange(mesh.count)
-    size = LONGEST * np.sqrt(4.0 / np.sqrt(3.0) * mesh.areas.sum() / FACETS)
-    most = max(MOST_FACETS, min(2 * mesh.count, MOST_FACETS + mesh.count))
-    while True:
-        long = side_lengths(points, facets) > size
-        if not long.any():
-            return points, facets, parent, size, most
-        if _too_many(facets, long, most):
-            size *= 1.5
-            continue
-        points, facets, pieces = cut_sides(points, facets, long)
-        parent = parent[pieces]
 
 
 def _map_of_walls(mesh, rays, points, facets, parent, report):
@@ -221,18 +194,13 @@ def _map_of_balls(diameters, by, mesh, points, facets, parent, size, most, repor
             break
         sides = side_lengths(points, facets) > 0.5 * size / 2 ** step
         cut = sides & _beside_jump(facets, len(points), thickness)[:, None]
-        if not cut.any() or _too_many(facets, cut, most):
+        if not cut.any() or too_many(facets, cut, most):
             break
         points, facets, pieces = cut_sides(points, facets, cut)
         parent = parent[pieces]
         unknown = np.bincount(pieces, minlength=len(thickness))[pieces] > 1
         thickness = thickness[pieces]
     return _assembled(mesh, points, facets, parent, thickness, np.full(len(facets), -1), by)
-
-
-def _too_many(facets, cut, most):
-    # Each cut side adds about one facet on either side of it, and is counted on both.
-    return len(facets) + cut.sum() > most
 
 
 def _touching(measurement, rays):

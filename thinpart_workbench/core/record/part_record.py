@@ -57,7 +57,7 @@ def part_record(part, mesh, measurement, classification, paper, faces, errors, d
             measurement.descriptors, measurement.wall_range, errors.thinnest, _has_teeth(paper), mesh.watertight),
         "thinnest": None if measurement.thinnest is None else _thinnest(measurement, errors),
         "thin_limit_mm": classification.thin_limit_x * measurement.descriptors.box.diagonal,
-        "faces": [_face(face, *_surface_of(part, face.face)) for face in faces],
+        "faces": [_face(part, measurement, face) for face in faces],
         "regions": _regions(measurement.regions),
         "form": {**recorded_form(form_of(measurement.field)), "topology": _topology(part, mesh)},
         **({} if risk is None else {"mesh_risk": risk}),
@@ -226,7 +226,14 @@ def _surface_of(part, face):
     return (None, None) if surfaces is None else surfaces[face]
 
 
-def _face(face, surface, radius):
+def _equal_to(measurement, face):
+    """Name of the first face that is equal to a face; None where that is the face itself, or is not known."""
+    equal = measurement.equal_faces
+    return None if equal is None or equal[face] == face else face_name(int(equal[face]))
+
+
+def _face(part, measurement, face):
+    surface, radius = _surface_of(part, face.face)
     return {
         "face": face_name(face.face),
         "area_mm2": face.area,
@@ -240,6 +247,7 @@ def _face(face, surface, radius):
         "wedge": _witness(face.wedge),
         "surface": surface,
         "radius_mm": radius,
+        "equal_to": _equal_to(measurement, face.face),
     }
 
 

@@ -46,8 +46,8 @@ class WitnessRecord(TypedDict):
 
 class FaceRecord(TypedDict):
     """The walls under one face, None where there are none: the thinnest, and the thinnest apart from sharp edges; median and
-    greatest of parallel walls, or of tapered ones where none is parallel. And on which kind of surface it lies, with the
-    radius of one that has one; None for a patch of triangles."""
+    greatest of parallel walls, or of tapered ones where none is parallel. On which kind of surface it lies, with the radius
+    where it has one; None for a patch of triangles. And the first face that is equal to it; None where it is the first."""
 
     face: str
     area_mm2: float
@@ -61,6 +61,7 @@ class FaceRecord(TypedDict):
     wedge: Optional[WitnessRecord]
     surface: NotRequired[Annotated[Optional[Annotated[str, OneOf(SURFACES)]], LATER]]
     radius_mm: NotRequired[Annotated[Optional[float], LATER]]
+    equal_to: NotRequired[Annotated[Optional[str], LATER]]
 
 
 class ThinnestRecord(TypedDict):

@@ -4,13 +4,9 @@
 from dataclasses import dataclass
 from typing import Optional
 
-from ..descriptors.region_kinds import TAPER, TOOTH
+from ..descriptors.equal_walls import WallSize, are_equal
 from .face_names import face_number
 from .region_notes import notes_of_regions
-
-SAME, SAME_TAPER = 0.03, 0.12
-"""Share by which thickness, length and width of equal regions may differ: points stand for the surface, and a taper, such as
-the tooth of a gear, has a share of them everywhere between thin and thick."""
 
 
 @dataclass(frozen=True)
@@ -24,7 +20,7 @@ class RegionGroup:
     least : float, mm
         Of all of them.
     median, length, width : float, mm
-        Of the first one.
+        Of the one that is neither the longest nor the shortest.
     volume_share : float or None
         Of all together, at most 1.
     faces : tuple of int
@@ -73,18 +69,20 @@ def region_groups(record, notes=None):
         ``region_notes`` of the part; by default those in the record.
     """
     groups: list[tuple] = []
+    face_areas = {face["face"]: face["area_mm2"] for face in record.get("faces", ())}
     listed = record.get("regions", {}).get("listed", [])
     found = notes_of_regions(listed, record.get("region_notes", ()) if notes is None else notes)
     for region, note in zip(listed, found):
-        said = ((note or {}).get("excluded", ""), (note or {}).get("mesh_size_mm"))
-        equal = next((group for group, other in groups if other == said and _are_equal(group[0], region)), None)
+        said, size = ((note or {}).get("excluded", ""), (note or {}).get("mesh_size_mm")), _size(region, face_areas)
+        equal = next((group for group, other, first in groups if other == said and are_equal(first, size)), None)
         if equal is None:
-            groups.append(([region], said))
+            groups.append(([region], said, size))
         else:
             equal.append(region)
     area = record["descriptors"]["area_mm2"]
     # Those of a record are in the order of their medians: a taper that begins thinner than a plate came after it.
-    return sorted((_group(regions, area, *said) for regions, said in groups), key=lambda group: (group.least, -group.area))
+    found = (_group(regions, area, *said) for regions, said, _ in groups)
+    return sorted(found, key=lambda group: (group.least, -group.area))
 
 
 def features_of(group, record, features):
@@ -105,19 +103,17 @@ def features_of(group, record, features):
     return sorted(found, key=lambda feature: -found[feature])
 
 
-def _are_equal(one, other):
-    is_taper = one["kind"] in (TAPER, TOOTH)
-    keys = ("median", "length_mm", "width_mm") if is_taper else ("min", "median", "length_mm", "width_mm")
-    same = SAME_TAPER if is_taper else SAME
-    return one["kind"] == other["kind"] and all(
-        abs(one[key] - other[key]) <= same * max(one[key], other[key]) for key in keys)
+def _size(region, face_areas):
+    return WallSize(region["kind"], region["min"], region["median"], region["length_mm"], region["width_mm"],
+                    region["area_mm2"], tuple(sorted(face_areas[face] for face in region["faces"] if face in face_areas)))
 
 
 def _group(regions, area, excluded, mesh_size):
-    first, shares = regions[0], [region["volume_share"] for region in regions]
+    typical = sorted(regions, key=lambda region: region["length_mm"])[(len(regions) - 1) // 2]
+    shares = [region["volume_share"] for region in regions]
     return RegionGroup(
-        first["kind"], len(regions), min(region["min"] for region in regions), first["median"],
-        first["length_mm"], first["width_mm"],
+        typical["kind"], len(regions), min(region["min"] for region in regions), typical["median"],
+        typical["length_mm"], typical["width_mm"],
         None if None in shares else min(1.0, sum(shares)),
         tuple(sorted({face_number({"face": face}) for region in regions for face in region["faces"]})),
         min(1.0, sum(region["area_mm2"] for region in regions) / area),

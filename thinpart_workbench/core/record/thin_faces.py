@@ -6,8 +6,9 @@ from .face_names import face_number
 MOSTLY_THIN_SHARE = 0.5
 """Thin share of a face's area from which on the face is shown as thin, not as thin in part."""
 
-LEAST_AREA_SHARE = 0.0001
-"""Share of the part's area that thin area on a face must exceed to be shown; less is a stray ray."""
+LEAST_AREA_SHARE, LEAST_FACE_SHARE = 0.0001, 0.02
+"""Shares of the part's area and of the face's own that thin area on a face must exceed to be shown; less is a stray ray, or
+the end of a wire that is ground flat."""
 
 
 def limit_in_millimetres(limit, diagonal):
@@ -42,6 +43,8 @@ def with_limit(record, limit, thin_shares):
 def thin_face_colours(record, thin, partly):
     """Choose the colours of the thin faces of a part: dict, one of the two colours by face number, from 0.
 
+    Equal faces have one colour, by the area of all of them: of equal holes, some look at an edge.
+
     Parameters
     ----------
     record : PartRecord
@@ -50,12 +53,22 @@ def thin_face_colours(record, thin, partly):
     """
     least = LEAST_AREA_SHARE * record["descriptors"]["area_mm2"]
     colours = {}
-    for face in record["faces"]:
-        if face["thin_share"] * face["area_mm2"] <= least:
+    for equal in _equal_faces(record):
+        area = sum(face["area_mm2"] for face in equal)
+        thin_area = sum(face["thin_share"] * face["area_mm2"] for face in equal)
+        if thin_area <= max(least, LEAST_FACE_SHARE * area):
             continue
-        number = face_number(face)
-        colours[number] = thin if face["thin_share"] >= MOSTLY_THIN_SHARE else partly
+        for face in equal:
+            colours[face_number(face)] = thin if thin_area >= MOSTLY_THIN_SHARE * area else partly
     return colours
+
+
+def _equal_faces(record):
+    """The faces of a record, equal ones together: list of list. In records of earlier versions each is alone."""
+    groups: dict = {}
+    for face in record["faces"]:
+        groups.setdefault(face.get("equal_to") or face["face"], []).append(face)
+    return list(groups.values())
 
 
 def thin_body_colours(record, thin, partly):

@@ -11,6 +11,7 @@ from ..descriptors.descriptor_table import STATED_ANGLES, STATED_FLOOR, Descript
 from ..descriptors.distribution import distribution
 from ..descriptors.local_distribution import local_distribution
 from ..descriptors.precision import EXACT
+from ..forms.equal_faces import equal_faces
 from ..mesh.bounds import minimal_box, principal_box
 from ..mesh.dominant_directions import dominant_directions
 from ..mesh.mass_properties import area, volume
@@ -58,6 +59,8 @@ class Measurement:
         The walls between pairs of faces, at any angle.
     thinnest : ThinnestPlace or None
         The thinnest of all of these.
+    equal_faces : ndarray of shape (f,), int64, or None
+        For each face, the first one equal to it; see `equal_faces`.
     """
 
     descriptors: Descriptors
@@ -69,6 +72,7 @@ class Measurement:
     slanted_error: float = 0.0
     places: ThinPlaces = ThinPlaces()
     thinnest: Optional[ThinnestPlace] = None
+    equal_faces: Optional[np.ndarray] = None
 
     def __repr__(self):
         # The arrays are left out because they would fill a console.
@@ -196,10 +200,11 @@ def measure(mesh, settings, report=None, is_fine_enough=None, is_near_enough=Non
         least = sampled_minimum(field, box.diagonal)
         if is_near_enough is None or least.distance is None or not is_near_enough(_with_least(known, least)):
             least = nonparallel_minimum(mesh, rays, field, box.diagonal, portion(report, RAYS_DONE, 1.0))
-    local = None
+    local = beneath = None
     if rays is not None and box.dimensions[2] > 0.0:  # a flat open surface has no inside
-        local = local_distribution(local_thickness(mesh, field, rays, float(box.dimensions[2])),
-                                   field.area[field.area > 0.0], float(box.dimensions[1]))
+        balls, counted = local_thickness(mesh, field, rays, float(box.dimensions[2])), field.area > 0.0
+        local = local_distribution(balls, field.area[counted], float(box.dimensions[1]))
+        beneath = _median_under_faces(mesh, field.face[counted], balls, field.area[counted])
     report_progress(report, 1.0)
     regions = wall_regions(field, enclosed, wall)
     descriptors = replace(known, min_nonparallel=least.distance, plate_share=regions.plate_share, regions=regions.counts,
@@ -207,7 +212,20 @@ def measure(mesh, settings, report=None, is_fine_enough=None, is_near_enough=Non
     places = ThinPlaces()
     if rays is not None and box.dimensions[2] > 0.0:
         places = thin_places(field, rays, float(box.dimensions[1]))
-    return Measurement(descriptors, field, rays, wall, regions, thinnest, least.error, places).with_thinnest_place()
+    return Measurement(descriptors, field, rays, wall, regions, thinnest, least.error, places,
+                       equal_faces=equal_faces(mesh, beneath)).with_thinnest_place()
+
+
+def _median_under_faces(mesh, face, thickness, area):
+    """Median by area under each face, mm; nan where it has no sample: ndarray of shape (f,)."""
+    order = np.lexsort([thickness, face])
+    face, thickness, covered = face[order], thickness[order], np.cumsum(area[order])
+    faces, start = np.unique(face, return_index=True)
+    end = np.append(start[1:], len(face)) - 1
+    before = np.where(start > 0, covered[start - 1], 0.0)
+    found = np.full(int(mesh.face_of_triangle.max()) + 1, np.nan)
+    found[faces] = thickness[np.minimum(np.searchsorted(covered, 0.5 * (before + covered[end])), end)]
+    return found
 
 
 def _with_least(known, least):

@@ -8,30 +8,16 @@ import numpy as np
 from scipy.sparse.csgraph import connected_components
 
 from ..descriptors.descriptor_table import STATED_FLOOR
-from ..descriptors.region_kinds import REGION_KINDS, TAPER, TOOTH, TUBE
+from ..descriptors.region_kinds import REGION_KINDS, TUBE
 from ..descriptors.wall_kinds import PARALLEL
 from ..mesh.sampling import even_samples
 from ..tolerances import TOLERANCES
 from ..walls.face_thickness import Witness, witness_of
 from ..walls.walls import is_parallel
+from .listed_regions import COUNTED_SHARE, FEWEST_POINTS, listed_regions
 from .plate_likeness import PROBED, plate_likeness
 from .region_shape import area_median, region_shape
 from .wall_graph import wall_links, wall_points
-
-LEAST_SHARE = 0.005
-"""Share of the surface from which on a region is listed."""
-
-THINNEST_SHARE = 0.0005
-"""Share of the surface from which on the thinnest region is listed; less is the rim of a fillet or of an engraving."""
-
-COUNTED_SHARE = 0.002
-"""Share of the surface from which on a region that is not listed is counted."""
-
-MOST_LISTED = 20
-"""Regions that are listed: the largest, and always the thinnest."""
-
-FEWEST_POINTS = 8
-"""Points of the cloud from which on a region has a shape."""
 
 LEAST_EXTENT = 0.02
 """Share of a region over which walls lie that give its least thickness, where that is more than `STATED_FLOOR`."""
@@ -70,6 +56,8 @@ class WallRegion:
         Indices of B-Rep faces, from 0.
     witness : Witness
         Where it is `least` thick.
+    is_slanted : bool
+        Whether most of it lies over walls at more than 10 degrees.
     """
 
     kind: str
@@ -82,6 +70,7 @@ class WallRegion:
     place: np.ndarray
     faces: tuple
     witness: Witness
+    is_slanted: bool = False
 
 
 @dataclass(frozen=True)
@@ -142,9 +131,13 @@ def wall_regions(field, enclosed=None, thinnest=None):
     size = np.bincount(component, certain, count)
     order = np.argsort(component, kind="stable")
     members = np.split(order, np.cumsum(np.bincount(component, minlength=count))[:-1])
-    listed = _listed(points, component, area, size, surface)
     face_areas = np.bincount(field.face, field.area)
-    regions = [_region(field, points, links, members[number], enclosed, surface, face_areas) for number in listed]
+    median = np.array([area_median(points.thickness[own], points.area[own]) for own in members])
+    exact = np.bincount(field.mesh.face_of_triangle, field.mesh.areas)
+    listed = listed_regions(points, component, area, size, median, surface, exact, lambda number: _region(
+        field, points, links, members[number], enclosed, surface, face_areas))
+    regions = list(listed.values())
+    listed = list(listed)
     others = np.setdiff1d(np.flatnonzero((size >= FEWEST_POINTS) & (area >= COUNTED_SHARE * surface)), listed)
     others_share = float(area[others].sum() / surface)
     plates, plates_error = _plate_share(points, component, dict(zip(listed, regions)))
@@ -195,7 +188,7 @@ def _plates_of(widths, by_place):
 def with_thinnest(regions, thinnest):
     """The same regions; none is thinner than the thinnest wall, and the first one that has its face is as thin.
 
-    Tapers and teeth are as they were: the thinnest wall is the thinnest parallel one. Returns WallRegions.
+    Slanted ones are as they were: the thinnest wall is the thinnest parallel one. Returns WallRegions.
 
     Parameters
     ----------
@@ -204,11 +197,11 @@ def with_thinnest(regions, thinnest):
     """
     if thinnest is None:
         return regions
-    listed = [region if region.kind in (TAPER, TOOTH) else replace(
+    listed = [region if region.is_slanted else replace(
         region, least=max(region.least, thinnest.distance), median=max(region.median, thinnest.distance))
         for region in regions.listed]
     own = next((number for number, region in enumerate(listed)
-                if thinnest.face in region.faces and region.kind not in (TAPER, TOOTH)
+                if thinnest.face in region.faces and not region.is_slanted
                 and region.least < TOLERANCES.alike * thinnest.distance), None)
     if own is not None:
         listed[own] = replace(listed[own], least=thinnest.distance, witness=thinnest)
@@ -228,8 +221,7 @@ def with_thinnest_taper(regions, thinnest):
     listed = [replace(region, least=max(region.least, wall.distance), median=max(region.median, wall.distance))
               for region in regions.listed]
     own = [number for number, region in enumerate(listed)
-           if {wall.face, wall.opposite_face} <= set(region.faces) and (region.kind in (TAPER, TOOTH)) == (
-               thinnest.kind != PARALLEL)]
+           if {wall.face, wall.opposite_face} <= set(region.faces) and region.is_slanted == (thinnest.kind != PARALLEL)]
     if own:
         listed[own[0]] = replace(listed[own[0]], least=wall.distance, witness=wall)
     listed = [replace(region, witness=replace(region.witness, distance=region.least)) for region in listed]
@@ -239,20 +231,6 @@ def with_thinnest_taper(regions, thinnest):
 def _thinnest_first(regions):
     """Regions by their median: the least thickness of a taper says how far it was measured towards its edge."""
     return tuple(sorted(regions, key=lambda region: (region.median, -region.area)))
-
-
-def _listed(points, component, area, size, surface):
-    """Numbers of the components that are listed: ndarray."""
-    least = np.full(len(area), np.inf)
-    np.minimum.at(least, component, points.thickness)
-    large = np.flatnonzero((size >= FEWEST_POINTS) & (area >= LEAST_SHARE * surface))
-    large = large[np.argsort(-area[large], kind="stable")]
-    # The run-out of a wedge is thinner than anything, and no wall.
-    parallel = np.bincount(component, points.area * is_parallel(points.wedge_angle), len(area)) > 0.5 * area
-    walls = np.flatnonzero((size >= FEWEST_POINTS) & (area >= THINNEST_SHARE * surface) & parallel)
-    if not len(walls) or (thinnest := walls[np.argmin(least[walls])]) in large[:MOST_LISTED]:
-        return large[:MOST_LISTED]
-    return np.append(large[:MOST_LISTED - 1], thinnest)
 
 
 def _region(field, all_points, links, members, enclosed, surface, face_areas):
@@ -270,7 +248,8 @@ def _region(field, all_points, links, members, enclosed, surface, face_areas):
         area_median(points.thickness, points.area), shape.length, shape.width,
         min(1.0, shape.volume / enclosed) if enclosed else None,
         points.points[nearest] + field.mesh.origin, tuple(map(int, faces)),
-        witness_of(field, int(points.sample[thinnest])))
+        witness_of(field, int(points.sample[thinnest])),
+        bool(points.area[~is_parallel(points.wedge_angle)].sum() > 0.5 * area))
 
 
 def _thinnest_point(points, floor):

@@ -16,6 +16,7 @@ from ..application.length_unit import length_unit
 from ..application.qt import translate
 from ..application.sentences import translated
 from ..document.document_measurement import DocumentMeasurement
+from ..document.open_part import open_part, told_by
 from ..document.part_chooser import ask_for_part
 from ..document.selection import active_path, select_faces, select_part, selected_paths
 from ..document.task_controller import TaskController
@@ -25,6 +26,7 @@ from ..record.label_button import with_own_label
 from ..record.parts_table import part_rows
 from ..view3d.wall_flight import PlacedWall, WallFlight, hidden_sentence
 from .panel import ClassifyPanel
+from .part_difference import PartDifference
 
 
 class ClassificationController(TaskController):
@@ -50,8 +52,12 @@ class ClassificationController(TaskController):
         self._form.result.labelled.connect(self._label)
         self._unkept_labels = {}  # by part: category, and whether the user is sure
         lifelong.requests.answered.connect(self._show_kept_label)
-        self._asked_known = None  # the request whether libraries have the shown part
+        self._asked_known = self._known = None  # the request whether libraries have the shown part, and the answer
         lifelong.requests.answered.connect(self._show_known)
+        self._difference = PartDifference(self)
+        self._difference.changed.connect(self._show_difference)
+        self._form.known.difference_toggled.connect(self._toggle_difference)
+        self._form.known.open_requested.connect(self._open_known)
         self._form.result.visited.connect(self._fly)
         self.panel.closed.connect(self._leave)
         lifelong.units.changed.connect(self._show_unit)
@@ -94,6 +100,7 @@ class ClassificationController(TaskController):
             lifelong.units.changed.disconnect(self._show_unit)
             lifelong.requests.answered.disconnect(self._show_kept_label)
             lifelong.requests.answered.disconnect(self._show_known)
+            self._difference.leave()
         self.measured.leave()
 
     @property
@@ -121,6 +128,7 @@ class ClassificationController(TaskController):
 
     def _measure(self, analysis):
         self._flight.clear()
+        self._difference.end()
         self._shown_name = analysis.first_part.name
         self._form.show_running(analysis.first_part.label)
         try:
@@ -188,7 +196,9 @@ class ClassificationController(TaskController):
 
     def _ask_for_known(self):
         """Ask whether the libraries have the shown part already; the answer comes when it comes."""
-        self._form.show_known("")
+        self._difference.end()
+        self._known = None
+        self._form.known.show_known(None, "")
         if self._asked_known is not None:
             lifelong.requests.cancel(self._asked_known)
             self._asked_known = None
@@ -203,7 +213,32 @@ class ClassificationController(TaskController):
         if request is self._asked_known:
             self._asked_known = None
             if request.answer is not None:
-                self._form.show_known(translated(request.answer["sentence"]), request.answer["file"])
+                self._known = request.answer
+                self._form.known.show_known(self._known, translated(self._known["sentence"], self._unit))
+
+    def _toggle_difference(self, is_wanted):
+        """Show what differs from the part of the libraries, or nothing of it any more."""
+        current = self.measured.current_parts() if is_wanted else None
+        if not is_wanted:
+            self._difference.end()
+        elif current is None:
+            self._show_difference(None, translate(
+                "ThinPart", "The document has changed since it was measured: classify it again."))
+        else:
+            part = next(part for part in current if part.name == self._shown_name)
+            others = [each for each in current if each is not part]
+            try:
+                self._difference.start(self.measured.document, part, self._part(self._shown_name), others,
+                                       self._analysis.records[self._shown_name], self._known)
+            except ThinPartError as error:
+                self._show_difference(None, translated(error))
+
+    def _show_difference(self, found, sentence):
+        self._form.known.show_difference(self._difference.is_running, found, sentence, self._unit)
+
+    def _open_known(self):
+        known = self._known
+        self._form.known.show_problem(told_by(lambda: open_part(known["file"], known["name"])))
 
     def _show_info_file(self, state):
         self._form.show_info(state.sentence, state.can_save, state.can_repeat, state.tool_tip)

@@ -7,6 +7,7 @@ from ..record.measuring_progress import MeasuringProgress
 from ..record.parts_table import PartsTable
 from ..record.record_view import RecordView, show_text, text_line
 from ..widgets.buttons import add_button
+from .known_box import KnownBox
 
 
 class ClassifyPanel(QtWidgets.QWidget):
@@ -15,6 +16,7 @@ class ClassifyPanel(QtWidgets.QWidget):
     Attributes
     ----------
     progress : MeasuringProgress
+    known : KnownBox
 
     Signals
     -------
@@ -42,7 +44,8 @@ class ClassifyPanel(QtWidgets.QWidget):
         column.addWidget(self.parts)
         self.result = RecordView(self)
         column.addWidget(self.result)
-        self.known_text = text_line(self, column, "ThinPart_KnownText")
+        self.known = KnownBox(self)
+        column.addWidget(self.known)
         self.info_text = text_line(self, column, "ThinPart_InfoText")
         self.save_button = add_button(column, self, "ThinPart_SaveButton", translate(
             "ThinPart", "Save and write info file"), self.save_requested.emit)
@@ -57,7 +60,7 @@ class ClassifyPanel(QtWidgets.QWidget):
         self.progress.hide()
         self.parts.hide()
         self.result.hide()
-        self.show_known("")
+        self.known.show_known(None, "")
         self.show_info("")
 
     def show_running(self, label):
@@ -82,11 +85,6 @@ class ClassifyPanel(QtWidgets.QWidget):
         """Hide the progress; show a message if measuring did not end normally."""
         self.progress.hide()
         show_text(self.message, sentence)
-
-    def show_known(self, sentence, file=""):
-        """Show that the libraries have the part already; the path of its document is in the tool tip."""
-        show_text(self.known_text, sentence)
-        self.known_text.setToolTip(file)
 
     def show_info(self, sentence, can_save=False, can_repeat=False, tool_tip=""):
         """Show the state of the info file and the actions available for it."""

@@ -21,6 +21,7 @@ from ..widgets.flow_layout import add_flow
 from ..widgets.folder_field import contains
 from .active_record import active_record, not_classified
 from .details import PartDetails, scrolled
+from .duplicates_page import DuplicatesPage
 from .filters_page import FiltersPage
 from .found_rows import FoundRows
 from .judged_otherwise_note import JudgedOtherwiseNote
@@ -38,7 +39,10 @@ _TYPING_DELAY = 250
 _SHARES = (0.27, 0.46, 0.27)
 """Initial shares of the splitter: filters, list, details."""
 
-FILTERS, LIBRARIES, RECLASSIFY = range(3)
+_SHARES_OF_DUPLICATES = (0.66, 0.0, 0.34)
+"""The same where duplicates take the place of the list."""
+
+FILTERS, LIBRARIES, RECLASSIFY, DUPLICATES = range(4)
 
 
 class FindDock(QtWidgets.QDockWidget):
@@ -140,6 +144,7 @@ class FindDock(QtWidgets.QDockWidget):
         self._details.notes.save()
         self._typing_timer.stop()
         self._reclassify.end()
+        self._duplicates.end()
         self._search.end()
         self._show_job("libraries", False)
 
@@ -163,8 +168,12 @@ class FindDock(QtWidgets.QDockWidget):
         if orientation != self._orientation:
             self._orientation = orientation
             self._splitter.setOrientation(orientation)
-            length = event.size().width() if wide else event.size().height()
-            self._splitter.setSizes([round(share * length) for share in _SHARES])
+            self._splitter.setSizes(self._shares([event.size().width() if wide else event.size().height()]))
+
+    def _shares(self, sizes):
+        """Sizes of the splitter's widgets, pixels, that have the same sum as some."""
+        shares = _SHARES_OF_DUPLICATES if self._results.isHidden() else _SHARES
+        return [round(share * sum(sizes)) for share in shares]
 
     def _add_words(self, column):
         row = QtWidgets.QHBoxLayout()
@@ -192,14 +201,16 @@ class FindDock(QtWidgets.QDockWidget):
         self._filters = FiltersPage(self._profile, self)
         self._libraries = LibrariesPage(self)
         self._reclassify = ReclassifyPage(preference("Profile"), self)
+        self._duplicates = DuplicatesPage(self._pictures, self)
         for page, title in ((self._filters, translate("ThinPart", "Filters")),
                             (self._libraries, translate("ThinPart", "Libraries")),
-                            (self._reclassify, translate("ThinPart", "Reclassify"))):
+                            (self._reclassify, translate("ThinPart", "Reclassify")),
+                            (self._duplicates, translate("ThinPart", "Duplicates"))):
             self._choices.addTab(scrolled(page), title)
         self._splitter.addWidget(self._choices)
 
     def _add_results(self):
-        container = QtWidgets.QWidget(self)
+        container = self._results = QtWidgets.QWidget(self)
         column = QtWidgets.QVBoxLayout(container)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2)
@@ -245,21 +256,37 @@ class FindDock(QtWidgets.QDockWidget):
         lifelong.requests.answered.connect(self._on_label_kept)
         lifelong.measurement_signals.begun.connect(self._forget_message)
         lifelong.units.changed.connect(self._show_unit)
+        self._duplicates.running_changed.connect(lambda is_running: self._show_job("duplicates", is_running))
+        self._duplicates.view.current_changed.connect(self._show_duplicate)
+        self._choices.currentChanged.connect(self._on_page_chosen)
         self._show_like()
 
     def _open(self):
         roots = self._libraries.roots
         self._search.open(roots)
         self._reclassify.set_roots(roots)
+        self._duplicates.set_roots(roots)
 
     def _show_job(self, name, is_running):
         """Name what runs in the background in FreeCAD's status bar, with a click to this panel."""
         if not is_running:
             lifelong.running_jobs.end(name)
             return
-        lifelong.running_jobs.show(name, translate("ThinPart", "Refreshing the libraries") if name == "libraries" else
-                                   translate("ThinPart", "Classifying again by another profile"), self,
-                                   lambda: self._choices.setCurrentIndex(LIBRARIES if name == "libraries" else RECLASSIFY))
+        text, page = {
+            "libraries": (translate("ThinPart", "Refreshing the libraries"), LIBRARIES),
+            "reclassify": (translate("ThinPart", "Classifying again by another profile"), RECLASSIFY),
+            "duplicates": (translate("ThinPart", "Searching for duplicates"), DUPLICATES)}[name]
+        lifelong.running_jobs.show(name, text, self, lambda: self._choices.setCurrentIndex(page))
+
+    def _on_page_chosen(self, page):
+        """Leave the place of the found parts to the table of duplicates, and the details to what is selected."""
+        is_duplicates = page == DUPLICATES
+        if is_duplicates != self._results.isHidden():
+            self._results.setHidden(is_duplicates)
+            self._splitter.setSizes(self._shares(self._splitter.sizes()))
+        part = (self._duplicates.view if is_duplicates else self._view).current_part
+        if part is not None:
+            self._show_details(part)
 
     def _refresh(self):
         self._show_message("")
@@ -317,6 +344,7 @@ class FindDock(QtWidgets.QDockWidget):
         self._filters.show_unit(unit)
         self._table.show_unit(unit)
         self._details.show_unit()
+        self._duplicates.show_unit(unit)
 
     def _show_like(self):
         self._same_size.setVisible(self._reference is not None)
@@ -337,8 +365,15 @@ class FindDock(QtWidgets.QDockWidget):
         show_text(self._status, text)
 
     def _show_part(self, part):
-        shown = self._details.part
         self._search.set_current_part(part)
+        self._show_details(part)
+
+    def _show_duplicate(self, part):
+        if part is not None:
+            self._show_details(part)
+
+    def _show_details(self, part):
+        shown = self._details.part
         if part is not None and shown is not None and (
                 (part.info_file, part.name) == (shown.info_file, shown.name)):
             return  # the list has changed, but not the selected part

@@ -8,7 +8,7 @@ from ..application.sentences import translated, translated_list
 from ..record.part_columns import category_column, measured, quantity_columns, risk_column
 from ..tables.column import Column
 from ..tables.fetched_rows import FetchedRows
-from .thumbnails import neutral_picture
+from .thumbnails import RowPictures
 
 _MOST = 34
 """Greatest width of a column, in characters."""
@@ -22,13 +22,16 @@ class FoundRows(FetchedRows):
     profile : Profile
         Provides the titles of the categories.
     pictures : Thumbnails
+
+    Attributes
+    ----------
+    pictures : RowPictures
     """
 
     def __init__(self, profile, pictures, parent=None):
+        self.pictures = RowPictures(pictures)
         super().__init__(self._columns(profile), "label", parent)
-        self._pictures, self._neutral = pictures, {}
-        self.picture_size, self.screen_ratio = QtCore.QSize(48, 36), 1.0
-        pictures.loaded.connect(self._show_pictures)
+        pictures.loaded.connect(lambda: show_pictures(self))
 
     def tip(self, row, column):
         """Why a part failed; otherwise its file and what is noted of it."""
@@ -56,7 +59,7 @@ class FoundRows(FetchedRows):
 
         columns = [
             Column("score", translate("ThinPart", "Like"), _score, is_number=True, most=8),
-            Column("label", translate("ThinPart", "Part"), _part, picture=self._picture, most=_MOST),
+            Column("label", translate("ThinPart", "Part"), _part, picture=self.pictures.of, most=_MOST),
             category_column(profile, most=_MOST),
             Column("reasons", translate("ThinPart", "Why"), reasons, tip=lambda part, unit: reasons(part), most=45,
                    is_sortable=False),
@@ -67,23 +70,12 @@ class FoundRows(FetchedRows):
         ]
         return columns + quantity_columns({column.key for column in columns}, is_sortable=False)
 
-    def _picture(self, part):
-        picture = self._pictures.picture(part)
-        if picture is not None:
-            scaled = picture.scaled(self.picture_size * self.screen_ratio, QtCore.Qt.KeepAspectRatio,
-                                    QtCore.Qt.SmoothTransformation)
-            scaled.setDevicePixelRatio(self.screen_ratio)
-            return scaled
-        key = part.category, bool(part.error_kind), self.screen_ratio, self.picture_size.height()
-        if key not in self._neutral:
-            self._neutral[key] = neutral_picture(part, self.picture_size, self.screen_ratio)
-        return self._neutral[key]
 
-    def _show_pictures(self):
-        if self.rowCount():
-            column = self.number_of("label")
-            self.dataChanged.emit(self.index(0, column), self.index(self.rowCount() - 1, column),
-                                  [QtCore.Qt.DecorationRole])
+def show_pictures(table):
+    """Draw the pictures of a RowModel again, which stand in the column of the part."""
+    if table.rowCount():
+        column = table.number_of("label")
+        table.dataChanged.emit(table.index(0, column), table.index(table.rowCount() - 1, column), [QtCore.Qt.DecorationRole])
 
 
 def part_name(part):

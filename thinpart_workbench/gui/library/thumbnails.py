@@ -68,6 +68,37 @@ class Thumbnails(QtCore.QObject):
         self.loaded.emit()
 
 
+class RowPictures:
+    """The pictures of the rows of a table, as large as its rows are high.
+
+    Parameters
+    ----------
+    pictures : Thumbnails
+
+    Attributes
+    ----------
+    size : QSize
+    ratio : float
+        Device pixel ratio.
+    """
+
+    def __init__(self, pictures):
+        self._pictures, self._neutral = pictures, {}
+        self.size, self.ratio = QtCore.QSize(48, 36), 1.0
+
+    def of(self, part):
+        """The picture of a part, or one that stands for it: QPixmap."""
+        picture = self._pictures.picture(part)
+        if picture is not None:
+            scaled = picture.scaled(self.size * self.ratio, QtCore.Qt.KeepAspectRatio, QtCore.Qt.SmoothTransformation)
+            scaled.setDevicePixelRatio(self.ratio)
+            return scaled
+        key = part.category, bool(part.error_kind), self.ratio, self.size.height()
+        if key not in self._neutral:
+            self._neutral[key] = neutral_picture(part, self.size, self.ratio)
+        return self._neutral[key]
+
+
 def neutral_picture(part, size, ratio):
     """Placeholder for a part without a picture: a solid in the colour of its category.
 

@@ -7,13 +7,14 @@ import FreeCAD as App
 
 from ...core.hook import Hook
 from ...freecad_adapter.guard import guarded_methods, report_fault
-from ...freecad_adapter.preferences import GROUP, preference, preferred_analysis
+from ...freecad_adapter.preferences import GROUP, preference, preference_list, preferred_analysis
+from ...storage.info.info_location import info_location
 from ..application import lifelong
 from ..application.length_unit import length_unit
 from ..application.qt import QtCore, call_later, translate
 from ..application.sentences import translated
 from ..document.active_task import open_session
-from ..processes.request_queue import RequestQueue
+from ..processes.request_queue import DOCUMENT_KNOWN, RequestQueue
 from ..widgets.elided_button import StatusBarButton
 from .verdict_changes_text import headline, reasons, warnings
 
@@ -53,6 +54,8 @@ class AutoClassifier(QtCore.QObject):
         self._states = {}  # text and reason of the status button, by document name
         self._requests = {}  # what is asked for, by document name
         self._delegated = set()  # names of documents that the panel measures
+        self._asked_known = {}  # name of the document, by the request what libraries have of it
+        self._known = set()  # what was said of that: (path of the document, sentence)
         self._told = set()  # paths of documents of which was said that an earlier version has measured them
         self._group = App.ParamGet(GROUP)  # it drops its observers once Python no longer references it
         # One at a time: many documents may be saved at once, and each may use up to the memory limit.
@@ -84,6 +87,7 @@ class AutoClassifier(QtCore.QObject):
         self._measurement_signals.info_file_abandoned.connect(self._on_panel_abandoned)
         self._measurement_signals.written.connect(self._on_panel_written)
         self._measurement_signals.not_written.connect(self._on_panel_failed)
+        lifelong.requests.answered.connect(self._on_known)
         self._group.Attach(self)
         self._refresh_timer.start()
 
@@ -117,6 +121,8 @@ class AutoClassifier(QtCore.QObject):
         self._delegated.discard(name)
         if self.is_on:
             self._show_verdicts(name, before, now)
+            if not preference("KnownParts"):  # else the panel says it
+                self._ask_for_known(name)
 
     def _on_panel_failed(self, name, sentence):
         """Show that the panel could not write the info file; the panel has reported it."""
@@ -189,6 +195,7 @@ class AutoClassifier(QtCore.QObject):
         if answer.get("verdicts"):
             before = answer["verdicts"] if answer["current"] else answer["before"]
             self._show_verdicts(name, before, answer["verdicts"])
+            self._ask_for_known(name)
         elif answer.get("no_part"):
             self._set_state(name, "\u2013", translated(answer["no_part"]))
             return
@@ -212,6 +219,22 @@ class AutoClassifier(QtCore.QObject):
         for sentence in warnings(_display_name(name), before, now, preference("WarnOfCategory"),
                                  preference("WarnWallUnder"), length_unit(App.getDocument(name))):
             lifelong.notifications.warn(sentence, App.getDocument(name).Label)
+
+    def _ask_for_known(self, name):
+        """Ask what the libraries have of a document, whose info file is written."""
+        if preference("KnownPartsOnSave") and preference_list("Libraries"):
+            info_file = os.fspath(info_location(App.getDocument(name).FileName, preference("InfoFolder")))
+            self._asked_known[lifelong.requests.ask(DOCUMENT_KNOWN, info_file=info_file)] = name
+
+    def _on_known(self, request):
+        """Say what the libraries have of a document, and has not been said of it."""
+        name = self._asked_known.pop(request, None)
+        document = App.listDocuments().get(name)
+        for sentence in request.answer or () if document is not None else ():
+            if (document.FileName, sentence) not in self._known:
+                self._known.add((document.FileName, sentence))
+                lifelong.notifications.warn(
+                    f"{_display_name(name)}: {translated(sentence, length_unit(document))}", document.Label)
 
     def _set_state(self, name, text, reason=""):
         self._states[name] = text, reason

@@ -17,6 +17,9 @@ LABEL = "document_info.keep_label"
 KNOWN = "window.known_parts.part_in_libraries"
 """Request whether libraries have a part: its answer is as of that function."""
 
+DOCUMENT_KNOWN = "window.known_parts.document_in_libraries"
+"""Request what libraries have of the parts of a document: its answer is a list of sentences."""
+
 HANGING = 60.0
 """Seconds without a sign of life after which a process counts as hanging, as on a network share that is gone. Requests about
 other folders wait so long behind one about such a share."""

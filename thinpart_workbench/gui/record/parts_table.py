@@ -85,8 +85,9 @@ def _columns(profile):
         return "\u2026"
 
     return [
-        Column("label", translate("ThinPart", "Part"), lambda row: row.label, stretches=True),
-        Column("category", translate("ThinPart", "Category"), category, picture=_swatch),
+        Column("label", translate("ThinPart", "Part"), lambda row: row.label, stretches=True,
+               is_path=True, least=8),
+        Column("category", translate("ThinPart", "Category"), category, picture=_swatch, least=10),
         Column("thinnest_mm", translate("ThinPart", "Thinnest, {}"), _thinnest,
                lambda row, unit: "" if _thinnest(row) is None else unit.number(_thinnest(row)), is_number=True,
                has_unit=True, meaning=translate("ThinPart", "Thinnest wall")),

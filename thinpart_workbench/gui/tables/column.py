@@ -73,6 +73,11 @@ class Column:
         """The title, with the symbol of a LengthUnit."""
         return self.title.format(unit.symbol) if self.has_unit else self.title
 
+    def brief(self, unit):
+        """The heading without the symbol of a unit that ends it."""
+        title, comma, _ = self.title.partition(", {")
+        return title if self.has_unit and comma else self.heading(unit)
+
     def shown(self, row, unit):
         """The text of a row's cell."""
         return self.text(row, unit) if self.text else self.value(row) or ""

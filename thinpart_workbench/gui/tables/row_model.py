@@ -29,6 +29,7 @@ class RowModel(QtCore.QAbstractTableModel):
     def __init__(self, columns, parent=None):
         super().__init__(parent)
         self.columns, self.unit = list(columns), MILLIMETRE
+        self._brief = set()  # keys of columns whose headings are without their unit
 
     def is_failed(self, row):
         """Whether a row is about a failure, which is shown in red."""
@@ -47,6 +48,12 @@ class RowModel(QtCore.QAbstractTableModel):
         if unit != self.unit:
             self.unit = unit
             self.show_columns(self.columns)
+
+    def show_brief(self, keys):
+        """Leave out the unit in the headings of some columns: set of str, their keys."""
+        if keys != self._brief:
+            self._brief = keys
+            self.headerDataChanged.emit(QtCore.Qt.Horizontal, 0, len(self.columns) - 1)
 
     def show_columns(self, columns):
         """Replace the columns; the rows stay, also their selection where there are as many columns as before."""
@@ -73,10 +80,12 @@ class RowModel(QtCore.QAbstractTableModel):
         if orientation != QtCore.Qt.Horizontal or section >= len(self.columns):
             return None
         column = self.columns[section]
+        is_brief = column.key in self._brief
         if role == QtCore.Qt.DisplayRole:
-            return column.heading(self.unit)
+            return column.brief(self.unit) if is_brief else column.heading(self.unit)
         if role == QtCore.Qt.ToolTipRole:
-            return column.meaning or column.heading(self.unit)
+            said = (column.heading(self.unit) if is_brief or not column.meaning else "", column.meaning)
+            return "\n".join(filter(None, said))
         return column.alignment if role == QtCore.Qt.TextAlignmentRole else None
 
     def data(self, index, role=QtCore.Qt.DisplayRole):

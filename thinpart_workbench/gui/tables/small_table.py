@@ -6,6 +6,9 @@ from ..application.qt import QtCore, QtWidgets, Signal
 from .kept_rows import KeptRows
 from .table_view import TableView
 
+_FITTED_ROWS = 200
+"""Rows to which the columns are fitted."""
+
 
 class SmallTable(TableView):
     """Compact view of `KeptRows`.
@@ -28,8 +31,9 @@ class SmallTable(TableView):
 
     def __init__(self, name, columns, lines, parent=None):
         self._lines, self._is_selecting = lines, False
-        super().__init__(name, KeptRows(columns), parent)
+        super().__init__(name, KeptRows(columns), parent, has_brief_headings=True)
         self.model().setParent(self)
+        self.horizontalHeader().setResizeContentsPrecision(_FITTED_ROWS)
         self.horizontalHeader().setMinimumSectionSize(20)
         self.setSizePolicy(QtWidgets.QSizePolicy.Expanding, QtWidgets.QSizePolicy.Fixed)
         self.selectionModel().currentRowChanged.connect(self._on_current_row_changed)

@@ -15,6 +15,11 @@ from ..widgets.row_table import show_whole_rows
 class TableView(QtWidgets.QTableView):
     """Shows a `RowModel`.
 
+    Parameters
+    ----------
+    has_brief_headings : bool
+        Whether headings leave out their unit, which is in their tool tip, where the columns have no room for it.
+
     Attributes
     ----------
     csv_form : TableForm or None
@@ -38,7 +43,7 @@ class TableView(QtWidgets.QTableView):
     failed = Signal(str)
     saving_changed = Signal()
 
-    def __init__(self, name, model, parent=None):
+    def __init__(self, name, model, parent=None, has_brief_headings=False):
         super().__init__(parent)
         self.setObjectName(name)
         self.setModel(model)
@@ -46,6 +51,7 @@ class TableView(QtWidgets.QTableView):
         self.row_menu = lambda row: QtWidgets.QMenu(self)
         self._chosen_columns = {}  # whether the user wants to see a column, by its key
         self._is_fitting = self._user_has_resized = self._is_writing = False
+        self._has_brief_headings = has_brief_headings
         show_whole_rows(self)
         self.setContextMenuPolicy(QtCore.Qt.CustomContextMenu)
         self.customContextMenuRequested.connect(
@@ -54,6 +60,7 @@ class TableView(QtWidgets.QTableView):
         self.verticalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Fixed)
         header = self.horizontalHeader()
         header.setResizeContentsPrecision(50)
+        header.setTextElideMode(QtCore.Qt.ElideRight)
         header.setSortIndicator(-1, QtCore.Qt.AscendingOrder)
         header.setContextMenuPolicy(QtCore.Qt.CustomContextMenu)
         header.customContextMenuRequested.connect(lambda place: self._pop_up(self.column_menu(), header, place))
@@ -87,23 +94,34 @@ class TableView(QtWidgets.QTableView):
         if self._user_has_resized or not shown:
             return
         letter, header, icon = self.fontMetrics().averageCharWidth(), self.horizontalHeader(), self.iconSize().width()
-        widths = {}
+        headings = {number: self._heading_widths(number) for number in shown}
+        widths, contents = {}, {}
         for number in shown:
             most = columns[number].most * letter + (max(0, icon - 16) if columns[number].picture else 0)
-            widths[number] = min(max(self.sizeHintForColumn(number), header.sectionSizeHint(number)) + 4, most)
+            contents[number] = min(max(self.sizeHintForColumn(number) + 4, 3 * letter, header.minimumSectionSize()), most)
+            widths[number] = min(max(contents[number], headings[number][0] + 4), most)
+
+        def excess():
+            return sum(widths.values()) - self.viewport().width()
+
+        def cut_headings(form):
+            for number in sorted(shown, key=lambda number: contents[number] - widths[number]):
+                least = max(contents[number], 0 if form is None else headings[number][form])
+                widths[number] -= max(0, min(widths[number] - least, excess()))
+
         # Headings give way before what stands below them: they have tool tips.
-        for number in shown:
-            if not columns[number].least:
-                content = max(self.sizeHintForColumn(number) + 4, 3 * letter)
-                widths[number] -= max(0, min(widths[number] - content, sum(widths.values()) - self.viewport().width()))
+        cut_headings(1)
+        cut_headings(2)
         # The one with most to give gives way first, so that a long message does not push the numbers out of view.
         spare = {number: widths[number] - columns[number].least * letter for number in shown if columns[number].least}
         for number in sorted(spare, key=spare.__getitem__, reverse=True):
-            widths[number] -= max(0, min(spare[number], sum(widths.values()) - self.viewport().width()))
+            widths[number] -= max(0, min(spare[number], excess()))
+        cut_headings(None)
         for number in shown:
             if columns[number].stretches:
-                widths[number] = max(widths[number] + self.viewport().width() - sum(widths.values()),
-                                     widths[number] if columns[number].least else 8 * letter)
+                widths[number] += max(0, -excess())
+        if self._has_brief_headings:
+            self.model().show_brief({columns[number].key for number in shown if widths[number] < headings[number][1]})
         self._is_fitting = True
         for number, width in widths.items():
             self.setColumnWidth(number, width)
@@ -113,6 +131,20 @@ class TableView(QtWidgets.QTableView):
         """Fit the columns to the width: that of the window, or what a scroll bar leaves of it."""
         super().resizeEvent(event)
         self.fit_columns()
+
+    def _heading_widths(self, number):
+        """What a heading takes: with room for the arrow of sorting; without; and without its unit: tuple of int."""
+        column, header, unit = self.model().columns[number], self.horizontalHeader(), self.model().unit
+        margins = 2 * self.style().pixelMetric(QtWidgets.QStyle.PM_HeaderMargin, None, header) + 4
+
+        def taken(title):
+            return header.fontMetrics().boundingRect(title).width() + margins
+
+        whole = taken(column.heading(unit))
+        brief = taken(column.brief(unit)) if self._has_brief_headings else whole
+        arrow = header.sectionSizeHint(number) - taken(self.model().headerData(number, QtCore.Qt.Horizontal))
+        is_sorted = number == header.sortIndicatorSection()
+        return whole + arrow, whole + arrow * is_sorted, brief + arrow * is_sorted
 
     def menu(self, row=None):
         """QMenu with what can be done with a row, by default the current one, and with all rows."""

@@ -66,7 +66,7 @@ def _columns(with_features):
     columns = [Column("face", translate("ThinPart", "Face"), lambda row: row.name,
                       order=lambda row: row.summary.face)]
     if with_features:
-        columns.append(Column("made_by", translate("ThinPart", "Made by"), lambda row: row.feature))
+        columns.append(Column("made_by", translate("ThinPart", "Made by"), lambda row: row.feature, least=6))
     return columns + [
         _of_summary("thinnest", translate("ThinPart", "Thinnest, {}"), length,
                     translate("ThinPart", "Thinnest wall under the face")),

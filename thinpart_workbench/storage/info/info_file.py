@@ -137,6 +137,11 @@ def _relative_folder(info_file, document):
     return None if folder == os.curdir else folder
 
 
+def sha256_of(document):
+    """The hash of the bytes of a document: str; raises as `new_source`."""
+    return _fingerprint(Path(document))["sha256"]
+
+
 def source_is_unchanged(source, document):
     """Whether sizes and times of a document and its links still match its ``source``."""
     return all(_looks_unchanged(entry, path) for entry, path in _entries(source, document))
@@ -221,18 +226,21 @@ def is_current(content, document, settings, profile, info_file=None):
     info_file : str or Path, optional
         Path of the info file; beside the document by default.
     """
+    source = content["source"]
+    if source.get("folder") != _relative_folder(info_file, Path(document)) or not is_as_measured(content, settings, profile):
+        return False
+    return all(_is_unchanged(entry, path) for entry, path in _entries(source, document))
+
+
+def is_as_measured(content, settings, profile):
+    """Whether a new analysis of the same bytes would give the same as an info file; parameters as of `is_current`."""
     if content["settings"] != settings or content["profile"] != profile:
         return False
     if content["software"].get("version") != __version__:
         return False
     if any(failure.get("kind") not in _PERMANENT for failure in content.get("failures", ())):
         return False
-    source = content["source"]
-    if source.get("folder") != _relative_folder(info_file, Path(document)):
-        return False
-    if not all(is_enough(part, profile) for part in content["parts"]):
-        return False
-    return all(_is_unchanged(entry, path) for entry, path in _entries(source, document))
+    return all(is_enough(part, profile) for part in content["parts"])
 
 
 def stored_info(path):

@@ -9,6 +9,7 @@ from contextlib import suppress
 
 from ...core.errors import ThinPartError
 from ...storage.info.info_file import info_content, write_info
+from ...storage.info.measured_copies import keep_measured
 from ...storage.thumbnails import write_thumbnail
 from .analysis_outcome import failure
 from .drawn_part import DrawnPart
@@ -48,7 +49,10 @@ def write_results(task, outcome):
     if task.info_file is not None and records:
         content = info_content(unwritten["source"], task.settings.content(), task.profile, records, outcome["failures"])
         is_beside = os.path.dirname(task.info_file) == os.path.dirname(task.file)
-        failures += _failures(write_info, task.info_file, content, task.file if is_beside else None)
+        lost = _failures(write_info, task.info_file, content, task.file if is_beside else None)
+        failures += lost
+        if not lost and not failures:
+            keep_measured(task.file, unwritten["source"], task.info_file)
     return {**outcome, "failures": failures}
 
 

@@ -15,7 +15,7 @@ from ...core.kinds.value_kinds import Flag, Number, Whole
 from ...core.message import message
 from ...core.reuse.likeness import is_whole
 
-VERSION = 3
+VERSION = 4
 """Of what a comparison is; results of another one are not taken from the cache."""
 
 
@@ -79,7 +79,7 @@ face by face."""
 
 def compare(task):
     """Compare the geometry of two parts: dict as `ANSWER`. Raises ThinPartError where one of them cannot be read."""
-    part, reference = _part(task.part), _part(task.reference)
+    part, reference = part_of(task.part), part_of(task.reference)
     side, other = Side(task.part.form, part.nearest_points()), Side(task.reference.form, reference.nearest_points())
     are_solids, best = part.can_be_finer and reference.can_be_finer, None
     for number, motion in enumerate(task.motions):
@@ -128,7 +128,8 @@ def side_answer(form, distance, same):
     }
 
 
-def _part(compared_part):
+def part_of(compared_part):
+    """The part of its document, SolidPart or MeshedPart; a ThinPartError where it has none of this name any more."""
     # Imported here since the adapter loads FreeCAD.
     from ...freecad_adapter.reading.part_files import read_parts
 

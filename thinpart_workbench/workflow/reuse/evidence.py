@@ -113,8 +113,13 @@ def _sentence(kind, content, answer, part, reference):
     if kind == SCALED:
         return message("The same form, {scale:.6g} times as large: in the size of the other, its surfaces are at most "
                        "{apart:.2g} apart.", scale=content["scale"], apart=apart)
-    return joined([message("Alike: {percent:.0f} % of the surface is the same, the rest up to {apart:.2g} apart.",
-                           percent=min(99.0, 100.0 * content["same_share"]), apart=apart),
+    percent = min(99.0, 100.0 * content["same_share"])
+    # Points of outlines that have nothing like them near by are at no distance that is known.
+    alike = (message("Alike: {percent:.0f} % of the surface is the same.", percent=percent)
+             if content["compared"] == OUTLINES else
+             message("Alike: {percent:.0f} % of the surface is the same, the rest up to {apart:.2g} apart.", percent=percent,
+                     apart=apart))
+    return joined([alike,
                    *_of_sides(part, reference), *_of_faces(content["differences"])][:_MOST_SENTENCES])
 
 

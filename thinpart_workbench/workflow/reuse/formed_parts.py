@@ -9,7 +9,14 @@ import numpy as np
 
 from ...core.errors import ThinPartError
 from ...core.file_formats import DOCUMENT, MESH, format_of
-from ...core.forms.recorded_form import form_of_record, packed_form, second_moments, unpacked_form, unpacked_numbers
+from ...core.forms.recorded_form import (
+    form_of_record,
+    packed_form,
+    second_moments,
+    third_moments,
+    unpacked_form,
+    unpacked_numbers,
+)
 from ..library.find_parts import stored_parts
 
 _TINY = np.finfo(float).tiny
@@ -64,10 +71,18 @@ class FormedParts:
 
     @cached_property
     def proportions(self):
-        """ndarray of shape (n, 3): what stays the same when a part is moved, mirrored or scaled."""
+        """ndarray of shape (n, 6): what stays the same when a part is moved, mirrored or scaled.
+
+        Of the radii, and of the third moments, which tell parts of one box from each other.
+        """
         greatest = np.maximum(self.radii[:, 0], _TINY)
         slender = np.log(greatest / np.sqrt(np.maximum(self.area, _TINY)))
-        return np.column_stack([slender, self.radii[:, 1] / greatest, self.radii[:, 2] / greatest])
+        third = third_moments(self.numbers) / greatest[:, None, None, None] ** 3
+        drawn = np.einsum("nijj->ni", third)
+        along = np.einsum("ni,nij,nj->n", drawn, second_moments(self.numbers), drawn) / greatest ** 2
+        skew = np.column_stack([np.linalg.norm(third.reshape(-1, 27), axis=1), np.linalg.norm(drawn, axis=1),
+                                np.sqrt(np.maximum(along, 0.0))])
+        return np.column_stack([slender, self.radii[:, 1:] / greatest[:, None], skew / 3.0])
 
     def form(self, part):
         """The `Form` of a part, None where its outline is damaged."""
@@ -147,10 +162,10 @@ def _standing(row):
     instances, has_notes, name, label, document, modified = row[6:12]
     found = format_of(os.fsdecode(document or b""))
     kind = found and found.kind
-    return kind != MESH, int(instances), bool(has_notes), kind == DOCUMENT, _is_named(label or name), modified or ""
+    return kind != MESH, int(instances), bool(has_notes), kind == DOCUMENT, is_named(label or name), modified or ""
 
 
-def _is_named(label):
+def is_named(label):
     """Whether a label is more than what programs call a body by themselves."""
     word = label.casefold().rstrip("0123456789_-. ()").replace(" ", "")
     return word not in _GENERIC and any(letter.isalpha() for letter in word)

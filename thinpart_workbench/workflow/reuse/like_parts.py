@@ -8,8 +8,15 @@ from typing import Any
 import numpy as np
 from scipy.spatial import cKDTree
 
-from ...core.forms.laying import Laid, laid_partly, laid_whole
-from ...core.reuse.likeness import KINDS, is_much_nearer, is_whole_by_outlines, kind_of, known_scale
+from ...core.forms.laying import Laid, is_exact, laid_partly, laid_whole
+from ...core.reuse.likeness import (
+    KINDS,
+    SAME_MEASURE_OF_TRIANGLES,
+    is_much_nearer,
+    is_whole_by_outlines,
+    kind_of,
+    known_scale,
+)
 
 SAME_PROPORTIONS = 4e-3
 """Distance of `FormedParts.proportions` up to which parts may have one form: triangles of a round part differ from it."""
@@ -75,9 +82,10 @@ class LikeParts:
             if reference in taken:
                 continue
             taken.add(reference)
-            near = tree.query_ball_point(self._parts.proportions[reference], SAME_PROPORTIONS)
+            near = [part for part in tree.query_ball_point(self._parts.proportions[reference], SAME_PROPORTIONS)
+                    if part not in taken and self._may_have_one_volume(part, reference)]
             for part in sorted(near, key=lambda part: self._distance(part, reference)):
-                found = None if part in taken else self._whole(part, reference)
+                found = self._whole(part, reference)
                 if found is not None:
                     taken.add(part)
                     yield found
@@ -127,13 +135,21 @@ class LikeParts:
     def _distance(self, part, reference):
         return abs(np.log(self._parts.area[part] / self._parts.area[reference]))
 
+    def _may_have_one_volume(self, part, reference):
+        """Whether volumes agree, as far as those of triangles do, where both are known."""
+        own, other = self._parts.volume[part], self._parts.volume[reference]
+        scaled = own * (self._parts.area[reference] / self._parts.area[part]) ** 1.5
+        return not abs(scaled - other) > SAME_MEASURE_OF_TRIANGLES * other  # nan agrees with everything
+
     def _whole(self, part, reference):
         form, other = self._form(part), self._form(reference)
         if form is None or other is None:
             return None
         scale = known_scale(float(np.sqrt(self._parts.area[reference] / self._parts.area[part])))
-        turned, mirrored = ([laid for laid in laid_whole(form, other, scale, is_mirrored) if is_whole_by_outlines(laid)]
-                            for is_mirrored in (False, True))
+        turned = [laid for laid in laid_whole(form, other, scale, False) if is_whole_by_outlines(laid)]
+        if turned and is_exact(turned[0], other.extent):
+            return Likeness(part, reference, kind_of(turned[0], True), turned[0], (turned[0],))
+        mirrored = [laid for laid in laid_whole(form, other, scale, True) if is_whole_by_outlines(laid)]
         ways = (*turned[:_TURNED_FIRST], *mirrored, *turned[_TURNED_FIRST:])
         if not ways:
             return None
