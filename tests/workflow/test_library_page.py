@@ -299,6 +299,7 @@ def test_ten_thousand_parts_are_a_page_that_a_browser_shows(tmp_path):
     assert len(page) < 400 * count
     assert page.count(b"<tr") < 3 * len(groups) + 200 and page.count(b"<circle") == 0
     assert page.count(b'<path d="') == 6  # three of the map and three of its legend
+    assert b'class="dense"' in page
 
 
 def test_an_axis_has_round_ends_and_all_values_on_it():
