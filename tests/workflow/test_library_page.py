@@ -71,19 +71,25 @@ def checked(folder):
 
 
 @pytest.fixture
-def library(tmp_path):
-    return made_library.make_library(tmp_path / "library")
+def plate(tmp_path):
+    """The library of one part, and its document, of which there is a thumbnail."""
+    document = tmp_path / "library" / "plate.step"
+    made_library.store(document.parent, document.name, [made_library.record_of("plate")])
+    write_thumbnail(hashlib.sha256(document.read_bytes()).hexdigest(), "Solid1", bytes(4 * WIDTH * HEIGHT))
+    return document
 
 
-@pytest.fixture
-def written(library, tmp_path):
+@pytest.fixture(scope="module")
+def written(tmp_path_factory):
     """A page about seven shapes, a copy of one, an assembly, and what is no part."""
+    folder = tmp_path_factory.mktemp("written")
+    library = made_library.make_library(folder / "library")
     made_library.store(library / "group 0", "copy of cube.step", [made_library.record_of("cube")])
     (library / "new.step").write_bytes(b"nobody has measured this")
     info = made_library.store(library, "damaged.step", [made_library.record_of("cube")])
     info.write_text("{")
-    found = library_report([library], tmp_path / "out")
-    return found, checked(tmp_path / "out")
+    found = library_report([library], folder / "out")
+    return found, checked(folder / "out")
 
 
 def test_everything_is_counted(written):
@@ -148,32 +154,44 @@ def test_names_are_shown_and_never_run(tmp_path):
     assert SHOWN in page.text
 
 
-def test_pictures_are_those_of_the_parts(library, tmp_path):
-    plate = library / "group 0" / "plate.step"
-    sha256 = hashlib.sha256(plate.read_bytes()).hexdigest()
-    write_thumbnail(sha256, "Solid1", bytes(4 * WIDTH * HEIGHT))
-    tube = hashlib.sha256(next(library.rglob("tube.step")).read_bytes()).hexdigest()
-    thumbnail_path(tube, "Solid1").parent.mkdir(parents=True, exist_ok=True)
-    thumbnail_path(tube, "Solid1").write_bytes(b"<svg onload='alert(1)'/>")
+def test_only_documents_are_linked(tmp_path):
+    library = tmp_path / "library"
+    for name, source in (("a.step", {"file": "letter.txt"}), ("b.step", {"folder": "../mine"}), ("c.step", {})):
+        info = made_library.store(library, name, [made_library.record_of("cube")])
+        content = json.loads(info.read_bytes())
+        info.write_text(json.dumps({**content, "source": {**content["source"], **source}}))
+    (library / "letter.txt").write_text("private")
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "b.step").write_bytes(b"elsewhere")
+    os.remove(library / "c.step")
     library_report([library], tmp_path / "out")
     rows, _ = rows_of(checked(tmp_path / "out"))
+    assert [(row["file"], row["address"]) for row in rows] == [
+        ("letter.txt", "-"), ("../mine/b.step", ""), ("c.step", "-")]
+
+
+def test_pictures_are_those_of_the_parts(plate, tmp_path):
+    made_library.store(plate.parent, "tube.step", [made_library.record_of("tube")])
+    sha256, tube = (hashlib.sha256((plate.parent / name).read_bytes()).hexdigest() for name in ("plate.step", "tube.step"))
+    thumbnail_path(tube, "Solid1").parent.mkdir(parents=True, exist_ok=True)
+    thumbnail_path(tube, "Solid1").write_bytes(b"<svg onload='alert(1)'/>")
+    library_report([plate.parent], tmp_path / "out")
+    rows, _ = rows_of(checked(tmp_path / "out"))
     picture, = {row["picture"] for row in rows if row["picture"]}
-    assert [row["file"] for row in rows if row["picture"]] == ["group 0/plate.step"]
+    assert [row["file"] for row in rows if row["picture"]] == ["plate.step"]
     copied = tmp_path / "out" / "pictures" / picture[:2] / f"{picture}.png"
     assert copied.read_bytes() == thumbnail_path(sha256, "Solid1").read_bytes()
     assert [each.name for each in (tmp_path / "out" / "pictures").rglob("*.png")] == [copied.name]
 
 
-def test_the_same_library_gives_the_same_page_and_replaces_its_own(library, tmp_path):
-    first = Path(library_report([library], tmp_path / "out").page).read_bytes()
-    assert Path(library_report([library], tmp_path / "out").page).read_bytes() == first
+def test_the_same_library_gives_the_same_page_and_replaces_its_own(plate, tmp_path):
+    first = Path(library_report([plate.parent], tmp_path / "out").page).read_bytes()
+    assert Path(library_report([plate.parent], tmp_path / "out").page).read_bytes() == first
 
 
 @pytest.mark.parametrize("place", ["library.html", "thinpart-report.json", "pictures"])
-def test_what_people_have_in_the_folder_stays(library, tmp_path, place):
-    plate = library / "group 0" / "plate.step"
-    write_thumbnail(hashlib.sha256(plate.read_bytes()).hexdigest(), "Solid1", bytes(4 * WIDTH * HEIGHT))
-    out = tmp_path / "out"
+def test_what_people_have_in_the_folder_stays(plate, tmp_path, place):
+    library, out = plate.parent, tmp_path / "out"
     library_report([library], out)
     kept = next((out / "pictures").rglob("*.png")) if place == "pictures" else out / place
     kept.write_bytes(b"mine")
@@ -184,11 +202,11 @@ def test_what_people_have_in_the_folder_stays(library, tmp_path, place):
     assert kept.read_bytes() != b"mine"
 
 
-def test_a_folder_of_others_is_refused(library, tmp_path):
+def test_a_folder_of_others_is_refused(plate, tmp_path):
     (tmp_path / "out").mkdir()
     (tmp_path / "out" / "thesis.txt").write_text("mine")
     with pytest.raises(ThinPartError, match="is not the folder of a report"):
-        library_report([library], tmp_path / "out")
+        library_report([plate.parent], tmp_path / "out")
     assert os.listdir(tmp_path / "out") == ["thesis.txt"]
 
 
@@ -281,6 +299,7 @@ def test_ten_thousand_parts_are_a_page_that_a_browser_shows(tmp_path):
     assert len(page) < 400 * count
     assert page.count(b"<tr") < 3 * len(groups) + 200 and page.count(b"<circle") == 0
     assert page.count(b'<path d="') == 6  # three of the map and three of its legend
+    assert b'class="dense"' in page
 
 
 def test_an_axis_has_round_ends_and_all_values_on_it():

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from ...core.categories import NORMAL
 from ...core.errors import ThinPartError
+from ...core.file_formats import format_of
 from ...core.judging.criteria import UNKNOWN, profile_from
 from ...core.kinds.file_marks import PAGE, PICTURE
 from ...core.length_unit import MILLIMETRE, UNITS
@@ -115,7 +116,7 @@ def library_report(roots, folder, *, language=ENGLISH, unit=MILLIMETRE.symbol, o
         shown = [_part(part, documents, pictures.of(part.stored)) for part in parts]
         alike = duplicates(roots, reads_documents=False, control=control, report=report)
         content = LibraryContent(
-            place=", ".join(places), base=documents.base, titles=_titles(parts), parts=shown,
+            place=", ".join(places), base=documents.base or "", titles=_titles(parts), parts=shown,
             groups=list(_groups(alike, numbers)), families=list(_families(families(roots), numbers)),
             failures=[FailureSummary(documents.name(each.file), each.label, each.stored.error_kind,
                                      each.stored.error_message) for each in found if each.stored.error_kind],
@@ -142,8 +143,10 @@ def _found(roots):
 
 def _unclassified(documents, found):
     """Those documents that have no info file, be it in a folder of their own."""
-    known = {os.path.realpath(part.file) for part in found}
-    return [file for file in documents if os.path.realpath(file) not in known and not os.path.lexists(info_path(file))]
+    # Paths that info files name are not looked at: they may lead to another computer.
+    known = {os.path.normcase(part.file) for part in found}
+    return [file for file in documents if not os.path.lexists(info_path(file))
+            and not known & {os.path.normcase(os.path.abspath(file)), os.path.normcase(os.path.realpath(file))}]
 
 
 class _Documents:
@@ -151,20 +154,27 @@ class _Documents:
 
     def __init__(self, library, folder):
         self._library = os.path.realpath(library)
-        try:
-            below = os.path.relpath(self._library, os.path.realpath(folder))
-        except ValueError:  # on another drive, on Windows
-            below = None
-        self.base = "" if below is None else f"{address(below)}/"
-        self._is_near = below is not None
+        below = _relative(self._library, os.path.realpath(folder))
+        self.base = None if below is None else f"{address(below)}/"
 
     def name(self, file):
         """The path of a document below the library."""
-        return os.path.relpath(file, self._library).replace(os.sep, "/")
+        return (_relative(file, self._library) or file).replace(os.sep, "/")
 
     def address(self, file):
-        """Its address on the page; None where there is no such file."""
-        return self.base + address(os.path.relpath(file, self._library)) if self._is_near and os.path.isfile(file) else None
+        """Its address on the page; None where there is no such file, or it is none that ThinPart reads."""
+        below = _relative(file, self._library)
+        if below is None or self.base is None or format_of(file) is None or not os.path.isfile(file):
+            return None
+        return self.base + address(below)
+
+
+def _relative(path, folder):
+    """A path as seen from a folder; None where it is on another drive or computer, on Windows."""
+    try:
+        return os.path.relpath(path, folder)
+    except ValueError:
+        return None
 
 
 class _Pictures:

@@ -14,6 +14,9 @@ _LEFT, _RIGHT, _TOP, _BOTTOM = 74, 980, 40, 530
 _MOST_DECADES = 5
 """Decades of thickness: what is still thinner lies at the left edge."""
 
+MANY = 2000
+"""Points from which on they are drawn finer, so that those below others are seen."""
+
 _MARKS = {"thin": "h0", "normal": "m-4 -4l8 8m0 -8l-8 8", "thin_features": "m-4 -4h8v8h-8z"}
 _OTHER_MARK = "m-5 0h10m-5 -5v10"
 """What is drawn from a point on, so that categories are told without colours: a dot, a cross, a square, a plus."""
@@ -109,7 +112,7 @@ def map_section(words, parts):
         viewBox=f"0 0 {WIDTH} {HEIGHT}", role="img", aria_label=said)
     return element(
         "section", element("h2", _("Map"), id="map"), _controls(words),
-        element("div", _area(words, drawing), class_="wide"),
+        element("div", _area(words, drawing, len(parts) > MANY), class_="wide"),
         element("p", _missing(words, missing), class_="small faint") if missing else None, aria_labelledby="map")
 
 
@@ -125,12 +128,13 @@ def _controls(words):
     return element("p", choice, " ", element("span", said, class_="small faint noprint", id="map-keys", hidden=""))
 
 
-def _area(words, drawing):
+def _area(words, drawing, is_dense):
     """The map with the ring and the picture that the script puts at a part."""
     _ = words.text
     return element(
         "div", drawing, element("span", id="ring", hidden=""), element("div", id="tip", role="status", hidden=""),
         id="map-area", data_name=_("Map of the parts"), data_picture=_("Picture of {part}"), data_unit=words.length.symbol,
+        class_="dense" if is_dense else None,
         data_said=_("{category}, thinnest wall {thinnest}, median {median}, fill {fill}"))
 
 
