@@ -5012,6 +5012,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The mirror image, by the points that info files keep, by volume and by area.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The mirror image: its surfaces are at most {apart:.2g} apart.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5080,7 +5084,15 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The same form, by the points that info files keep, by volume and by area.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The same form, scaled: triangles lie at most {apart:.2g} from the other surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same form, {scale:.6g} times as large, by the points that info files keep, by volume and by area.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

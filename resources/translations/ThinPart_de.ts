@@ -5014,6 +5014,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die Mittelfläche von {part} zerfällt in {count} Stücke, die sich nicht treffen: Vernetzen Sie das Teil als Volumen.</translation>
     </message>
     <message>
+        <source>The mirror image, by the points that info files keep, by volume and by area.</source>
+        <translation>Das Spiegelbild, nach den Punkten, die Infodateien behalten, nach Volumen und Fläche.</translation>
+    </message>
+    <message>
         <source>The mirror image: its surfaces are at most {apart:.2g} apart.</source>
         <translation>Das Spiegelbild: Die Oberflächen liegen höchstens {apart:.2g} auseinander.</translation>
     </message>
@@ -5082,8 +5086,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Dieselbe Form in einer anderen Größe.</translation>
     </message>
     <message>
+        <source>The same form, by the points that info files keep, by volume and by area.</source>
+        <translation>Dieselbe Form, nach den Punkten, die Infodateien behalten, nach Volumen und Fläche.</translation>
+    </message>
+    <message>
         <source>The same form, scaled: triangles lie at most {apart:.2g} from the other surface.</source>
         <translation>Dieselbe Form, skaliert: Dreiecke liegen höchstens {apart:.2g} neben der anderen Oberfläche.</translation>
+    </message>
+    <message>
+        <source>The same form, {scale:.6g} times as large, by the points that info files keep, by volume and by area.</source>
+        <translation>Dieselbe Form, {scale:.6g}-mal so groß, nach den Punkten, die Infodateien behalten, nach Volumen und Fläche.</translation>
     </message>
     <message>
         <source>The same form, {scale:.6g} times as large: in the size of the other, its surfaces are at most {apart:.2g} apart.</source>

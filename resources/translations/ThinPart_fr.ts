@@ -5014,6 +5014,10 @@ Son volume est inconnu.</translation>
         <translation>La surface moyenne de {part} se compose de {count} morceaux qui ne se rejoignent pas : maillez la pièce comme solide.</translation>
     </message>
     <message>
+        <source>The mirror image, by the points that info files keep, by volume and by area.</source>
+        <translation>L’image miroir, d’après les points que gardent les fichiers d’information, le volume et l’aire.</translation>
+    </message>
+    <message>
         <source>The mirror image: its surfaces are at most {apart:.2g} apart.</source>
         <translation>L’image miroir : les surfaces s’écartent d’au plus {apart:.2g}.</translation>
     </message>
@@ -5082,8 +5086,16 @@ Son volume est inconnu.</translation>
         <translation>La même forme dans une autre taille.</translation>
     </message>
     <message>
+        <source>The same form, by the points that info files keep, by volume and by area.</source>
+        <translation>La même forme, d’après les points que gardent les fichiers d’information, le volume et l’aire.</translation>
+    </message>
+    <message>
         <source>The same form, scaled: triangles lie at most {apart:.2g} from the other surface.</source>
         <translation>La même forme, à une autre échelle : les triangles s’écartent d’au plus {apart:.2g} de l’autre surface.</translation>
+    </message>
+    <message>
+        <source>The same form, {scale:.6g} times as large, by the points that info files keep, by volume and by area.</source>
+        <translation>La même forme, {scale:.6g} fois plus grande, d’après les points que gardent les fichiers d’information, le volume et l’aire.</translation>
     </message>
     <message>
         <source>The same form, {scale:.6g} times as large: in the size of the other, its surfaces are at most {apart:.2g} apart.</source>

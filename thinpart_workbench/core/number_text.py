@@ -17,14 +17,14 @@ def percent(share):
 
 def bound_text(millimetres):
     """Format an error bound, mm, with two significant digits."""
-    return f"{millimetres:.2g}" if millimetres >= 0.001 else "<\u00a00.001"
+    return number(millimetres, 2) if millimetres >= 0.001 else "<\u00a00.001"
 
 
 def number(value, digits=3):
     """Format a quantity with some significant digits, without an exponent unless it is tiny."""
     if value is None:
         return "\u2013"
-    return f"{value:.0f}" if abs(value) >= 1000.0 else f"{value:.{digits}g}"
+    return f"{value:.0f}" if abs(value) >= 10.0 ** digits - 0.5 else f"{value:.{digits}g}"
 
 
 def with_decimal_mark(text, mark):

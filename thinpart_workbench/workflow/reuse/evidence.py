@@ -108,6 +108,8 @@ def _sentence(kind, content, answer, part, reference):
     apart = Length(max(content["greatest_mm"], _LEAST_SAID))
     if content["compared"] == BYTES:
         return message("The documents are the same, byte by byte.")
+    if content["compared"] == OUTLINES and kind != ALIKE:
+        return _of_outlines(kind, content["scale"])
     if not answer["are_solids"] and kind != ALIKE and content["compared"] == GEOMETRY:
         return _of_triangles(kind, apart)
     if kind == IDENTICAL:
@@ -125,6 +127,15 @@ def _sentence(kind, content, answer, part, reference):
                      apart=apart))
     return joined([alike,
                    *_of_sides(part, reference), *_of_faces(content["differences"])][:_MOST_SENTENCES])
+
+
+def _of_outlines(kind, scale):
+    if kind == MIRRORED:
+        return message("The mirror image, by the points that info files keep, by volume and by area.")
+    if kind == SCALED:
+        return message("The same form, {scale:.6g} times as large, by the points that info files keep, by volume and by area.",
+                       scale=scale)
+    return message("The same form, by the points that info files keep, by volume and by area.")
 
 
 def _of_triangles(kind, apart):
