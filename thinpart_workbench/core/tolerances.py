@@ -91,12 +91,13 @@ ELSEWHERE = (
     "core.judging.verdict_sentence",  # the least share that is said
     "core.judging.wall_words",  # walls of one thickness, what a part is made of, sheets, threads
     "core.judging.wall_check",  # a mesh that is too coarse for a limit, thick and thin walls, walls near a limit
+    "core.maps.facet_refinement",  # the longest facet, and how many there are
     "core.maps.jump_lines",  # jumps of thickness along the sides of facets
     "core.maps.level_cuts",  # facets of one thickness
     "core.maps.map_outline",  # creases that are drawn
     "core.maps.map_summary",  # the range of colours, and walls that lie outside of it
     "core.maps.seen_walls",  # walls that a point sees aside
-    "core.maps.thickness_map",  # the longest facet, jumps within it
+    "core.maps.thickness_map",  # jumps within a facet
     "core.mesh.bounds",  # boxes that are equal, flat sides
     "core.mesh.box_refinement",  # the least gain for which a box is turned
     "core.mesh.resolution",  # facets whose normals are turned

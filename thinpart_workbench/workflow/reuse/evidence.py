@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What shows that two parts are the same, or what differs, so that a person can check it."""
 
+import numpy as np
+
 from ...core.errors import ThinPartError
 from ...core.figures import Length
 from ...core.forms.face_surfaces import CYLINDER, SPHERE, TORUS
@@ -27,6 +29,9 @@ MOST_DIFFERENCES = 12
 LEAST_DIFFERENCE = 1e-3
 """Share by which a side of the box differs where that is said."""
 
+SAME_RADIUS = 1e-3
+"""Share by which radii of faces differ at most that two parts have in common."""
+
 _MOST_SENTENCES, _LEAST_SAID = 4, 1e-4
 
 _BENT = (CYLINDER, SPHERE, TORUS)
@@ -37,12 +42,23 @@ def judged(likeness, answer, compared, part, reference):
     laid = likeness.laid._replace(share=answer["part"]["share"], other_share=answer["reference"]["share"])
     if compared == BYTES:
         return IDENTICAL
-    if compared == OUTLINES:
-        # Their points lie beside the surface, so volumes and areas tell what is closer than they can.
-        is_one, are_solids = likeness.kind != ALIKE, None not in (part.topology, reference.topology)
+    if compared == OUTLINES and None not in (part.topology, reference.topology):
+        # Their points lie beside the surface: what is closer than they can tell is told by the measures of the faces.
+        is_one = likeness.kind != ALIKE and _has_same_radii(part, reference, laid.motion.scale)
     else:
-        is_one, are_solids = is_whole(answer), answer["are_solids"]
-    return kind_of(laid, is_one and has_same_measures(part, reference, laid.motion.scale, are_solids))
+        is_one = is_whole(answer)
+    return kind_of(laid, is_one and has_same_measures(part, reference, laid.motion.scale, answer["are_solids"]))
+
+
+def _has_same_radii(part, reference, scale):
+    """Whether each radius of a face of a part, scaled, is one of the other's, and the other way round."""
+    own, other = (np.array(sorted({radius for _, radius in _surfaces(each).values() if radius}))
+                  for each in (part, reference))
+    own = own * scale
+    if not len(own) or not len(other):
+        return len(own) == len(other)
+    apart = np.abs(own[:, None] - other) / np.maximum(own[:, None], other)
+    return bool(max(apart.min(axis=0).max(), apart.min(axis=1).max()) <= SAME_RADIUS)
 
 
 def evidence(kind, likeness, answer, compared, part, reference):
@@ -133,8 +149,8 @@ def _of_outlines(kind, scale):
     if kind == MIRRORED:
         return message("The mirror image, by the points that info files keep, by volume and by area.")
     if kind == SCALED:
-        return message("The same form, {scale:.6g} times as large, by the points that info files keep, by volume and by area.",
-                       scale=scale)
+        return message("The same form, {scale:.6g} times as large, by the points that info files keep, by volume and by "
+                       "area.", scale=scale)
     return message("The same form, by the points that info files keep, by volume and by area.")
 
 
