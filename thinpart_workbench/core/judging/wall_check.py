@@ -8,7 +8,7 @@ import math
 from dataclasses import dataclass
 from typing import Optional
 
-from ..descriptors.bins import BINS
+from ..descriptors.bins import BINS, MIDDLE_BINS
 from ..descriptors.descriptor_table import STATED_FLOOR
 from ..figures import Length, Share
 from ..message import message
@@ -20,8 +20,12 @@ TOO_COARSE = 0.5
 """Error of a wall, as a share of the limit, from which on a wall near the limit cannot be told."""
 
 THICK_FROM, THIN_UP_TO = 0.25, 0.05
-"""Share of the volume outside walls of the greatest thickness from which on a part is too thick, and up to which it is not.
-What lies between may be where walls meet: there a ray runs along one of them."""
+"""Share of the volume outside walls of the greatest thickness from which on a part is too thick, and up to which it is not,
+where the largest balls are not known. What lies between may be where walls meet: there a ray runs along one of them."""
+
+WHERE_WALLS_MEET, THICK_SHARE = 1.5, 0.01
+"""The largest ball where walls of one thickness meet is 1.17 times as thick in a corner, 1.25 where one ends on another and
+1.41 where they cross. Up to the first of these, a part is too thick only if that share of the surface sees such a wall."""
 
 NEAR = 0.02
 """Share of the least wall by which the thinnest may be thinner where its error bound allows for that: limits of guides are
@@ -45,6 +49,8 @@ class MeasuredWalls:
         Bins and areas of parallel walls and of those at 10 to 60 degrees.
     unmeasured, unmet : float
         Shares of the surface without a wall that could be measured, and whose rays met nothing.
+    thickest : float or None, mm
+        The largest ball inside that reaches a hundredth of the surface; None where balls were not looked for.
     """
 
     thinnest: Optional[float]
@@ -56,6 +62,7 @@ class MeasuredWalls:
     slanted: tuple
     unmeasured: float
     unmet: float
+    thickest: Optional[float] = None
 
     @classmethod
     def of_record(cls, record):
@@ -63,9 +70,10 @@ class MeasuredWalls:
         content = record["descriptors"]
         (thinnest, error), shares = walls_of(record), content["shares"]
         walls, slanted = content["distribution"], content["nonparallel"]
+        ball = content.get("local", {}).get("T99")
         return cls(thinnest, error, content["volume_mm3"], content["area_mm2"], content["diagonal_mm"],
                    (walls["bins"], walls["area"]), (slanted["bins"], slanted["area"]),
-                   shares["unmeasured"], shares["unmet"])
+                   shares["unmeasured"], shares["unmet"], ball and ball * content["box_mm"][1])
 
     def share_under(self, limit):
         """Least and greatest share of the surface over walls, parallel or not, thinner than a limit in mm: two floats.
@@ -78,8 +86,12 @@ class MeasuredWalls:
 
     def share_over(self, limit):
         """Share of the surface over walls, parallel or not, that are surely thicker than a limit in mm: float."""
-        cut = self._bin_of(limit)
-        return sum(area for table in (self.walls, self.slanted) for bin_, area in zip(*table) if bin_ > cut)
+        return self.share_between(limit, math.inf)
+
+    def share_between(self, low, high):
+        """The same up to a thickness."""
+        cut, end = self._bin_of(low), math.inf if math.isinf(high) else self._bin_of(high)
+        return sum(area for table in (self.walls, self.slanted) for bin_, area in zip(*table) if cut < bin_ <= end)
 
     def tapered_under(self, limit):
         """Share of the surface over walls at 10 to 60 degrees that are surely thinner than a limit in mm: float."""
@@ -125,11 +137,15 @@ class WallCheck:
     thin_share : tuple of float
         Least and greatest share of the surface under the least wall.
     thick_share : float
-        Share of the surface over walls thicker than the greatest.
+        Share of the surface where the part is thicker than the greatest: a larger ball inside reaches it.
     tapered_share : float
         Share of the surface over tapered walls thinner than the least: they end in edges, and decide nothing.
     faces : tuple of str
         Faces with a wall under the least one, the thinnest first.
+    thickest_mm : float or None, mm
+        The largest ball inside that reaches a hundredth of the surface.
+    thick_faces : tuple of str
+        Faces that a ball larger than the greatest wall reaches, the thickest first.
     """
 
     limits: WallLimits
@@ -144,6 +160,8 @@ class WallCheck:
     thick_share: float = 0.0
     tapered_share: float = 0.0
     faces: tuple = ()
+    thickest_mm: Optional[float] = None
+    thick_faces: tuple = ()
 
     def content(self):
         """dict for JSON."""
@@ -153,7 +171,8 @@ class WallCheck:
             "thinnest_mm": self.thinnest_mm, "error_bound_mm": self.error_mm, "thinnest_face": self.thinnest_face or None,
             "thin_share": [round(share, 9) for share in self.thin_share], "thick_share": round(self.thick_share, 9),
             "tapered_share": round(self.tapered_share, 9),
-            "faces": list(self.faces), "sentence": check_sentence(self),
+            "faces": list(self.faces), "thickest_mm": self.thickest_mm, "thick_faces": list(self.thick_faces),
+            "sentence": check_sentence(self),
         }
 
 
@@ -180,8 +199,8 @@ def check_walls(record, limits):
 
     The least wall is compared with the part's thinnest wall, at any angle, which has an extent (`thin_places`), so that
     stray rays decide nothing. Sharp edges are thinner than any limit: they count in shares of the surface, not in the
-    verdict. For the greatest wall see `MeasuredWalls.volume_outside`: a ray from the edge of a plate runs along it, and
-    would call every plate thick.
+    verdict. The greatest wall is compared with the largest balls inside, whichever way rays run: a ray from the edge of a
+    plate runs along it, and would call every plate thick.
 
     Parameters
     ----------
@@ -198,9 +217,10 @@ def check_walls(record, limits):
     return WallCheck(
         limits, holds, within, thin_holds, thick_holds, measured.thinnest, measured.error, faces[0][1] if faces else "",
         _thin_share(record, measured, limits.min_mm) if failing else (0.0, 0.0),
-        0.0 if limits.max_mm is None else measured.share_over(limits.max_mm),
+        0.0 if limits.max_mm is None else _thick_share(record, measured, limits.max_mm, thick_holds),
         0.0 if limits.min_mm is None else measured.tapered_under(limits.min_mm),
         tuple(face for wall, face in faces if failing and wall < limits.min_mm),
+        measured.thickest, () if thick_holds is not False else tuple(_faces_over(record, limits.max_mm)),
     )
 
 
@@ -270,12 +290,36 @@ def _is_thick_enough(measured, least):
 
 
 def _is_thin_enough(measured, most):
+    """Whether no place is thicker than the greatest wall, by the largest balls; see `wall_verdict`."""
     if most is None or not measured.share_over(most) > STATED_FLOOR:
         return True if most is None or measured.thinnest is not None else None
-    outside = measured.volume_outside(most)
-    if outside is None or THIN_UP_TO < outside < THICK_FROM:
-        return None
-    return outside <= THIN_UP_TO
+    if measured.thickest is None:
+        outside = measured.volume_outside(most)
+        if outside is None or THIN_UP_TO < outside < THICK_FROM:
+            return None
+        return outside <= THIN_UP_TO
+    if measured.thickest > (1.0 + NEAR) * most and (
+            measured.thickest > WHERE_WALLS_MEET * most
+            or measured.share_between((1.0 + NEAR) * most, WHERE_WALLS_MEET * most) > THICK_SHARE):
+        return False
+    return None if measured.volume is None else True
+
+
+def _thick_share(record, measured, most, holds):
+    """Share of the surface that balls larger than the greatest wall reach; over thicker walls where balls tell nothing."""
+    if measured.thickest is None or holds is None:
+        return measured.share_over(most)
+    if measured.thickest <= (1.0 + NEAR) * most:
+        return 0.0
+    local, middle = record["descriptors"]["local"], record["descriptors"]["box_mm"][1]
+    cut = math.floor(most / middle * MIDDLE_BINS)
+    return max(sum(area for bin_, area in zip(local["bins"], local["area"]) if bin_ > cut), THICK_SHARE)
+
+
+def _faces_over(record, most):
+    """Names of the faces that balls larger than the greatest wall reach, the thickest first."""
+    thick = [(-face["ball_mm"], face["face"]) for face in record.get("faces", ()) if face.get("ball_mm")]
+    return [face for ball, face in sorted(thick) if -ball > (1.0 + NEAR) * most]
 
 
 def _thin_share(record, measured, limit):

@@ -47,7 +47,8 @@ class WitnessRecord(TypedDict):
 class FaceRecord(TypedDict):
     """The walls under one face, None where there are none: the thinnest, and the thinnest apart from sharp edges; median and
     greatest of parallel walls, or of tapered ones where none is parallel. On which kind of surface it lies, with the radius
-    where it has one; None for a patch of triangles. And the first face that is equal to it; None where it is the first."""
+    where it has one; None for a patch of triangles. The first face that is equal to it; None where it is the first.
+    And the diameter of the largest ball inside that reaches a tenth of it."""
 
     face: str
     area_mm2: float
@@ -62,6 +63,7 @@ class FaceRecord(TypedDict):
     surface: NotRequired[Annotated[Optional[Annotated[str, OneOf(SURFACES)]], LATER]]
     radius_mm: NotRequired[Annotated[Optional[float], LATER]]
     equal_to: NotRequired[Annotated[Optional[str], LATER]]
+    ball_mm: NotRequired[Annotated[Optional[Annotated[float, Number(0.0)]], LATER]]
 
 
 class ThinnestRecord(TypedDict):
