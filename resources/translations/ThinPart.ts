@@ -3448,6 +3448,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>A limit for single faces needs a reason.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A script or a shell is for one part, and there are {count} documents: name one of them, or the part after --part.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3896,6 +3900,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Limits for single faces are lengths over 0, the least one no greater than the other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Limits of the wall</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4045,6 +4053,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Normal part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not found any more, though with a limit of its own ({reason}): {faces}: set it anew, or remove it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5108,6 +5120,14 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>With a limit of its own ({reason}), but without a wall that could be measured: {faces}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Within a limit of its own ({reason}): {faces}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Your libraries have it in another size: this is {scale:.6g} times {file}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5832,6 +5852,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{check} {faces}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{condition} never holds, because it is never above {limit:g}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5885,6 +5909,14 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{faces} and {count} more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{face} fails its own limit: {ball}, at most {most} ({reason}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{face} fails its own limit: {wall}, at least {least} ({reason}).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6212,6 +6244,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{part} has no {face}: names of faces are those of FreeCAD, such as Face1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{part} is made of triangles, which are no solid to mesh.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6261,6 +6297,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{process} ({material})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{process}: all walls have limits of their own.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

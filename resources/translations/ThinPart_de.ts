@@ -3450,6 +3450,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Ein massiges Bauteil mit dünnen Stellen: Verfeinern Sie dort das Netz oder entfernen Sie sie.</translation>
     </message>
     <message>
+        <source>A limit for single faces needs a reason.</source>
+        <translation>Eine Grenze für einzelne Flächen braucht einen Grund.</translation>
+    </message>
+    <message>
         <source>A script or a shell is for one part, and there are {count} documents: name one of them, or the part after --part.</source>
         <translation>Ein Skript oder eine Schale ist für ein Bauteil, und es gibt {count} Dokumente: Nennen Sie eines davon oder das Bauteil nach --part.</translation>
     </message>
@@ -3898,6 +3902,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Leichtmetalle in Grünsand; Eisen braucht mehr.</translation>
     </message>
     <message>
+        <source>Limits for single faces are lengths over 0, the least one no greater than the other.</source>
+        <translation>Grenzen für einzelne Flächen sind Längen über 0, die kleinste nicht größer als die andere.</translation>
+    </message>
+    <message>
         <source>Limits of the wall</source>
         <translation>Grenzen der Wandstärke</translation>
     </message>
@@ -4048,6 +4056,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Normal part</source>
         <translation>Normales Bauteil</translation>
+    </message>
+    <message>
+        <source>Not found any more, though with a limit of its own ({reason}): {faces}: set it anew, or remove it.</source>
+        <translation>Nicht mehr gefunden, obwohl mit eigener Grenze ({reason}): {faces}: Setzen Sie sie neu, oder entfernen Sie sie.</translation>
     </message>
     <message>
         <source>Notes</source>
@@ -5110,6 +5122,14 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Warum:</translation>
     </message>
     <message>
+        <source>With a limit of its own ({reason}), but without a wall that could be measured: {faces}.</source>
+        <translation>Mit eigener Grenze ({reason}), aber ohne messbare Wand: {faces}.</translation>
+    </message>
+    <message>
+        <source>Within a limit of its own ({reason}): {faces}.</source>
+        <translation>Innerhalb einer eigenen Grenze ({reason}): {faces}.</translation>
+    </message>
+    <message>
         <source>Your libraries have it in another size: this is {scale:.6g} times {file}.</source>
         <translation>Ihre Bibliotheken haben es in anderer Größe: Dies ist das {scale:.6g}-Fache von {file}.</translation>
     </message>
@@ -5834,6 +5854,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{category!r} ist keine Kategorie: Es gibt {known}.</translation>
     </message>
     <message>
+        <source>{check} {faces}</source>
+        <translation>{check} {faces}</translation>
+    </message>
+    <message>
         <source>{condition} never holds, because it is never above {limit:g}</source>
         <translation>{condition} gilt nie, denn der Wert liegt nie über {limit:g}</translation>
     </message>
@@ -5888,6 +5912,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{faces} and {count} more</source>
         <translation>{faces} und {count} weitere</translation>
+    </message>
+    <message>
+        <source>{face} fails its own limit: {ball}, at most {most} ({reason}).</source>
+        <translation>{face} verfehlt die eigene Grenze: {ball}, höchstens {most} ({reason}).</translation>
+    </message>
+    <message>
+        <source>{face} fails its own limit: {wall}, at least {least} ({reason}).</source>
+        <translation>{face} verfehlt die eigene Grenze: {wall}, mindestens {least} ({reason}).</translation>
     </message>
     <message>
         <source>{file} cannot be read ({problem}).</source>
@@ -6214,6 +6246,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{part} hat keine Schale: Wände mit einer Mittelfläche haben nur {share:.0f} % seines Volumens. Vernetzen Sie es als Volumen.</translation>
     </message>
     <message>
+        <source>{part} has no {face}: names of faces are those of FreeCAD, such as Face1.</source>
+        <translation>{part} hat keine {face}: Flächen heißen wie in FreeCAD, zum Beispiel Face1.</translation>
+    </message>
+    <message>
         <source>{part} is made of triangles, which are no solid to mesh.</source>
         <translation>{part} besteht aus Dreiecken, die kein Volumenkörper zum Vernetzen sind.</translation>
     </message>
@@ -6264,6 +6300,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{process} ({material})</source>
         <translation>{process} ({material})</translation>
+    </message>
+    <message>
+        <source>{process}: all walls have limits of their own.</source>
+        <translation>{process}: Alle Wände haben eigene Grenzen.</translation>
     </message>
     <message>
         <source>{process}: cannot be told: no wall could be measured.</source>

@@ -3450,6 +3450,10 @@ Son volume est inconnu.</translation>
         <translation>Une pièce massive avec des endroits minces : affinez-y le maillage ou supprimez-les.</translation>
     </message>
     <message>
+        <source>A limit for single faces needs a reason.</source>
+        <translation>Une limite pour des faces isolées demande une raison.</translation>
+    </message>
+    <message>
         <source>A script or a shell is for one part, and there are {count} documents: name one of them, or the part after --part.</source>
         <translation>Un script ou une coque est pour une seule pièce, et il y a {count} documents : nommez-en un, ou la pièce après --part.</translation>
     </message>
@@ -3898,6 +3902,10 @@ Son volume est inconnu.</translation>
         <translation>Alliages légers en sable vert ; la fonte demande plus.</translation>
     </message>
     <message>
+        <source>Limits for single faces are lengths over 0, the least one no greater than the other.</source>
+        <translation>Les limites pour des faces isolées sont des longueurs supérieures à 0, la plus petite ne dépassant pas l’autre.</translation>
+    </message>
+    <message>
         <source>Limits of the wall</source>
         <translation>Limites de la paroi</translation>
     </message>
@@ -4048,6 +4056,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Normal part</source>
         <translation>Pièce normale</translation>
+    </message>
+    <message>
+        <source>Not found any more, though with a limit of its own ({reason}): {faces}: set it anew, or remove it.</source>
+        <translation>Introuvable désormais, bien qu’ayant sa propre limite ({reason}) : {faces} : fixez-la de nouveau, ou supprimez-la.</translation>
     </message>
     <message>
         <source>Notes</source>
@@ -5110,6 +5122,14 @@ Son volume est inconnu.</translation>
         <translation>Pourquoi :</translation>
     </message>
     <message>
+        <source>With a limit of its own ({reason}), but without a wall that could be measured: {faces}.</source>
+        <translation>Avec sa propre limite ({reason}), mais sans paroi mesurable : {faces}.</translation>
+    </message>
+    <message>
+        <source>Within a limit of its own ({reason}): {faces}.</source>
+        <translation>Dans sa propre limite ({reason}) : {faces}.</translation>
+    </message>
+    <message>
         <source>Your libraries have it in another size: this is {scale:.6g} times {file}.</source>
         <translation>Vos bibliothèques l’ont dans une autre taille : celle-ci fait {scale:.6g} fois {file}.</translation>
     </message>
@@ -5834,6 +5854,10 @@ Son volume est inconnu.</translation>
         <translation>{category!r} n’est pas une catégorie : il y a {known}.</translation>
     </message>
     <message>
+        <source>{check} {faces}</source>
+        <translation>{check} {faces}</translation>
+    </message>
+    <message>
         <source>{condition} never holds, because it is never above {limit:g}</source>
         <translation>{condition} n’est jamais vrai, car la valeur n’est jamais supérieure à {limit:g}</translation>
     </message>
@@ -5888,6 +5912,14 @@ Son volume est inconnu.</translation>
     <message>
         <source>{faces} and {count} more</source>
         <translation>{faces} et {count} autres</translation>
+    </message>
+    <message>
+        <source>{face} fails its own limit: {ball}, at most {most} ({reason}).</source>
+        <translation>{face} ne respecte pas sa propre limite : {ball}, au plus {most} ({reason}).</translation>
+    </message>
+    <message>
+        <source>{face} fails its own limit: {wall}, at least {least} ({reason}).</source>
+        <translation>{face} ne respecte pas sa propre limite : {wall}, au moins {least} ({reason}).</translation>
     </message>
     <message>
         <source>{file} cannot be read ({problem}).</source>
@@ -6214,6 +6246,10 @@ Son volume est inconnu.</translation>
         <translation>{part} n’a pas de coque : les parois qui ont une surface moyenne ne font que {share:.0f} % de son volume. Maillez-la en volume.</translation>
     </message>
     <message>
+        <source>{part} has no {face}: names of faces are those of FreeCAD, such as Face1.</source>
+        <translation>{part} n’a pas de {face} : les faces portent les noms de FreeCAD, comme Face1.</translation>
+    </message>
+    <message>
         <source>{part} is made of triangles, which are no solid to mesh.</source>
         <translation>{part} est fait de triangles, qui ne sont pas un solide à mailler.</translation>
     </message>
@@ -6264,6 +6300,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{process} ({material})</source>
         <translation>{process} ({material})</translation>
+    </message>
+    <message>
+        <source>{process}: all walls have limits of their own.</source>
+        <translation>{process} : toutes les parois ont leurs propres limites.</translation>
     </message>
     <message>
         <source>{process}: cannot be told: no wall could be measured.</source>

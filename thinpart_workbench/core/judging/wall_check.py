@@ -5,7 +5,7 @@ Command lines list and check stored parts without numpy, so neither is it import
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Optional
 
 from ..descriptors.bins import BINS, MIDDLE_BINS
@@ -13,6 +13,7 @@ from ..descriptors.descriptor_table import STATED_FLOOR
 from ..figures import Length, Share
 from ..message import message
 from ..record.checked_walls import walls_of
+from ..record.face_check import check_faces, face_sentences, least_elsewhere
 from ..tolerances import TOLERANCES
 from .wall_limits import WallLimits
 
@@ -145,7 +146,9 @@ class WallCheck:
     thickest_mm : float or None, mm
         The largest ball inside that reaches a hundredth of the surface.
     thick_faces : tuple of str
-        Faces that a ball larger than the greatest wall reaches, the thickest first.
+        Faces half of which balls larger than the greatest wall reach, the thickest first.
+    own : tuple of FaceCheck
+        Faces with limits of their own, which the others are compared without.
     """
 
     limits: WallLimits
@@ -162,6 +165,7 @@ class WallCheck:
     faces: tuple = ()
     thickest_mm: Optional[float] = None
     thick_faces: tuple = ()
+    own: tuple = ()
 
     def content(self):
         """dict for JSON."""
@@ -172,7 +176,7 @@ class WallCheck:
             "thin_share": [round(share, 9) for share in self.thin_share], "thick_share": round(self.thick_share, 9),
             "tapered_share": round(self.tapered_share, 9),
             "faces": list(self.faces), "thickest_mm": self.thickest_mm, "thick_faces": list(self.thick_faces),
-            "sentence": check_sentence(self),
+            "face_limits": [each.content() for each in self.own], "sentence": check_sentence(self),
         }
 
 
@@ -208,10 +212,35 @@ def check_walls(record, limits):
         It may lack its faces, which make shares of the surface more precise.
     limits : WallLimits
     """
-    measured = MeasuredWalls.of_record(record)
+    own = tuple(check_faces(record))
+    measured = _without(own, record, MeasuredWalls.of_record(record))
     thin_holds, thick_holds, within = wall_verdict(measured, limits)
+    if measured.thinnest is None and any(each.min_mm is not None and not each.is_gone for each in own):
+        thin_holds = True  # all walls have limits of their own
+    limited = {each.face for each in own if each.max_mm is not None and not each.is_gone}
+    over = () if limits.max_mm is None else _faces_over(record, limits.max_mm)
+    thick = tuple(face for face in over if face not in limited)
+    if thick_holds is False and limited and not thick:
+        thick_holds = True
+    if any(each.holds is False for each in own):
+        return replace(_check(record, limits, measured, thin_holds, thick_holds, within, thick, own), holds=False)
+    return _check(record, limits, measured, thin_holds, thick_holds, within, thick, own)
+
+
+def _without(own, record, measured):
+    """What was measured, with the thinnest wall apart from those of faces with a least wall of their own."""
+    if not any(each.min_mm is not None and not each.is_gone for each in own) or measured.thinnest is None:
+        return measured
+    least = least_elsewhere(record, own)
+    return replace(measured, thinnest=None if least is None else max(least, measured.thinnest))
+
+
+def _check(record, limits, measured, thin_holds, thick_holds, within, thick, own):
+    """The result: WallCheck."""
     holds = False if False in (thin_holds, thick_holds) else None if None in (thin_holds, thick_holds) else True
-    least = [(face.get("walls_min", face["min"]), face["face"]) for face in record.get("faces", ())]
+    apart = {each.face for each in own if each.min_mm is not None}
+    least = [(face.get("walls_min", face["min"]), face["face"]) for face in record.get("faces", ())
+             if face["face"] not in apart]
     faces = sorted((wall, face) for wall, face in least if wall is not None)
     failing = thin_holds is False
     return WallCheck(
@@ -220,16 +249,25 @@ def check_walls(record, limits):
         0.0 if limits.max_mm is None else _thick_share(record, measured, limits.max_mm, thick_holds),
         0.0 if limits.min_mm is None else measured.tapered_under(limits.min_mm),
         tuple(face for wall, face in faces if failing and wall < limits.min_mm),
-        measured.thickest, () if thick_holds is not False else tuple(_faces_over(record, limits.max_mm)),
+        measured.thickest, thick if thick_holds is False else (), own,
     )
 
 
 def check_sentence(check):
-    """The result in a sentence with figures: Message."""
+    """The result in sentences with figures, those on faces with limits of their own last: Message."""
+    found = _process_sentence(check)
+    for sentence in face_sentences(check.own):
+        found = message("{check} {faces}", check=found, faces=sentence)
+    return found
+
+
+def _process_sentence(check):
     limits, thinnest, error = check.limits, Length(check.thinnest_mm), Length(check.error_mm)
     process, least, most = limits.full_title, Length(limits.min_mm), Length(limits.max_mm)
-    if check.holds is False:
+    if False in (check.thin_holds, check.thick_holds):
         return message("{process}: fails: {findings}.", process=process, findings=_findings(check))
+    if check.thinnest_mm is None and check.thin_holds and check.own:
+        return message("{process}: all walls have limits of their own.", process=process)
     if check.thin_holds is None and check.thinnest_mm is None:
         return message("{process}: cannot be told: no wall could be measured.", process=process)
     if check.thin_holds is None and check.error_mm > TOO_COARSE * limits.min_mm:

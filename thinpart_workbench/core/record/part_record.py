@@ -233,7 +233,7 @@ def _equal_to(measurement, face):
 
 
 def _ball_at(measurement, face):
-    """Diameter of the largest ball that reaches a tenth of a face, mm; None where it is not known."""
+    """Median diameter of the largest balls that reach a face, mm; None where it is not known."""
     balls = measurement.balls_at_faces
     return None if balls is None or not math.isfinite(balls[face]) else float(balls[face])
 

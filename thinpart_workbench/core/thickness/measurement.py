@@ -33,9 +33,6 @@ BOX_DONE, TREE_DONE, RAYS_DONE = 0.1, 0.15, 0.85
 """Progress after the box is found, after the tree is built, and after all rays are cast. The rest is the search for
 slanted walls."""
 
-MOST_OF_FACE = 0.9
-"""Share of a face that is no thicker than is said of it: at its border, a thicker wall may begin."""
-
 FLAT_DIRECTIONS = 16
 """Number of sides of a part that are tried as sides of its box."""
 
@@ -65,7 +62,7 @@ class Measurement:
     equal_faces : ndarray of shape (f,), int64, or None
         For each face, the first one equal to it; see `equal_faces`.
     balls_at_faces : ndarray of shape (f,), mm, or None
-        The local thickness that a tenth of each face exceeds; nan where it is not known.
+        The median local thickness of each face; nan where it is not known.
     """
 
     descriptors: Descriptors
@@ -206,12 +203,11 @@ def measure(mesh, settings, report=None, is_fine_enough=None, is_near_enough=Non
         least = sampled_minimum(field, box.diagonal)
         if is_near_enough is None or least.distance is None or not is_near_enough(_with_least(known, least)):
             least = nonparallel_minimum(mesh, rays, field, box.diagonal, portion(report, RAYS_DONE, 1.0))
-    local = beneath = thickest = None
+    local = beneath = None
     if rays is not None and box.dimensions[2] > 0.0:  # a flat open surface has no inside
         balls, counted = local_thickness(mesh, field, rays, float(box.dimensions[2])), field.area > 0.0
         local = local_distribution(balls, field.area[counted], float(box.dimensions[1]))
-        beneath, thickest = (_quantile_of_faces(mesh, field.face[counted], balls, field.area[counted], share)
-                             for share in (0.5, MOST_OF_FACE))
+        beneath = _median_of_faces(mesh, field.face[counted], balls, field.area[counted])
     report_progress(report, 1.0)
     regions = wall_regions(field, enclosed, wall)
     descriptors = replace(known, min_nonparallel=least.distance, plate_share=regions.plate_share, regions=regions.counts,
@@ -220,18 +216,18 @@ def measure(mesh, settings, report=None, is_fine_enough=None, is_near_enough=Non
     if rays is not None and box.dimensions[2] > 0.0:
         places = thin_places(field, rays, float(box.dimensions[1]))
     return Measurement(descriptors, field, rays, wall, regions, thinnest, least.error, places,
-                       equal_faces=equal_faces(mesh, beneath), balls_at_faces=thickest).with_thinnest_place()
+                       equal_faces=equal_faces(mesh, beneath), balls_at_faces=beneath).with_thinnest_place()
 
 
-def _quantile_of_faces(mesh, face, thickness, area, share):
-    """The thickness that a share of each face is below, mm; nan where it has no sample: ndarray of shape (f,)."""
+def _median_of_faces(mesh, face, thickness, area):
+    """Median by area of each face, mm; nan where it has no sample: ndarray of shape (f,)."""
     order = np.lexsort([thickness, face])
     face, thickness, covered = face[order], thickness[order], np.cumsum(area[order])
     faces, start = np.unique(face, return_index=True)
     end = np.append(start[1:], len(face)) - 1
     before = np.where(start > 0, covered[start - 1], 0.0)
     found = np.full(int(mesh.face_of_triangle.max()) + 1, np.nan)
-    found[faces] = thickness[np.minimum(np.searchsorted(covered, before + share * (covered[end] - before)), end)]
+    found[faces] = thickness[np.minimum(np.searchsorted(covered, 0.5 * (before + covered[end])), end)]
     return found
 
 
