@@ -261,6 +261,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>&amp;Remove its limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>&amp;Remove mesh size</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1077,6 +1081,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Greatest wall, {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Growth</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1173,6 +1181,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Kept in the info file with a reason; checks compare this face with it instead of the process</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Kept in the info file, also when the part is measured again; the verdict does not change</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1265,6 +1277,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Least wall, {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Left solid, not in the shell: {} walls, last in the table.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1278,6 +1294,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Like</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit for {}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1902,6 +1922,14 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Set &amp;mesh size…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set its &amp;greatest wall…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set its &amp;least wall…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2594,6 +2622,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Why it is left out, such as: a crush rib, thin on purpose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why, such as: a crush rib, thin on purpose</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3330,6 +3362,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{}: looking for info files, {} so far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: walls {} ({})</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -263,6 +263,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>&amp;Entfernen</translation>
     </message>
     <message>
+        <source>&amp;Remove its limits</source>
+        <translation>Ihre Grenzen &amp;entfernen</translation>
+    </message>
+    <message>
         <source>&amp;Remove mesh size</source>
         <translation>Netzweite &amp;entfernen</translation>
     </message>
@@ -1079,6 +1083,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Dorthin</translation>
     </message>
     <message>
+        <source>Greatest wall, {}</source>
+        <translation>Größte Wand, {}</translation>
+    </message>
+    <message>
         <source>Growth</source>
         <translation>Wachstum</translation>
     </message>
@@ -1175,6 +1183,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>In wie viele Stufen die Farben unterteilt sind</translation>
     </message>
     <message>
+        <source>Kept in the info file with a reason; checks compare this face with it instead of the process</source>
+        <translation>Wird mit einem Grund in der Infodatei aufbewahrt; Prüfungen vergleichen diese Fläche damit statt mit dem Verfahren</translation>
+    </message>
+    <message>
         <source>Kept in the info file, also when the part is measured again; the verdict does not change</source>
         <translation>Bleibt in der Infodatei, auch wenn das Teil neu gemessen wird; das Urteil ändert sich nicht</translation>
     </message>
@@ -1267,6 +1279,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Kleinster Anteil der Oberfläche, der zählt</translation>
     </message>
     <message>
+        <source>Least wall, {}</source>
+        <translation>Kleinste Wand, {}</translation>
+    </message>
+    <message>
         <source>Left solid, not in the shell: {} walls, last in the table.</source>
         <translation>Bleibt Volumen, nicht in der Schale: {} Wände, zuletzt in der Tabelle.</translation>
     </message>
@@ -1281,6 +1297,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Like</source>
         <translation>Ähnlich</translation>
+    </message>
+    <message>
+        <source>Limit for {}</source>
+        <translation>Grenze für {}</translation>
     </message>
     <message>
         <source>Limits</source>
@@ -1905,6 +1925,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Set &amp;mesh size…</source>
         <translation>&amp;Netzweite festlegen…</translation>
+    </message>
+    <message>
+        <source>Set its &amp;greatest wall…</source>
+        <translation>Ihre &amp;größte Wand festlegen …</translation>
+    </message>
+    <message>
+        <source>Set its &amp;least wall…</source>
+        <translation>Ihre &amp;kleinste Wand festlegen …</translation>
     </message>
     <message>
         <source>Setting</source>
@@ -2597,6 +2625,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Why it is left out, such as: a crush rib, thin on purpose</source>
         <translation>Warum sie wegbleibt, etwa: Quetschrippe, absichtlich dünn</translation>
+    </message>
+    <message>
+        <source>Why, such as: a crush rib, thin on purpose</source>
+        <translation>Warum, zum Beispiel: eine Quetschrippe, mit Absicht dünn</translation>
     </message>
     <message>
         <source>Why: {}</source>
@@ -3333,6 +3365,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{}: looking for info files, {} so far</source>
         <translation>{}: Infodateien werden gesucht, bisher {}</translation>
+    </message>
+    <message>
+        <source>{}: walls {} ({})</source>
+        <translation>{}: Wände {} ({})</translation>
     </message>
     <message>
         <source>{}: {}</source>

@@ -263,6 +263,10 @@ Son volume est inconnu.</translation>
         <translation>&amp;Retirer</translation>
     </message>
     <message>
+        <source>&amp;Remove its limits</source>
+        <translation>&amp;Supprimer ses limites</translation>
+    </message>
+    <message>
         <source>&amp;Remove mesh size</source>
         <translation>&amp;Supprimer la taille de maille</translation>
     </message>
@@ -1079,6 +1083,10 @@ Son volume est inconnu.</translation>
         <translation>Y aller</translation>
     </message>
     <message>
+        <source>Greatest wall, {}</source>
+        <translation>Paroi la plus épaisse, {}</translation>
+    </message>
+    <message>
         <source>Growth</source>
         <translation>Croissance</translation>
     </message>
@@ -1175,6 +1183,10 @@ Son volume est inconnu.</translation>
         <translation>En combien de paliers les couleurs sont divisées</translation>
     </message>
     <message>
+        <source>Kept in the info file with a reason; checks compare this face with it instead of the process</source>
+        <translation>Conservé dans le fichier d’informations avec une raison ; les contrôles comparent cette face à cette limite au lieu de celle du procédé</translation>
+    </message>
+    <message>
         <source>Kept in the info file, also when the part is measured again; the verdict does not change</source>
         <translation>Gardé dans le fichier d'information, même si la pièce est mesurée à nouveau ; le verdict ne change pas</translation>
     </message>
@@ -1267,6 +1279,10 @@ Son volume est inconnu.</translation>
         <translation>Plus petite part de la surface qui compte</translation>
     </message>
     <message>
+        <source>Least wall, {}</source>
+        <translation>Paroi la plus mince, {}</translation>
+    </message>
+    <message>
         <source>Left solid, not in the shell: {} walls, last in the table.</source>
         <translation>Restent en volume, hors de la coque : {} parois, à la fin du tableau.</translation>
     </message>
@@ -1281,6 +1297,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Like</source>
         <translation>Similaire</translation>
+    </message>
+    <message>
+        <source>Limit for {}</source>
+        <translation>Limite pour {}</translation>
     </message>
     <message>
         <source>Limits</source>
@@ -1905,6 +1925,14 @@ Son volume est inconnu.</translation>
     <message>
         <source>Set &amp;mesh size…</source>
         <translation>Fixer la taille de &amp;maille…</translation>
+    </message>
+    <message>
+        <source>Set its &amp;greatest wall…</source>
+        <translation>Fixer sa paroi la plus é&amp;paisse…</translation>
+    </message>
+    <message>
+        <source>Set its &amp;least wall…</source>
+        <translation>Fixer sa paroi la plus &amp;mince…</translation>
     </message>
     <message>
         <source>Setting</source>
@@ -2597,6 +2625,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Why it is left out, such as: a crush rib, thin on purpose</source>
         <translation>Pourquoi elle est écartée, par exemple : nervure d'écrasement, mince à dessein</translation>
+    </message>
+    <message>
+        <source>Why, such as: a crush rib, thin on purpose</source>
+        <translation>Pourquoi, par exemple : une nervure d’écrasement, mince à dessein</translation>
     </message>
     <message>
         <source>Why: {}</source>
@@ -3333,6 +3365,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{}: looking for info files, {} so far</source>
         <translation>{} : recherche des fichiers d’information, {} jusqu’ici</translation>
+    </message>
+    <message>
+        <source>{}: walls {} ({})</source>
+        <translation>{} : parois {} ({})</translation>
     </message>
     <message>
         <source>{}: {}</source>

@@ -194,6 +194,18 @@ def region_notes(path):
     return None if content is None else {part["name"]: part.get("region_notes", []) for part in content["parts"]}
 
 
+def face_limits(path):
+    """Limits for single faces, by an info file: dict of list by part name; None where it cannot be read.
+
+    Examples
+    --------
+    >>> list(face_limits(block + ".thinpart.json").values())
+    [[]]
+    """
+    content = stored_info(path)
+    return None if content is None else {part["name"]: part.get("face_limits", []) for part in content["parts"]}
+
+
 def keep_mesh_settings(path, part, settings, global_size, diagonal, rows, figures, info_folder=None):
     """Keep with a part the settings with which it was meshed, in its info file.
 
