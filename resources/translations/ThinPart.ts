@@ -261,6 +261,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>&amp;Remove its limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>&amp;Remove mesh size</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1137,6 +1141,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Greatest wall, {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Growth</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1241,6 +1249,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Kept in the info file with a reason; checks compare this face with it instead of the process</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Kept in the info file, also when the part is measured again; the verdict does not change</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1337,6 +1349,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Least wall, {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Left solid, not in the shell: {} walls, last in the table.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1350,6 +1366,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Like</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit for {}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2010,6 +2030,14 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Set &amp;mesh size…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set its &amp;greatest wall…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set its &amp;least wall…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2726,6 +2754,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Why it is left out, such as: a crush rib, thin on purpose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why, such as: a crush rib, thin on purpose</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3521,6 +3553,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{}: walls {} ({})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{}: {}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3649,6 +3685,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>A bulky part with thin places: refine the mesh there or remove them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A limit for single faces needs a reason.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4172,6 +4212,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Limits for single faces are lengths over 0, the least one no greater than the other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Limits of the wall</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4369,6 +4413,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Normal part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not found any more, though with a limit of its own ({reason}): {faces}: set it anew, or remove it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5516,6 +5564,14 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>With a limit of its own ({reason}), but without a wall that could be measured: {faces}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Within a limit of its own ({reason}): {faces}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Your libraries have it in another size: this is {scale:.6g} times {file}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6336,6 +6392,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{check} {faces}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{command} compares the documents themselves.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6417,6 +6477,14 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{faces} and {count} more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{face} fails its own limit: {ball}, at most {most} ({reason}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{face} fails its own limit: {wall}, at least {least} ({reason}).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6748,6 +6816,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{part} has no {face}: names of faces are those of FreeCAD, such as Face1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{part} is made of triangles, which are no solid to mesh.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6801,6 +6873,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{process} ({material})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{process}: all walls have limits of their own.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

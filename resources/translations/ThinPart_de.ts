@@ -263,6 +263,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>&amp;Entfernen</translation>
     </message>
     <message>
+        <source>&amp;Remove its limits</source>
+        <translation>Ihre Grenzen &amp;entfernen</translation>
+    </message>
+    <message>
         <source>&amp;Remove mesh size</source>
         <translation>Netzweite &amp;entfernen</translation>
     </message>
@@ -1139,6 +1143,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Dorthin</translation>
     </message>
     <message>
+        <source>Greatest wall, {}</source>
+        <translation>Größte Wand, {}</translation>
+    </message>
+    <message>
         <source>Growth</source>
         <translation>Wachstum</translation>
     </message>
@@ -1243,6 +1251,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Soll bleiben: {}</translation>
     </message>
     <message>
+        <source>Kept in the info file with a reason; checks compare this face with it instead of the process</source>
+        <translation>Wird mit einem Grund in der Infodatei aufbewahrt; Prüfungen vergleichen diese Fläche damit statt mit dem Verfahren</translation>
+    </message>
+    <message>
         <source>Kept in the info file, also when the part is measured again; the verdict does not change</source>
         <translation>Bleibt in der Infodatei, auch wenn das Teil neu gemessen wird; das Urteil ändert sich nicht</translation>
     </message>
@@ -1339,6 +1351,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Kleinster Anteil der Oberfläche, der zählt</translation>
     </message>
     <message>
+        <source>Least wall, {}</source>
+        <translation>Kleinste Wand, {}</translation>
+    </message>
+    <message>
         <source>Left solid, not in the shell: {} walls, last in the table.</source>
         <translation>Bleibt Volumen, nicht in der Schale: {} Wände, zuletzt in der Tabelle.</translation>
     </message>
@@ -1353,6 +1369,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Like</source>
         <translation>Ähnlich</translation>
+    </message>
+    <message>
+        <source>Limit for {}</source>
+        <translation>Grenze für {}</translation>
     </message>
     <message>
         <source>Limits</source>
@@ -2013,6 +2033,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Set &amp;mesh size…</source>
         <translation>&amp;Netzweite festlegen…</translation>
+    </message>
+    <message>
+        <source>Set its &amp;greatest wall…</source>
+        <translation>Ihre &amp;größte Wand festlegen …</translation>
+    </message>
+    <message>
+        <source>Set its &amp;least wall…</source>
+        <translation>Ihre &amp;kleinste Wand festlegen …</translation>
     </message>
     <message>
         <source>Setting</source>
@@ -2729,6 +2757,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Why it is left out, such as: a crush rib, thin on purpose</source>
         <translation>Warum sie wegbleibt, etwa: Quetschrippe, absichtlich dünn</translation>
+    </message>
+    <message>
+        <source>Why, such as: a crush rib, thin on purpose</source>
+        <translation>Warum, zum Beispiel: eine Quetschrippe, mit Absicht dünn</translation>
     </message>
     <message>
         <source>Why: {}</source>
@@ -3523,6 +3555,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{}: Infodateien werden gesucht, bisher {}</translation>
     </message>
     <message>
+        <source>{}: walls {} ({})</source>
+        <translation>{}: Wände {} ({})</translation>
+    </message>
+    <message>
         <source>{}: {}</source>
         <translation>{}: {}</translation>
     </message>
@@ -3652,6 +3688,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>A bulky part with thin places: refine the mesh there or remove them.</source>
         <translation>Ein massiges Bauteil mit dünnen Stellen: Verfeinern Sie dort das Netz oder entfernen Sie sie.</translation>
+    </message>
+    <message>
+        <source>A limit for single faces needs a reason.</source>
+        <translation>Eine Grenze für einzelne Flächen braucht einen Grund.</translation>
     </message>
     <message>
         <source>A script or a shell is for one part, and there are {count} documents: name one of them, or the part after --part.</source>
@@ -4174,6 +4214,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Leichtmetalle in Grünsand; Eisen braucht mehr.</translation>
     </message>
     <message>
+        <source>Limits for single faces are lengths over 0, the least one no greater than the other.</source>
+        <translation>Grenzen für einzelne Flächen sind Längen über 0, die kleinste nicht größer als die andere.</translation>
+    </message>
+    <message>
         <source>Limits of the wall</source>
         <translation>Grenzen der Wandstärke</translation>
     </message>
@@ -4372,6 +4416,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Normal part</source>
         <translation>Normales Bauteil</translation>
+    </message>
+    <message>
+        <source>Not found any more, though with a limit of its own ({reason}): {faces}: set it anew, or remove it.</source>
+        <translation>Nicht mehr gefunden, obwohl mit eigener Grenze ({reason}): {faces}: Setzen Sie sie neu, oder entfernen Sie sie.</translation>
     </message>
     <message>
         <source>Notes</source>
@@ -5518,6 +5566,14 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Warum:</translation>
     </message>
     <message>
+        <source>With a limit of its own ({reason}), but without a wall that could be measured: {faces}.</source>
+        <translation>Mit eigener Grenze ({reason}), aber ohne messbare Wand: {faces}.</translation>
+    </message>
+    <message>
+        <source>Within a limit of its own ({reason}): {faces}.</source>
+        <translation>Innerhalb einer eigenen Grenze ({reason}): {faces}.</translation>
+    </message>
+    <message>
         <source>Your libraries have it in another size: this is {scale:.6g} times {file}.</source>
         <translation>Ihre Bibliotheken haben es in anderer Größe: Dies ist das {scale:.6g}-Fache von {file}.</translation>
     </message>
@@ -6338,6 +6394,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{category}, dünnste Wand {thinnest}, Median {median}, Füllung {fill}</translation>
     </message>
     <message>
+        <source>{check} {faces}</source>
+        <translation>{check} {faces}</translation>
+    </message>
+    <message>
         <source>{command} compares the documents themselves.</source>
         <translation>{command} vergleicht die Dokumente selbst.</translation>
     </message>
@@ -6420,6 +6480,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{faces} and {count} more</source>
         <translation>{faces} und {count} weitere</translation>
+    </message>
+    <message>
+        <source>{face} fails its own limit: {ball}, at most {most} ({reason}).</source>
+        <translation>{face} verfehlt die eigene Grenze: {ball}, höchstens {most} ({reason}).</translation>
+    </message>
+    <message>
+        <source>{face} fails its own limit: {wall}, at least {least} ({reason}).</source>
+        <translation>{face} verfehlt die eigene Grenze: {wall}, mindestens {least} ({reason}).</translation>
     </message>
     <message>
         <source>{file} cannot be read ({problem}).</source>
@@ -6750,6 +6818,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{part} hat keine Schale: Wände mit einer Mittelfläche haben nur {share:.0f} % seines Volumens. Vernetzen Sie es als Volumen.</translation>
     </message>
     <message>
+        <source>{part} has no {face}: names of faces are those of FreeCAD, such as Face1.</source>
+        <translation>{part} hat keine {face}: Flächen heißen wie in FreeCAD, zum Beispiel Face1.</translation>
+    </message>
+    <message>
         <source>{part} is made of triangles, which are no solid to mesh.</source>
         <translation>{part} besteht aus Dreiecken, die kein Volumenkörper zum Vernetzen sind.</translation>
     </message>
@@ -6804,6 +6876,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{process} ({material})</source>
         <translation>{process} ({material})</translation>
+    </message>
+    <message>
+        <source>{process}: all walls have limits of their own.</source>
+        <translation>{process}: Alle Wände haben eigene Grenzen.</translation>
     </message>
     <message>
         <source>{process}: cannot be told: no wall could be measured.</source>

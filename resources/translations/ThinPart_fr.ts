@@ -263,6 +263,10 @@ Son volume est inconnu.</translation>
         <translation>&amp;Retirer</translation>
     </message>
     <message>
+        <source>&amp;Remove its limits</source>
+        <translation>&amp;Supprimer ses limites</translation>
+    </message>
+    <message>
         <source>&amp;Remove mesh size</source>
         <translation>&amp;Supprimer la taille de maille</translation>
     </message>
@@ -1139,6 +1143,10 @@ Son volume est inconnu.</translation>
         <translation>Y aller</translation>
     </message>
     <message>
+        <source>Greatest wall, {}</source>
+        <translation>Paroi la plus épaisse, {}</translation>
+    </message>
+    <message>
         <source>Growth</source>
         <translation>Croissance</translation>
     </message>
@@ -1243,6 +1251,10 @@ Son volume est inconnu.</translation>
         <translation>À garder : {}</translation>
     </message>
     <message>
+        <source>Kept in the info file with a reason; checks compare this face with it instead of the process</source>
+        <translation>Conservé dans le fichier d’informations avec une raison ; les contrôles comparent cette face à cette limite au lieu de celle du procédé</translation>
+    </message>
+    <message>
         <source>Kept in the info file, also when the part is measured again; the verdict does not change</source>
         <translation>Gardé dans le fichier d'information, même si la pièce est mesurée à nouveau ; le verdict ne change pas</translation>
     </message>
@@ -1339,6 +1351,10 @@ Son volume est inconnu.</translation>
         <translation>Plus petite part de la surface qui compte</translation>
     </message>
     <message>
+        <source>Least wall, {}</source>
+        <translation>Paroi la plus mince, {}</translation>
+    </message>
+    <message>
         <source>Left solid, not in the shell: {} walls, last in the table.</source>
         <translation>Restent en volume, hors de la coque : {} parois, à la fin du tableau.</translation>
     </message>
@@ -1353,6 +1369,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Like</source>
         <translation>Similaire</translation>
+    </message>
+    <message>
+        <source>Limit for {}</source>
+        <translation>Limite pour {}</translation>
     </message>
     <message>
         <source>Limits</source>
@@ -2013,6 +2033,14 @@ Son volume est inconnu.</translation>
     <message>
         <source>Set &amp;mesh size…</source>
         <translation>Fixer la taille de &amp;maille…</translation>
+    </message>
+    <message>
+        <source>Set its &amp;greatest wall…</source>
+        <translation>Fixer sa paroi la plus é&amp;paisse…</translation>
+    </message>
+    <message>
+        <source>Set its &amp;least wall…</source>
+        <translation>Fixer sa paroi la plus &amp;mince…</translation>
     </message>
     <message>
         <source>Setting</source>
@@ -2729,6 +2757,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Why it is left out, such as: a crush rib, thin on purpose</source>
         <translation>Pourquoi elle est écartée, par exemple : nervure d'écrasement, mince à dessein</translation>
+    </message>
+    <message>
+        <source>Why, such as: a crush rib, thin on purpose</source>
+        <translation>Pourquoi, par exemple : une nervure d’écrasement, mince à dessein</translation>
     </message>
     <message>
         <source>Why: {}</source>
@@ -3523,6 +3555,10 @@ Son volume est inconnu.</translation>
         <translation>{} : recherche des fichiers d’information, {} jusqu’ici</translation>
     </message>
     <message>
+        <source>{}: walls {} ({})</source>
+        <translation>{} : parois {} ({})</translation>
+    </message>
+    <message>
         <source>{}: {}</source>
         <translation>{} : {}</translation>
     </message>
@@ -3652,6 +3688,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>A bulky part with thin places: refine the mesh there or remove them.</source>
         <translation>Une pièce massive avec des endroits minces : affinez-y le maillage ou supprimez-les.</translation>
+    </message>
+    <message>
+        <source>A limit for single faces needs a reason.</source>
+        <translation>Une limite pour des faces isolées demande une raison.</translation>
     </message>
     <message>
         <source>A script or a shell is for one part, and there are {count} documents: name one of them, or the part after --part.</source>
@@ -4174,6 +4214,10 @@ Son volume est inconnu.</translation>
         <translation>Alliages légers en sable vert ; la fonte demande plus.</translation>
     </message>
     <message>
+        <source>Limits for single faces are lengths over 0, the least one no greater than the other.</source>
+        <translation>Les limites pour des faces isolées sont des longueurs supérieures à 0, la plus petite ne dépassant pas l’autre.</translation>
+    </message>
+    <message>
         <source>Limits of the wall</source>
         <translation>Limites de la paroi</translation>
     </message>
@@ -4372,6 +4416,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Normal part</source>
         <translation>Pièce normale</translation>
+    </message>
+    <message>
+        <source>Not found any more, though with a limit of its own ({reason}): {faces}: set it anew, or remove it.</source>
+        <translation>Introuvable désormais, bien qu’ayant sa propre limite ({reason}) : {faces} : fixez-la de nouveau, ou supprimez-la.</translation>
     </message>
     <message>
         <source>Notes</source>
@@ -5518,6 +5566,14 @@ Son volume est inconnu.</translation>
         <translation>Pourquoi :</translation>
     </message>
     <message>
+        <source>With a limit of its own ({reason}), but without a wall that could be measured: {faces}.</source>
+        <translation>Avec sa propre limite ({reason}), mais sans paroi mesurable : {faces}.</translation>
+    </message>
+    <message>
+        <source>Within a limit of its own ({reason}): {faces}.</source>
+        <translation>Dans sa propre limite ({reason}) : {faces}.</translation>
+    </message>
+    <message>
         <source>Your libraries have it in another size: this is {scale:.6g} times {file}.</source>
         <translation>Vos bibliothèques l’ont dans une autre taille : celle-ci fait {scale:.6g} fois {file}.</translation>
     </message>
@@ -6338,6 +6394,10 @@ Son volume est inconnu.</translation>
         <translation>{category}, paroi la plus mince {thinnest}, médiane {median}, remplissage {fill}</translation>
     </message>
     <message>
+        <source>{check} {faces}</source>
+        <translation>{check} {faces}</translation>
+    </message>
+    <message>
         <source>{command} compares the documents themselves.</source>
         <translation>{command} compare les documents eux-mêmes.</translation>
     </message>
@@ -6420,6 +6480,14 @@ Son volume est inconnu.</translation>
     <message>
         <source>{faces} and {count} more</source>
         <translation>{faces} et {count} autres</translation>
+    </message>
+    <message>
+        <source>{face} fails its own limit: {ball}, at most {most} ({reason}).</source>
+        <translation>{face} ne respecte pas sa propre limite : {ball}, au plus {most} ({reason}).</translation>
+    </message>
+    <message>
+        <source>{face} fails its own limit: {wall}, at least {least} ({reason}).</source>
+        <translation>{face} ne respecte pas sa propre limite : {wall}, au moins {least} ({reason}).</translation>
     </message>
     <message>
         <source>{file} cannot be read ({problem}).</source>
@@ -6750,6 +6818,10 @@ Son volume est inconnu.</translation>
         <translation>{part} n’a pas de coque : les parois qui ont une surface moyenne ne font que {share:.0f} % de son volume. Maillez-la en volume.</translation>
     </message>
     <message>
+        <source>{part} has no {face}: names of faces are those of FreeCAD, such as Face1.</source>
+        <translation>{part} n’a pas de {face} : les faces portent les noms de FreeCAD, comme Face1.</translation>
+    </message>
+    <message>
         <source>{part} is made of triangles, which are no solid to mesh.</source>
         <translation>{part} est fait de triangles, qui ne sont pas un solide à mailler.</translation>
     </message>
@@ -6804,6 +6876,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{process} ({material})</source>
         <translation>{process} ({material})</translation>
+    </message>
+    <message>
+        <source>{process}: all walls have limits of their own.</source>
+        <translation>{process} : toutes les parois ont leurs propres limites.</translation>
     </message>
     <message>
         <source>{process}: cannot be told: no wall could be measured.</source>

@@ -6,7 +6,9 @@ from dataclasses import replace
 import made_library
 import made_meshes
 import pytest
+from test_equal_features import perforated
 
+from thinpart_workbench.core.analysis_settings import AnalysisSettings
 from thinpart_workbench.core.descriptors.packed_distribution import packed_slanted, packed_walls
 from thinpart_workbench.core.judging.packed_check import packed_walls_pass
 from thinpart_workbench.core.judging.wall_check import check_sentence, check_walls
@@ -40,7 +42,8 @@ def test_a_plate_of_two_millimetres(least, most, holds):
 
 def test_the_edges_of_a_plate_do_not_make_it_thick():
     check = check_walls(PLATE, limits(1.0, 3.0))
-    assert check.holds and check.thick_share == pytest.approx(720 / 16720, rel=0.02)
+    assert check.holds and (check.thick_share, check.thick_faces) == (0.0, ())
+    assert check.thickest_mm == pytest.approx(2.0, rel=0.01)
 
 
 def test_what_fails_is_told_with_its_share_and_faces():
@@ -77,13 +80,45 @@ def test_round_and_solid_parts_and_the_greatest_wall(shape, most, holds):
     assert check_walls(made_library.measured_record("part", shape), limits(None, most)).holds is holds
 
 
-@pytest.mark.parametrize("length, holds", [(2.0, True), (20.0, None), (200.0, False)])
-def test_where_little_of_a_part_is_too_thick_it_cannot_be_told(length, holds):
-    """A bar of 20 mm beside a plate of 4 mm: 0, 14 and 66 % of the volume lie deeper than the limit allows."""
-    shape = made_meshes.joined(made_meshes.box(100, 100, 4),
-                               made_meshes.moved(made_meshes.box(length, 20, 20), shift=(200.0, 0.0, 0.0)))
-    check = check_walls(made_library.measured_record("part", shape), limits(None, 4.2))
+def bar_beside_a_plate(length):
+    """A bar of 20 mm beside a plate of 4 mm."""
+    return made_library.measured_record("part", made_meshes.joined(
+        made_meshes.box(100, 100, 4), made_meshes.moved(made_meshes.box(length, 20, 20), shift=(200.0, 0.0, 0.0))))
+
+
+@pytest.mark.parametrize("length, holds", [(2.0, True), (20.0, False), (200.0, False)])
+def test_the_largest_ball_says_where_a_part_is_too_thick(length, holds):
+    record = bar_beside_a_plate(length)
+    check = check_walls(record, limits(None, 4.2))
     assert (check.thin_holds, check.thick_holds, check.holds) == (True, holds, holds)
+    balls = {face["face"]: face["ball_mm"] for face in record["faces"]}
+    assert sorted(check.thick_faces) == sorted(face for face, ball in balls.items() if ball > 4.3)
+    assert len(check.thick_faces) == (0 if holds else 6)
+
+
+@pytest.mark.parametrize("length, holds", [(2.0, True), (20.0, None), (200.0, False)])
+def test_records_without_balls_are_told_by_volume(length, holds):
+    """0, 14 and 66 % of the volume lie deeper than the limit allows."""
+    record = bar_beside_a_plate(length)
+    before = {**record, "descriptors": {key: value for key, value in record["descriptors"].items() if key != "local"}}
+    check = check_walls(before, limits(None, 4.2))
+    assert (check.thin_holds, check.thick_holds, check.holds) == (True, holds, holds)
+
+
+@pytest.mark.parametrize("most, holds", [(3.2, True), (3.0, True), (2.8, False), (2.2, False)])
+def test_where_walls_of_one_thickness_meet_they_are_not_too_thick(most, holds):
+    """A T, a corner and an end of walls of 3 mm: the largest ball is 3.75 mm where one wall ends on the other."""
+    outline = [(0, 0), (60, 0), (60, 40), (57, 40), (57, 3), (31.5, 3), (31.5, 43), (28.5, 43), (28.5, 3), (0, 3)]
+    record = made_library.measured_record("profile", made_meshes.prism(outline, 100))
+    assert check_walls(record, limits(None, most)).thick_holds is holds
+    assert check_walls(record, limits(None, 3.2)).thickest_mm > 3.3
+
+
+@pytest.mark.parametrize("most, holds", [(1.6, True), (1.4, False)])
+def test_the_sides_of_holes_and_rims_of_a_sheet_are_as_thick_as_the_sheet(most, holds):
+    points, triangles, _ = perforated()
+    check = check_walls(made_library.measured_record("sheet", (points, triangles), AnalysisSettings()), limits(None, most))
+    assert check.thick_holds is holds and check.thickest_mm == pytest.approx(1.5, rel=0.02)
 
 
 @pytest.mark.parametrize("thinnest, error, holds, within", [
@@ -131,7 +166,8 @@ def test_the_index_checks_alike(shape, least, most):
               *[column for number, column in enumerate(packed_slanted(content["nonparallel"])) if number != 1])
     found = packed_walls_pass(
         *walls_of(record), content["volume_mm3"], content["area_mm2"], content["diagonal_mm"],
-        content["shares"]["unmeasured"], content["shares"]["unmet"], *packed, least, most)
+        content["shares"]["unmeasured"], content["shares"]["unmet"], *packed, content["local"]["T99"], content["box_mm"][1],
+        least, most)
     holds = check_walls(record, limits(least, most)).holds
     assert found == (None if holds is None else int(holds))
 

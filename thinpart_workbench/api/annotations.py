@@ -18,7 +18,7 @@ from ..core.problem import problem_of
 from ..core.record.mesh_settings import LEAST_ALIKE, settings_for, wall_sizes_for, worked_settings
 from ..core.record.record_types import PART, PERSON
 from ..core.regular_file import open_regular
-from ..storage.info.annotations import set_annotation, set_label, set_region_note
+from ..storage.info.annotations import set_annotation, set_face_limit, set_label, set_region_note
 from ..storage.info.info_file import change_info, stored_info
 from ..storage.info.stored_records import info_file_of, select_record
 from ..system.file_paths import is_below
@@ -134,6 +134,54 @@ def note_regions(path, regions, person="", part=None, info_folder=None, excluded
                     lambda record, _: set_region_note(record, regions, person, excluded, mesh_size_mm))
 
 
+def limit_faces(path, faces, reason="", min_mm=None, max_mm=None, person="", part=None, info_folder=None):
+    """Keep limits of the wall for single faces of a part, which checks respect; returns its PartRecord.
+
+    Parameters
+    ----------
+    path, part, info_folder
+        See `annotate_part`.
+    faces : list of str
+        Names, such as ``Face3``.
+    reason : str
+        Why the faces have limits of their own.
+    min_mm, max_mm : float, optional
+        The least and the greatest wall; without both, the limits of the faces are removed.
+    person : str, optional
+        By default the name of the user on this computer.
+
+    Raises
+    ------
+    ThinPartError
+        kind ``usage`` if it is ambiguous which part is meant, there is no such face, or no reason is given.
+
+    Examples
+    --------
+    >>> limit_faces(plate, ["Face1"], "crush rib", min_mm=0.5)["face_limits"][0]["reason"]
+    'crush rib'
+    """
+    person, reason = _checked_person(person), reason.strip()
+    is_limited = min_mm is not None or max_mm is not None
+    if is_limited and not reason:
+        raise ThinPartError(message("A limit for single faces needs a reason."), "usage")
+    for value in (min_mm, max_mm):
+        if value is not None and not 1e-9 <= value <= 1e9 or None not in (min_mm, max_mm) and min_mm > max_mm:
+            raise ThinPartError(
+                message("Limits for single faces are lengths over 0, the least one no greater than the other."), "usage")
+
+    def change(record, _):
+        known = {face["face"] for face in record["faces"]}
+        if not is_limited:
+            known |= {limit["face"] for limit in record.get("face_limits", ())}
+        missing = [face for face in faces if face not in known]
+        if missing:
+            raise ThinPartError(message("{part} has no {face}: names of faces are those of FreeCAD, such as Face1.",
+                                        part=record["label"], face=missing[0]), "usage")
+        return set_face_limit(record, faces, person, reason, min_mm, max_mm)
+
+    return _changed(path, part, info_folder, change)
+
+
 def region_notes(path):
     """What people said of wall regions, by an info file: dict of list by part name; None where it cannot be read.
 
@@ -144,6 +192,18 @@ def region_notes(path):
     """
     content = stored_info(path)
     return None if content is None else {part["name"]: part.get("region_notes", []) for part in content["parts"]}
+
+
+def face_limits(path):
+    """Limits for single faces, by an info file: dict of list by part name; None where it cannot be read.
+
+    Examples
+    --------
+    >>> list(face_limits(block + ".thinpart.json").values())
+    [[]]
+    """
+    content = stored_info(path)
+    return None if content is None else {part["name"]: part.get("face_limits", []) for part in content["parts"]}
 
 
 def keep_mesh_settings(path, part, settings, global_size, diagonal, rows, figures, info_folder=None):

@@ -13,7 +13,15 @@ from ..core.record.record_types import PersonLabel
 from ..freecad_adapter.reading.linked_files import linked_files
 from ..storage.info.info_file import info_content, new_source, stored_info, write_info
 from ..storage.info.info_location import PATIENCE, call_in_folder, info_location
-from .annotations import keep_mesh_settings, label_part, note_regions, region_notes, settings_that_worked
+from .annotations import (
+    face_limits,
+    keep_mesh_settings,
+    label_part,
+    limit_faces,
+    note_regions,
+    region_notes,
+    settings_that_worked,
+)
 from .document_verdicts import PartVerdict, document_verdicts
 
 
@@ -132,6 +140,31 @@ def keep_notes(document, part, regions, folder="", person="", **said):
     path = info_location(document, folder)
     note_regions(path, regions, person, part, **said)
     return region_notes(path)
+
+
+def limited_faces(document, folder=""):
+    """Limits for single faces of a document, given by its path; see `face_limits` and `info_location`.
+
+    Examples
+    --------
+    >>> list(limited_faces(block).values())
+    [[]]
+    """
+    return face_limits(info_location(document, folder))
+
+
+def keep_face_limits(document, part, faces, folder="", person="", **limits):
+    """Keep limits for single faces, and return what `limited_faces` does; see `limit_faces`.
+
+    Examples
+    --------
+    >>> kept = keep_face_limits(plate, "plate", ["Face2"], person="Ann", reason="cast", min_mm=0.5)
+    >>> [limit["min_mm"] for limit in kept[record["name"]] if limit["face"] == "Face2"]
+    [0.5]
+    """
+    path = info_location(document, folder)
+    limit_faces(path, faces, person=person, part=part, **limits)
+    return face_limits(path)
 
 
 def keep_settings(document, folder="", **worked):

@@ -107,6 +107,8 @@ ELSEWHERE = (
     "core.mesh.tetrahedra",  # poor tetrahedra
     "core.rays.ray_casting",  # boxes that a ray grazes
     "core.rays.ray_packets",  # rays that are cast together
+    "core.record.face_check",  # walls near a limit of their face
+    "core.record.face_limits",  # faces that are the same after a change
     "core.record.mesh_settings",  # parts alike and walls that are the same, for settings that worked
     "core.record.region_notes",  # regions that are the same after a change
     "core.record.thin_faces",  # faces that are shown as thin

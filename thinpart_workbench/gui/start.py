@@ -24,6 +24,7 @@ from .document.notifications import Notifications
 from .guide.command import WhatsThis
 from .on_save.auto_classifier import AutoClassifier
 from .preferences.pages import add_pages
+from .processes.face_limits import FaceLimits
 from .processes.region_notes import RegionNotes
 from .processes.request_queue import HANGING, RequestQueue
 from .processes.running_jobs import RunningJobs
@@ -49,6 +50,7 @@ def start():
     lifelong.measurement_signals = MeasurementSignals()
     lifelong.requests = RequestQueue("info-files", HANGING)
     lifelong.region_notes = RegionNotes(lifelong.requests)
+    lifelong.face_limits = FaceLimits(lifelong.requests)
     lifelong.whats_this = WhatsThis()
     lifelong.whats_this.watch(Gui.getMainWindow())
     lifelong.units = UnitWatch(observer)

@@ -8,7 +8,7 @@ from .wall_limits import WallLimits
 
 
 def packed_walls_pass(thinnest, error, volume, area, diagonal, unmeasured, unmet, wall_bins, wall_area, slanted_bins,
-                      slanted_area, least, most):
+                      slanted_area, ball, middle, least, most):
     """Whether the walls of a part lie within limits; see `wall_verdict`.
 
     Returns an int or None: 1 or 0; None where it cannot be told.
@@ -19,10 +19,15 @@ def packed_walls_pass(thinnest, error, volume, area, diagonal, unmeasured, unmet
         As in `MeasuredWalls`.
     wall_bins, wall_area, slanted_bins, slanted_area : bytes
         See `packed_walls`.
+    ball : float or None
+        ``T99`` of a part record, a share of the middle side of its box.
+    middle : float, mm
+        That side.
     least, most : float or None, mm
     """
     walls, slanted = (_unpacked(*table) for table in ((wall_bins, wall_area), (slanted_bins, slanted_area)))
-    measured = MeasuredWalls(thinnest, error, volume, area, diagonal, walls, slanted, unmeasured, unmet)
+    measured = MeasuredWalls(thinnest, error, volume, area, diagonal, walls, slanted, unmeasured, unmet,
+                             ball and ball * middle)
     *verdicts, _ = wall_verdict(measured, WallLimits("", "", least, most))
     return 0 if False in verdicts else None if None in verdicts else 1
 

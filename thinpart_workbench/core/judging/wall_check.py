@@ -5,14 +5,15 @@ Command lines list and check stored parts without numpy, so neither is it import
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Optional
 
-from ..descriptors.bins import BINS
+from ..descriptors.bins import BINS, MIDDLE_BINS
 from ..descriptors.descriptor_table import STATED_FLOOR
 from ..figures import Length, Share
 from ..message import message
 from ..record.checked_walls import walls_of
+from ..record.face_check import check_faces, face_sentences, least_elsewhere
 from ..tolerances import TOLERANCES
 from .wall_limits import WallLimits
 
@@ -20,8 +21,12 @@ TOO_COARSE = 0.5
 """Error of a wall, as a share of the limit, from which on a wall near the limit cannot be told."""
 
 THICK_FROM, THIN_UP_TO = 0.25, 0.05
-"""Share of the volume outside walls of the greatest thickness from which on a part is too thick, and up to which it is not.
-What lies between may be where walls meet: there a ray runs along one of them."""
+"""Share of the volume outside walls of the greatest thickness from which on a part is too thick, and up to which it is not,
+where the largest balls are not known. What lies between may be where walls meet: there a ray runs along one of them."""
+
+WHERE_WALLS_MEET, THICK_SHARE = 1.5, 0.01
+"""The largest ball where walls of one thickness meet is 1.17 times as thick in a corner, 1.25 where one ends on another and
+1.41 where they cross. Up to the first of these, a part is too thick only if that share of the surface sees such a wall."""
 
 NEAR = 0.02
 """Share of the least wall by which the thinnest may be thinner where its error bound allows for that: limits of guides are
@@ -45,6 +50,8 @@ class MeasuredWalls:
         Bins and areas of parallel walls and of those at 10 to 60 degrees.
     unmeasured, unmet : float
         Shares of the surface without a wall that could be measured, and whose rays met nothing.
+    thickest : float or None, mm
+        The largest ball inside that reaches a hundredth of the surface; None where balls were not looked for.
     """
 
     thinnest: Optional[float]
@@ -56,6 +63,7 @@ class MeasuredWalls:
     slanted: tuple
     unmeasured: float
     unmet: float
+    thickest: Optional[float] = None
 
     @classmethod
     def of_record(cls, record):
@@ -63,9 +71,10 @@ class MeasuredWalls:
         content = record["descriptors"]
         (thinnest, error), shares = walls_of(record), content["shares"]
         walls, slanted = content["distribution"], content["nonparallel"]
+        ball = content.get("local", {}).get("T99")
         return cls(thinnest, error, content["volume_mm3"], content["area_mm2"], content["diagonal_mm"],
                    (walls["bins"], walls["area"]), (slanted["bins"], slanted["area"]),
-                   shares["unmeasured"], shares["unmet"])
+                   shares["unmeasured"], shares["unmet"], ball and ball * content["box_mm"][1])
 
     def share_under(self, limit):
         """Least and greatest share of the surface over walls, parallel or not, thinner than a limit in mm: two floats.
@@ -78,8 +87,12 @@ class MeasuredWalls:
 
     def share_over(self, limit):
         """Share of the surface over walls, parallel or not, that are surely thicker than a limit in mm: float."""
-        cut = self._bin_of(limit)
-        return sum(area for table in (self.walls, self.slanted) for bin_, area in zip(*table) if bin_ > cut)
+        return self.share_between(limit, math.inf)
+
+    def share_between(self, low, high):
+        """The same up to a thickness."""
+        cut, end = self._bin_of(low), math.inf if math.isinf(high) else self._bin_of(high)
+        return sum(area for table in (self.walls, self.slanted) for bin_, area in zip(*table) if cut < bin_ <= end)
 
     def tapered_under(self, limit):
         """Share of the surface over walls at 10 to 60 degrees that are surely thinner than a limit in mm: float."""
@@ -125,11 +138,17 @@ class WallCheck:
     thin_share : tuple of float
         Least and greatest share of the surface under the least wall.
     thick_share : float
-        Share of the surface over walls thicker than the greatest.
+        Share of the surface where the part is thicker than the greatest: a larger ball inside reaches it.
     tapered_share : float
         Share of the surface over tapered walls thinner than the least: they end in edges, and decide nothing.
     faces : tuple of str
         Faces with a wall under the least one, the thinnest first.
+    thickest_mm : float or None, mm
+        The largest ball inside that reaches a hundredth of the surface.
+    thick_faces : tuple of str
+        Faces half of which balls larger than the greatest wall reach, the thickest first.
+    own : tuple of FaceCheck
+        Faces with limits of their own, which the others are compared without.
     """
 
     limits: WallLimits
@@ -144,6 +163,9 @@ class WallCheck:
     thick_share: float = 0.0
     tapered_share: float = 0.0
     faces: tuple = ()
+    thickest_mm: Optional[float] = None
+    thick_faces: tuple = ()
+    own: tuple = ()
 
     def content(self):
         """dict for JSON."""
@@ -153,7 +175,8 @@ class WallCheck:
             "thinnest_mm": self.thinnest_mm, "error_bound_mm": self.error_mm, "thinnest_face": self.thinnest_face or None,
             "thin_share": [round(share, 9) for share in self.thin_share], "thick_share": round(self.thick_share, 9),
             "tapered_share": round(self.tapered_share, 9),
-            "faces": list(self.faces), "sentence": check_sentence(self),
+            "faces": list(self.faces), "thickest_mm": self.thickest_mm, "thick_faces": list(self.thick_faces),
+            "face_limits": [each.content() for each in self.own], "sentence": check_sentence(self),
         }
 
 
@@ -180,8 +203,8 @@ def check_walls(record, limits):
 
     The least wall is compared with the part's thinnest wall, at any angle, which has an extent (`thin_places`), so that
     stray rays decide nothing. Sharp edges are thinner than any limit: they count in shares of the surface, not in the
-    verdict. For the greatest wall see `MeasuredWalls.volume_outside`: a ray from the edge of a plate runs along it, and
-    would call every plate thick.
+    verdict. The greatest wall is compared with the largest balls inside, whichever way rays run: a ray from the edge of a
+    plate runs along it, and would call every plate thick.
 
     Parameters
     ----------
@@ -189,27 +212,62 @@ def check_walls(record, limits):
         It may lack its faces, which make shares of the surface more precise.
     limits : WallLimits
     """
-    measured = MeasuredWalls.of_record(record)
+    own = tuple(check_faces(record))
+    measured = _without(own, record, MeasuredWalls.of_record(record))
     thin_holds, thick_holds, within = wall_verdict(measured, limits)
+    if measured.thinnest is None and any(each.min_mm is not None and not each.is_gone for each in own):
+        thin_holds = True  # all walls have limits of their own
+    limited = {each.face for each in own if each.max_mm is not None and not each.is_gone}
+    over = () if limits.max_mm is None else _faces_over(record, limits.max_mm)
+    thick = tuple(face for face in over if face not in limited)
+    if thick_holds is False and limited and not thick:
+        thick_holds = True
+    if any(each.holds is False for each in own):
+        return replace(_check(record, limits, measured, thin_holds, thick_holds, within, thick, own), holds=False)
+    return _check(record, limits, measured, thin_holds, thick_holds, within, thick, own)
+
+
+def _without(own, record, measured):
+    """What was measured, with the thinnest wall apart from those of faces with a least wall of their own."""
+    if not any(each.min_mm is not None and not each.is_gone for each in own) or measured.thinnest is None:
+        return measured
+    least = least_elsewhere(record, own)
+    return replace(measured, thinnest=None if least is None else max(least, measured.thinnest))
+
+
+def _check(record, limits, measured, thin_holds, thick_holds, within, thick, own):
+    """The result: WallCheck."""
     holds = False if False in (thin_holds, thick_holds) else None if None in (thin_holds, thick_holds) else True
-    least = [(face.get("walls_min", face["min"]), face["face"]) for face in record.get("faces", ())]
+    apart = {each.face for each in own if each.min_mm is not None}
+    least = [(face.get("walls_min", face["min"]), face["face"]) for face in record.get("faces", ())
+             if face["face"] not in apart]
     faces = sorted((wall, face) for wall, face in least if wall is not None)
     failing = thin_holds is False
     return WallCheck(
         limits, holds, within, thin_holds, thick_holds, measured.thinnest, measured.error, faces[0][1] if faces else "",
         _thin_share(record, measured, limits.min_mm) if failing else (0.0, 0.0),
-        0.0 if limits.max_mm is None else measured.share_over(limits.max_mm),
+        0.0 if limits.max_mm is None else _thick_share(record, measured, limits.max_mm, thick_holds),
         0.0 if limits.min_mm is None else measured.tapered_under(limits.min_mm),
         tuple(face for wall, face in faces if failing and wall < limits.min_mm),
+        measured.thickest, thick if thick_holds is False else (), own,
     )
 
 
 def check_sentence(check):
-    """The result in a sentence with figures: Message."""
+    """The result in sentences with figures, those on faces with limits of their own last: Message."""
+    found = _process_sentence(check)
+    for sentence in face_sentences(check.own):
+        found = message("{check} {faces}", check=found, faces=sentence)
+    return found
+
+
+def _process_sentence(check):
     limits, thinnest, error = check.limits, Length(check.thinnest_mm), Length(check.error_mm)
     process, least, most = limits.full_title, Length(limits.min_mm), Length(limits.max_mm)
-    if check.holds is False:
+    if False in (check.thin_holds, check.thick_holds):
         return message("{process}: fails: {findings}.", process=process, findings=_findings(check))
+    if check.thinnest_mm is None and check.thin_holds and check.own:
+        return message("{process}: all walls have limits of their own.", process=process)
     if check.thin_holds is None and check.thinnest_mm is None:
         return message("{process}: cannot be told: no wall could be measured.", process=process)
     if check.thin_holds is None and check.error_mm > TOO_COARSE * limits.min_mm:
@@ -270,12 +328,36 @@ def _is_thick_enough(measured, least):
 
 
 def _is_thin_enough(measured, most):
+    """Whether no place is thicker than the greatest wall, by the largest balls; see `wall_verdict`."""
     if most is None or not measured.share_over(most) > STATED_FLOOR:
         return True if most is None or measured.thinnest is not None else None
-    outside = measured.volume_outside(most)
-    if outside is None or THIN_UP_TO < outside < THICK_FROM:
-        return None
-    return outside <= THIN_UP_TO
+    if measured.thickest is None:
+        outside = measured.volume_outside(most)
+        if outside is None or THIN_UP_TO < outside < THICK_FROM:
+            return None
+        return outside <= THIN_UP_TO
+    if measured.thickest > (1.0 + NEAR) * most and (
+            measured.thickest > WHERE_WALLS_MEET * most
+            or measured.share_between((1.0 + NEAR) * most, WHERE_WALLS_MEET * most) > THICK_SHARE):
+        return False
+    return None if measured.volume is None else True
+
+
+def _thick_share(record, measured, most, holds):
+    """Share of the surface that balls larger than the greatest wall reach; over thicker walls where balls tell nothing."""
+    if measured.thickest is None or holds is None:
+        return measured.share_over(most)
+    if measured.thickest <= (1.0 + NEAR) * most:
+        return 0.0
+    local, middle = record["descriptors"]["local"], record["descriptors"]["box_mm"][1]
+    cut = math.floor(most / middle * MIDDLE_BINS)
+    return max(sum(area for bin_, area in zip(local["bins"], local["area"]) if bin_ > cut), THICK_SHARE)
+
+
+def _faces_over(record, most):
+    """Names of the faces that balls larger than the greatest wall reach, the thickest first."""
+    thick = [(-face["ball_mm"], face["face"]) for face in record.get("faces", ()) if face.get("ball_mm")]
+    return [face for ball, face in sorted(thick) if -ball > (1.0 + NEAR) * most]
 
 
 def _thin_share(record, measured, limit):

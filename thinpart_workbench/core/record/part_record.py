@@ -232,6 +232,12 @@ def _equal_to(measurement, face):
     return None if equal is None or equal[face] == face else face_name(int(equal[face]))
 
 
+def _ball_at(measurement, face):
+    """Median diameter of the largest balls that reach a face, mm; None where it is not known."""
+    balls = measurement.balls_at_faces
+    return None if balls is None or not math.isfinite(balls[face]) else float(balls[face])
+
+
 def _face(part, measurement, face):
     surface, radius = _surface_of(part, face.face)
     return {
@@ -248,6 +254,7 @@ def _face(part, measurement, face):
         "surface": surface,
         "radius_mm": radius,
         "equal_to": _equal_to(measurement, face.face),
+        "ball_mm": _ball_at(measurement, face.face),
     }
 
 

@@ -47,7 +47,8 @@ class WitnessRecord(TypedDict):
 class FaceRecord(TypedDict):
     """The walls under one face, None where there are none: the thinnest, and the thinnest apart from sharp edges; median and
     greatest of parallel walls, or of tapered ones where none is parallel. On which kind of surface it lies, with the radius
-    where it has one; None for a patch of triangles. And the first face that is equal to it; None where it is the first."""
+    where it has one; None for a patch of triangles. The first face that is equal to it; None where it is the first.
+    And the diameter of the largest balls inside that reach it, the median."""
 
     face: str
     area_mm2: float
@@ -62,6 +63,7 @@ class FaceRecord(TypedDict):
     surface: NotRequired[Annotated[Optional[Annotated[str, OneOf(SURFACES)]], LATER]]
     radius_mm: NotRequired[Annotated[Optional[float], LATER]]
     equal_to: NotRequired[Annotated[Optional[str], LATER]]
+    ball_mm: NotRequired[Annotated[Optional[Annotated[float, Number(0.0)]], LATER]]
 
 
 class ThinnestRecord(TypedDict):
@@ -217,6 +219,19 @@ class RegionNote(TypedDict):
     mesh_size_mm: NotRequired[Annotated[_ElementSize, Restricted(about="element size that is wanted there")]]
 
 
+class FaceLimit(TypedDict):
+    """Limits of the wall for one face, with its area and kind of surface, by which it is found again; who says so, why."""
+
+    face: str
+    area_mm2: Annotated[float, Number(0.0)]
+    surface: Optional[Annotated[str, OneOf(SURFACES)]]
+    person: Person
+    when: Time
+    reason: Annotated[str, Text(2000, r"[^\x00]*[^\x00\s][^\x00]*", "a reason")]
+    min_mm: NotRequired[Annotated[_ElementSize, Restricted(about="the least wall that the face may have")]]
+    max_mm: NotRequired[Annotated[_ElementSize, Restricted(about="the greatest wall that the face may have")]]
+
+
 class MeshedWall(TypedDict):
     """A wall as it was meshed; without a size where it was left out."""
 
@@ -262,6 +277,8 @@ class Annotations(TypedDict, total=False):
         most=1000, distinct="person", about="the category that the part has in the eyes of people, one answer each")]
     region_notes: Annotated[list[RegionNote], Restricted(
         most=10_000, about="what people said of wall regions, which are found again by place and faces")]
+    face_limits: Annotated[list[FaceLimit], Restricted(
+        most=10_000, distinct="face", about="limits of the wall for single faces, which checks respect")]
     meshed: Annotated[MeshedRecord, Restricted(about="mesh settings that worked, and what Gmsh made with them")]
 
 

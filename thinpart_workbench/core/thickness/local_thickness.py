@@ -17,6 +17,10 @@ SPACING = 0.5
 """The share of the distance between neighbouring balls that is added: with it, the thickness does not depend on how many
 balls there are."""
 
+EMPTY = 0.8
+"""Radii from its centre within which a ball across a wall has no point of the surface. One that a ray along a sheet bounds,
+from its rim to the next hole, has both sides of the sheet in it."""
+
 MANY = 60.0
 """Balls that reach as much of the surface as so many places are compared with all samples: a tree is slower then."""
 
@@ -67,11 +71,20 @@ def local_thickness(mesh, field, rays, most, at=None, report=None):
             walls.bound_by_walls(field.distance[counted[close]], field.opposite[counted[close]])
         else:
             walls.bound_by_rays()
-        _raise_to_walls(radii, close, walls.radius, asked.points, added)
+        surface = cKDTree(rays.turned(field.samples.points[counted]).T)
+        _raise_to_walls(radii, close, walls.radius, _are_empty(walls, surface, 2.0 * added), asked.points, added)
     return 2.0 * radii
 
 
-def _raise_to_walls(radii, close, walls, points, spacing):
+def _are_empty(balls, surface, most):
+    """Whether no point of the surface lies inside of balls, of those with radii up to `most`, mm: ndarray of bool."""
+    asked = np.flatnonzero(balls.radius <= most)
+    empty = np.zeros(len(balls.radius), dtype=bool)
+    empty[asked] = surface.query(balls.centres[asked])[0] > EMPTY * balls.radius[asked]
+    return empty
+
+
+def _raise_to_walls(radii, close, walls, empty, points, spacing):
     """Raise the radii of samples between the balls of thin walls to those of the walls that their rays meet.
 
     Parameters
@@ -81,12 +94,14 @@ def _raise_to_walls(radii, close, walls, points, spacing):
         Samples whose balls are smaller than what is added to their reach.
     walls : ndarray of shape (k,), mm
         Half of what is opposite those.
+    empty : ndarray of shape (k,), bool
+        Whether a ball of that radius is in the material.
     points : ndarray of shape (m, 3), mm
         Of all samples.
     spacing : float, mm
         Half of the distance between balls.
     """
-    across = walls <= 2.0 * spacing
+    across = empty & (walls <= 2.0 * spacing)
     radii[close[across]] = np.maximum(radii[close[across]], walls[across])
     along, known = close[~across], np.setdiff1d(np.arange(len(radii)), close[~across], assume_unique=True)
     if len(along) and len(known):

@@ -61,6 +61,8 @@ class Measurement:
         The thinnest of all of these.
     equal_faces : ndarray of shape (f,), int64, or None
         For each face, the first one equal to it; see `equal_faces`.
+    balls_at_faces : ndarray of shape (f,), mm, or None
+        The median local thickness of each face; nan where it is not known.
     """
 
     descriptors: Descriptors
@@ -73,6 +75,7 @@ class Measurement:
     places: ThinPlaces = ThinPlaces()
     thinnest: Optional[ThinnestPlace] = None
     equal_faces: Optional[np.ndarray] = None
+    balls_at_faces: Optional[np.ndarray] = None
 
     def __repr__(self):
         # The arrays are left out because they would fill a console.
@@ -204,7 +207,7 @@ def measure(mesh, settings, report=None, is_fine_enough=None, is_near_enough=Non
     if rays is not None and box.dimensions[2] > 0.0:  # a flat open surface has no inside
         balls, counted = local_thickness(mesh, field, rays, float(box.dimensions[2])), field.area > 0.0
         local = local_distribution(balls, field.area[counted], float(box.dimensions[1]))
-        beneath = _median_under_faces(mesh, field.face[counted], balls, field.area[counted])
+        beneath = _median_of_faces(mesh, field.face[counted], balls, field.area[counted])
     report_progress(report, 1.0)
     regions = wall_regions(field, enclosed, wall)
     descriptors = replace(known, min_nonparallel=least.distance, plate_share=regions.plate_share, regions=regions.counts,
@@ -213,11 +216,11 @@ def measure(mesh, settings, report=None, is_fine_enough=None, is_near_enough=Non
     if rays is not None and box.dimensions[2] > 0.0:
         places = thin_places(field, rays, float(box.dimensions[1]))
     return Measurement(descriptors, field, rays, wall, regions, thinnest, least.error, places,
-                       equal_faces=equal_faces(mesh, beneath)).with_thinnest_place()
+                       equal_faces=equal_faces(mesh, beneath), balls_at_faces=beneath).with_thinnest_place()
 
 
-def _median_under_faces(mesh, face, thickness, area):
-    """Median by area under each face, mm; nan where it has no sample: ndarray of shape (f,)."""
+def _median_of_faces(mesh, face, thickness, area):
+    """Median by area of each face, mm; nan where it has no sample: ndarray of shape (f,)."""
     order = np.lexsort([thickness, face])
     face, thickness, covered = face[order], thickness[order], np.cumsum(area[order])
     faces, start = np.unique(face, return_index=True)

@@ -31,6 +31,9 @@ requests = None
 region_notes = None
 """RegionNotes: reads and keeps what the user says of wall regions."""
 
+face_limits = None
+"""FaceLimits: reads and keeps limits of the wall for single faces."""
+
 map_events = None
 """MapEvents: requests from thickness maps and for them."""
 

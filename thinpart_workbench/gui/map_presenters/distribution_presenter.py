@@ -5,6 +5,7 @@ from ...api.window.limits import offered_limits
 from ...api.window.map_values import thickness_bars
 from ...core.maps.map_summary import share_between
 from ...freecad_adapter.objects.thickness_object import OWN_CHECK
+from ..application import lifelong
 from ..colour_bar.colours import ThicknessColours
 from .map_check import band_texts, checked_limits, map_check_text
 from .map_presenter import MapPresenter
@@ -22,7 +23,7 @@ class DistributionPresenter(MapPresenter):
             (box.range_chosen, self._choose_range), (box.threshold_changed, self._set_threshold),
             (box.thin_only_changed, lambda on: change(thickness, {"ThinOnly": on})),
             (box.check.chosen, self._choose_check), (box.check.limit_typed, self._check_own_limit),
-            (shown.chosen, self.show))
+            (shown.chosen, self.show), (lifelong.face_limits.answered, lambda *_: self._show_threshold()))
 
     def show(self):
         """Show everything; no bar is selected."""
@@ -57,8 +58,13 @@ class DistributionPresenter(MapPresenter):
         self._box.check.show_check(
             self._thickness.Check, threshold, self._shown.unit,
             band_texts(parts, ThicknessColours.of(self._thickness).bands),
-            map_check_text([part.record for part in parts], checked_limits(self._thickness), self._shown.unit,
+            map_check_text([self._limited(part.record) for part in parts], checked_limits(self._thickness), self._shown.unit,
                            self._thickness.Measure))
+
+    def _limited(self, record):
+        """The record with the limits that its faces have of their own."""
+        known = lifelong.face_limits.known(self._thickness.Document.FileName) or {}
+        return {**record, "face_limits": known.get(record["name"], ())}
 
     def _choose_range(self, chosen):
         if chosen is None:

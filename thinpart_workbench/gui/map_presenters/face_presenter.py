@@ -2,7 +2,8 @@
 """Presents the faces of the part that is shown."""
 
 from ...core.maps.map_summary import face_summaries
-from ..application.qt import QtCore
+from ..application import lifelong
+from ..application.qt import QtCore, translate
 from .map_presenter import MapPresenter
 from .map_properties import THIN
 
@@ -20,7 +21,10 @@ class FacePresenter(MapPresenter):
         self._timer.timeout.connect(self.show)
         self._connect(
             (box.face_chosen, lambda face: highlight.choose_faces([face])), (box.visited, tour.to_face),
-            (highlight.face_selected, lambda face: box.table.select_face(face)), (shown.chosen, self.show))
+            (highlight.face_selected, lambda face: box.table.select_face(face)), (shown.chosen, self.show),
+            (box.limited, self._keep), (lifelong.face_limits.answered, self._on_limits))
+        if thickness.Document.FileName:
+            lifelong.face_limits.read(thickness.Document.FileName)
 
     def leave(self):
         """Disconnect everything."""
@@ -35,6 +39,21 @@ class FacePresenter(MapPresenter):
         else:
             self._box.show_faces(face_summaries(part.map, self._thickness.Threshold), part.features, self._shown.unit,
                                  part.record, self._thickness.Document.FileName)
+            self._show_limits()
+
+    def _show_limits(self, problem=""):
+        known, part = lifelong.face_limits.known(self._thickness.Document.FileName), self._shown.part
+        if part is not None:
+            self._box.show_limits((known or {}).get(part.record["name"], ()), "" if known is not None else translate(
+                "ThinPart", "There is no info file to keep this in: press 'Save and write info file' above, or classify the "
+                            "document."), problem)
+
+    def _keep(self, face, limits):
+        lifelong.face_limits.keep(self._thickness.Document.FileName, self._shown.part.record["name"], [face], **limits)
+
+    def _on_limits(self, document, sentence):
+        if document == self._thickness.Document.FileName:
+            self._show_limits(sentence)
 
     def refresh(self, changed):
         """Show what has changed, a moment later: set of names of properties."""

@@ -95,6 +95,28 @@ def set_region_note(part, regions, person, excluded=None, mesh_size_mm=None):
     return set_annotation(part, region_notes=notes)
 
 
+def set_face_limit(part, faces, person, reason="", min_mm=None, max_mm=None):
+    """Set limits of the wall for faces of a part, or remove them where none is given; says whether something changed, bool.
+
+    Parameters
+    ----------
+    part : PartRecord
+        Changed in place.
+    faces : list of str
+        Names, such as ``Face3``. A name without a face removes a limit only.
+    person, reason : str
+    min_mm, max_mm : float, optional
+    """
+    now = datetime.now(timezone.utc).isoformat(timespec="seconds")
+    given = {key: value for key, value in (("min_mm", min_mm), ("max_mm", max_mm)) if value is not None}
+    known = {face["face"]: face for face in part["faces"]}
+    kept = [limit for limit in part.get("face_limits", ()) if limit["face"] not in faces]
+    if given:
+        kept += [{"face": name, "area_mm2": known[name]["area_mm2"], "surface": known[name].get("surface"), "person": person,
+                  "when": now, "reason": reason, **given} for name in faces if name in known]
+    return set_annotation(part, face_limits=kept)
+
+
 def carry_annotations(content, old):
     """Copy annotations to a new analysis of the same document.
 

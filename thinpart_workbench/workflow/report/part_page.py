@@ -71,7 +71,7 @@ def part_page(record, pictures, features, about, file, overview, language=ENGLIS
         thinnest=_thinnest_wall(record), scale=_scale(pictures, record), shown=pictures.measure,
         chart=_chart(record, unit), evidence=_evidence(record, unit), faces=_faces(record, features), features=features,
         regions=region_groups(record, about["kept"].get("region_notes") or ()), other_regions=record.get("regions"),
-        checks=_checks(record, about["limits"]), risk=risk_sentence(record),
+        checks=_checks(record, about), risk=risk_sentence(record),
     )))
 
 
@@ -92,9 +92,10 @@ def _chances(record):
     return {"own": chances[own], "other": other, "others": chances[other]}
 
 
-def _checks(record, limits):
+def _checks(record, about):
     """The checks of the walls, each with its sentence and the source of its limits."""
-    found = [check_walls(record, each) for each in limits]
+    limited = {**record, "face_limits": about["kept"].get("face_limits") or ()}
+    found = [check_walls(limited, each) for each in about["limits"]]
     return [{"title": check.limits.full_title, "holds": check.holds, "min": check.limits.min_mm, "max": check.limits.max_mm,
              "sentence": check_sentence(check), "faces": check.faces, "note": check.limits.note,
              "source": check.limits.source} for check in found]

@@ -26,7 +26,7 @@ PICTURE_WIDTH, PICTURE_HEIGHT = 240, 160
 _LONGEST = 60
 """Maximum length of a name before it is shortened; the name of a page consists of two."""
 
-_ANNOTATION_KEYS = ("notes", "mesh", "link", "labels", "region_notes")
+_ANNOTATION_KEYS = ("notes", "mesh", "link", "labels", "region_notes", "face_limits")
 
 
 @dataclass(frozen=True)
