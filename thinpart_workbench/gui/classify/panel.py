@@ -3,6 +3,7 @@
 
 from ..application.icons import icon
 from ..application.qt import QtWidgets, Signal, translate
+from ..record.kept_room import LeftRoom, keep_room
 from ..record.measuring_progress import MeasuringProgress
 from ..record.parts_table import PartsTable
 from ..record.record_view import RecordView, show_text, text_line
@@ -34,20 +35,22 @@ class ClassifyPanel(QtWidgets.QWidget):
         column = QtWidgets.QVBoxLayout(self)
         # The task view is narrow and has its own margins.
         column.setContentsMargins(6, 6, 6, 6)
-        self.message = text_line(self, column, "ThinPart_Message")
         self.progress = MeasuringProgress(self)
+        self._room = LeftRoom(self.progress, self)
         self.progress.cancelled.connect(self.cancelled)
         column.addWidget(self.progress)
         self.parts = PartsTable(self)
         column.addWidget(self.parts)
         self.result = RecordView(self)
         column.addWidget(self.result)
-        self.known_text = text_line(self, column, "ThinPart_KnownText")
-        self.info_text = text_line(self, column, "ThinPart_InfoText")
         self.save_button = add_button(column, self, "ThinPart_SaveButton", translate(
             "ThinPart", "Save and write info file"), self.save_requested.emit)
         self.again_button = add_button(
             column, self, "ThinPart_AgainButton", translate("ThinPart", "Classify again"), self.repeat_requested.emit)
+        # What is said comes when it comes: below all that is pressed.
+        self.message = text_line(self, column, "ThinPart_Message")
+        self.info_text = text_line(self, column, "ThinPart_InfoText")
+        self.known_text = text_line(self, column, "ThinPart_KnownText")
         column.addStretch(1)
         self.show_message("")
 
@@ -63,6 +66,7 @@ class ClassifyPanel(QtWidgets.QWidget):
     def show_running(self, label):
         """Show that a part is being measured."""
         self.show_message("")
+        self._room.show()
         self.progress.begin(label)
 
     def show_result(self, record, profile, unit):
@@ -80,7 +84,7 @@ class ClassifyPanel(QtWidgets.QWidget):
 
     def show_ended(self, sentence=""):
         """Hide the progress; show a message if measuring did not end normally."""
-        self.progress.hide()
+        self._room.hide()
         show_text(self.message, sentence)
 
     def show_known(self, sentence, file=""):
@@ -92,5 +96,7 @@ class ClassifyPanel(QtWidgets.QWidget):
         """Show the state of the info file and the actions available for it."""
         show_text(self.info_text, sentence)
         self.info_text.setToolTip(tool_tip)
+        if can_save:
+            keep_room(self.save_button)  # the other one does not take its place
         self.save_button.setVisible(can_save)
         self.again_button.setVisible(can_repeat)

@@ -15,6 +15,7 @@ from ..application.sentences import translated
 from ..guide.command import help_button
 from ..processes.request_queue import LABEL
 from ..reclassify.reclassify_page import ReclassifyPage
+from ..record.kept_room import keep_room
 from ..record.record_view import show_text, text_line
 from ..widgets.buttons import add_button
 from ..widgets.flow_layout import add_flow
@@ -64,9 +65,7 @@ class FindDock(QtWidgets.QDockWidget):
         column.addWidget(self._splitter, 1)
         # Below all that is pressed, and with a line kept free for it: what is said moves nothing.
         self._message = text_line(form, column, "ThinPart_FindMessage")
-        policy = self._message.sizePolicy()
-        policy.setRetainSizeWhenHidden(True)
-        self._message.setSizePolicy(policy)
+        keep_room(self._message)
         self._judged_otherwise = JudgedOtherwiseNote(form)
         column.addWidget(self._judged_otherwise)
         self._add_choices()
@@ -380,12 +379,20 @@ class FindDock(QtWidgets.QDockWidget):
 
     def _show_libraries(self, libraries):
         self._libraries.show_libraries(libraries)
+        sizes = self._splitter.sizes()
         self._judged_otherwise.show_libraries(libraries)
+        QtCore.QTimer.singleShot(0, lambda: self._keep_sizes(sizes))
         self._choices.setTabText(LIBRARIES, translate("ThinPart", "Libraries") + (
             " \u26a0" if any(library["problems"] for library in libraries) else ""))
         problems = [problem for library in libraries for problem in library["problems"]]
         if problems and self._choices.currentIndex() != LIBRARIES:
             self._show_message(translated(problems[0]))
+
+    def _keep_sizes(self, sizes):
+        """Have only the details give way to the note below them; what is pressed above stays where it is."""
+        room = sum(self._splitter.sizes())
+        if room != sum(sizes) and room > sum(sizes[:2]):
+            self._splitter.setSizes([*sizes[:2], room - sum(sizes[:2])])
 
     def _show_failed(self, sentence):
         self._libraries.show_failed(sentence)
