@@ -64,6 +64,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The thickness before the sources were changed last</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Thickest wall of the map, mm</source>
         <translation type="unfinished"></translation>
     </message>
@@ -557,7 +561,15 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Before, {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Borderline within</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bottom</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1037,6 +1049,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>From behind and below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>From file…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1053,11 +1069,19 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>From where it is seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>From {} profiles, each learned without some folders or groups, and tried on those. In brackets: intervals of 95 %.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>From {} profiles, each learned without some parts, and tried on those. All parts are in one folder, so parts may be similar: the figures are too good. In brackets: intervals of 95 %.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Front</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1173,6 +1197,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Isometric</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Kept in the info file, also when the part is measured again; the verdict does not change</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1265,6 +1293,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Left solid, not in the shell: {} walls, last in the table.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1341,6 +1373,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>MB</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1386,6 +1422,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Measuring the walls of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Median thickness of the wall</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1489,6 +1529,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>No wall became thinner.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No wall could be measured.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1530,6 +1574,14 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now, {}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1725,6 +1777,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Rear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Reclassify</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1810,6 +1866,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Reversed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2225,6 +2285,14 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The map of before beside that of now, once the part was changed and measured again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The map of before is of other parts, or was measured in another way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The measuring process could not be started.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2457,6 +2525,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Try {}: {}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2529,6 +2601,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Walls that became thinner, the one that lost most first. Click: fly to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Walls thinner than this are coloured as thin</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2546,6 +2622,14 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Warnings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What became thinner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What became thinner…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -38,6 +38,8 @@ class SummaryBox(QtWidgets.QWidget):
         One of `SHOWN_MEASURES`.
     export_requested
         The user wants to write the map to a file.
+    changes_requested
+        The user wants to see what became thinner.
     """
 
     cancelled = Signal()
@@ -49,6 +51,7 @@ class SummaryBox(QtWidgets.QWidget):
     all_requested = Signal()
     measure_chosen = Signal(str)
     export_requested = Signal()
+    changes_requested = Signal()
 
     def __init__(self, parent=None):
         super().__init__(parent)
@@ -200,6 +203,15 @@ class SummaryBox(QtWidgets.QWidget):
                                   translate("ThinPart", "E&xport map\u2026"), self.export_requested.emit)
         self._export.setToolTip(translate("ThinPart", "As a picture of any size, or as triangles with their thickness for "
                                           "ParaView, MeshLab and others"))
+        self._changes = add_button(column, self._verdict, "ThinPart_ThinnerButton",
+                                   translate("ThinPart", "What became thinner\u2026"), self.changes_requested.emit)
+        self._changes.setToolTip(translate("ThinPart", "The map of before beside that of now, once the part was changed and "
+                                           "measured again"))
+        self.show_has_before(False)
+
+    def show_has_before(self, has_before):
+        """Show whether there is a map of before the last change."""
+        self._changes.setEnabled(has_before)
 
     def _add_told(self, column):
         """What is said comes and goes: below all that is pressed, where room is kept for it."""
