@@ -1215,6 +1215,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Einordnung</translation>
     </message>
     <message>
+        <source>Label {} parts</source>
+        <translation>{} Teile einstufen</translation>
+    </message>
+    <message>
         <source>Labels</source>
         <translation>Einordnungen</translation>
     </message>

@@ -1215,6 +1215,10 @@ Son volume est inconnu.</translation>
         <translation>Étiquette</translation>
     </message>
     <message>
+        <source>Label {} parts</source>
+        <translation>Étiqueter {} pièces</translation>
+    </message>
+    <message>
         <source>Labels</source>
         <translation>Étiquettes</translation>
     </message>

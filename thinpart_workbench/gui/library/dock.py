@@ -16,6 +16,7 @@ from ..guide.command import help_button
 from ..processes.request_queue import LABEL
 from ..reclassify.reclassify_page import ReclassifyPage
 from ..record.kept_room import keep_room
+from ..record.label_button import LabelButton
 from ..record.record_view import show_text, text_line
 from ..widgets.buttons import add_button
 from ..widgets.flow_layout import add_flow
@@ -84,7 +85,7 @@ class FindDock(QtWidgets.QDockWidget):
     @property
     def is_waiting(self):
         """Whether a request is pending."""
-        return self._typing_timer.isActive() or self._search.is_waiting
+        return self._typing_timer.isActive() or self._label_timer.isActive() or self._search.is_waiting
 
     @property
     def is_refreshing(self):
@@ -138,6 +139,7 @@ class FindDock(QtWidgets.QDockWidget):
         """Stop all work, after saving the notes."""
         self._details.notes.save()
         self._typing_timer.stop()
+        self._label_timer.stop()
         self._reclassify.end()
         self._search.end()
         self._show_job("libraries", False)
@@ -205,7 +207,18 @@ class FindDock(QtWidgets.QDockWidget):
         self._table = FoundRows(self._profile, self._pictures, self)
         self._view = FoundPartsView(self._table, self)
         column.addWidget(self._view, 1)
-        self._status = text_line(container, column, "ThinPart_FindStatus")
+        row = QtWidgets.QHBoxLayout()
+        self._status = text_line(container, row, "ThinPart_FindStatus")
+        row.setStretch(0, 1)
+        self._label_button = LabelButton(container)
+        self._label_button.setObjectName("ThinPart_FoundLabel")
+        self._label_button.label_chosen.connect(self._label_selected)
+        row.addWidget(self._label_button)
+        column.addLayout(row)
+        self._labelled, self._label_timer = set(), QtCore.QTimer(self, singleShot=True, interval=_TYPING_DELAY)
+        self._label_timer.timeout.connect(self._refresh_labelled)
+        self._view.selectionModel().selectionChanged.connect(lambda *_: self._show_label_button())
+        self._show_label_button()
         self._splitter.addWidget(container)
 
     def _connect(self):
@@ -374,8 +387,31 @@ class FindDock(QtWidgets.QDockWidget):
     def _on_label_kept(self, request):
         if request.function == LABEL:
             self._details.show_kept_label(request)
-            if self._search.is_open and not request.sentence:
-                self._search.refresh([root for root in self._libraries.roots if is_below(request.arguments["path"], root)])
+            if request.sentence:
+                self._show_message("\u26a0 " + request.sentence)
+            else:
+                self._labelled.add(request.arguments["path"])
+                self._label_timer.start()  # once for all parts that got a label together
+
+    def _refresh_labelled(self):
+        """Read again the libraries in which parts got labels."""
+        labelled, self._labelled = self._labelled, set()
+        roots = [root for root in self._libraries.roots if any(is_below(path, root) for path in labelled)]
+        if self._search.is_open and roots:
+            self._search.refresh(roots)
+
+    def _labelled_parts(self):
+        """The selected parts, without failures."""
+        return [part for part in self._view.selected_rows if not part.error_kind]
+
+    def _show_label_button(self):
+        count = len(self._labelled_parts())
+        self._label_button.setEnabled(count > 0)
+        self._label_button.show_labels((), self._profile, count)
+
+    def _label_selected(self, category, is_sure):
+        for part in self._labelled_parts():
+            self._label(part, category, is_sure)
 
     def _show_libraries(self, libraries):
         self._libraries.show_libraries(libraries)
