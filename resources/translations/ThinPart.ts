@@ -64,6 +64,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The thickness before the sources were changed last</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Thickest wall of the map, mm</source>
         <translation type="unfinished"></translation>
     </message>
@@ -565,7 +569,15 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Before, {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Borderline within</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bottom</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1101,6 +1113,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>From behind and below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>From file…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1117,11 +1133,19 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>From where it is seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>From {} profiles, each learned without some folders or groups, and tried on those. In brackets: intervals of 95 %.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>From {} profiles, each learned without some parts, and tried on those. All parts are in one folder, so parts may be similar: the figures are too good. In brackets: intervals of 95 %.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Front</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1245,6 +1269,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Isometric</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Kept because: {}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1266,6 +1294,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Label {} parts</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1353,6 +1385,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Left solid, not in the shell: {} walls, last in the table.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1433,6 +1469,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>MB</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1478,6 +1518,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Measuring the walls of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Median thickness of the wall</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1585,6 +1629,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>No wall became thinner.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No wall could be measured.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1634,6 +1682,14 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now, {}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1837,6 +1893,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Rear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Reclassify</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1922,6 +1982,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Reversed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2373,6 +2437,14 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The map of before beside that of now, once the part was changed and measured again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The map of before is of other parts, or was measured in another way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The measuring process could not be started.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2613,6 +2685,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Try {}: {}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2685,6 +2761,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Walls that became thinner, the one that lost most first. Click: fly to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Walls thinner than this are coloured as thin</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2702,6 +2782,14 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Warnings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What became thinner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What became thinner…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -64,6 +64,10 @@
         <translation>Die Formen der Quellen bei der Messung</translation>
     </message>
     <message>
+        <source>The thickness before the sources were changed last</source>
+        <translation>Die Wandstärke vor der letzten Änderung der Quellen</translation>
+    </message>
+    <message>
         <source>Thickest wall of the map, mm</source>
         <translation>Dickste Wand der Karte, mm</translation>
     </message>
@@ -567,8 +571,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Vorher</translation>
     </message>
     <message>
+        <source>Before, {}</source>
+        <translation>Vorher, {}</translation>
+    </message>
+    <message>
         <source>Borderline within</source>
         <translation>Grenzfall innerhalb von</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
     </message>
     <message>
         <source>Bounding box {}</source>
@@ -1103,6 +1115,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Von</translation>
     </message>
     <message>
+        <source>From behind and below</source>
+        <translation>Von hinten unten</translation>
+    </message>
+    <message>
         <source>From file…</source>
         <translation>Aus Datei…</translation>
     </message>
@@ -1119,12 +1135,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Von der dünnsten bis zur dicksten Wand</translation>
     </message>
     <message>
+        <source>From where it is seen</source>
+        <translation>Von wo es zu sehen ist</translation>
+    </message>
+    <message>
         <source>From {} profiles, each learned without some folders or groups, and tried on those. In brackets: intervals of 95 %.</source>
         <translation>Aus {} Profilen, jedes ohne einige Ordner oder Gruppen gelernt und an diesen erprobt. In Klammern: Intervalle von 95 %.</translation>
     </message>
     <message>
         <source>From {} profiles, each learned without some parts, and tried on those. All parts are in one folder, so parts may be similar: the figures are too good. In brackets: intervals of 95 %.</source>
         <translation>Aus {} Profilen, jedes ohne einige Bauteile gelernt und an diesen erprobt. Alle Bauteile liegen in einem Ordner und können ähnlich sein: Die Zahlen sind zu gut. In Klammern: Intervalle von 95 %.</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
     </message>
     <message>
         <source>Gmsh made no mesh ({}): try another error or fewer layers, a smaller largest size, or switch a wall off. Nothing was changed.</source>
@@ -1247,6 +1271,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>In wie viele Stufen die Farben unterteilt sind</translation>
     </message>
     <message>
+        <source>Isometric</source>
+        <translation>Isometrisch</translation>
+    </message>
+    <message>
         <source>Kept because: {}</source>
         <translation>Soll bleiben: {}</translation>
     </message>
@@ -1269,6 +1297,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Label</source>
         <translation>Einordnung</translation>
+    </message>
+    <message>
+        <source>Label {} parts</source>
+        <translation>{} Teile einstufen</translation>
     </message>
     <message>
         <source>Labels</source>
@@ -1355,6 +1387,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Kleinste Wand, {}</translation>
     </message>
     <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
         <source>Left solid, not in the shell: {} walls, last in the table.</source>
         <translation>Bleibt Volumen, nicht in der Schale: {} Wände, zuletzt in der Tabelle.</translation>
     </message>
@@ -1435,6 +1471,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Bauteile im Ordner werden gesucht…</translation>
     </message>
     <message>
+        <source>Lost</source>
+        <translation>Verlust</translation>
+    </message>
+    <message>
         <source>MB</source>
         <translation>MB</translation>
     </message>
@@ -1481,6 +1521,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Measuring the walls of {}</source>
         <translation>Wände von {} werden gemessen</translation>
+    </message>
+    <message>
+        <source>Median thickness of the wall</source>
+        <translation>Mittlere Dicke der Wand (Median)</translation>
     </message>
     <message>
         <source>Median, {}</source>
@@ -1587,6 +1631,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Keine dünnen Wände: Eine Größe genügt. Etwa {} Elemente von {}.</translation>
     </message>
     <message>
+        <source>No wall became thinner.</source>
+        <translation>Keine Wand wurde dünner.</translation>
+    </message>
+    <message>
         <source>No wall could be measured.</source>
         <translation>Es konnte keine Wand gemessen werden.</translation>
     </message>
@@ -1637,6 +1685,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Notes</source>
         <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Now, {}</source>
+        <translation>Jetzt, {}</translation>
     </message>
     <message>
         <source>Number of files of a folder that are measured at the same time</source>
@@ -1839,6 +1895,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Einordnungen werden gelesen…</translation>
     </message>
     <message>
+        <source>Rear</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
         <source>Reclassify</source>
         <translation>Neu klassifizieren</translation>
     </message>
@@ -1925,6 +1985,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Reversed</source>
         <translation>Umgekehrt</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
     </message>
     <message>
         <source>Risk of the automatic mesh</source>
@@ -2375,6 +2439,14 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die Karte ist beleuchtet, sodass man ihre Form sieht: vom Licht abgewandt werden Farben dunkler. Aus: flache Farben, genau die des Farbbalkens</translation>
     </message>
     <message>
+        <source>The map of before beside that of now, once the part was changed and measured again</source>
+        <translation>Die Karte von vorher neben der von jetzt, sobald das Teil geändert und erneut gemessen wurde</translation>
+    </message>
+    <message>
+        <source>The map of before is of other parts, or was measured in another way.</source>
+        <translation>Die Karte von vorher ist von anderen Teilen oder wurde anders gemessen.</translation>
+    </message>
+    <message>
         <source>The measuring process could not be started.</source>
         <translation>Der Messprozess konnte nicht gestartet werden.</translation>
     </message>
@@ -2615,6 +2687,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Um ein Bauteil zu klassifizieren, öffnen Sie ein Dokument und schließen Sie die offene Aufgabe.</translation>
     </message>
     <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
         <source>Try {}: {}</source>
         <translation>Versuch {}: {}</translation>
     </message>
@@ -2687,6 +2763,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Wände, die als dünn angezeigt werden</translation>
     </message>
     <message>
+        <source>Walls that became thinner, the one that lost most first. Click: fly to it.</source>
+        <translation>Wände, die dünner wurden, die mit dem größten Verlust zuerst. Klick: hinfliegen.</translation>
+    </message>
+    <message>
         <source>Walls thinner than this are coloured as thin</source>
         <translation>Dünnere Wände als diese werden als dünn eingefärbt</translation>
     </message>
@@ -2705,6 +2785,14 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Warnings</source>
         <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>What became thinner</source>
+        <translation>Was dünner wurde</translation>
+    </message>
+    <message>
+        <source>What became thinner…</source>
+        <translation>Was dünner wurde…</translation>
     </message>
     <message>
         <source>What faces you is cut off. Choose the current view again after turning the part</source>

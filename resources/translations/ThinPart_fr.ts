@@ -64,6 +64,10 @@
         <translation>Les formes des sources lors de la mesure</translation>
     </message>
     <message>
+        <source>The thickness before the sources were changed last</source>
+        <translation>L’épaisseur avant la dernière modification des sources</translation>
+    </message>
+    <message>
         <source>Thickest wall of the map, mm</source>
         <translation>Paroi la plus épaisse de la carte, mm</translation>
     </message>
@@ -567,8 +571,16 @@ Son volume est inconnu.</translation>
         <translation>Avant</translation>
     </message>
     <message>
+        <source>Before, {}</source>
+        <translation>Avant, {}</translation>
+    </message>
+    <message>
         <source>Borderline within</source>
         <translation>Cas limite à moins de</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Dessous</translation>
     </message>
     <message>
         <source>Bounding box {}</source>
@@ -1103,6 +1115,10 @@ Son volume est inconnu.</translation>
         <translation>De</translation>
     </message>
     <message>
+        <source>From behind and below</source>
+        <translation>De l’arrière et du dessous</translation>
+    </message>
+    <message>
         <source>From file…</source>
         <translation>Depuis un fichier…</translation>
     </message>
@@ -1119,12 +1135,20 @@ Son volume est inconnu.</translation>
         <translation>De la paroi la plus mince à la plus épaisse</translation>
     </message>
     <message>
+        <source>From where it is seen</source>
+        <translation>D’où on la voit</translation>
+    </message>
+    <message>
         <source>From {} profiles, each learned without some folders or groups, and tried on those. In brackets: intervals of 95 %.</source>
         <translation>De {} profils, chacun appris sans certains dossiers ou groupes et essayé sur ceux-ci. Entre parenthèses : intervalles à 95 %.</translation>
     </message>
     <message>
         <source>From {} profiles, each learned without some parts, and tried on those. All parts are in one folder, so parts may be similar: the figures are too good. In brackets: intervals of 95 %.</source>
         <translation>De {} profils, chacun appris sans certaines pièces et essayé sur celles-ci. Toutes les pièces sont dans un seul dossier et peuvent se ressembler : les chiffres sont trop bons. Entre parenthèses : intervalles à 95 %.</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Avant</translation>
     </message>
     <message>
         <source>Gmsh made no mesh ({}): try another error or fewer layers, a smaller largest size, or switch a wall off. Nothing was changed.</source>
@@ -1247,6 +1271,10 @@ Son volume est inconnu.</translation>
         <translation>En combien de paliers les couleurs sont divisées</translation>
     </message>
     <message>
+        <source>Isometric</source>
+        <translation>Isométrique</translation>
+    </message>
+    <message>
         <source>Kept because: {}</source>
         <translation>À garder : {}</translation>
     </message>
@@ -1269,6 +1297,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Label</source>
         <translation>Étiquette</translation>
+    </message>
+    <message>
+        <source>Label {} parts</source>
+        <translation>Étiqueter {} pièces</translation>
     </message>
     <message>
         <source>Labels</source>
@@ -1355,6 +1387,10 @@ Son volume est inconnu.</translation>
         <translation>Paroi la plus mince, {}</translation>
     </message>
     <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
         <source>Left solid, not in the shell: {} walls, last in the table.</source>
         <translation>Restent en volume, hors de la coque : {} parois, à la fin du tableau.</translation>
     </message>
@@ -1435,6 +1471,10 @@ Son volume est inconnu.</translation>
         <translation>Recherche des pièces du dossier…</translation>
     </message>
     <message>
+        <source>Lost</source>
+        <translation>Perte</translation>
+    </message>
+    <message>
         <source>MB</source>
         <translation>Mo</translation>
     </message>
@@ -1481,6 +1521,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Measuring the walls of {}</source>
         <translation>Mesure des parois de {}</translation>
+    </message>
+    <message>
+        <source>Median thickness of the wall</source>
+        <translation>Épaisseur médiane de la paroi</translation>
     </message>
     <message>
         <source>Median, {}</source>
@@ -1587,6 +1631,10 @@ Son volume est inconnu.</translation>
         <translation>Aucune paroi mince : une seule taille suffit. Environ {} éléments de {}.</translation>
     </message>
     <message>
+        <source>No wall became thinner.</source>
+        <translation>Aucune paroi n’est devenue plus mince.</translation>
+    </message>
+    <message>
         <source>No wall could be measured.</source>
         <translation>Aucune paroi n’a pu être mesurée.</translation>
     </message>
@@ -1637,6 +1685,14 @@ Son volume est inconnu.</translation>
     <message>
         <source>Notes</source>
         <translation>Notes</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Maintenant</translation>
+    </message>
+    <message>
+        <source>Now, {}</source>
+        <translation>Maintenant, {}</translation>
     </message>
     <message>
         <source>Number of files of a folder that are measured at the same time</source>
@@ -1839,6 +1895,10 @@ Son volume est inconnu.</translation>
         <translation>Lecture des étiquettes…</translation>
     </message>
     <message>
+        <source>Rear</source>
+        <translation>Arrière</translation>
+    </message>
+    <message>
         <source>Reclassify</source>
         <translation>Reclassifier</translation>
     </message>
@@ -1925,6 +1985,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Reversed</source>
         <translation>Inversées</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
     </message>
     <message>
         <source>Risk of the automatic mesh</source>
@@ -2375,6 +2439,14 @@ Son volume est inconnu.</translation>
         <translation>La carte est éclairée pour que sa forme se voie : les couleurs sont plus sombres à l'écart de la lumière. Sinon : couleurs plates, exactement celles de la barre de couleurs</translation>
     </message>
     <message>
+        <source>The map of before beside that of now, once the part was changed and measured again</source>
+        <translation>La carte d’avant à côté de celle de maintenant, une fois la pièce modifiée et mesurée à nouveau</translation>
+    </message>
+    <message>
+        <source>The map of before is of other parts, or was measured in another way.</source>
+        <translation>La carte d’avant est celle d’autres pièces, ou a été mesurée autrement.</translation>
+    </message>
+    <message>
         <source>The measuring process could not be started.</source>
         <translation>Le processus de mesure n’a pas pu être démarré.</translation>
     </message>
@@ -2615,6 +2687,10 @@ Son volume est inconnu.</translation>
         <translation>Pour classifier une pièce, ouvrez un document et fermez la tâche ouverte.</translation>
     </message>
     <message>
+        <source>Top</source>
+        <translation>Dessus</translation>
+    </message>
+    <message>
         <source>Try {}: {}</source>
         <translation>Essai {} : {}</translation>
     </message>
@@ -2687,6 +2763,10 @@ Son volume est inconnu.</translation>
         <translation>Parois affichées comme minces</translation>
     </message>
     <message>
+        <source>Walls that became thinner, the one that lost most first. Click: fly to it.</source>
+        <translation>Parois devenues plus minces, celle qui a le plus perdu d’abord. Clic : y voler.</translation>
+    </message>
+    <message>
         <source>Walls thinner than this are coloured as thin</source>
         <translation>Les parois plus minces que cette épaisseur sont colorées comme minces</translation>
     </message>
@@ -2705,6 +2785,14 @@ Son volume est inconnu.</translation>
     <message>
         <source>Warnings</source>
         <translation>Avertissements</translation>
+    </message>
+    <message>
+        <source>What became thinner</source>
+        <translation>Ce qui est devenu plus mince</translation>
+    </message>
+    <message>
+        <source>What became thinner…</source>
+        <translation>Ce qui est devenu plus mince…</translation>
     </message>
     <message>
         <source>What faces you is cut off. Choose the current view again after turning the part</source>

@@ -1,10 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A thickness map is written as a picture, as PolyData and as PLY."""
 
+import shutil
+
+import FreeCAD as App
+import numpy as np
+import pytest
 import window_actions as window
 from read_png import read_png
+from thickness_window import bar_of_document, look_at, view_of
 
 from thinpart_workbench.freecad_adapter.objects.thickness_object import thickness_objects
+from thinpart_workbench.freecad_adapter.preferences import set_preference
+from thinpart_workbench.gui.application import lifelong
 from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
 
 
@@ -69,3 +77,45 @@ def test_what_cannot_be_written_is_told_and_cancelling_says_nothing(document, tm
         assert "locked.vtp cannot be written" in str(error)
     dialog.deleteLater()
     assert not window.text("ThinPart_ExportText")
+
+
+@pytest.mark.parametrize("sample", ["ribbed_block", "plate", "bent_sheet_bracket", "flange", "tube"])
+def test_the_colour_bar_of_a_picture_is_beside_the_part(sample, tmp_path):
+    file = tmp_path / f"{sample}.FCStd"
+    shutil.copyfile(window.SAMPLES / file.name, file)
+    document = App.openDocument(str(file))
+    window.show_thickness()
+    window.settle(300)
+    view = look_at(document)
+    view.viewTop()  # flat on the screen, so that it reaches from side to side
+    view.fitAll()
+    window.settle(100)
+    height = view.getCameraNode().height.getValue()
+    export(tmp_path / f"{sample}.png", "png", (800, 500))
+    assert view.getCameraNode().height.getValue() == height
+    assert not bar_of_document(document).isEmpty()
+    image = read_png(tmp_path / f"{sample}.png")[:, :, :3].astype(int)
+    # The strip with the bar is white at its upper and lower edge and to the left; the view beside it is not.
+    white = (image[[0, 1, 2, -3, -2, -1]] == 255).all(axis=(0, 2))
+    strip = int(np.argmin(white))
+    assert 60 < strip < 330 and not white[strip:].any()
+    assert (image[:, :4] == 255).all()
+    coloured = np.ptp(image, axis=2) > 60
+    assert coloured[:, :strip].any(), "the colours of the bar"
+    # The part lies within the rest, and nothing of a second bar: colours end before its edges.
+    found = np.flatnonzero(coloured[:, strip:].any(axis=0))
+    assert len(found) and found[0] > 0 and found[-1] < 800 - strip - 1
+
+
+def test_a_picture_without_colour_bar_is_as_wide_as_asked_for(document, tmp_path):
+    window.add_ribbed_block(document)
+    window.show_thickness()
+    window.settle(300)
+    window.widget("ThinPart_ColourBarShown").click()
+    try:
+        window.wait_until(lambda: lifelong.scene_sync.bar_in(view_of(document)) is None)
+        export(tmp_path / "view.png", "png", (320, 240))
+        image = read_png(tmp_path / "view.png")
+        assert image.shape[:2] == (240, 320) and not (image[:, :4, :3] == 255).all()
+    finally:
+        set_preference("ColourBarShown", True)

@@ -146,3 +146,26 @@ def test_in_the_results_of_a_folder(dialog, folder):
     assert column(LABELS)[column(FILE).index("inner/plate.step")] == "Anna: thin features"
     view.selectRow(column(FILE).index("damaged.step"))
     assert not window.widget("ThinPart_FolderLabel").isEnabled()
+
+
+def test_one_label_for_all_selected_rows_of_a_folder(dialog, folder):
+    run(folder)
+    view = window.widget("ThinPart_FolderTable")
+    view.selectAll()
+    parts = [row for row in view.selected_rows if not row.error_kind]
+    assert len(parts) > 1 and button_text("ThinPart_FolderLabel") == f"Label {len(parts)} parts"
+    choose("ThinPart_Label_normal", "ThinPart_FolderLabel")
+    window.wait_until(lambda: column(LABELS).count("Anna: normal") == len(parts))
+    assert all(labels(folder / row.file, row.part) == [("Anna", "normal", True)] for row in parts)
+
+
+def test_one_label_for_all_selected_parts_of_the_libraries(library):
+    dock = opened(library)
+    view = window.widget("ThinPart_FoundTable")
+    view.selectAll()
+    parts = [part for part in view.selected_rows if not part.error_kind]
+    assert len(parts) > 1
+    window.wait_until(lambda: button_text("ThinPart_FoundLabel") == f"Label {len(parts)} parts")
+    choose("ThinPart_Label_thin", "ThinPart_FoundLabel")
+    ready(dock)
+    window.wait_until(lambda: window.widget("ThinPart_FindLabelled").text().endswith(f"({len(parts)})"))

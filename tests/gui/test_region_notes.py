@@ -126,7 +126,7 @@ def test_isolated_walls_alone_are_drawn_until_all_are_shown_again(sink):
     faces = np.array(table().rows[0].faces)
     assert len(drawn_triangles(root)) == np.isin(part.map.face, faces).sum() < part.map.count
     window.mouse_click(window.widget("ThinPart_ShowAllWalls"))
-    assert len(drawn_triangles(root)) == part.map.count and not window.is_shown("ThinPart_ShowAllWalls")
+    assert len(drawn_triangles(root)) == part.map.count and not window.widget("ThinPart_ShowAllWalls").isEnabled()
     choose("isolate")
     Gui.Control.closeDialog()
     window.settle(100)

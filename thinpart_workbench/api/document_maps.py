@@ -2,6 +2,7 @@
 """The thickness maps in a document: adding, reading and updating them."""
 
 import os
+import shutil
 import tempfile
 
 import numpy as np
@@ -43,7 +44,8 @@ def new_thickness_object(document, sources, parts):
 
 
 def set_parts(thickness, sources, parts):
-    """Replace the maps of an object after measuring again; threshold and scale stay.
+    """Replace the maps of an object after measuring again; threshold and scale stay, and so does the former map in
+    `parts_before` where the sources have changed since.
 
     By another measure, the range of the scale is chosen as that of a new object. Returns how many probes were dropped, since
     they no longer lie on the surface. Raises an OSError.
@@ -61,6 +63,8 @@ def set_parts(thickness, sources, parts):
     """
     probes = carried_probes(thickness, parts)
     dropped = len(probes_of(thickness)) - len(probes)
+    if thickness.Stale:
+        _keep_map_of_before(thickness)
     thickness.Sources = sources
     measure_before = thickness.Measure
     _store(thickness, parts)
@@ -85,6 +89,19 @@ def parts_of(thickness):
     return proxy.cached_parts[1]
 
 
+def parts_before(thickness):
+    """The parts of an object with their maps of before the last change of the sources, list of MappedPart; may be empty.
+
+    Raises a ThinPartError, kind ``unreadable``.
+
+    Examples
+    --------
+    >>> parts_before(thickness)
+    []
+    """
+    return read_maps(thickness.MapBefore) if thickness.MapBefore else []
+
+
 def map_version(thickness):
     """A value to compare, which changes whenever the maps of an object do.
 
@@ -98,6 +115,16 @@ def map_version(thickness):
     except OSError:
         return thickness.Map, None
     return status.st_ino, status.st_mtime_ns, status.st_size
+
+
+def _keep_map_of_before(thickness):
+    with tempfile.TemporaryDirectory(prefix="thinpart-") as folder:
+        path = os.path.join(folder, "thickness-before.npz")
+        try:
+            shutil.copyfile(thickness.Map, path)
+        except OSError:
+            return  # the map is lost, and there is nothing to compare with
+        thickness.MapBefore = path  # FreeCAD copies the file
 
 
 def _store(thickness, parts):

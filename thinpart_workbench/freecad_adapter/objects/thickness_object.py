@@ -54,6 +54,8 @@ PROPERTIES = (
              QT_TRANSLATE_NOOP("App::Property", "What was measured")),
     Property("Map", "App::PropertyFileIncluded", "Base", None,
              QT_TRANSLATE_NOOP("App::Property", "The measured thickness"), SHOWN_ONLY | HIDDEN),
+    Property("MapBefore", "App::PropertyFileIncluded", "Base", None,
+             QT_TRANSLATE_NOOP("App::Property", "The thickness before the sources were changed last"), SHOWN_ONLY | HIDDEN),
     Property("Measure", "App::PropertyEnumeration", "Base", SHOWN_MEASURES,
              QT_TRANSLATE_NOOP("App::Property", "How it was measured: across the wall, or as the largest ball inside"),
              COMPUTED),

@@ -3,6 +3,7 @@
 
 from ..application.icons import icon
 from ..application.qt import QtWidgets, Signal, translate
+from ..record.kept_room import LeftRoom, keep_room
 from ..record.measuring_progress import MeasuringProgress
 from ..record.parts_table import PartsTable
 from ..record.record_view import RecordView, show_text, text_line
@@ -36,21 +37,23 @@ class ClassifyPanel(QtWidgets.QWidget):
         column = QtWidgets.QVBoxLayout(self)
         # The task view is narrow and has its own margins.
         column.setContentsMargins(6, 6, 6, 6)
-        self.message = text_line(self, column, "ThinPart_Message")
         self.progress = MeasuringProgress(self)
+        self._room = LeftRoom(self.progress, self)
         self.progress.cancelled.connect(self.cancelled)
         column.addWidget(self.progress)
         self.parts = PartsTable(self)
         column.addWidget(self.parts)
         self.result = RecordView(self)
         column.addWidget(self.result)
-        self.known = KnownBox(self)
-        column.addWidget(self.known)
-        self.info_text = text_line(self, column, "ThinPart_InfoText")
         self.save_button = add_button(column, self, "ThinPart_SaveButton", translate(
             "ThinPart", "Save and write info file"), self.save_requested.emit)
         self.again_button = add_button(
             column, self, "ThinPart_AgainButton", translate("ThinPart", "Classify again"), self.repeat_requested.emit)
+        # What is said comes when it comes: below all that is pressed.
+        self.known = KnownBox(self)
+        column.addWidget(self.known)
+        self.message = text_line(self, column, "ThinPart_Message")
+        self.info_text = text_line(self, column, "ThinPart_InfoText")
         column.addStretch(1)
         self.show_message("")
 
@@ -66,6 +69,7 @@ class ClassifyPanel(QtWidgets.QWidget):
     def show_running(self, label):
         """Show that a part is being measured."""
         self.show_message("")
+        self._room.show()
         self.progress.begin(label)
 
     def show_result(self, record, profile, unit):
@@ -83,12 +87,14 @@ class ClassifyPanel(QtWidgets.QWidget):
 
     def show_ended(self, sentence=""):
         """Hide the progress; show a message if measuring did not end normally."""
-        self.progress.hide()
+        self._room.hide()
         show_text(self.message, sentence)
 
     def show_info(self, sentence, can_save=False, can_repeat=False, tool_tip=""):
         """Show the state of the info file and the actions available for it."""
         show_text(self.info_text, sentence)
         self.info_text.setToolTip(tool_tip)
+        if can_save:
+            keep_room(self.save_button)  # the other one does not take its place
         self.save_button.setVisible(can_save)
         self.again_button.setVisible(can_repeat)

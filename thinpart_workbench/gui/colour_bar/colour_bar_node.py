@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The colour bar of one 3D view; saved images show it too."""
 
+from contextlib import contextmanager
+
 from pivy import coin
 
-from ..application.qt import QtCore
+from ..application.qt import QtCore, QtGui
 from ..scene.coin_nodes import add_children, flat_colours, skipped_by_fit_all, unpickable
 from ..scene.view_pixels import free_pixels, is_size_of, pixels_drawn, place_on_screen, set_image
 from .bar_handle import BarHandle
@@ -35,7 +37,7 @@ class ColourBarNode:
     def __init__(self, view):
         self._root = root = view.getSceneGraph()
         self._widget = view.graphicsView().viewport()
-        self._content = self._drawn_for = None
+        self._content, self._drawn_for, self._is_left_out = None, None, False
         self._image_size = 1, 1
         self.place, self.rect, self.window_rect = BarPlace.kept(), QtCore.QRect(), QtCore.QRect()
         self.node, annotation = skipped_by_fit_all(), coin.SoAnnotation()
@@ -73,6 +75,21 @@ class ColourBarNode:
         self._handle.end()
         self._root.removeChild(self.node)
 
+    def picture(self, most):
+        """QImage of the bar for a picture beside which it stands: no larger than a QSize."""
+        return self._drawn(QtCore.QRect(QtCore.QPoint(0, 0), most), self.place)
+
+    @contextmanager
+    def left_out(self):
+        """Have the view drawn without the bar in a ``with`` block."""
+        # It stays in the scene graph: FreeCAD draws into the picture from there.
+        self._is_left_out, self._drawn_for = True, None
+        try:
+            yield
+        finally:
+            self._is_left_out, self._drawn_for = False, None
+            self.node.touch()
+
     def layout(self, place):
         """Where the bar would stand in the window: the free QRect, the size of the bar and its margin, in device pixels."""
         ratio = self._widget.devicePixelRatioF()
@@ -87,6 +104,11 @@ class ColourBarNode:
         if size is None:
             return
         width, height = size
+        if self._is_left_out:
+            nothing = QtGui.QImage(1, 1, QtGui.QImage.Format_RGBA8888)
+            nothing.fill(QtCore.Qt.transparent)
+            set_image(self._image, nothing)
+            return
         free = free_pixels(self._widget, width, height)
         drawn_for = free.width(), free.height(), self.place.size
         if drawn_for != self._drawn_for:

@@ -12,7 +12,7 @@ from ..application.sentences import translated
 from ..application.thread_work import check_path_in_thread
 from ..document.open_part import DANGEROUS, confirm_dangerous_open, open_part
 from ..processes.request_queue import LABEL
-from ..record.label_button import LabelButton
+from ..record.label_button import LabelButton, common_label
 from ..tables.table_view import TableView
 from ..widgets.buttons import push_button
 from .result_columns import Results, result_columns
@@ -53,7 +53,7 @@ class ResultsPanel(QtWidgets.QWidget):
         self.open_button = push_button(self, "ThinPart_FolderOpen", translate("ThinPart", "&Open part"), self.open_current)
         self.label_button = LabelButton(self)
         self.label_button.setObjectName("ThinPart_FolderLabel")
-        self.label_button.label_chosen.connect(self.label_current)
+        self.label_button.label_chosen.connect(self.label_selected)
         self.info_button = push_button(
             self, "ThinPart_FolderShowInfo", translate("ThinPart", "Show info file\u2019s folder"),
             self.show_info_folder)
@@ -118,10 +118,9 @@ class ResultsPanel(QtWidgets.QWidget):
         finally:
             QtWidgets.QApplication.restoreOverrideCursor()
 
-    def label_current(self, category, is_sure):
-        """Keep what the user says of the selected part."""
-        row = self.view.current_row
-        if row is not None:
+    def label_selected(self, category, is_sure):
+        """Keep what the user says of the selected parts."""
+        for row in self._labelled_rows():
             path = os.fspath(self._settings.info_file(self._path(row)))
             self._labelled_files[path] = row.file
             lifelong.requests.keep(LABEL, path=path, part=row.part, category=category, is_sure=is_sure)
@@ -156,12 +155,16 @@ class ResultsPanel(QtWidgets.QWidget):
 
     def _show_buttons(self):
         selected = self.view.selectionModel().hasSelection()
-        row = self.view.current_row
-        self.label_button.setEnabled(row is not None and not row.error_kind)
-        self.label_button.show_labels(getattr(row, "said", ()), self._profile)
+        rows = self._labelled_rows()
+        self.label_button.setEnabled(bool(rows))
+        self.label_button.show_labels(common_label([getattr(row, "said", ()) for row in rows]), self._profile, len(rows))
         self.open_button.setEnabled(selected)
         self.info_button.setEnabled(selected)
         self.export_button.setEnabled(self.view.can_save)
+
+    def _labelled_rows(self):
+        """The selected rows that are parts."""
+        return [row for row in self.view.selected_rows if not row.error_kind]
 
     def _path(self, row):
         return os.path.join(self._settings.folder, row.file)

@@ -15,6 +15,8 @@ from ..application.sentences import translated
 from ..guide.command import help_button
 from ..processes.request_queue import LABEL
 from ..reclassify.reclassify_page import ReclassifyPage
+from ..record.kept_room import keep_room
+from ..record.label_button import LabelButton
 from ..record.record_view import show_text, text_line
 from ..widgets.buttons import add_button
 from ..widgets.flow_layout import add_flow
@@ -68,9 +70,7 @@ class FindDock(QtWidgets.QDockWidget):
         column.addWidget(self._splitter, 1)
         # Below all that is pressed, and with a line kept free for it: what is said moves nothing.
         self._message = text_line(form, column, "ThinPart_FindMessage")
-        policy = self._message.sizePolicy()
-        policy.setRetainSizeWhenHidden(True)
-        self._message.setSizePolicy(policy)
+        keep_room(self._message)
         self._judged_otherwise = JudgedOtherwiseNote(form)
         column.addWidget(self._judged_otherwise)
         self._add_choices()
@@ -89,7 +89,7 @@ class FindDock(QtWidgets.QDockWidget):
     @property
     def is_waiting(self):
         """Whether a request is pending."""
-        return self._typing_timer.isActive() or self._search.is_waiting
+        return self._typing_timer.isActive() or self._label_timer.isActive() or self._search.is_waiting
 
     @property
     def is_refreshing(self):
@@ -143,6 +143,7 @@ class FindDock(QtWidgets.QDockWidget):
         """Stop all work, after saving the notes."""
         self._details.notes.save()
         self._typing_timer.stop()
+        self._label_timer.stop()
         self._reclassify.end()
         self._duplicates.end()
         self._search.end()
@@ -217,7 +218,18 @@ class FindDock(QtWidgets.QDockWidget):
         self._table = FoundRows(self._profile, self._pictures, self)
         self._view = FoundPartsView(self._table, self)
         column.addWidget(self._view, 1)
-        self._status = text_line(container, column, "ThinPart_FindStatus")
+        row = QtWidgets.QHBoxLayout()
+        self._status = text_line(container, row, "ThinPart_FindStatus")
+        row.setStretch(0, 1)
+        self._label_button = LabelButton(container)
+        self._label_button.setObjectName("ThinPart_FoundLabel")
+        self._label_button.label_chosen.connect(self._label_selected)
+        row.addWidget(self._label_button)
+        column.addLayout(row)
+        self._labelled, self._label_timer = set(), QtCore.QTimer(self, singleShot=True, interval=_TYPING_DELAY)
+        self._label_timer.timeout.connect(self._refresh_labelled)
+        self._view.selectionModel().selectionChanged.connect(lambda *_: self._show_label_button())
+        self._show_label_button()
         self._splitter.addWidget(container)
 
     def _connect(self):
@@ -410,17 +422,48 @@ class FindDock(QtWidgets.QDockWidget):
     def _on_label_kept(self, request):
         if request.function == LABEL:
             self._details.show_kept_label(request)
-            if self._search.is_open and not request.sentence:
-                self._search.refresh([root for root in self._libraries.roots if is_below(request.arguments["path"], root)])
+            if request.sentence:
+                self._show_message("\u26a0 " + request.sentence)
+            else:
+                self._labelled.add(request.arguments["path"])
+                self._label_timer.start()  # once for all parts that got a label together
+
+    def _refresh_labelled(self):
+        """Read again the libraries in which parts got labels."""
+        labelled, self._labelled = self._labelled, set()
+        roots = [root for root in self._libraries.roots if any(is_below(path, root) for path in labelled)]
+        if self._search.is_open and roots:
+            self._search.refresh(roots)
+
+    def _labelled_parts(self):
+        """The selected parts, without failures."""
+        return [part for part in self._view.selected_rows if not part.error_kind]
+
+    def _show_label_button(self):
+        count = len(self._labelled_parts())
+        self._label_button.setEnabled(count > 0)
+        self._label_button.show_labels((), self._profile, count)
+
+    def _label_selected(self, category, is_sure):
+        for part in self._labelled_parts():
+            self._label(part, category, is_sure)
 
     def _show_libraries(self, libraries):
         self._libraries.show_libraries(libraries)
+        sizes = self._splitter.sizes()
         self._judged_otherwise.show_libraries(libraries)
+        QtCore.QTimer.singleShot(0, lambda: self._keep_sizes(sizes))
         self._choices.setTabText(LIBRARIES, translate("ThinPart", "Libraries") + (
             " \u26a0" if any(library["problems"] for library in libraries) else ""))
         problems = [problem for library in libraries for problem in library["problems"]]
         if problems and self._choices.currentIndex() != LIBRARIES:
             self._show_message(translated(problems[0]))
+
+    def _keep_sizes(self, sizes):
+        """Have only the details give way to the note below them; what is pressed above stays where it is."""
+        room = sum(self._splitter.sizes())
+        if room != sum(sizes) and room > sum(sizes[:2]):
+            self._splitter.setSizes([*sizes[:2], room - sum(sizes[:2])])
 
     def _show_failed(self, sentence):
         self._libraries.show_failed(sentence)

@@ -36,12 +36,6 @@ class LibrariesPage(QtWidgets.QWidget):
         super().__init__(parent)
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(4, 4, 4, 4)
-        self._list = QtWidgets.QListWidget(self)
-        self._list.setObjectName("ThinPart_LibraryList")
-        self._list.setTextElideMode(QtCore.Qt.ElideMiddle)
-        self._list.setMinimumHeight(3 * self.fontMetrics().height())
-        self._list.itemSelectionChanged.connect(self._show_buttons)
-        column.addWidget(self._list, 1)
         row = add_flow(column, self)
         add_button(row, self, "ThinPart_AddLibrary", translate("ThinPart", "Add\u2026"), self._ask)
         self._remove = add_button(
@@ -50,6 +44,12 @@ class LibrariesPage(QtWidgets.QWidget):
             row, self, "ThinPart_RefreshLibraries", translate("ThinPart", "Refresh"), self.refresh_requested.emit)
         self._stop = add_button(
             row, self, "ThinPart_StopRefresh", translate("ThinPart", "Stop"), self.stop_requested.emit)
+        self._list = QtWidgets.QListWidget(self)
+        self._list.setObjectName("ThinPart_LibraryList")
+        self._list.setTextElideMode(QtCore.Qt.ElideMiddle)
+        self._list.setMinimumHeight(3 * self.fontMetrics().height())
+        self._list.itemSelectionChanged.connect(self._show_buttons)
+        column.addWidget(self._list, 1)  # below the buttons: it gets lower where something is to be said
         self._bar = QtWidgets.QProgressBar(self)
         self._bar.setObjectName("ThinPart_LibraryBar")
         column.addWidget(self._bar)

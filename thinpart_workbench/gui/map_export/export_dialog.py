@@ -4,8 +4,6 @@
 import os
 from pathlib import Path
 
-import FreeCADGui as Gui
-
 from ...api.document_maps import parts_of
 from ...core.errors import ThinPartError
 from ...core.kinds.file_marks import MAPS
@@ -17,6 +15,7 @@ from ..application.qt import QtWidgets, execute, named, translate
 from ..application.sentences import translated
 from ..colour_bar.colours import ThicknessColours
 from ..widgets.confirmation import may_overwrite
+from .view_picture import view_picture
 
 PICTURE = ".png"
 """Ending of pictures of the view."""
@@ -87,13 +86,11 @@ class ExportDialog(QtWidgets.QFileDialog):
                 path, error.strerror or error), "failed") from None
 
     def _picture(self):
-        """What the view shows, as the bytes of a PNG file."""
-        view = Gui.getDocument(self._thickness.Document.Name).activeView()
+        """What the view shows with the colour bar beside it, as the bytes of a PNG file."""
+        picture = view_picture(self._thickness.Document, self.width_field.value(), self.height_field.value())
         with temporary_folder() as folder:
             file = Path(folder) / f"view{PICTURE}"
-            view.saveImage(str(file), self.width_field.value(), self.height_field.value(), "Current")
-            if not file.exists():
-                raise OSError(translate("ThinPart", "the view cannot be drawn at this size"))
+            picture.save(str(file))
             return file.read_bytes()
 
     def _pixels(self, row, name, value):

@@ -7,6 +7,7 @@ from ..application.length_unit import MILLIMETRE
 from ..application.numbers import marked, number, percent
 from ..application.qt import QtWidgets, Signal, blocked, grouped, named, translate
 from ..application.sentences import translated
+from ..record.kept_room import keep_room
 from ..record.measuring_progress import MeasuringProgress
 from ..record.record_view import show_text, text_line
 from ..widgets.buttons import add_button
@@ -52,15 +53,20 @@ class MeshSizesPanel(QtWidgets.QWidget):
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(6, 6, 6, 6)
         self._part = text_line(self, column, "ThinPart_MeshPart")
-        self.message = text_line(self, column, "ThinPart_Message")
         self._progress = MeasuringProgress(self)
         self._progress.cancelled.connect(self.cancelled)
         column.addWidget(self._progress)
         self._content = QtWidgets.QWidget(self)
         column.addWidget(self._content)
-        rows = content = QtWidgets.QVBoxLayout(self._content)
+        rows = QtWidgets.QVBoxLayout(self._content)
         rows.setContentsMargins(0, 0, 0, 0)
         self._add_kind(rows)
+        self._analysis = named(QtWidgets.QCheckBox(translate(
+            "ThinPart", "OK also makes an analysis, if there is none"), self), "ThinPart_MakeAnalysis")
+        self._analysis.setToolTip(translate("ThinPart", "With CalculiX as its solver, and steel, which you replace. "
+                                                        "Supports and loads are yours to add."))
+        self._analysis.setChecked(True)
+        rows.addWidget(self._analysis)
         self.shell = ShellBox(self)
         self.shell.changed.connect(self.shell_changed)
         self.shell.shown_changed.connect(self.shown_changed)
@@ -69,29 +75,24 @@ class MeshSizesPanel(QtWidgets.QWidget):
         rows.addWidget(self._solid)
         rows = QtWidgets.QVBoxLayout(self._solid)
         rows.setContentsMargins(0, 0, 0, 0)
-        self._offer = text_line(self, rows, "ThinPart_MeshOffer")
-        self._take_offer = add_button(rows, self, "ThinPart_UseMeshSettings", translate("ThinPart", "Use these settings"),
-                                      self.offer_taken.emit)
-        self.show_offer("")
         self._add_settings(rows)
         self.walls = WallSizesTable(self)
         rows.addWidget(self.walls)
-        self._estimate = text_line(self, rows, "ThinPart_MeshEstimate")
         self.preview = self._check(rows, "ThinPart_SizePreview", translate("ThinPart", "Show sizes on the part"), True)
         self._legend = ScaleBar("ThinPart_SizeBar", self)
         rows.addWidget(self._legend)
         self._mesh = add_button(rows, self, "ThinPart_MeshButton", translate("ThinPart", "Mesh and compare"),
                                 self.mesh_requested.emit)
+        self._estimate = text_line(self, rows, "ThinPart_MeshEstimate")
+        self._take_offer = add_button(rows, self, "ThinPart_UseMeshSettings", translate("ThinPart", "Use these settings"),
+                                      self.offer_taken.emit)
+        self._offer = text_line(self, rows, "ThinPart_MeshOffer")
+        self.show_offer("")
         self._figures = text_line(self, rows, "ThinPart_MeshFigures")
         self.chart = QualityChart(self)
         rows.addWidget(self.chart)
         self.poor = self._check(rows, "ThinPart_PoorElements", "", True)
-        self._analysis = named(QtWidgets.QCheckBox(translate(
-            "ThinPart", "OK also makes an analysis, if there is none"), self), "ThinPart_MakeAnalysis")
-        self._analysis.setToolTip(translate("ThinPart", "With CalculiX as its solver, and steel, which you replace. "
-                                                        "Supports and loads are yours to add."))
-        self._analysis.setChecked(True)
-        content.addWidget(self._analysis)
+        self.message = text_line(self, column, "ThinPart_Message")
         column.addStretch(1)
         self.show_message("")
         self.show_check(None)
@@ -163,6 +164,7 @@ class MeshSizesPanel(QtWidgets.QWidget):
         """Show what is proposed: see `PartSizing.proposed`; with a colour for each row, and the ColourScale of sizes."""
         unit = self._unit
         self._content.show()
+        keep_room(self._progress)  # from now on every change of a setting is worked out
         self.walls.show_walls(found["regions"], unit, colours)
         self.walls.setVisible(bool(found["regions"]))
         if not self._size.exact():
@@ -243,6 +245,7 @@ class MeshSizesPanel(QtWidgets.QWidget):
         self._kind.addItems([translate("ThinPart", "Solid"), translate("ThinPart", "Shell: its mid-surface")])
         form.addRow(translate("ThinPart", "Mesh as"), self._kind)
         self._advice = text_line(self, rows, "ThinPart_MeshAdvice")
+        keep_room(self._advice, 4)
         self._kind.currentIndexChanged.connect(lambda *_: (self._show_kind(), self.kind_changed.emit()))
 
     def _show_kind(self):

@@ -67,7 +67,6 @@ class ShellBox(QtWidgets.QWidget):
         form.addRow(translate("ThinPart", "Largest size"), self._size)
         self.button = add_button(rows, self, "ThinPart_ShellButton", translate("ThinPart", "Make shell"),
                                  self.shell_requested.emit)
-        self._figures = text_line(self, rows, "ThinPart_ShellFigures")
         self.walls = CheckedWalls("ThinPart_ShellWalls", _columns(), lambda wall: wall.faces, self)
         self.walls.setToolTip(translate(
             "ThinPart", "Without the check mark, a wall stays solid and is not in the shell."))
@@ -81,6 +80,7 @@ class ShellBox(QtWidgets.QWidget):
         rows.addWidget(self.preview)
         self._bar = ScaleBar("ThinPart_ShellBar", self)
         rows.addWidget(self._bar)
+        self._figures = text_line(self, rows, "ThinPart_ShellFigures")
         self.show_shell(None, None)
 
     def settings(self):

@@ -9,6 +9,7 @@ from ..application.qt import QtCore, QtWidgets, Signal, grouped, translate
 from ..application.sentences import translated
 from ..document.open_part import open_part, told_by
 from ..record.category_marks import colour_icon
+from ..record.kept_room import keep_room
 from ..record.record_view import show_text, text_line
 from ..record.verdict_text import category_colour, category_title
 from ..widgets.buttons import add_button
@@ -54,6 +55,7 @@ class ChangesView(QtWidgets.QWidget):
         self._bar = QtWidgets.QProgressBar(self)
         self._bar.setObjectName(f"ThinPart_{name}Bar")
         column.addWidget(self._bar)
+        keep_room(self._bar)
         self._table = self._new_table(f"ThinPart_{name}ChangesTable")
         column.addWidget(self._table, 20)
         self._parts_title = text_line(self, column, f"ThinPart_{name}PartsTitle")

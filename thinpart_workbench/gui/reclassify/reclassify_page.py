@@ -6,6 +6,7 @@ from ...core.judging.criteria import load_profile
 from ..application import lifelong
 from ..application.qt import QtWidgets, Signal, grouped, translate
 from ..application.sentences import translated
+from ..record.kept_room import keep_room
 from ..record.record_view import show_text, text_line
 from ..widgets.buttons import add_button, small_button
 from ..widgets.confirmation import is_confirmed
@@ -60,9 +61,10 @@ class ReclassifyPage(QtWidgets.QWidget):
         self._bar = QtWidgets.QProgressBar(self)
         self._bar.setObjectName("ThinPart_ReclassifyWriteBar")
         column.addWidget(self._bar)
-        self._message = text_line(self, column, "ThinPart_ReclassifyMessage")
+        keep_room(self._bar)
         self.view = ChangesView("Reclassify", self)
         column.addWidget(self.view, 1)
+        self._message = text_line(self, column, "ThinPart_ReclassifyMessage")
         self._client = self.view.client
         self._client.counted.connect(self._on_counted)
         self._client.written.connect(self._on_written)

@@ -37,11 +37,17 @@ class LabelButton(QtWidgets.QToolButton):
         """As `sizeHint`."""
         return self.sizeHint()
 
-    def show_labels(self, labels, profile):
-        """Show the user's own label, if a part has it, and offer the categories of the profile that has judged it."""
+    def show_labels(self, labels, profile, count=1):
+        """Show the user's own label, if a part has it, and offer the categories of the profile that has judged it.
+
+        Of several parts, `count`, how many they are is shown instead.
+        """
         own = own_label(labels)
-        self.setText(translate("ThinPart", "Not right?") if own is None else
-                     translate("ThinPart", "My label: {}").format(_short_words(own, profile)))
+        if count > 1:
+            self.setText(translate("ThinPart", "Label {} parts").format(count))
+        else:
+            self.setText(translate("ThinPart", "Not right?") if own is None else
+                         translate("ThinPart", "My label: {}").format(_short_words(own, profile)))
         self.setToolTip(translate(
             "ThinPart", "Say what the part is in your eyes. The label is kept in the info file, as of {}; thresholds can be "
                         "learned from labels.").format(preferred_person()))
@@ -70,6 +76,13 @@ def own_label(labels):
     """The user's label among those of a part, or None."""
     person = preferred_person()
     return next((label for label in labels if label["person"] == person), None)
+
+
+def common_label(labels_of_parts):
+    """The user's label that all of some parts have, as labels of one part: list of dict, empty where they differ."""
+    own = [own_label(labels) for labels in labels_of_parts]
+    return own[:1] if own and own[0] is not None and all(
+        each and (each["category"], each["sure"]) == (own[0]["category"], own[0]["sure"]) for each in own) else []
 
 
 def with_own_label(labels, category, is_sure):

@@ -9,6 +9,7 @@ from ..application.sentences import translated
 from .criteria_tree import CriteriaTree
 from .distribution_chart import DistributionChart
 from .fold import Fold
+from .kept_room import keep_room
 from .label_button import LabelButton, labels_sentence, own_label
 from .regions_table import RegionsTable
 from .verdict_text import category_colour, confidence_text, headline_text, paper_text, reason_text, risk_text, thinnest_text
@@ -44,7 +45,6 @@ class RecordView(QtWidgets.QWidget):
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         self._add_headline(column)
-        self._label_message = text_line(self, column, "ThinPart_LabelMessage")
         self._why = text_line(self, column, "ThinPart_Why")
         self._confidence = text_line(self, column, "ThinPart_HowSure")
         self._paper = text_line(self, column, "ThinPart_PaperVerdict")
@@ -64,6 +64,7 @@ class RecordView(QtWidgets.QWidget):
         column.addWidget(self._regions)
         self._other_regions = text_line(self, column, "ThinPart_OtherRegions")
         self._flight = text_line(self, column, "ThinPart_FlightText")
+        keep_room(self._flight, 2)
         self.show_flight("")
         self._chart = DistributionChart(self)
         column.addWidget(self._chart)
@@ -71,6 +72,8 @@ class RecordView(QtWidgets.QWidget):
         self._table = CriteriaTree(self)
         column.addWidget(Fold(translate("ThinPart", "Criteria and their quantities"), "ThinPart_CriteriaFold",
                               self._table, self))
+        self._labels = text_line(self, column, "ThinPart_Labels")
+        self._label_message = text_line(self, column, "ThinPart_LabelMessage")
         self._warnings = text_line(self, column, "ThinPart_Warnings")
 
     def show_record(self, record, profile, unit):
@@ -140,7 +143,6 @@ class RecordView(QtWidgets.QWidget):
         self._label.label_chosen.connect(self.labelled)
         row.addWidget(self._label, 0, QtCore.Qt.AlignTop)
         column.addLayout(row)
-        self._labels = text_line(self, column, "ThinPart_Labels")
 
     def _fill_legend(self):
         rows = QtWidgets.QVBoxLayout(self._legend)

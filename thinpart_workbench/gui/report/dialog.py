@@ -21,6 +21,7 @@ from ..application.sentences import translated
 from ..guide.command import help_button
 from ..processes.document_analysis import DocumentAnalysis
 from ..processes.snapshot_job import SnapshotJob
+from ..record.kept_room import keep_room
 from ..record.record_view import show_text, text_line
 from ..widgets.buttons import add_button
 from ..widgets.file_dialogs import choose_folder
@@ -70,6 +71,8 @@ class ReportDialog(QtWidgets.QDialog):
         self._bar.setRange(0, 1000)
         column.addWidget(self._bar)
         self._message = text_line(self, column, "ThinPart_ReportMessage")
+        keep_room(self._bar)
+        keep_room(self._message, 2)
         self._add_buttons(column)
         self._show_state()
 

@@ -77,6 +77,12 @@ class TableView(QtWidgets.QTableView):
         number = self.currentIndex().row()
         return self.model().row_at(number if number in selected else min(selected)) if selected else None
 
+    @property
+    def selected_rows(self):
+        """list: the selected rows that are known, in their order."""
+        numbers = sorted({index.row() for index in self.selectionModel().selectedRows()})
+        return [row for row in map(self.model().row_at, numbers) if row is not None]
+
     def set_row_height(self, lines):
         """Set the height of rows, in lines of text."""
         self.verticalHeader().setMinimumSectionSize(1)

@@ -5,6 +5,7 @@ from ...freecad_adapter.objects.thickness_object import MILLIMETRES, SHARE
 from ..application.length_unit import MILLIMETRE
 from ..application.numbers import percent
 from ..application.qt import QtCore, QtWidgets, Signal, blocked, named, translate
+from ..record.kept_room import keep_room
 from ..record.measure_text import share_sentence
 from ..record.record_view import show_text, text_line
 from ..widgets.flow_layout import FlowLayout
@@ -44,8 +45,10 @@ class DistributionBox(QtWidgets.QWidget):
         self.chart.threshold_set.connect(self._line_set)
         column.addWidget(self.chart)
         self._chosen = text_line(self, column, "ThinPart_ChosenShare")
+        keep_room(self._chosen, 2)
         self._add_threshold(column)
         self._under = text_line(self, column, "ThinPart_ThinShare")
+        keep_room(self._under, 2)
         self._thin_only = named(
             QtWidgets.QCheckBox(translate("ThinPart", "&Only thin walls in colour"), self), "ThinPart_ThinOnly")
         self._thin_only.toggled.connect(self.thin_only_changed)

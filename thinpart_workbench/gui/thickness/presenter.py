@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Presents one thickness map in the boxes of the panel."""
 
+import FreeCADGui as Gui
+
+from ...api.document_maps import parts_before
+from ...api.window.map_values import places_of_wall
 from ...core.errors import ThinPartError
 from ..application import lifelong
 from ..application.qt import QtCore, Signal
@@ -18,6 +22,7 @@ from ..map_presenters.section_presenter import SectionPresenter
 from ..map_presenters.shown_parts import ShownParts
 from ..map_presenters.wall_tour import WallTour
 from ..record.parts_table import PartsTableRow
+from .thinner_dialog import ThinnerDialog
 
 
 class ThicknessPresenter(MapPresenter):
@@ -56,6 +61,7 @@ class ThicknessPresenter(MapPresenter):
         shown = ShownParts(thickness, boxes)
         super().__init__(thickness, shown, boxes.head, boxes)
         self.thickness, self._profile = thickness, profile
+        self._changes = None  # the ThinnerDialog that is open
         self._is_gone, self._changed = False, set()  # properties changed since the last update of the boxes
         self._observer = ObjectObserver(thickness, self)
         self._tour = tour = WallTour(thickness, shown, self)
@@ -75,6 +81,7 @@ class ThicknessPresenter(MapPresenter):
             (tour.told, self._show_flight), (self._box.part_chosen, self._choose_part),
             (self._box.all_requested, self._choose_all), (self._box.fly_requested, tour.to_thinnest),
             (self._box.step_requested, tour.step), (self._box.export_requested, self._export),
+            (self._box.changes_requested, self._show_changes),
             (shown.chosen, self._show_head), (lifelong.units.changed, self._show_unit))
         self.show()
         probes.start()
@@ -83,6 +90,8 @@ class ThicknessPresenter(MapPresenter):
         """Disconnect everything and remove the panel's highlights from the view."""
         # Remove the observer first: FreeCAD calls it even after Qt has deleted its C++ object.
         self._observer.end()
+        if self._changes is not None:
+            self._changes.close()
         super().leave()
         self._refresh_timer.stop()
         for each in (self._tour, *self._presenters):
@@ -142,6 +151,7 @@ class ThicknessPresenter(MapPresenter):
         shown = None if self._shown.part is None else self._shown.part.record["name"]
         self._box.show_parts(rows, self._profile, shown, self._shown.unit, self.thickness.Document.FileName)
         self._box.show_measure(self.thickness.Measure)
+        self._box.show_has_before(bool(self.thickness.MapBefore))
         self._box.show_stale(self.thickness.Stale)
 
     def _choose_part(self, name):
@@ -154,6 +164,23 @@ class ThicknessPresenter(MapPresenter):
         self._shown.choose(number)
         self._highlight.show_part()
         self._highlight.select_part()
+
+    def _show_changes(self):
+        if self._changes is not None:
+            self._changes.close()
+        try:
+            dialog = ThinnerDialog(parts_before(self.thickness), self._shown.all, self._shown.unit, Gui.getMainWindow())
+        except ThinPartError as error:
+            self._box.show_message(translated(error))
+            return
+        self._changes = dialog
+        dialog.visited.connect(lambda part, wall: self._tour.fly(
+            wall.least, places_of_wall(self.thickness, part, wall.ends)))
+        dialog.destroyed.connect(self._forget_changes)
+        dialog.show()
+
+    def _forget_changes(self, *_):
+        self._changes = None
 
     def _export(self):
         self._box.show_export(export_map(self.thickness, self._box))

@@ -61,11 +61,11 @@ class ProbeBox(QtWidgets.QWidget):
         self._clear = add_button(flow, row, "ThinPart_ClearProbes", translate("ThinPart", "C&lear all"),
                                  self.cleared.emit)
         column.addWidget(row)
-        self._hover_text = text_line(self, column, "ThinPart_HoveredWall")
         self.table = SmallTable("ThinPart_ProbeTable", self._columns(), _VISIBLE_ROWS, self)
         self.table.activated.connect(lambda index: self.visited.emit(self.table.rows[index.row()].number))
         self.table.selectionModel().selectionChanged.connect(lambda *_: self._show_buttons())
         column.addWidget(self.table)
+        self._hover_text = text_line(self, column, "ThinPart_HoveredWall")
         self.show_hovered(None)
 
     def show_probes(self, values, unit, measure, file):

@@ -46,11 +46,10 @@ class RegionBox(QtWidgets.QWidget):
         self.table.hovered.connect(self.hovered)
         self.table.row_menu = self._menu
         column.addWidget(self.table)
-        self._others = text_line(self, column, "ThinPart_OtherRegions")
-        self._said = text_line(self, column, "ThinPart_RegionNotes")
         self._all = add_button(column, self, "ThinPart_ShowAllWalls", translate("ThinPart", "Show &all walls"),
                                lambda: self._act(None, "show_all"))
-        self._message = text_line(self, column, "ThinPart_RegionMessage")
+        self._others, self._said, self._message = (
+            text_line(self, column, f"ThinPart_{name}") for name in ("OtherRegions", "RegionNotes", "RegionMessage"))
         self.show_message("")
         self.show_isolated(False)
         self.show_no_part()
@@ -67,6 +66,7 @@ class RegionBox(QtWidgets.QWidget):
         """
         self._unit, self._refusal = unit, refusal
         self.table.show_regions(record, unit, features, notes, file)
+        self._all.setVisible(bool(self.table.rows))
         show_text(self._hint, "" if self.table.rows else translate(
             "ThinPart", "No wall regions are recorded: measure the part again."))
         show_text(self._others, other_regions_text(record))
@@ -79,7 +79,7 @@ class RegionBox(QtWidgets.QWidget):
     def show_isolated(self, is_isolated):
         """Show whether the map shows only some walls."""
         self._is_isolated = is_isolated
-        self._all.setVisible(is_isolated)
+        self._all.setEnabled(is_isolated)
 
     def _menu(self, group):
         if group is None:
@@ -101,3 +101,4 @@ class RegionBox(QtWidgets.QWidget):
         show_text(self._said, "")
         self.table.model().set_rows([])
         self.table.hide()
+        self._all.hide()

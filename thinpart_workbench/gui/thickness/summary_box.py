@@ -3,6 +3,7 @@
 
 from ..application.numbers import percent
 from ..application.qt import QtCore, QtWidgets, Signal, blocked, named, translate
+from ..record.kept_room import keep_room
 from ..record.measure_text import measure_choices
 from ..record.measuring_progress import MeasuringProgress
 from ..record.parts_table import PartsTable
@@ -11,6 +12,9 @@ from ..record.verdict_text import category_colour, headline_text, thinnest_text
 from ..tables.wall_table import step_of
 from ..widgets.buttons import add_button
 from ..widgets.narrow_fields import narrow_combo
+
+_LINES_OF_PART, _LINES_TOLD = 2, 3
+"""Lines of text for which room is kept: of each text of a part where there are several, and of what is said below."""
 
 
 class SummaryBox(QtWidgets.QWidget):
@@ -34,6 +38,8 @@ class SummaryBox(QtWidgets.QWidget):
         One of `SHOWN_MEASURES`.
     export_requested
         The user wants to write the map to a file.
+    changes_requested
+        The user wants to see what became thinner.
     """
 
     cancelled = Signal()
@@ -45,6 +51,7 @@ class SummaryBox(QtWidgets.QWidget):
     all_requested = Signal()
     measure_chosen = Signal(str)
     export_requested = Signal()
+    changes_requested = Signal()
 
     def __init__(self, parent=None):
         super().__init__(parent)
@@ -52,20 +59,17 @@ class SummaryBox(QtWidgets.QWidget):
         self.setWindowTitle(translate("ThinPart", "Thickness"))
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(6, 6, 6, 6)
-        self._message = text_line(self, column, "ThinPart_Message")
-        self.progress = MeasuringProgress(self)
-        self.progress.cancelled.connect(self.cancelled)
-        column.addWidget(self.progress)
-        self._stale = text_line(self, column, "ThinPart_Stale")
-        show_text(self._stale, "")
         self._verdict = named(QtWidgets.QWidget(self), "ThinPart_ThicknessVerdict")
         self._add_verdict(QtWidgets.QVBoxLayout(self._verdict))
         column.addWidget(self._verdict)
-        self._info = text_line(self, column, "ThinPart_InfoText")
-        self._save = add_button(column, self, "ThinPart_SaveButton",
-                                translate("ThinPart", "Save and write info file"), self.save_requested.emit)
         self._again = add_button(column, self, "ThinPart_AgainButton",
                                  translate("ThinPart", "&Measure again"), self.repeat_requested.emit)
+        self._save = add_button(column, self, "ThinPart_SaveButton",
+                                translate("ThinPart", "Save and write info file"), self.save_requested.emit)
+        self.progress = MeasuringProgress(self)
+        self.progress.cancelled.connect(self.cancelled)
+        column.addWidget(self.progress)
+        self._add_told(column)
         self._verdict.hide()
         self.show_message("")
         self.show_info_file("")
@@ -75,13 +79,14 @@ class SummaryBox(QtWidgets.QWidget):
         show_text(self._message, sentence)
         self.progress.hide()
         self._can_repeat = can_repeat
-        self._again.setVisible(can_repeat)
+        self._show_again()
 
     def show_running(self, label):
         """Show that measuring has started, with the label of the first part."""
         self.show_message("")
         self.show_info_file("")
         self.progress.begin(label)
+        self._show_again()
 
     def show_info_file(self, sentence, can_save=False, tool_tip=""):
         """Show the state of the info file."""
@@ -117,7 +122,12 @@ class SummaryBox(QtWidgets.QWidget):
         show_text(self._label, shown_rows[0].label if single is not None else translate(
             "ThinPart", "{} different parts, {} instances").format(len(rows), sum(row.instances for row in rows)))
         self._show_walls([row.record for row in shown_rows], unit)
+        # Another part has another verdict, longer or shorter: the table in which it was chosen stays where it is.
+        for text in (self._title, self._walls):
+            keep_room(text, _LINES_OF_PART if len(rows) > 1 else 1)
         self._verdict.show()
+        self._told.setMinimumHeight(_LINES_TOLD * self.fontMetrics().lineSpacing())
+        self._show_again()
 
     @property
     def measure(self):
@@ -130,10 +140,9 @@ class SummaryBox(QtWidgets.QWidget):
             self._measure.setCurrentIndex(max(0, self._measure.findData(measure)))
 
     def show_stale(self, is_stale):
-        """Show or hide the warning that the sources have changed, and the button to measure again."""
+        """Show or hide the warning that the sources have changed."""
         show_text(self._stale, translate(
             "ThinPart", "\u26a0 The part has changed since it was measured.") if is_stale else "")
-        self._again.setVisible(is_stale or self._can_repeat)
 
     def show_flight(self, sentence):
         """Show what there is to say about the last flight to a wall."""
@@ -182,8 +191,6 @@ class SummaryBox(QtWidgets.QWidget):
         for button, key in zip(self._steps, "PN"):
             button.setToolTip(translate("ThinPart", "Walls are in the order of their thickness. Key: {}").format(key))
         column.addLayout(row)
-        self._flight = text_line(self._verdict, column, "ThinPart_FlightText")
-        self.show_flight("")
         self._shares = text_line(self._verdict, column, "ThinPart_Shares")
         self._add_measure(column)
         self.parts = PartsTable(self._verdict)
@@ -196,8 +203,33 @@ class SummaryBox(QtWidgets.QWidget):
                                   translate("ThinPart", "E&xport map\u2026"), self.export_requested.emit)
         self._export.setToolTip(translate("ThinPart", "As a picture of any size, or as triangles with their thickness for "
                                           "ParaView, MeshLab and others"))
-        self._export_text = text_line(self._verdict, column, "ThinPart_ExportText")
-        self.show_export("")
+        self._changes = add_button(column, self._verdict, "ThinPart_ThinnerButton",
+                                   translate("ThinPart", "What became thinner\u2026"), self.changes_requested.emit)
+        self._changes.setToolTip(translate("ThinPart", "The map of before beside that of now, once the part was changed and "
+                                           "measured again"))
+        self.show_has_before(False)
+
+    def show_has_before(self, has_before):
+        """Show whether there is a map of before the last change."""
+        self._changes.setEnabled(has_before)
+
+    def _add_told(self, column):
+        """What is said comes and goes: below all that is pressed, where room is kept for it."""
+        self._told = QtWidgets.QWidget(self)
+        lines = QtWidgets.QVBoxLayout(self._told)
+        lines.setContentsMargins(0, 0, 0, 0)
+        self._message, self._stale, self._flight, self._export_text, self._info = (
+            text_line(self._told, lines, f"ThinPart_{name}")
+            for name in ("Message", "Stale", "FlightText", "ExportText", "InfoText"))
+        lines.addStretch(1)
+        column.addWidget(self._told)
+        for label in (self._stale, self._flight, self._export_text):
+            show_text(label, "")
+
+    def _show_again(self):
+        """Show the button to measure again wherever there is a map or a reason, and enable it when nothing is measured."""
+        self._again.setVisible(self._can_repeat or not self._verdict.isHidden())
+        self._again.setEnabled(self.progress.isHidden())
 
     def show_export(self, sentence):
         """Show what became of the last export."""

@@ -63,6 +63,10 @@ class SceneSync:
         lifelong.map_events.shown_again.clear()
         self._show_bars()
 
+    def bar_in(self, view):
+        """The ColourBarNode of a view, or None."""
+        return next((bar for bar in self._bars if bar.is_in(view.getSceneGraph())), None)
+
     def forget(self, name):
         """Drop the maps of a document that is being closed."""
         self._covered.forget(name)
