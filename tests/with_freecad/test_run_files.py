@@ -17,6 +17,8 @@ import pytest
 from folder_runs import TUBE, infos, messages, tubes
 from program import ROOT, SAMPLES, failures, records, thinpart
 
+from thinpart_workbench.freecad_adapter.bootstrap import load_freecad
+
 
 def test_only_the_files_of_a_list_and_the_tree_of_the_paths(tmp_path):
     top = tmp_path / "parts"
@@ -267,3 +269,23 @@ def test_a_table_without_room_is_one_sentence_and_the_old_one_stays(tmp_path):
     assert run.returncode == 1 and run.stdout.count("failed: empty") == 40
     assert "table.csv could not be written (File too large)" in run.stderr.splitlines()[-1]
     assert table.read_text().startswith("file,part,label,") and sorted(os.listdir(tmp_path)) == ["parts", "table.csv"]
+
+
+def test_a_document_with_a_drawing_is_read(tmp_path):
+    load_freecad()
+    import FreeCAD as App
+    import Part
+    import TechDraw  # noqa: F401
+
+    document = App.newDocument("drawn")
+    document.addObject("Part::Feature", "Plate").Shape = Part.makeBox(40, 30, 2)
+    page = document.addObject("TechDraw::DrawPage", "Page")
+    page.Template = document.addObject("TechDraw::DrawSVGTemplate", "Template")
+    templates = Path(App.getResourceDir(), "Mod", "TechDraw", "Templates")
+    page.Template.Template = os.fspath(next(path for path in sorted(templates.rglob("*.svg")) if "A4" in path.name))
+    document.recompute()
+    document.saveAs(os.fspath(tmp_path / "drawn.FCStd"))
+    App.closeDocument("drawn")
+    # FreeCAD 1.1 changes the mode of its copy of the template when it closes the document, which a reader may not.
+    run = thinpart("classify", tmp_path / "drawn.FCStd", "--json")
+    assert run.returncode == 0 and [record["category"] for record in records(run)] == ["thin"], run.stderr

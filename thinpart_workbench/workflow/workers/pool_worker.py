@@ -34,6 +34,7 @@ from .pool_messages import (
     write_message,
 )
 from .preparation import Unprepared, prepare, want_preparation
+from .reading import close_documents
 
 _UNPREPARED = 75
 """Exit code of a forked process that has raised Unprepared."""
@@ -70,7 +71,11 @@ class _Worker:
     def process(self, task):
         write_message(self._responses, TAKEN)
         write_message(self._responses, CONFINED, self._confinement)
-        write_message(self._responses, *_outcome(task))
+        outcome = _outcome(task)
+        # Not in a process of its own, which ends: FreeCAD 1.1 ends at once where it may not change the mode of a drawing's
+        # template, which it does to remove it.
+        close_documents()
+        write_message(self._responses, *outcome)
 
 
 class _ForkingWorker:

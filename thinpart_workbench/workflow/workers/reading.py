@@ -68,9 +68,6 @@ def answer(work, task):
     except Exception as error:  # a failed row instead of a traceback
         return {**failure(task.file, **reported_failure(error, Path(task.file).name)),
                 "seconds": round(time.perf_counter() - started, 4)}
-    finally:
-        with suppress(Exception):  # what cannot be closed does not lose the results
-            _close_documents()
 
 
 def analysed(task):
@@ -80,8 +77,10 @@ def analysed(task):
     return analyse_file(task, before_reading=require_preparation)
 
 
-def _close_documents():
+def close_documents():
+    """Close what FreeCAD has opened for a task, in a process that goes on with the next one."""
     freecad = sys.modules.get("FreeCAD")
     if freecad is not None:
         for name in list(freecad.listDocuments()):
-            freecad.closeDocument(name)
+            with suppress(Exception):  # what cannot be closed does not lose the results
+                freecad.closeDocument(name)
