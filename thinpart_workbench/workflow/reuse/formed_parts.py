@@ -160,12 +160,17 @@ def formed_parts(indexes, excluding=None):
 
 def _standing(row):
     instances, has_notes, name, label, document, modified = row[6:12]
-    found = format_of(os.fsdecode(document or b""))
+    return standing(os.fsdecode(document or b""), instances, has_notes, label or name, modified)
+
+
+def standing(file, instances, has_notes, name, modified):
+    """What counts for a part that is there several times, as `_STANDING`: tuple, the greatest of which is kept."""
+    found = format_of(file)
     kind = found and found.kind
-    return kind != MESH, int(instances), bool(has_notes), kind == DOCUMENT, is_named(label or name), modified or ""
+    return kind != MESH, int(instances or 1), bool(has_notes), kind == DOCUMENT, _is_named(name or ""), modified or ""
 
 
-def is_named(label):
+def _is_named(label):
     """Whether a label is more than what programs call a body by themselves."""
     word = label.casefold().rstrip("0123456789_-. ()").replace(" ", "")
     return word not in _GENERIC and any(letter.isalpha() for letter in word)

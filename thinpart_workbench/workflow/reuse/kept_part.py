@@ -1,16 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Why one of several parts that are the same is the one to keep."""
 
-from ...core.file_formats import DOCUMENT, MESH, format_of
 from ...core.message import message
-from .formed_parts import is_named
+from .formed_parts import standing
 
 
 def why_kept(parts):
     """What the first of some StoredParts has more of than the others, by what `FormedParts` put it first: Message."""
     standings = [_standing(part) for part in parts]
     for number, own in enumerate(standings[0]):
-        others = max(standing[number] for standing in standings[1:])
+        others = max(each[number] for each in standings[1:])
         if own > others:
             return _REASONS[number](parts[0])
     return message("the first of equals")
@@ -27,7 +26,4 @@ _REASONS = (
 
 
 def _standing(part):
-    found = format_of(part.file)
-    kind = found and found.kind
-    return (kind != MESH, part.instances or 1, bool(part.notes or part.mesh or part.link), kind == DOCUMENT,
-            is_named(part.label or part.name or ""), part.modified or "")
+    return standing(part.file, part.instances, part.notes or part.mesh or part.link, part.label or part.name, part.modified)
