@@ -92,6 +92,7 @@ ELSEWHERE = (
     "core.judging.wall_words",  # walls of one thickness, what a part is made of, sheets, threads
     "core.judging.wall_check",  # a mesh that is too coarse for a limit, thick and thin walls, walls near a limit
     "core.maps.facet_refinement",  # the longest facet, and how many there are
+    "core.maps.map_changes",  # changes of thickness that are listed
     "core.maps.jump_lines",  # jumps of thickness along the sides of facets
     "core.maps.level_cuts",  # facets of one thickness
     "core.maps.map_outline",  # creases that are drawn

@@ -80,7 +80,8 @@ def _are_empty(balls, surface, most):
     """Whether no point of the surface lies inside of balls, of those with radii up to `most`, mm: ndarray of bool."""
     asked = np.flatnonzero(balls.radius <= most)
     empty = np.zeros(len(balls.radius), dtype=bool)
-    empty[asked] = surface.query(balls.centres[asked])[0] > EMPTY * balls.radius[asked]
+    centres = balls.points[:, asked] + balls.radius[asked] * balls.inward[:, asked]  # others may be infinite
+    empty[asked] = surface.query(centres.T)[0] > EMPTY * balls.radius[asked]
     return empty
 
 

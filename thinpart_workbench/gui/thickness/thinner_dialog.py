@@ -19,7 +19,7 @@ _WIDTH, _HEIGHT = 440, 360
 
 
 @dataclass(frozen=True)
-class _Row:
+class _ThinnerRow:
     """A wall, and the part that has it."""
 
     part: MappedPart
@@ -53,7 +53,7 @@ class ThinnerDialog(QtWidgets.QDialog):
         was = {part.record["name"]: part for part in before}
         self._pairs = [(was[part.record["name"]], part) for part in now if part.record["name"] in was and
                        part.map.measure == was[part.record["name"]].map.measure]
-        rows = [_Row(part, wall) for old, part in self._pairs for wall in thinner_walls(old.map, part.map)]
+        rows = [_ThinnerRow(part, wall) for old, part in self._pairs for wall in thinner_walls(old.map, part.map)]
         self._shown = next(((old, part) for old, part in self._pairs if rows and part is rows[0].part), None) or (
             self._pairs[0] if self._pairs else None)
         column = QtWidgets.QVBoxLayout(self)
