@@ -88,7 +88,7 @@ def _columns(made_by=None):
     add(Column, "wall", translate("ThinPart", "Wall"), lambda group: group.kind, lambda group, unit: _kind_text(group),
         stretches=True, meaning=translate("ThinPart", "Connected walls of like thickness"))
     add(Column, "thinnest_mm", translate("ThinPart", "Thick, {}"), lambda group: group.least, _thickness, is_number=True,
-        has_unit=True, least=9, meaning=translate("ThinPart", "Least and median thickness of the wall"))
+        has_unit=True, least=8, meaning=translate("ThinPart", "Least and median thickness of the wall"))
     add(figures, "area_mm2", translate("ThinPart", "Area, {}\u00b2"), lambda group: group.area, area,
         meaning=translate("ThinPart", "Area of both of its sides"))
     add(figures, "length_mm", translate("ThinPart", "Long, {}"), lambda group: group.length, length,
