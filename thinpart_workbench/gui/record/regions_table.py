@@ -88,13 +88,13 @@ def _columns(made_by=None):
     add(Column, "wall", translate("ThinPart", "Wall"), lambda group: group.kind, lambda group, unit: _kind_text(group),
         stretches=True, meaning=translate("ThinPart", "Connected walls of like thickness"))
     add(Column, "thinnest_mm", translate("ThinPart", "Thick, {}"), lambda group: group.least, _thickness, is_number=True,
-        has_unit=True, least=8, meaning=translate("ThinPart", "Least and median thickness of the wall"))
+        has_unit=True, least=9, meaning=translate("ThinPart", "Least and median thickness of the wall"))
     add(figures, "area_mm2", translate("ThinPart", "Area, {}\u00b2"), lambda group: group.area, area,
         meaning=translate("ThinPart", "Area of both of its sides"))
     add(figures, "length_mm", translate("ThinPart", "Long, {}"), lambda group: group.length, length,
         meaning=translate("ThinPart", "Length of the wall"))
     if made_by:
-        add(Column, "made_by", translate("ThinPart", "Made by"), lambda group: made_by.get(id(group), ""), least=6)
+        add(Column, "made_by", translate("ThinPart", "Made by"), lambda group: made_by.get(id(group), ""), least=5)
     add(figures, "count", translate("ThinPart", "Instances"), lambda group: group.count, count, is_hidden=True)
     add(figures, "median_mm", translate("ThinPart", "Median, {}"), lambda group: group.median, length, is_hidden=True)
     add(Column, "notes", translate("ThinPart", "Notes"), lambda group: _said_of(group, MILLIMETRE), _said_of, is_hidden=True)
