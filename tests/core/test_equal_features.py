@@ -176,3 +176,9 @@ def test_which_walls_are_equal(other, equal):
     ((1.0, 1.0, 1.0, 2.0), (1.0, 1.0, 2.0), True), ((1.0, 1.0, 5.0), (1.0, 1.0, 2.0), False)])
 def test_faces_at_the_border_may_be_missing(one, other, equal):
     assert are_on_equal_faces(one, other) is equal
+
+
+def test_faces_of_one_facet_each_are_compared():
+    corners = np.array([[0.0, 0, 0], [9, 0, 0], [0, 9, 0], [0, 0, 9]])
+    mesh = surface_mesh(corners, np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]), np.arange(4))
+    assert equal_faces(mesh).tolist() == [0, 0, 2, 0]

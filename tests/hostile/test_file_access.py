@@ -31,7 +31,7 @@ def test_info_file_index_and_picture_of_a_private_part_are_private(library, tmp_
         run = thinpart(command, library)
         assert run.returncode == 0, run.stderr
     cached = [path for path in (tmp_path / "cache").rglob("*") if path.is_file()]
-    assert {path.parent.name if path.suffix != ".png" else "png" for path in cached} == {"index", "sizes", "png"}
+    assert {path.relative_to(tmp_path / "cache").parts[0] for path in cached} == {"index", "measured", "sizes", "thumbnails"}
     assert {mode(path) for path in (info, *cached)} == {0o600}
     index, = (path for path in cached if path.suffix == ".sqlite")
     index.chmod(0o644)  # of an earlier version

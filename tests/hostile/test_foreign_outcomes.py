@@ -20,7 +20,7 @@ from thinpart_workbench.workflow.workers.worker_pool import analyse_files
 @pytest.fixture(scope="module")
 def honest():
     """An outcome as it comes from a worker."""
-    return json.loads(json.dumps(analyse_file(FileTask(str(SAMPLES / "plate.step"), thumbnails=True))))
+    return json.loads(json.dumps(analyse_file(FileTask(str(SAMPLES / "plate.step"), thumbnails=True, force=True))))
 
 
 def _without(key):

@@ -30,6 +30,15 @@ def thumbnail_path(sha256, part_name):
     return cache_folder() / "thumbnails" / sha256[:2] / f"{sha256}-{name}.png"
 
 
+def has_thumbnail(sha256, part_name):
+    """Whether the cache has the thumbnail of a part; parameters as of `thumbnail_path`."""
+    try:
+        path = thumbnail_path(sha256, part_name)
+        return path is not None and path.is_file()
+    except OSError:
+        return False
+
+
 def write_thumbnail(sha256, part_name, pixels):
     """Write the thumbnail of a part.
 

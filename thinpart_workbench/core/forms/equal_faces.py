@@ -36,7 +36,7 @@ def equal_faces(mesh, local=None):
         Median local thickness under each face; nan where it is not known.
     """
     area, border, turn = _measures(mesh)
-    turn /= np.sqrt(np.maximum(area, np.finfo(float).tiny))
+    turn = turn / np.sqrt(np.maximum(area, np.finfo(float).tiny))  # whole numbers where no side joins two facets of a face
     kind = np.zeros(len(area), dtype=np.int64)
     for measure in (area, border):
         kind = _split(kind, np.log(np.maximum(measure, np.finfo(float).tiny)), np.log1p(SAME))

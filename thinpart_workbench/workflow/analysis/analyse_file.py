@@ -10,6 +10,7 @@ from ...core.errors import ThinPartError
 from ...core.judging.criteria import load_profile, profile_from
 from ...storage.info.info_file import is_current, stored_info
 from ...storage.info.measured_copies import copied_records
+from ...storage.thumbnails import has_thumbnail
 from ..report.report_pages import PageMaker, ReportPages
 from .drawn_part import DrawnPart
 from .measured_source import source_of
@@ -88,6 +89,8 @@ def _copied(found, source, task, read_seconds):
     known = None if found.broken else copied_records(source, task.settings.content(), task.profile)
     if known is None or {part.name for part in found.parts} != set(known):
         return None
+    if task.thumbnails and not all(has_thumbnail(source["sha256"], name) for name in known):
+        return None  # its surface is needed to draw them
     seconds = {"read": round(read_seconds / len(known), 4), "tessellate": 0.0, "measure": 0.0}
     # A part without a name of its own has that of its file.
     return [{**known[part.name], "label": part.label, "seconds": seconds} for part in found.parts], [], {}
