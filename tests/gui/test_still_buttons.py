@@ -47,7 +47,7 @@ def test_a_result_stays_where_it_is_when_the_progress_above_it_goes(document):
     before = places(panel)
     window.wait_until_measured()
     assert_still(before, panel, ["ThinPart_Label", "ThinPart_PartTable"])
-    panel.show_known(LONG)
+    panel.known.show_known({"file": "bracket.step", "kind": "alike"}, LONG)
     panel.show_info(LONG, can_repeat=True)
     panel.show_ended(LONG)
     panel.result.show_flight("It is behind another part.")
