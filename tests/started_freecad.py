@@ -100,5 +100,5 @@ def start_freecad(home, script, *options, early=False, settings="user.cfg", seco
             time.sleep(0.1)
     assert told.is_file(), f"FreeCAD ended with status {run.returncode}: {log.read_text(errors='replace')[-4000:]}"
     answer = json.loads(told.read_text(encoding="utf-8"))
-    assert not (isinstance(answer, dict) and "error" in answer), answer["error"]
+    assert not (isinstance(answer, dict) and "error" in answer), answer["error"] + log.read_text(errors="replace")[-4000:]
     return answer

@@ -16,15 +16,22 @@ def commands(page):
     return [line.strip() for line in page.read_text(encoding="utf-8").splitlines() if line.strip().startswith("./thinpart ")]
 
 
+@pytest.fixture(scope="module")
+def cache(tmp_path_factory):
+    """Every page measures the same bytes: the first of them, for all."""
+    return tmp_path_factory.mktemp("cache")
+
+
 @pytest.fixture
-def folder(tmp_path, monkeypatch):
+def folder(tmp_path, monkeypatch, cache):
     """A folder with the samples, as the guide has it."""
     shutil.copytree(SAMPLES, tmp_path / "parts", ignore=shutil.ignore_patterns("*.py", "*.json", "sample_parts"))
-    monkeypatch.setenv("THINPART_CACHE", str(tmp_path / "cache"))
+    monkeypatch.setenv("THINPART_CACHE", str(cache))
     monkeypatch.chdir(tmp_path)
     return tmp_path
 
 
+@pytest.mark.timeout(180)  # the first page measures all samples
 @pytest.mark.parametrize("page", [page for page in PAGES if commands(page)], ids=lambda page: page.stem)
 def test_the_commands_of_a_page_do_what_they_say(page, folder):
     if "--fails" in page.read_text(encoding="utf-8"):

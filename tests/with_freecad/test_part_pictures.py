@@ -23,6 +23,10 @@ def cache(tmp_path, monkeypatch):
     return tmp_path / "cache"
 
 
+def files_of_pictures(cache):
+    return [path for path in (cache / "thumbnails").rglob("*") if path.is_file()]
+
+
 def pictures(folder):
     """Of every part in the info files of a folder: its category and its picture."""
     found = {}
@@ -49,7 +53,7 @@ def test_every_part_has_a_picture_with_its_thin_faces_red(tmp_path, cache):
     assert run.returncode == 0, run.stderr
     found = pictures(tmp_path / "info")
     assert len(found) == len(records(run)) == 8
-    assert len([path for path in cache.rglob("*") if path.is_file()]) == 8
+    assert len(files_of_pictures(cache)) == 8
     for part, (category, image) in found.items():
         assert image.shape == (120, 160, 4), part
         assert 0.1 < (image[..., 3] == 255).mean() < 0.9 and (image[0] == 0).all(), part
@@ -68,7 +72,7 @@ def test_the_same_part_gives_the_same_bytes(tmp_path, cache):
     contents = []
     for name in ("first", "second"):
         thinpart("classify", tmp_path / name)
-        path, = (path for path in cache.rglob("*") if path.is_file())
+        path, = files_of_pictures(cache)
         contents.append(path.read_bytes())
         path.unlink()
     assert contents[0] == contents[1]
@@ -78,7 +82,7 @@ def test_a_part_from_its_info_file_is_not_measured_again_for_its_picture(tmp_pat
     task = FileTask(os.fspath(SAMPLES / "block.step"), os.fspath(tmp_path / "block.step.thinpart.json"),
                     thumbnails=True)
     assert not write_results(task, analyse_file(task))["reused"]
-    path, = (path for path in cache.rglob("*") if path.is_file())
+    path, = files_of_pictures(cache)
     path.unlink()
     assert write_results(task, analyse_file(task))["reused"] and not path.exists()
 
@@ -86,7 +90,7 @@ def test_a_part_from_its_info_file_is_not_measured_again_for_its_picture(tmp_pat
 @pytest.mark.parametrize("option", ["--no-thumbnails", "--no-info"])
 def test_no_pictures_when_not_wanted(tmp_path, cache, option):
     run = thinpart("classify", SAMPLES / "wedge.step", option, "--info-dir", tmp_path / "info")
-    assert run.returncode == 0 and not cache.exists()
+    assert run.returncode == 0 and not (cache / "thumbnails").exists()
 
 
 @pytest.mark.parametrize("place", ["under a file", "read-only", "in /proc", "no such user", "relative"])

@@ -19,7 +19,7 @@ from ..document.document_measurement import DocumentMeasurement
 from ..document.open_part import open_part, told_by
 from ..document.part_chooser import ask_for_part
 from ..document.selection import active_path, select_faces, select_part, selected_paths
-from ..document.task_controller import TaskController
+from ..document.task_controller import MeasuringController
 from ..document.task_dialog import TaskDialog
 from ..processes.request_queue import KNOWN, LABEL
 from ..record.label_button import with_own_label
@@ -29,7 +29,7 @@ from .panel import ClassifyPanel
 from .part_difference import PartDifference
 
 
-class ClassificationController(TaskController):
+class ClassificationController(MeasuringController):
     """Measures a document's parts, the chosen one first, and shows the results in a panel."""
 
     def __init__(self, document):

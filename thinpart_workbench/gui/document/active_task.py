@@ -7,6 +7,7 @@ import FreeCADGui as Gui
 from ..application import lifelong
 from ..application.qt import QtCore, QtWidgets, execute, translate
 from .measure_tool import MeasureTool
+from .task_controller import MeasuringController
 
 CLASSIFICATION, THICKNESS, MESH_SIZES = "classification", "thickness", "mesh_sizes"
 """Kinds of sessions."""
@@ -90,8 +91,7 @@ def begin_session(kind, controller, document, *subject):
     Parameters
     ----------
     controller : type
-        Called with the document and the subject, it makes the session, with ``panel``, ``document_name``, ``start`` and
-        ``close``.
+        A kind of `TaskController`; called with the document and the subject, it makes the session.
     *subject : object
         What in the document it is about.
     """
@@ -103,7 +103,8 @@ def begin_session(kind, controller, document, *subject):
         _measure_tool.append(MeasureTool(_blocks_measure_tool))
     _measure_tool[0].watch()
     _sessions.append((kind, session))
-    session.measured.ended.connect(follow_active_document)  # another may have come to the front meanwhile
+    if isinstance(session, MeasuringController):
+        session.measured.ended.connect(follow_active_document)  # another may have come to the front meanwhile
     session.start()
 
 

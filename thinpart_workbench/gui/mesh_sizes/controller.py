@@ -17,7 +17,7 @@ from ..application.qt import QtCore, QtWidgets, flags_as_int, translate
 from ..application.sentences import translated
 from ..document.part_chooser import ask_for_part
 from ..document.selection import active_path, select_faces, selected_paths
-from ..document.task_controller import TaskController
+from ..document.task_controller import MeasuringController
 from ..document.task_dialog import TaskDialog
 from ..document.transaction import transaction
 from ..processes.size_client import SizeClient
@@ -50,7 +50,7 @@ class MeshDialog(TaskDialog):
         return False
 
 
-class MeshSizesController(TaskController):
+class MeshSizesController(MeasuringController):
     """Proposes element sizes for one part of a document, has it meshed, and makes its FEM mesh."""
 
     def __init__(self, document):

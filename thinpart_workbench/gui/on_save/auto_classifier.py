@@ -147,10 +147,10 @@ class AutoClassifier(QtCore.QObject):
             return
         self._cancel(name)  # it reads the previous version of the file
         session = open_session()
-        if (session is not None and session.document_name == name and session.measured.is_up_to_date
+        if (session is not None and session.document_name == name and session.is_up_to_date
                 and not self._observer.differs_from_file(document)):
             self._delegated.add(name)
-            session.measured.write_info_file_if_measured()
+            session.write_info_file()
         else:
             self._enqueue(name, measure=True)
         self._set_state(name, translate("ThinPart", "measuring\u2026"))

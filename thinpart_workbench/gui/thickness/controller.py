@@ -6,13 +6,13 @@ from ...freecad_adapter.objects.thickness_object import thickness_objects
 from ..application.qt import QtCore, translate
 from ..application.sentences import translated
 from ..document.active_task import THICKNESS, begin_session
-from ..document.task_controller import TaskController
+from ..document.task_controller import MeasuringController
 from ..view3d.shown_map import show_alone
 from .measurement import ThicknessMeasurement, coarse_sentence
 from .panel import ThicknessPanel
 
 
-class ThicknessController(TaskController):
+class ThicknessController(MeasuringController):
     """Measures parts and shows their map in a panel, or shows an existing map.
 
     Without a map to show, parts are measured.
