@@ -48,6 +48,15 @@ def test_a_copy_is_not_measured_and_has_the_same_record(classified, tmp_path):
     assert content_of(copy)["source"]["file"] == "copy of it.step"
 
 
+def test_a_copy_is_found_from_a_path_of_another_folder(tmp_path, monkeypatch):
+    monkeypatch.setenv("THINPART_CACHE", str(tmp_path / "cache"))
+    for folder in ("one", "two"):
+        (tmp_path / folder).mkdir()
+        monkeypatch.chdir(tmp_path / folder)
+        copy = classify(shutil.copy(TUBE, "tube.step"))
+    assert not is_measured(copy)
+
+
 def test_a_copy_is_named_after_its_own_file(classified, tmp_path):
     mesh = tmp_path / "parts" / "one.off"
     mesh.write_text("OFF\n4 4 0\n0 0 0\n9 0 0\n0 9 0\n0 0 9\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n")

@@ -6,6 +6,7 @@ whole documents are compared: a reader that a document has taken over could clai
 """
 
 import json
+import os
 import re
 from contextlib import suppress
 
@@ -31,7 +32,7 @@ def keep_measured(document, source, info_file):
     """
     with suppress(OSError, ThinPartError):
         if "links" not in source and sha256_of(document) == source["sha256"]:
-            write_cached(_path(source["sha256"]), json.dumps({"info_file": str(info_file)}).encode())
+            write_cached(_path(source["sha256"]), json.dumps({"info_file": os.path.abspath(info_file)}).encode())
 
 
 def copied_records(source, settings, profile):
