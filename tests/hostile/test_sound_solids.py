@@ -118,7 +118,7 @@ def test_a_finer_mesh_is_made_of_the_same_copy():
 def test_solids_that_are_only_a_line_are_no_parts():
     import Part
 
-    from thinpart_workbench.freecad_adapter.shapes.solids import solids_of
+    from thinpart_workbench.freecad_adapter.reading.shape_parts import solids_of
 
     box = Part.makeBox(30, 20, 10)
     solids, warnings = solids_of(Part.Compound([solid_that_is_a_line(), box, solid_that_is_a_line(5.0)]))
@@ -129,7 +129,7 @@ def test_solids_that_are_only_a_line_are_no_parts():
 def test_loose_faces_beside_a_solid_that_is_only_a_line_are_sewn():
     import Part
 
-    from thinpart_workbench.freecad_adapter.shapes.solids import solids_of
+    from thinpart_workbench.freecad_adapter.reading.shape_parts import solids_of
 
     faces = [face.copy() for face in Part.makeBox(30, 20, 10).Faces]
     solids, warnings = solids_of(Part.Compound([*faces, solid_that_is_a_line()]))

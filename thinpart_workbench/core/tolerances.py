@@ -153,8 +153,9 @@ ELSEWHERE = (
     "freecad_adapter.mid_surface.smooth_cuts",  # faces that meet smoothly
     "freecad_adapter.mid_surface.solid_rest",  # walls that go over into a solid, thick bodies
     "freecad_adapter.objects.thickness_probes",  # probes on a surface that was measured again
+    "freecad_adapter.reading.common_edges",  # when two edges follow each other
+    "freecad_adapter.reading.sewn_solids",  # gaps that sewing closes
     "freecad_adapter.shapes.mended_solid",  # solids that are the same after mending
-    "freecad_adapter.shapes.solids",  # gaps that sewing closes
     "freecad_adapter.shapes.tolerances",  # solids, points and placements that are the same
     "freecad_adapter.tessellating.tessellation",  # angles between facets
 )
