@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Give faces that meet the same edges, where OCC's sewing does not: along whole circles, and where one edge meets several.
+"""Give faces that meet the same edges where OCC's sewing does not: along whole circles, and where one edge meets several.
 
-IGES files that FreeCAD writes are full of both: the round border of a plane is a circle there, that of the cylinder beside it
-a spline that starts at the same point.
+IGES files that FreeCAD writes are full of both: the round border of a plane is a circle there, that of the cylinder beside
+it a spline that starts at the same point.
 """
 
 from collections import Counter, defaultdict

@@ -13,8 +13,8 @@ _ROUNDS = 3
 def sewn_solids(shape):
     """Sew the loose faces of a shape together.
 
-    Returns `solids` (list of Part.Shape, empty if no surface closes) and `left` (list of Part.Face that are part of none), those
-    of the first attempt that leaves the fewest faces.
+    Returns `solids` (list of Part.Shape, empty if no surface closes) and `left` (list of Part.Face that are part of none),
+    those of the first attempt that leaves the fewest faces.
 
     Parameters
     ----------
