@@ -92,8 +92,9 @@ def _made(bases, recipe):
     points, normals = outline.points * stretch @ turn.T, normals / length[:, None] @ turn.T
     share = area / area.sum()
     points = points - share @ points
-    second = np.einsum("k,ki,kj->ij", share, points, points)
-    third = np.einsum("k,ki,kj,kl->ijl", share, points, points, points, optimize=True)
+    weighted = (share[:, None] * points).T
+    second = weighted @ points
+    third = (weighted @ (points[:, :, None] * points[:, None, :]).reshape(-1, 9)).reshape(3, 3, 3)
     return Form(SurfaceMoments(float(area.sum()), np.zeros(3), second, third),
                 outline._replace(points=points, normals=normals, area=area))
 

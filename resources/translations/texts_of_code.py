@@ -17,7 +17,7 @@ LAYERS_BELOW = ("core", "storage", "freecad_adapter", "workflow", "api", "cli", 
 """Layers whose messages the window may show: those of ``api`` and ``cli`` are told by the commands that it starts."""
 
 TABLES = (("core/descriptors/descriptor_table.py", "QUANTITIES"), ("core/errors.py", "KINDS"),
-          ("core/descriptors/similarity.py", "TERMS"))
+          ("core/reuse/similarity.py", "TERMS"))
 """Tables with texts that are shown one by one: the module and the name of each."""
 
 _WORDS = re.compile(r"[A-Za-z]{2,} [a-z]{2,}|[a-z]{2,} .*\.$", re.DOTALL)

@@ -13,8 +13,16 @@ from scipy.stats import wasserstein_distance
 
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
 from thinpart_workbench.core.descriptors.bins import BINS
-from thinpart_workbench.core.descriptors.similarity import (
+from thinpart_workbench.core.forms.directions import BINS as DIRECTION_BINS
+from thinpart_workbench.core.forms.directions import direction_distribution
+from thinpart_workbench.core.forms.outline import Outline
+from thinpart_workbench.core.judging.classification import classify
+from thinpart_workbench.core.judging.criteria import load_profile
+from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
+from thinpart_workbench.core.record.part_record import part_record
+from thinpart_workbench.core.reuse.similarity import (
     DIAGONAL,
+    DIRECTIONS,
     EDGES,
     FILL,
     FORM,
@@ -24,6 +32,7 @@ from thinpart_workbench.core.descriptors.similarity import (
     SIGNATURE_LENGTH,
     TERMS,
     THICKNESS_UNIT,
+    UNKNOWN_DIRECTIONS,
     UNKNOWN_FILL,
     UNKNOWN_FORM,
     nearest,
@@ -31,10 +40,6 @@ from thinpart_workbench.core.descriptors.similarity import (
     score,
     signature,
 )
-from thinpart_workbench.core.judging.classification import classify
-from thinpart_workbench.core.judging.criteria import load_profile
-from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
-from thinpart_workbench.core.record.part_record import part_record
 from thinpart_workbench.core.thickness.measurement import measure
 from thinpart_workbench.core.walls.thinnest_place import WallErrors
 
@@ -194,7 +199,7 @@ def test_a_thin_wall_differs_more_from_one_twice_as_thick_than_a_thick_one_does_
 def test_fill_that_is_not_known():
     known, unknown = record([20], [1.0], fill=0.4), record([20], [1.0], fill=None)
     both = np.stack([signature(unknown), signature(known)])
-    assert np.isnan(both[0, FILL]) and np.isfinite(np.delete(both, [FILL, *range(FORM, FORM + 3)], axis=1)).all()
+    assert np.isnan(both[0, FILL]) and np.isfinite(np.delete(both, [FILL, *range(FORM, SIGNATURE_LENGTH)], axis=1)).all()
     fill = TERMS[NAMES.index("fill")]
     for wanted, order in ((unknown, [0, 1]), (known, [1, 0])):
         found = nearest(both, signature(wanted), 2)
@@ -213,6 +218,35 @@ def test_proportions_that_are_not_known(made):
         assert found.indices.tolist() == order
         assert found.distances == pytest.approx([0.0, UNKNOWN_FORM * form.weight ** 0.5])
         assert form.unknown in reasons(found.terms[1])
+
+
+def test_directions_that_are_not_known(made):
+    unknown = made["plate"].copy()
+    unknown[DIRECTIONS:] = np.nan
+    both = np.stack([unknown, made["plate"]])
+    directions = TERMS[NAMES.index("directions")]
+    for wanted, order in ((unknown, [0, 1]), (made["plate"], [1, 0])):
+        found = nearest(both, wanted, 2)
+        assert found.indices.tolist() == order
+        assert found.distances == pytest.approx([0.0, UNKNOWN_DIRECTIONS * directions.weight ** 0.5])
+
+
+def test_faces_that_are_turned_otherwise_are_farther():
+    """Of outlines of as many points: a box, its copy turned anywhere and twice as large, and a prism of three sides."""
+    square, triangle = (np.array([[np.cos(turn), np.sin(turn), 0.0] for turn in 2.0 * np.pi * np.arange(sides) / sides])
+                        for sides in (4, 3))
+    ends = np.array([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])
+    turn = Rotation.from_rotvec([0.3, -0.7, 1.1]).as_matrix()
+
+    def distribution(normals, size=1.0):
+        normals = np.repeat(normals, 60, axis=0)
+        return direction_distribution(Outline(normals * size, normals, np.arange(len(normals)), np.full(len(normals), size)))
+
+    box, prism = (np.concatenate([sides, ends]) for sides in (square, triangle))
+    assert distribution(box @ turn.T, 2.0) == pytest.approx(distribution(box), abs=2e-3)
+    steps = np.diff(distribution(box), prepend=0.0)
+    assert steps[[0, DIRECTION_BINS // 2, -1]] == pytest.approx([1 / 6, 4 / 6, 1 / 6], abs=2e-3)
+    assert abs(distribution(box) - distribution(prism)).sum() * 2.0 / DIRECTION_BINS > 0.1
 
 
 def test_only_parts_of_the_same_size_when_asked(made, rng):

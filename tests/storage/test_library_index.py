@@ -300,7 +300,7 @@ CHANGES = {
     "another type": ("core/record/record_types.py", "    triangles: int", "    triangles: float"),
     "another value": ("storage/record_columns.py", 'measured["thickness_mm"]["median"]', 'measured["thickness_mm"]["max"]'),
     "another quantity": ("core/descriptors/descriptor_table.py", "lambda d: d.area,", "lambda d: d.area / 2.0,"),
-    "another signature": ("core/descriptors/similarity.py", "THICKNESS_UNIT = 0.05", "THICKNESS_UNIT = 0.06"),
+    "another signature": ("core/reuse/similarity.py", "THICKNESS_UNIT = 0.05", "THICKNESS_UNIT = 0.06"),
     "other bins": ("core/descriptors/bins.py", "BINS = 1000", "BINS = 500"),
     "another definition": (
         "core/record/record_types.py", "instances: Annotated[int, Whole(1)", "instances: Annotated[int, Whole(2)"),

@@ -114,6 +114,7 @@ ELSEWHERE = (
     "core.record.region_notes",  # regions that are the same after a change
     "core.record.thin_faces",  # faces that are shown as thin
     "core.reuse.likeness",  # parts of one form, parts that are alike, scales that people know
+    "core.reuse.similarity",  # how near two parts are that are alike
     "core.risk.mesh_risk",  # what raises a risk
     "core.record.thinnest_sentence",  # sharp edges that are named
     "core.shells.facing_faces",  # sides of a wall

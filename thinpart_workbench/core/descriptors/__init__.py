@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The measured quantities of a part: their table, the thickness distribution, similarity."""
+"""The measured quantities of a part: their table, the thickness distribution."""

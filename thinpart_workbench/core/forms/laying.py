@@ -65,19 +65,31 @@ def laid_whole(form, other, scale, is_mirrored):
     scale : float
     is_mirrored : bool
     """
+    return sorted(each_laid(form, other, scale, is_mirrored),
+                  key=lambda each: each.apart(_MOST_APART * SAME * other.extent))
+
+
+def each_laid(form, other, scale, is_mirrored):
+    """Yield what `laid_whole` puts into order, in the order of how likely a way is by few points; parameters as there.
+
+    The last is one that lies as near as can be, if there is such a way.
+    """
     if not is_mirrored and scale == 1.0 and np.array_equal(form.outline.points, other.outline.points):
         none = np.zeros(form.outline.count)
-        return [Laid(Motion(np.eye(3)), none, none, 1.0, 1.0)]
-    tried: list = []
-    for turn in likely_turns(form, other, scale, is_mirrored, _TURNS, whole=True):
-        motion = Motion(turn, scale)
-        found = _laid_on_same_points(form, other, motion)
-        if found is not None:
-            return [found]
-        tried.append(_laid(form, other, motion))
-        if tried[-1].apart(_MOST_APART * SAME * other.extent) <= _AT_ONCE * other.extent:
-            return [tried[-1]]
-    return sorted(tried, key=lambda each: each.apart(_MOST_APART * SAME * other.extent))
+        yield Laid(Motion(np.eye(3)), none, none, 1.0, 1.0)
+        return
+    motions = [Motion(turn, scale) for turn in likely_turns(form, other, scale, is_mirrored, _TURNS, whole=True)]
+    # A copy is found much sooner by its own points, in whatever way it is turned: about an axis after fitting only.
+    found = next(filter(None, (_laid_on_same_points(form, other, motion) for motion in motions)), None)
+    if found is not None:
+        yield found
+        return
+    for motion in motions:
+        laid = _laid(form, other, motion)
+        found = _laid_on_same_points(form, other, laid.motion)
+        yield found or laid
+        if found or laid.apart(_MOST_APART * SAME * other.extent) <= _AT_ONCE * other.extent:
+            return
 
 
 def is_exact(laid, extent):

@@ -4,9 +4,9 @@
 from typing import Callable
 
 from ...core.descriptors.packed_distribution import packed_local, packed_middle, packed_slanted, packed_walls
-from ...core.descriptors.similarity import signature
 from ...core.foreign_text import sql_text
 from ...core.forms.recorded_form import packed_form
+from ...core.reuse.similarity import signature
 from ..record_columns import INDEXED
 
 LARGE_COLUMNS = ("wall_bins", "wall_area", "slanted_bins", "slanted_angles", "slanted_area", "middle_bins",

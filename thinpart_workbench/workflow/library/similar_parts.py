@@ -6,7 +6,7 @@ from collections import namedtuple
 
 import numpy as np
 
-from ...core.descriptors.similarity import SIGNATURE_LENGTH, nearest, reasons, score, signature
+from ...core.reuse.similarity import SIGNATURE_LENGTH, nearest, reasons, score, signature
 from .find_parts import stored_parts
 
 SimilarPart = namedtuple("SimilarPart", "part score reasons")

@@ -107,7 +107,8 @@ def find_duplicates(indexes, limits, reads_documents=True, control=None, report=
     rest = set(range(len(parts))) - {each.part for each in found}
     found += likes.alike(rest, step)
     stored = parts.stored(sorted({number for each in found for number in (each.part, each.reference)}))
-    found = [each for each in found if each.part in stored and each.reference in stored]
+    found = [likes.with_ways(each) if reads_documents else each
+             for each in found if each.part in stored and each.reference in stored]
     answers, failures = _answers(found, parts, stored, limits, reads_documents, control, report)
     groups: dict = {}
     for likeness, (answer, compared) in zip(found, answers):

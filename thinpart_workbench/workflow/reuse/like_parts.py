@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from scipy.spatial import cKDTree
 
-from ...core.forms.laying import Laid, is_exact, laid_partly, laid_whole
+from ...core.forms.laying import Laid, each_laid, is_exact, laid_partly, laid_whole
 from ...core.reuse.likeness import (
     KINDS,
     SAME_MEASURE_OF_TRIANGLES,
@@ -48,8 +48,7 @@ class Likeness:
     laid : Laid
         The part laid upon the reference.
     ways : tuple of Laid
-        All ways to lay it that are likely, in the order in which geometry is to try them: only it tells them from each other
-        where a part is nearly symmetric.
+        All ways to lay it that are likely, where they were looked for; see `LikeParts.with_ways`.
     """
 
     part: int
@@ -141,15 +140,26 @@ class LikeParts:
         scaled = own * (self._parts.area[reference] / self._parts.area[part]) ** 1.5
         return not abs(scaled - other) > SAME_MEASURE_OF_TRIANGLES * other  # nan agrees with everything
 
+    def with_ways(self, likeness):
+        """A Likeness with all ways to lay the part that are likely, in the order in which geometry is to try them.
+
+        Only geometry tells them from each other where a part is nearly symmetric.
+        """
+        if likeness.ways:
+            return likeness
+        turned, mirrored = self._ways(likeness.part, likeness.reference, likeness.laid.motion.scale)
+        return replace(likeness, ways=(*turned[:_TURNED_FIRST], *mirrored, *turned[_TURNED_FIRST:]))
+
     def _whole(self, part, reference):
         form, other = self._form(part), self._form(reference)
         if form is None or other is None:
             return None
         scale = known_scale(float(np.sqrt(self._parts.area[reference] / self._parts.area[part])))
-        turned = [laid for laid in laid_whole(form, other, scale, False) if is_whole_by_outlines(laid)]
-        if turned and is_exact(turned[0], other.extent):
-            return Likeness(part, reference, kind_of(turned[0], True), turned[0], (turned[0],))
-        mirrored = [laid for laid in laid_whole(form, other, scale, True) if is_whole_by_outlines(laid)]
+        if scale != 1.0:  # in a large library many boxes are others by some factor: one way is enough to say so
+            found = next((laid for is_mirrored in (False, True) for laid in each_laid(form, other, scale, is_mirrored)
+                          if is_whole_by_outlines(laid)), None)
+            return None if found is None else Likeness(part, reference, kind_of(found, True), found)
+        turned, mirrored = self._ways(part, reference, scale)
         ways = (*turned[:_TURNED_FIRST], *mirrored, *turned[_TURNED_FIRST:])
         if not ways:
             return None
@@ -157,6 +167,14 @@ class LikeParts:
         is_mirrored = not turned or bool(mirrored) and is_much_nearer(mirrored[0], turned[0], other.extent)
         laid = mirrored[0] if is_mirrored else turned[0]
         return Likeness(part, reference, kind_of(laid, True), laid, ways)
+
+    def _ways(self, part, reference, scale):
+        """The ways to lay a part upon one of its form, turned and mirrored: two lists of `Laid`, the best one first."""
+        form, other = self._form(part), self._form(reference)
+        turned = [laid for laid in laid_whole(form, other, scale, False) if is_whole_by_outlines(laid)]
+        if turned and is_exact(turned[0], other.extent):
+            return turned[:1], []
+        return turned, [laid for laid in laid_whole(form, other, scale, True) if is_whole_by_outlines(laid)]
 
     def _partly(self, part, reference):
         form, other = self._form(part), self._form(reference)

@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Similar parts: alike in their walls, fill and box, whatever their position and size."""
+"""Similar parts: alike in their walls, form, fill and box, whatever their position and size."""
 
 import math
 from typing import NamedTuple
 
 import numpy as np
 
-from .bins import BINS
+from ..descriptors.bins import BINS
+from ..errors import ThinPartError
+from ..forms.directions import BINS as TURNS
+from ..forms.directions import direction_distribution
+from ..forms.recorded_form import form_of_record
 
 EDGE_STEPS = ((1, 30), (2, 80), (5, 150), (10, 300), (25, BINS))
 """(width, end) in bins of the distribution: intervals of that width up to that bin, finest where thin parts differ."""
@@ -29,6 +33,9 @@ FORM_UNIT = 1.5
 
 UNKNOWN_FORM = 0.2
 """Term of the form where only one of two parts has a known one, which earlier versions did not record."""
+
+UNKNOWN_DIRECTIONS = 0.1
+"""Term of the directions where only one of two parts has known ones."""
 
 HALF_SCORE = 0.2
 """Distance that halves the score."""
@@ -62,17 +69,18 @@ class Term(NamedTuple):
 
 
 TERMS = (
-    Term("walls", 0.35, "same wall distribution", "similar wall distribution",
+    Term("walls", 0.27, "same wall distribution", "similar wall distribution",
          "different wall distribution", "similar wall distribution", "different wall distribution"),
-    Term("form", 0.25, "same proportions", "similar proportions", "different proportions", "similar proportions",
+    Term("directions", 0.23, "", "", "", "", ""),  # no words say more of it than those of walls and proportions
+    Term("form", 0.19, "same proportions", "similar proportions", "different proportions", "similar proportions",
          "different proportions", "proportions not comparable"),
-    Term("fill", 0.15, "same fill", "less filled", "much less filled", "more filled",
+    Term("fill", 0.12, "same fill", "less filled", "much less filled", "more filled",
          "much more filled", "fill not comparable"),
-    Term("length", 0.0875, "box as long", "shorter box", "much shorter box", "longer box",
+    Term("length", 0.065, "box as long", "shorter box", "much shorter box", "longer box",
          "much longer box"),
-    Term("flatness", 0.0875, "box as flat", "less flat box", "much less flat box", "flatter box",
+    Term("flatness", 0.065, "box as flat", "less flat box", "much less flat box", "flatter box",
          "much flatter box"),
-    Term("slanted", 0.075, "", "fewer tapered walls", "far fewer tapered walls",
+    Term("slanted", 0.06, "", "fewer tapered walls", "far fewer tapered walls",
          "more tapered walls", "far more tapered walls"),
 )
 """The terms of the distance, with their weights and texts."""
@@ -106,9 +114,10 @@ SPACING = _spacing(EDGES)
 ``log(1 + x / THICKNESS_UNIT)`` and runs from 0 to 1."""
 
 PARALLEL, NONPARALLEL, UNMEASURED, FILL, D2_D1, D3_D1, DIAGONAL, FORM = range(INTERVALS, INTERVALS + 8)
-"""Columns of a signature after those of the distribution; three from `FORM` on."""
+DIRECTIONS = FORM + 3
+"""Columns of a signature after those of the distribution; three from `FORM` on, and the rest from `DIRECTIONS` on."""
 
-SIGNATURE_LENGTH = INTERVALS + 10
+SIGNATURE_LENGTH = DIRECTIONS + TURNS
 
 _ROWS = {term.name: row for row, term in enumerate(TERMS)}
 
@@ -124,7 +133,7 @@ def signature(record):
     Returns an ndarray of shape (SIGNATURE_LENGTH,), float32: the share of the area over parallel walls thinner than x, as
     its mean over each interval of x (so that it changes continuously when a wall moves across an edge); from `PARALLEL` on
     the shares of parallel, non-parallel and unmeasured area, the fill V/VBB (NaN where it is not known), D2/D1, D3/D1,
-    the diagonal in mm, and the `proportions` of the form (NaN where they are not known).
+    the diagonal in mm, the `proportions` of the form, and its `direction_distribution` (NaN where they are not known).
     """
     content = record["descriptors"]
     table, shares, sides = content["distribution"], content["shares"], content["box_mm"]
@@ -137,7 +146,7 @@ def signature(record):
     result[INTERVALS:] = (
         shares["parallel"], shares["nonparallel"], shares["unmeasured"],
         math.nan if fill is None else fill, sides[1] / sides[0], sides[2] / sides[0],
-        content["diagonal_mm"], *proportions(record),
+        content["diagonal_mm"], *proportions(record), *_directions(record),
     )
     return result
 
@@ -156,6 +165,14 @@ def proportions(record):
     radii = np.sqrt(np.maximum(squares, 0.0))
     area = record["descriptors"]["area_mm2"]
     return np.array([math.log(max(radii[0], _TINY) / math.sqrt(max(area, _TINY))), *(radii[1:] / max(radii[0], _TINY))])
+
+
+def _directions(record):
+    try:
+        form = form_of_record(record)
+    except ThinPartError:  # its outline is damaged
+        form = None
+    return np.full(TURNS, math.nan) if form is None else direction_distribution(form.outline)
 
 
 class Similarity(NamedTuple):
@@ -188,6 +205,8 @@ def nearest(signatures, reference, count, same_size=None):
       have no thickness and a part without walls.
     - ``form``: distance of the `proportions`, in units of `FORM_UNIT`, 1 at most; `UNKNOWN_FORM` if only one is known, 0
       if none is.
+    - ``directions``: earth mover's distance between the distributions of the cosine of two normals; `UNKNOWN_DIRECTIONS` if
+      only one is known, 0 if none is.
     - ``fill``: difference of V/VBB; `UNKNOWN_FILL` if only one is known, 0 if none is.
     - ``length``, ``flatness``: difference of the logarithms of D1/D2 and of D2/D3, in units of the
       logarithm of `SIDES_RATIO`, 1 at most.
@@ -251,6 +270,8 @@ def _terms(signatures, reference):
     terms[:, _ROWS["walls"]] = walls @ _WALL_WEIGHTS
     away = signatures[:, FORM:FORM + 3] - reference[FORM:FORM + 3]
     terms[:, _ROWS["form"]] = np.minimum(np.sqrt(np.square(away).sum(axis=1)) / np.float32(FORM_UNIT), 1.0)
+    turned = signatures[:, DIRECTIONS:] - reference[DIRECTIONS:]
+    terms[:, _ROWS["directions"]] = np.abs(turned, out=turned).sum(axis=1) * np.float32(2.0 / TURNS)
     terms[:, _ROWS["fill"]] = signatures[:, FILL] - reference[FILL]
     length, flatness = _sides(signatures.T)
     reference_length, reference_flatness = _sides(reference)
@@ -262,7 +283,8 @@ def _terms(signatures, reference):
 
 def _distances(signatures, reference):
     squares = np.square(_terms(signatures, reference))
-    for name, column, difference in (("fill", FILL, UNKNOWN_FILL), ("form", FORM, UNKNOWN_FORM)):
+    for name, column, difference in (
+            ("fill", FILL, UNKNOWN_FILL), ("form", FORM, UNKNOWN_FORM), ("directions", DIRECTIONS, UNKNOWN_DIRECTIONS)):
         unknown, reference_unknown = np.isnan(signatures[:, column]), np.isnan(reference[column])
         squares[unknown | reference_unknown, _ROWS[name]] = difference ** 2
         # A part of which it is unknown still has distance 0 from itself.
