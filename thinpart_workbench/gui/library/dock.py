@@ -18,6 +18,7 @@ from ..reclassify.reclassify_page import ReclassifyPage
 from ..record.kept_room import keep_room
 from ..record.label_button import LabelButton
 from ..record.record_view import show_text, text_line
+from ..report.library_dialog import show_library_report
 from ..widgets.buttons import add_button
 from ..widgets.flow_layout import add_flow
 from ..widgets.folder_field import contains
@@ -252,6 +253,7 @@ class FindDock(QtWidgets.QDockWidget):
         self._judged_otherwise.reclassify_requested.connect(self.show_reclassify)
         self._libraries.refresh_requested.connect(self._refresh)
         self._libraries.stop_requested.connect(search.stop_refreshing)
+        self._libraries.report_requested.connect(show_library_report)
         self._reclassify.written.connect(self._refresh)
         self._reclassify.writing_changed.connect(lambda is_writing: self._show_job("reclassify", is_writing))
         self._reclassify.view.find_requested.connect(self.show_part)
