@@ -18,6 +18,7 @@ from ..reclassify.reclassify_page import ReclassifyPage
 from ..record.kept_room import keep_room
 from ..record.label_button import LabelButton
 from ..record.record_view import show_text, text_line
+from ..record.thumbnails import Thumbnails
 from ..report.library_dialog import show_library_report
 from ..widgets.buttons import add_button
 from ..widgets.flow_layout import add_flow
@@ -31,7 +32,6 @@ from .judged_otherwise_note import JudgedOtherwiseNote
 from .libraries_page import LibrariesPage
 from .results_view import FoundPartsView
 from .search_client import SearchClient
-from .thumbnails import Thumbnails
 
 SAME_SIZE = 1.25
 """Maximum ratio of diagonals for parts of similar size."""
