@@ -123,7 +123,7 @@ PACKAGE_ORDER = {
     "api": "window report",
     "cli": "commands",
     "gui": "application widgets tables guide processes record document scene colour_bar section view3d map_export "
-           "map_presenters classify thickness mesh_sizes reclassify library folder profile learning report preferences "
+           "map_presenters classify thickness mesh_sizes reclassify report library folder profile learning preferences "
            "on_save",
 }
 """The packages of each layer: each imports only those before it, and modules that lie in the layer itself, not in a package.

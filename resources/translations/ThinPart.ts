@@ -909,6 +909,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Documents that are not classified yet, and only listed in it: {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Double-click a size or a number of layers to change it, for all selected walls. Without the check mark, a wall asks for no small elements.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1889,6 +1893,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Reading info files…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Reading the labels…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1966,6 +1974,22 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Report about all parts of '{}'</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report about libraries</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report about the classified parts in '{}'</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report about the classified parts in {} libraries</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2865,11 +2889,19 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Writes a page about all parts of the libraries, or of the selected one: how many there are of each kind, a map, what is there more than once, and a table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Write…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Writing a report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing a report about libraries</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -911,6 +911,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Nicht noch einmal sagen</translation>
     </message>
     <message>
+        <source>Documents that are not classified yet, and only listed in it: {}.</source>
+        <translation>Noch nicht klassifizierte Dokumente, die darin nur aufgelistet sind: {}.</translation>
+    </message>
+    <message>
         <source>Double-click a size or a number of layers to change it, for all selected walls. Without the check mark, a wall asks for no small elements.</source>
         <translation>Doppelklick auf eine Größe oder eine Zahl von Schichten ändert sie für alle gewählten Wände. Ohne Häkchen verlangt eine Wand keine kleinen Elemente.</translation>
     </message>
@@ -1891,6 +1895,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Infodateien werden gelesen: {} von {}</translation>
     </message>
     <message>
+        <source>Reading info files…</source>
+        <translation>Infodateien werden gelesen…</translation>
+    </message>
+    <message>
         <source>Reading the labels…</source>
         <translation>Einordnungen werden gelesen…</translation>
     </message>
@@ -1969,6 +1977,22 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Report about all parts of '{}'</source>
         <translation>Bericht über alle Bauteile von „{}“</translation>
+    </message>
+    <message>
+        <source>Report about libraries</source>
+        <translation>Bericht über Bibliotheken</translation>
+    </message>
+    <message>
+        <source>Report about the classified parts in '{}'</source>
+        <translation>Bericht über die klassifizierten Bauteile in „{}“</translation>
+    </message>
+    <message>
+        <source>Report about the classified parts in {} libraries</source>
+        <translation>Bericht über die klassifizierten Bauteile in {} Bibliotheken</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht…</translation>
     </message>
     <message>
         <source>Reset to saved</source>
@@ -2867,12 +2891,20 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Wörter in Namen, Pfaden, Notizen, Verknüpfungen</translation>
     </message>
     <message>
+        <source>Writes a page about all parts of the libraries, or of the selected one: how many there are of each kind, a map, what is there more than once, and a table</source>
+        <translation>Schreibt eine Seite über alle Bauteile der Bibliotheken oder der ausgewählten: wie viele es von jeder Art gibt, eine Karte, was mehrfach da ist, und eine Tabelle</translation>
+    </message>
+    <message>
         <source>Write…</source>
         <translation>Schreiben…</translation>
     </message>
     <message>
         <source>Writing a report</source>
         <translation>Bericht wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing a report about libraries</source>
+        <translation>Bericht über Bibliotheken wird geschrieben</translation>
     </message>
     <message>
         <source>Writing the info file…</source>

@@ -911,6 +911,10 @@ Son volume est inconnu.</translation>
         <translation>Ne plus le dire</translation>
     </message>
     <message>
+        <source>Documents that are not classified yet, and only listed in it: {}.</source>
+        <translation>Documents pas encore classifiés, qui n’y sont que cités : {}.</translation>
+    </message>
+    <message>
         <source>Double-click a size or a number of layers to change it, for all selected walls. Without the check mark, a wall asks for no small elements.</source>
         <translation>Double-cliquez sur une taille ou un nombre de couches pour les modifier, pour toutes les parois sélectionnées. Sans coche, une paroi ne demande pas de petits éléments.</translation>
     </message>
@@ -1891,6 +1895,10 @@ Son volume est inconnu.</translation>
         <translation>Lecture des fichiers d’information : {} sur {}</translation>
     </message>
     <message>
+        <source>Reading info files…</source>
+        <translation>Lecture des fichiers d’information…</translation>
+    </message>
+    <message>
         <source>Reading the labels…</source>
         <translation>Lecture des étiquettes…</translation>
     </message>
@@ -1969,6 +1977,22 @@ Son volume est inconnu.</translation>
     <message>
         <source>Report about all parts of '{}'</source>
         <translation>Rapport sur toutes les pièces de « {} »</translation>
+    </message>
+    <message>
+        <source>Report about libraries</source>
+        <translation>Rapport sur les bibliothèques</translation>
+    </message>
+    <message>
+        <source>Report about the classified parts in '{}'</source>
+        <translation>Rapport sur les pièces classifiées de « {} »</translation>
+    </message>
+    <message>
+        <source>Report about the classified parts in {} libraries</source>
+        <translation>Rapport sur les pièces classifiées de {} bibliothèques</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Rapport…</translation>
     </message>
     <message>
         <source>Reset to saved</source>
@@ -2867,12 +2891,20 @@ Son volume est inconnu.</translation>
         <translation>Mots des noms, chemins, notes, liens</translation>
     </message>
     <message>
+        <source>Writes a page about all parts of the libraries, or of the selected one: how many there are of each kind, a map, what is there more than once, and a table</source>
+        <translation>Écrit une page sur toutes les pièces des bibliothèques, ou de celle qui est sélectionnée : combien il y en a de chaque sorte, une carte, ce qui existe plusieurs fois, et un tableau</translation>
+    </message>
+    <message>
         <source>Write…</source>
         <translation>Écrire…</translation>
     </message>
     <message>
         <source>Writing a report</source>
         <translation>Rédaction d’un rapport</translation>
+    </message>
+    <message>
+        <source>Writing a report about libraries</source>
+        <translation>Rédaction d’un rapport sur des bibliothèques</translation>
     </message>
     <message>
         <source>Writing the info file…</source>

@@ -63,7 +63,7 @@ if IN_FREECAD:
         end_find_parts()
         lifelong.auto_classifier.end()
         lifelong.notifications.clear()
-        for name in ("ReportDialog", "ProfileDialog", "LearnDialog"):
+        for name in ("ReportDialog", "LibraryReportDialog", "ProfileDialog", "LearnDialog"):
             end_single_dialog(name)
         Gui.Control.closeDialog()
         for name in list(App.listDocuments()):

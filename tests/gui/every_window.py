@@ -14,6 +14,7 @@ from thinpart_workbench.gui.document.active_task import end_session, open_sessio
 from thinpart_workbench.gui.document.part_chooser import PartChooser
 from thinpart_workbench.gui.library.command import end_find_parts, show_find_parts
 from thinpart_workbench.gui.preferences.form import PreferencesForm
+from thinpart_workbench.gui.report.library_dialog import show_library_report
 from thinpart_workbench.gui.widgets.single_dialog import end_single_dialog
 
 IN_MAIN_WINDOW = ("classification", "thickness", "mesh sizes", "find parts")
@@ -64,6 +65,14 @@ def _dialog(command, name):
     return shown
 
 
+@contextmanager
+def _library_report(document):
+    show_library_report([str(window.SAMPLES)])
+    window.settle(300)
+    yield [window.widget("ThinPart_LibraryReportDialog")]
+    end_single_dialog("LibraryReportDialog")
+
+
 def _page(title):
     @contextmanager
     def shown(document):
@@ -94,6 +103,7 @@ WINDOWS = {
     "mesh sizes": _mesh_sizes,
     "folder": _dialog("ThinPart_ClassifyFolder", "FolderDialog"),
     "report": _dialog("ThinPart_Report", "ReportDialog"),
+    "library report": _library_report,
     "find parts": _find_parts,
     "profile": _dialog("ThinPart_EditProfile", "ProfileDialog"),
     "learning": _dialog("ThinPart_LearnThresholds", "LearnDialog"),

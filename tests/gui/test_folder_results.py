@@ -34,8 +34,9 @@ from folder_dialog_use import (  # noqa: F401 - fixtures among them
 )
 
 from thinpart_workbench.core.file_formats import CHOICES
-from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
+from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
 from thinpart_workbench.gui.processes import child_process
+from thinpart_workbench.gui.record.thumbnails import Thumbnails
 from thinpart_workbench.storage.info.info_file import read_info
 from thinpart_workbench.storage.part_table import PartRow
 
@@ -189,6 +190,66 @@ def test_the_enter_key_starts(dialog, folder):
     window.widget("ThinPart_FolderFilter").setFocus()
     press_key(window.widget("ThinPart_FolderFilter"), QtCore.Qt.Key_Return)
     assert not dialog.is_running
+
+
+def picture_of(row):
+    """What stands before the name of a part: QImage."""
+    return model().index(row, PART).data(QtCore.Qt.DecorationRole).toImage()
+
+
+def drawn(row):
+    """The file of its picture, as large as it is shown: QImage."""
+    pictures, file = model().pictures, QtGui.QPixmap(model().row_at(row).thumbnail)
+    assert not file.isNull()
+    return file.scaled(pictures.size * pictures.ratio, QtCore.Qt.KeepAspectRatio, QtCore.Qt.SmoothTransformation).toImage()
+
+
+def test_parts_are_seen_where_they_are_labelled(dialog, folder):
+    start(folder)
+    view = window.widget("ThinPart_FolderTable")
+    height = view.verticalHeader().defaultSectionSize()
+    wait_for_end()
+    parts = [row for row in range(model().rowCount()) if not model().row_at(row).error_kind]
+    before = [view.columnWidth(number) for number in range(model().columnCount())], picture_of(0).size()
+    window.wait_until(lambda: all(picture_of(row) == drawn(row) for row in parts))
+    assert len(parts) == 5 and before == (
+        [view.columnWidth(number) for number in range(model().columnCount())], picture_of(0).size())
+    assert view.verticalHeader().defaultSectionSize() == height == view.rowHeight(0)
+    failed = column(FILE).index("damaged.step")
+    assert not picture_of(failed).isNull() and picture_of(failed) not in [picture_of(row) for row in parts]
+    select("Cover plate")
+    next(action for action in window.widget("ThinPart_FolderLabel").menu().actions()
+         if action.objectName() == "ThinPart_Label_normal").trigger()
+    row = column(PART).index("Cover plate")
+    window.wait_until(lambda: model().row_at(row).said)
+    assert picture_of(row) == drawn(row)  # the row is another one, with the label
+
+
+def test_of_very_many_parts_only_pictures_of_seen_ones_are_loaded(dialog, folder, tmp_path, monkeypatch):
+    run(folder)
+    window.settle(100)
+    part = next(row for row in model().all_rows if not row.error_kind)
+    asked, picture = set(), Thumbnails.picture
+
+    def noted(self, part):
+        asked.add(getattr(part, "thumbnail", None))
+        return picture(self, part)
+
+    monkeypatch.setattr(Thumbnails, "picture", noted)
+    rows = []
+    for number in range(10_000):
+        row = part._replace(file=f"{number}.step")
+        row.thumbnail = str(tmp_path / f"{number}.png")
+        rows.append(row)
+    model().add(rows)
+    view = window.widget("ThinPart_FolderTable")
+    view.scrollToBottom()
+    window.settle(200)
+    view.scrollToTop()
+    window.settle(200)
+    seen = view.viewport().height() // view.rowHeight(0) + 2
+    assert str(tmp_path / "9999.png") in asked and str(tmp_path / "5000.png") not in asked
+    assert len(asked) < 2 * seen + 200, (len(asked), seen)  # and some by which the width of the column is chosen
 
 
 BURST = 2000

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import threading
 from pathlib import Path
+from types import SimpleNamespace
 
 import jsonschema
 import pytest
@@ -19,9 +20,12 @@ from slow_files import make_endless
 from thinpart_workbench.core.analysis_limits import Limits
 from thinpart_workbench.core.errors import ThinPartError
 from thinpart_workbench.core.run_control import RunControl
+from thinpart_workbench.freecad_adapter.bootstrap import load_freecad
 from thinpart_workbench.requirements import FREECAD_LIBS
 from thinpart_workbench.workflow.analysis.analyse_file import FileTask
-from thinpart_workbench.workflow.cluster.cluster_run import analyse_files_on_cluster
+from thinpart_workbench.workflow.analysis.analysis_outcome import failure
+from thinpart_workbench.workflow.cluster.cluster_run import _Cluster, analyse_files_on_cluster
+from thinpart_workbench.workflow.workers.task_run import Done
 
 SMALL = ("wedge", "vee_block", "ribbed_block", "tube")
 
@@ -309,3 +313,77 @@ def test_duplicates_of_new_files_are_classified_there(cluster, tmp_path):
     line, = map(json.loads, run.stdout.splitlines())
     assert line["kind"] == "identical" and {Path(part["file"]).name for part in line["parts"]} == {"one.step", "two.step"}
     assert thinpart("duplicates", folder, "--dask", "tcp://nowhere").returncode == 2
+
+
+def make_brackets(folder):
+    """A bracket that is not its own mirror image, what has been made of it, and the one to keep, which is the latest."""
+    load_freecad()
+    import FreeCAD as App
+    import Part
+
+    def bracket(length):
+        lug = Part.makeBox(14, 8, 12, App.Vector(20, 22, 4))
+        return Part.makeBox(length, 30, 4).fuse([Part.makeBox(4, 30, 25), lug]).removeSplitter()
+
+    turned, inches = bracket(60.0), bracket(60.0)
+    turned.Placement = App.Placement(App.Vector(210, -40, 9), App.Rotation(App.Vector(1, 2, 0.5), 77))
+    inches.scale(1 / 25.4)
+    folder.mkdir()
+    for name, shape in {"turned": turned, "left": bracket(60.0).mirror(App.Vector(), App.Vector(1, 0, 0)), "inches": inches,
+                        "longer": bracket(64.0), "bracket": bracket(60.0)}.items():
+        shape.exportStep(str(folder / f"{name}.step"))
+    later = (folder / "bracket.step").stat().st_mtime + 60.0
+    os.utime(folder / "bracket.step", (later, later))
+    return folder
+
+
+@pytest.mark.timeout(180)  # five documents are read here, and compared here and there
+def test_duplicates_are_those_of_this_machine(cluster, tmp_path, monkeypatch):
+    parts = make_brackets(tmp_path / "parts")
+    found, kept = {}, {}
+    for place, options in (("here", ("--jobs", 2)), ("there", ("--dask", cluster.address))):
+        monkeypatch.setenv("THINPART_CACHE", str(tmp_path / place))  # else what was compared here is taken from its cache
+        run = thinpart("duplicates", parts, "--json", *options)
+        assert run.returncode == 0, run.stderr
+        found[place] = run.stdout
+        kept[place] = {file.name: file.read_text() for file in (tmp_path / place / "comparisons").iterdir()}
+    assert found["there"] == found["here"]
+    members = [part for line in map(json.loads, found["there"].splitlines()) for part in line["parts"][1:]]
+    assert {part["kind"] for part in members} == {"identical", "mirrored", "scaled", "alike"}
+    assert all(part["evidence"]["compared"] == "geometry" for part in members)
+    # This machine keeps what the workers have found, so that nothing is asked of a cluster again.
+    assert kept["there"] == kept["here"] and len(kept["there"]) == 4
+    again = thinpart("duplicates", parts, "--json", "--dask", "tcp://127.0.0.1:9")
+    assert again.returncode == 0 and again.stdout == found["there"]
+    monkeypatch.setenv("THINPART_CACHE", str(tmp_path / "empty"))
+    without = thinpart("duplicates", parts, "--json", "--dask", "tcp://127.0.0.1:9")
+    assert without.returncode == 1 and "There is no Dask scheduler at tcp://127.0.0.1:9" in without.stderr
+    time_limit.wait_until(lambda: not cluster.servers(), lambda: f"the end of {cluster.servers()}")
+
+
+@pytest.mark.timeout(120)
+def test_a_document_that_no_worker_can_compare_is_named(cluster, tmp_path, monkeypatch):
+    parts = make_brackets(tmp_path / "parts")
+    assert thinpart("classify", parts).returncode == 0
+    (parts / "left.step").write_bytes(b"ISO-10303-21;")
+    (parts / "inches.step").unlink()
+    monkeypatch.setenv("THINPART_CACHE", str(tmp_path / "cache"))
+    run = thinpart("duplicates", parts, "--json", "--dask", cluster.address)
+    assert run.returncode == 1 and "Traceback" not in run.stderr
+    assert "left.step is damaged" in run.stderr and f"The file {parts / 'inches.step'} no longer exists." in run.stderr
+    assert run.stderr.count("It is compared by what its info file keeps.") == 2
+    compared = {Path(part["file"]).stem: part["evidence"]["compared"] for line in records(run) for part in line["parts"][1:]}
+    assert compared == {"turned": "geometry", "longer": "geometry", "left": "outlines", "inches": "outlines"}
+
+
+def test_a_comparison_whose_document_a_worker_does_not_see_says_so(tmp_path):
+    for name in ("a.step", "b.step"):
+        (tmp_path / name).write_text("x")
+    task = SimpleNamespace(file=str(tmp_path / "a.step"))
+    work = SimpleNamespace(files=lambda task: [task.file, str(tmp_path / "b.step")])
+    cluster = _Cluster(None, "tcp://here:1", work, Limits(), 1.0, None)
+    told = Done(task, failure=failure(task.file, "missing", "It is gone."))
+    assert cluster._told(task, told, "anvil").failure["error"]["message"] == (
+        f"The worker anvil does not see {task.file} or {tmp_path / 'b.step'}: mount the share there under the same path.")
+    (tmp_path / "b.step").unlink()
+    assert cluster._told(task, told, "anvil") == told

@@ -4,11 +4,13 @@
 import json
 import os
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
-from program import SAMPLES, records, thinpart
+from program import SAMPLES, environment, records, thinpart
 from read_png import read_png
 
 from thinpart_workbench.freecad_adapter.preferences import PREFERENCES
@@ -85,6 +87,27 @@ def test_a_part_from_its_info_file_is_not_measured_again_for_its_picture(tmp_pat
     path, = files_of_pictures(cache)
     path.unlink()
     assert write_results(task, analyse_file(task))["reused"] and not path.exists()
+
+
+def for_window(folder):
+    """What the window reads of a folder: it has the input open until all is done."""
+    with subprocess.Popen([sys.executable, "-m", "thinpart_workbench", "classify", str(folder), "--json", "--control"],
+                          env=environment(), stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                          stderr=subprocess.DEVNULL) as process:
+        return [json.loads(line) for line in process.stdout]
+
+
+def test_lines_for_the_window_name_the_pictures_of_parts(tmp_path, cache):
+    (tmp_path / "parts").mkdir()
+    for name in ("plate.step", "assembly_of_three.FCStd"):
+        shutil.copy(SAMPLES / name, tmp_path / "parts")
+    (tmp_path / "parts" / "damaged.step").write_text("ISO-10303-21;\nthis is no STEP file\n")
+    for _ in ("measured", "from info files"):
+        lines = for_window(tmp_path / "parts")
+        assert sorted(line["thumbnail"] for line in lines if "error" not in line) == sorted(
+            map(str, files_of_pictures(cache))) and len(lines) == 5
+        assert [line["thumbnail"] for line in lines if "error" in line] == [None]
+    assert not any("thumbnail" in line for line in records(thinpart("classify", tmp_path / "parts", "--json")))
 
 
 @pytest.mark.parametrize("option", ["--no-thumbnails", "--no-info"])

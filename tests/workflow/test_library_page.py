@@ -18,11 +18,12 @@ from program import ROOT
 from read_page import Page, pages
 
 from thinpart_workbench.api.report.library_report import library_report
-from thinpart_workbench.core.errors import ThinPartError
+from thinpart_workbench.core.errors import Cancelled, ThinPartError
 from thinpart_workbench.core.figures import Length
 from thinpart_workbench.core.length_unit import INCH, MILLIMETRE
 from thinpart_workbench.core.message import message
 from thinpart_workbench.core.rendering.picture_size import HEIGHT, WIDTH
+from thinpart_workbench.core.run_control import RunControl, seldom
 from thinpart_workbench.storage.thumbnails import thumbnail_path, write_thumbnail
 from thinpart_workbench.workflow.report.library_content import LibraryContent, LibraryPart, LikenessGroup, PartFamily
 from thinpart_workbench.workflow.report.library_counts import top_folders
@@ -214,6 +215,28 @@ def test_a_library_that_there_is_not_makes_no_folder(tmp_path):
     with pytest.raises(ThinPartError, match="There is no folder") as refused:
         library_report([tmp_path / "nowhere"], tmp_path / "out")
     assert refused.value.kind == "missing" and not (tmp_path / "out").exists()
+
+
+def test_it_stops_while_pictures_are_copied(plate, tmp_path):
+    made_library.store(plate.parent, "tube.step", [made_library.record_of("tube")])
+    control, asked = RunControl(), []
+
+    def check():
+        asked.append(True)
+        raise Cancelled
+
+    control.check = check
+    with pytest.raises(Cancelled):
+        library_report([plate.parent], tmp_path / "out", control=control)
+    assert asked == [True] and not [*tmp_path.glob("out/**/*.html"), *tmp_path.glob("out/**/*.png")]
+
+
+def test_few_of_many_steps_are_reported_but_always_the_last():
+    told = []
+    step = seldom(lambda done, total: told.append((done, total)))
+    for done in range(1, 1001):
+        step(done, 1000)
+    assert told[0] == (1, 1000) and told[-1] == (1000, 1000) and len(told) < 100
 
 
 def test_a_folder_without_info_files_says_what_to_do(tmp_path):

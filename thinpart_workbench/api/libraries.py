@@ -194,7 +194,8 @@ def similar(part, roots, count=10, *, same_size=None, name=None, report=None):
         return libraries.similar(record, count, same_size, own_key)
 
 
-def duplicates(roots, *, reads_documents=True, jobs=None, timeout=600.0, memory=6144, control=None, report=None):
+def duplicates(roots, *, reads_documents=True, jobs=None, timeout=600.0, memory=6144, control=None, report=None,
+               cluster=None):
     """Find the parts that libraries have more than once: identical, mirrored, scaled, or alike but for something.
 
     Parameters
@@ -212,6 +213,9 @@ def duplicates(roots, *, reads_documents=True, jobs=None, timeout=600.0, memory=
     control : RunControl, optional
     report : callable, optional
         Called with the numbers of steps done and of all; may raise to stop.
+    cluster : str, optional
+        Address of a Dask scheduler, ``tcp://HOST:PORT``, whose workers read and compare the documents instead of processes
+        on this machine; see docs/cluster.md.
 
     Returns
     -------
@@ -222,16 +226,20 @@ def duplicates(roots, *, reads_documents=True, jobs=None, timeout=600.0, memory=
     Raises
     ------
     ThinPartError
-        kind ``missing`` if none of the folders exists.
+        kind ``missing`` if none of the folders exists; ``usage`` or ``cluster`` if the cluster cannot be used.
 
     Examples
     --------
     >>> duplicates(samples, reads_documents=False).compared
     2
     """
+    if cluster is not None:
+        from .classification import cluster_address  # late: it imports what analyses files
+
+        cluster = cluster_address(cluster)
     with _opened(roots, None) as libraries:
         limits = Limits(timeout, memory, jobs or os.cpu_count() or 1)
-        return DuplicateGroups(find_duplicates(libraries.indexes, limits, reads_documents, control, report),
+        return DuplicateGroups(find_duplicates(libraries.indexes, limits, reads_documents, control, report, cluster),
                                libraries.problems)
 
 

@@ -10,23 +10,25 @@ from contextlib import contextmanager
 from ..core.errors import ThinPartError
 from ..core.foreign_text import json_text, printable
 from ..core.message import with_messages
+from ..storage.thumbnails import thumbnail_path
 from .plain_table import text_width
 
 _BAR_WIDTH = 20
 """Characters of the bar."""
 
 
-def new_report(as_json, translatable=False):
+def new_report(as_json, for_window=False):
     """Make the report that suits the reader: JSON lines, a progress bar on a terminal, else failures only.
 
     Parameters
     ----------
     as_json : bool
-    translatable : bool
-        Whether JSON lines include the templates and values of their sentences, for a program that translates them.
+    for_window : bool
+        Whether JSON lines include what a window shows besides: the templates and values of their sentences, which it
+        translates, and ``thumbnail``, the path of a part's picture, whether or not it exists; null where it can have none.
     """
     if as_json:
-        return JsonReport(translatable)
+        return JsonReport(for_window)
     if not sys.stderr.isatty():
         return RunReport()
     return BarReport()
@@ -86,8 +88,8 @@ class RunReport:
 class JsonReport(RunReport):
     """Records on stdout and progress on stderr, one JSON object per line; see `new_report`."""
 
-    def __init__(self, translatable=False):
-        self._with_templates = with_messages if translatable else dict
+    def __init__(self, for_window=False):
+        self._is_for_window = for_window
 
     def state(self, name):
         _write_line(json.dumps({"state": name}))
@@ -96,8 +98,10 @@ class JsonReport(RunReport):
         super().failures(outcome)
         with standard_output() as stream:
             for line in json_lines(outcome):
+                if self._is_for_window:
+                    line = with_messages({**line, "thumbnail": _thumbnail(outcome, line)})
                 # One write per line, so that a reader always finds complete lines.
-                stream.write(json_text(self._with_templates(line)) + "\n")
+                stream.write(json_text(line) + "\n")
 
     def _show_progress(self, progress, file=None, step=None):
         _write_line(json.dumps({"progress": {**progress.content(file), **(step or {})}}))
@@ -193,6 +197,17 @@ def json_lines(outcome):
         error = {"kind": failure["kind"], "message": failure["message"]}
         lines.append({**about, "name": failure["part"], "label": failure.get("label"), "error": error})
     return lines
+
+
+def _thumbnail(outcome, line):
+    """The path of the picture of a part of an outcome, None where it can have none; no record can name another file."""
+    if "error" in line or "sha256" not in outcome:
+        return None
+    try:
+        path = thumbnail_path(outcome["sha256"], line["name"])
+    except OSError:
+        return None  # there is no folder for pictures
+    return None if path is None else os.fspath(path)
 
 
 @contextmanager

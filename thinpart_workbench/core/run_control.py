@@ -5,6 +5,9 @@ import time
 
 from .errors import Cancelled
 
+_REPORT_INTERVAL = 0.1
+"""Seconds between two reports, each of which may be a message to another process."""
+
 
 class RunControl:
     """The requests to pause or stop a run, which any thread may set, and the state of the run.
@@ -59,3 +62,21 @@ class RunControl:
         if self._paused_since is None:
             return self._paused_seconds
         return self._paused_seconds + time.monotonic() - self._paused_since
+
+
+def seldom(report):
+    """A function that passes on only some of its calls to another one: ten in a second, and the last of a row of steps.
+
+    Parameters
+    ----------
+    report : callable or None
+        ``report(done, total)``, with numbers of steps; None where nobody wants to know.
+    """
+    last = [-_REPORT_INTERVAL]
+
+    def step(done, total):
+        if report is not None and (done == total or time.monotonic() > last[0] + _REPORT_INTERVAL):
+            last[0] = time.monotonic()
+            report(done, total)
+
+    return step

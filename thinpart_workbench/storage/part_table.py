@@ -2,7 +2,7 @@
 """CSV tables, and that of classified parts: a row per part and per failure."""
 
 import json
-from typing import Any, Callable, NamedTuple
+from typing import Any, Callable, NamedTuple, Optional
 
 from ..core.foreign_text import csv_text
 from ..core.kinds.file_marks import TABLE
@@ -30,15 +30,18 @@ class CheckedRow(PartRow):
         Results of checks, each as `WallCheck.content` has it.
     said : tuple of dict
         What people say of the part: its ``labels``.
+    thumbnail : str or None
+        The path of its picture, whether or not it exists.
     """
 
     checks: tuple = ()
     said: tuple = ()
+    thumbnail: Optional[str] = None
 
     def relabelled(self, labels):
         """The same row with other labels."""
         row = self._replace(labels=labels_text(labels))
-        row.checks, row.said = self.checks, tuple(labels)
+        row.checks, row.said, row.thumbnail = self.checks, tuple(labels), self.thumbnail
         return row
 
 
@@ -49,9 +52,10 @@ def measured_row(file, record):
 
 
 def checked_row(file, record):
-    """CheckedRow of a part record with its ``checks`` and ``labels``, if it has some."""
+    """CheckedRow of a part record with its ``checks``, ``labels`` and ``thumbnail``, if it has some."""
     row = CheckedRow(*measured_row(file, record))
     row.checks, row.said = tuple(record.get("checks", ())), tuple(record.get("labels", ()))
+    row.thumbnail = record.get("thumbnail")
     return row
 
 

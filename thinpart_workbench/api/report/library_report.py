@@ -15,6 +15,7 @@ from ...core.kinds.file_marks import PAGE, PICTURE
 from ...core.length_unit import MILLIMETRE, UNITS
 from ...core.message import message
 from ...core.regular_file import open_regular
+from ...core.run_control import RunControl, seldom
 from ...storage.common_folder import common_folder
 from ...storage.index.written_query import part_query
 from ...storage.info.info_file import info_path
@@ -93,6 +94,8 @@ def library_report(roots, folder, *, language=ENGLISH, unit=MILLIMETRE.symbol, o
     ThinPartError
         kind ``usage`` if the folder cannot be written, contains anything but a report, or a file that must not be
         replaced; ``missing`` if none of the roots exists; ``failed`` if there is no space.
+    Cancelled
+        When `control` was asked to stop: pictures that were copied stay.
 
     Examples
     --------
@@ -100,7 +103,7 @@ def library_report(roots, folder, *, language=ENGLISH, unit=MILLIMETRE.symbol, o
     >>> written.parts, os.path.basename(written.page)
     (2, 'library.html')
     """
-    target = os.path.abspath(folder)
+    target, control = os.path.abspath(folder), control or RunControl()
     found, places, problems, files = _found(roots)
     # No document has ThinPart's mark: without `overwrite`, none can be replaced.
     replacing = {"overwrite": overwrite, "inputs": [*inputs, *(files if overwrite else ())]}
@@ -113,8 +116,11 @@ def library_report(roots, folder, *, language=ENGLISH, unit=MILLIMETRE.symbol, o
     try:
         # What may be refused comes before what takes time.
         pictures = _Pictures(target, {"overwrite": overwrite, "inputs": inputs})
-        shown = [_part(part, documents, pictures.of(part.stored)) for part in parts]
-        alike = duplicates(roots, reads_documents=False, control=control, report=report)
+        shown = []
+        for part in parts:
+            control.check()
+            shown.append(_part(part, documents, pictures.of(part.stored)))
+        alike = duplicates(roots, reads_documents=False, control=control, report=seldom(report))
         content = LibraryContent(
             place=", ".join(places), base=documents.base or "", titles=_titles(parts), parts=shown,
             groups=list(_groups(alike, numbers)), families=list(_families(families(roots), numbers)),

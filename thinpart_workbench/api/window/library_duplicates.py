@@ -1,17 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What libraries have more than once, and their families, as rows of a table."""
 
-import time
-
 from ...core.analysis_limits import Limits
 from ...core.reuse.likeness import ALIKE
+from ...core.run_control import seldom
 from ...workflow.reuse.evidence import GEOMETRY
 from ...workflow.reuse.kept_part import why_kept
 from ..found_parts import stored_row
 from ..libraries import duplicates, families
-
-_REPORT_INTERVAL = 0.1
-"""Seconds between two reports, each of which is a message to the window."""
 
 
 def duplicate_rows(roots, reads_documents=True, jobs=0, seconds=Limits.seconds, megabytes=Limits.megabytes, control=None,
@@ -48,7 +44,7 @@ def duplicate_rows(roots, reads_documents=True, jobs=0, seconds=Limits.seconds, 
     2
     """
     found = duplicates(roots, reads_documents=reads_documents, jobs=jobs or None, timeout=seconds, memory=megabytes,
-                       control=control, report=_seldom(report))
+                       control=control, report=seldom(report))
     rows = []
     for number, group in enumerate(found, 1):
         first = group.parts[0].stored
@@ -93,15 +89,3 @@ def _greatest(part):
     """How far the surfaces are apart; None where only points of outlines are known, of which some have nothing near by."""
     is_known = part.kind != ALIKE or part.evidence["compared"] == GEOMETRY
     return part.evidence["greatest_mm"] if is_known else None
-
-
-def _seldom(report):
-    """A function that passes on only some of its calls, and the last one of a row of steps."""
-    last = [-_REPORT_INTERVAL]
-
-    def step(done, total):
-        if report is not None and (done == total or time.monotonic() > last[0] + _REPORT_INTERVAL):
-            last[0] = time.monotonic()
-            report(done, total)
-
-    return step

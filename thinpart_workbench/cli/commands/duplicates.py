@@ -34,7 +34,7 @@ def add_arguments(parser):
     parser.add_argument("--json", action="store_true", help="print one JSON object per group")
     add_output_option(parser, "--csv", mark=TABLE, metavar="FILE", help="write a table of the groups to a CSV file as well")
     add_limit_options(parser)
-    add_cluster_option(parser, "classify what has no info file yet")
+    add_cluster_option(parser, "classify what has no info file yet, and compare documents,")
     parser.set_defaults(include=[], exclude=[])
 
 
@@ -48,7 +48,7 @@ def run(options):
             return _families(options, found) or (1 if failed else 0)
         limits = limits_of(options)
         found = duplicates(options.paths, reads_documents=not options.stored, jobs=limits.jobs, timeout=limits.seconds,
-                           memory=limits.megabytes, control=control, report=_progress)
+                           memory=limits.megabytes, control=control, report=_progress, cluster=options.dask)
     for problem in found.problems:
         print(f"thinpart: {printable(problem.message)}", file=sys.stderr)
     for failure in found.failures:

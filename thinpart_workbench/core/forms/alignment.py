@@ -39,6 +39,9 @@ MOST_AWAY = 2.0
 LEAST_FITTED = 6
 """Points without which no motion is fitted: a motion has as many freedoms."""
 
+STILL = 1e-6
+"""A motion that changes by less, as a share of the extent, is as near as it comes."""
+
 _TRIED_POINTS = 96
 _AXES_BESIDE = np.radians(3.0)  # where radii differ little, triangles of another fineness turn the axes
 _ORDERS = np.array([np.eye(3)[list(order)] * [1.0, 1.0, sign] for order, sign in (
@@ -143,7 +146,10 @@ def fitted(form, other, motion, limit, steps=3):
         points = motion.points(form.outline.points[used])
         normals = motion.directions(form.outline.normals[used]) + other.outline.normals[partner[used]]
         normals /= np.linalg.norm(normals, axis=1)[:, None]
-        motion = motion.nearer(points, distance[used], normals, form.outline.area[used])
+        before, motion = motion, motion.nearer(points, distance[used], normals, form.outline.area[used])
+        moved = np.abs(motion.turn - before.turn).max() * other.extent + np.abs(motion.shift - before.shift).max()
+        if moved <= STILL * other.extent:
+            break
     return motion
 
 

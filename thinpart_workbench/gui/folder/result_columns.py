@@ -6,6 +6,7 @@ from ..application.qt import translate
 from ..application.sentences import translated
 from ..record.label_button import labels_sentence
 from ..record.part_columns import category_column, measured, quantity_columns, risk_column
+from ..record.thumbnails import RowPictures, show_pictures
 from ..record.verdict_text import criterion_titles
 from ..record.wall_checks import SYMBOLS
 from ..tables.column import Column, count, figures
@@ -16,15 +17,36 @@ _MOST = 50
 
 
 class Results(KeptRows):
-    """Model of PartRows."""
+    """Model of PartRows.
+
+    Parameters
+    ----------
+    profile : Profile
+        Titles categories and criteria.
+    pictures : Thumbnails
+
+    Attributes
+    ----------
+    pictures : RowPictures
+    """
+
+    def __init__(self, profile, pictures, parent=None):
+        self.pictures = RowPictures(pictures)
+        super().__init__(result_columns(profile, (), self.pictures), parent)
+        pictures.loaded.connect(lambda: show_pictures(self))
+
+    def begin(self, profile, limits):
+        """Show no rows, and columns for another profile and the limits that are checked."""
+        self.set_rows([])
+        self.show_columns(result_columns(profile, limits, self.pictures))
 
     def tip(self, row, column):
         """Why a part failed, or what is to be known of it; its file where there is nothing."""
         return translated(row.error or row.warnings or "", self.unit) or row.file
 
 
-def result_columns(profile, limits):
-    """Columns for PartRows, one for each of the limits too: list of Column. The profile titles categories and criteria."""
+def result_columns(profile, limits, pictures):
+    """Columns for PartRows, one for each of the limits too, with RowPictures: list of Column."""
     titles = criterion_titles(profile)
 
     def criteria(row):
@@ -34,7 +56,8 @@ def result_columns(profile, limits):
     columns = [
         Column("file", translate("ThinPart", "File"), lambda row: row.file, is_path=True, stretches=True, most=_MOST,
                least=26),
-        Column("label", translate("ThinPart", "Part"), lambda row: row.label or row.part, most=_MOST, least=26),
+        Column("label", translate("ThinPart", "Part"), lambda row: row.label or row.part, picture=pictures.of,
+               most=_MOST, least=26),
         category_column(profile, most=_MOST, least=35),
         *(_check_column(number, each) for number, each in enumerate(limits)),
         Column("criteria", translate("ThinPart", "Criteria"), criteria, tip=lambda row, unit: criteria(row), most=_MOST,

@@ -13,9 +13,9 @@ from ..application.thread_work import check_path_in_thread
 from ..document.open_part import DANGEROUS, confirm_dangerous_open, open_part
 from ..processes.request_queue import LABEL
 from ..record.label_button import LabelButton, common_label
-from ..tables.table_view import TableView
+from ..record.thumbnails import PicturesView, Thumbnails
 from ..widgets.buttons import push_button
-from .result_columns import Results, result_columns
+from .result_columns import Results
 from .results_filter import ResultsFilter
 
 
@@ -36,16 +36,16 @@ class ResultsPanel(QtWidgets.QWidget):
         self._settings, self._profile = None, profile
         self._labelled_files = {}  # by path of the info file
         self._fit_at = 1
-        self.table = Results(result_columns(profile, ()), self)
+        self._pictures = Thumbnails(self)
+        self.table = Results(profile, self._pictures, self)
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         self._filter = ResultsFilter(self.table, profile, self)
         column.addWidget(self._filter)
-        self.view = TableView("ThinPart_FolderTable", self.table, self)
+        self.view = PicturesView("ThinPart_FolderTable", self.table, self)
         self.view.csv_dialog = "ThinPart_FolderExportDialog"
         self.view.setSelectionMode(QtWidgets.QAbstractItemView.ExtendedSelection)
-        self.view.set_row_height(1.5)
-        self.view.setMinimumHeight(6 * self.view.verticalHeader().defaultSectionSize())
+        self.view.setMinimumHeight(4 * self.view.verticalHeader().defaultSectionSize())
         self.view.message.connect(self.message)
         self.view.failed.connect(self.failed)
         self.view.doubleClicked.connect(lambda _: self.open_current())
@@ -70,8 +70,8 @@ class ResultsPanel(QtWidgets.QWidget):
         """Remove the results and prepare for a new run with FolderSettings and a Profile."""
         self._settings, self._profile, limits = settings, profile, settings.limits()
         self._fit_at = 1
-        self.table.set_rows([])
-        self.table.show_columns(result_columns(profile, limits))
+        self._pictures.clear()  # those that were missing may be drawn by now
+        self.table.begin(profile, limits)
         self.view.csv_form = part_table(each.name for each in limits)
         self.view.csv_file = os.path.join(settings.folder, os.path.basename(settings.folder))
         self._filter.begin(profile)

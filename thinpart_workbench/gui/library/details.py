@@ -7,10 +7,10 @@ from ..application.length_unit import length_unit
 from ..application.qt import QtCore, QtWidgets, Signal, translate
 from ..application.sentences import translated, translated_list
 from ..record.record_view import RecordView, show_text, text_line
+from ..record.thumbnails import neutral_picture
 from .distribution_comparison import DistributionComparison
 from .found_rows import part_name
 from .notes_page import NotesPage
-from .thumbnails import neutral_picture
 
 VERDICT, NOTES, COMPARISON = range(3)
 

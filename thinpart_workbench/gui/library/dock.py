@@ -18,6 +18,8 @@ from ..reclassify.reclassify_page import ReclassifyPage
 from ..record.kept_room import keep_room
 from ..record.label_button import LabelButton
 from ..record.record_view import show_text, text_line
+from ..record.thumbnails import Thumbnails
+from ..report.library_dialog import show_library_report
 from ..widgets.buttons import add_button
 from ..widgets.flow_layout import add_flow
 from ..widgets.folder_field import contains
@@ -30,7 +32,6 @@ from .judged_otherwise_note import JudgedOtherwiseNote
 from .libraries_page import LibrariesPage
 from .results_view import FoundPartsView
 from .search_client import SearchClient
-from .thumbnails import Thumbnails
 
 SAME_SIZE = 1.25
 """Maximum ratio of diagonals for parts of similar size."""
@@ -252,6 +253,7 @@ class FindDock(QtWidgets.QDockWidget):
         self._judged_otherwise.reclassify_requested.connect(self.show_reclassify)
         self._libraries.refresh_requested.connect(self._refresh)
         self._libraries.stop_requested.connect(search.stop_refreshing)
+        self._libraries.report_requested.connect(show_library_report)
         self._reclassify.written.connect(self._refresh)
         self._reclassify.writing_changed.connect(lambda is_writing: self._show_job("reclassify", is_writing))
         self._reclassify.view.find_requested.connect(self.show_part)

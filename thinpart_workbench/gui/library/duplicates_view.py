@@ -5,11 +5,11 @@ from ...storage.part_table import SUBJECT, TableForm
 from ..application.numbers import number, percent
 from ..application.qt import QtWidgets, Signal, translate
 from ..application.sentences import translated
+from ..record.thumbnails import RowPictures, show_pictures
 from ..tables.column import Column
 from ..tables.kept_rows import KeptRows
-from .found_rows import part_name, show_pictures
+from .found_rows import part_name
 from .part_files_view import PartFilesView
-from .thumbnails import RowPictures
 
 _REFERENCE = "reference"
 

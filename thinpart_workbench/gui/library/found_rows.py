@@ -6,9 +6,9 @@ import os
 from ..application.qt import QtCore, translate
 from ..application.sentences import translated, translated_list
 from ..record.part_columns import category_column, measured, quantity_columns, risk_column
+from ..record.thumbnails import RowPictures, show_pictures
 from ..tables.column import Column
 from ..tables.fetched_rows import FetchedRows
-from .thumbnails import RowPictures
 
 _MOST = 34
 """Greatest width of a column, in characters."""
@@ -69,13 +69,6 @@ class FoundRows(FetchedRows):
             risk_column(),
         ]
         return columns + quantity_columns({column.key for column in columns}, is_sortable=False)
-
-
-def show_pictures(table):
-    """Draw the pictures of a RowModel again, which stand in the column of the part."""
-    if table.rowCount():
-        column = table.number_of("label")
-        table.dataChanged.emit(table.index(0, column), table.index(table.rowCount() - 1, column), [QtCore.Qt.DecorationRole])
 
 
 def part_name(part):

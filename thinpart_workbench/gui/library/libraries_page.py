@@ -26,11 +26,14 @@ class LibrariesPage(QtWidgets.QWidget):
         A folder was added or removed.
     refresh_requested, stop_requested
         The corresponding button was pressed.
+    report_requested(object)
+        A report is wanted: list of str, the selected library, or all of them.
     """
 
     changed = Signal()
     refresh_requested = Signal()
     stop_requested = Signal()
+    report_requested = Signal(object)
 
     def __init__(self, parent=None):
         super().__init__(parent)
@@ -44,6 +47,11 @@ class LibrariesPage(QtWidgets.QWidget):
             row, self, "ThinPart_RefreshLibraries", translate("ThinPart", "Refresh"), self.refresh_requested.emit)
         self._stop = add_button(
             row, self, "ThinPart_StopRefresh", translate("ThinPart", "Stop"), self.stop_requested.emit)
+        self._report = add_button(row, self, "ThinPart_LibraryReportButton", translate("ThinPart", "Report\u2026"),
+                                  lambda: self.report_requested.emit(self._chosen() or self.roots))
+        self._report.setToolTip(translate(
+            "ThinPart", "Writes a page about all parts of the libraries, or of the selected one: how many there are of each "
+                        "kind, a map, what is there more than once, and a table"))
         self._list = QtWidgets.QListWidget(self)
         self._list.setObjectName("ThinPart_LibraryList")
         self._list.setTextElideMode(QtCore.Qt.ElideMiddle)
@@ -80,7 +88,7 @@ class LibrariesPage(QtWidgets.QWidget):
 
     def remove_selected(self):
         """Remove the selected folder from the list; its files stay unchanged."""
-        chosen = {item.data(QtCore.Qt.UserRole) for item in self._list.selectedItems()}
+        chosen = self._chosen()
         set_preference_list(_PREFERENCE, [root for root in self.roots if root not in chosen])
         self.changed.emit()
 
@@ -92,7 +100,7 @@ class LibrariesPage(QtWidgets.QWidget):
         libraries : list of dict
             ``root``, ``parts``, ``problems`` and ``busy``.
         """
-        chosen = {item.data(QtCore.Qt.UserRole) for item in self._list.selectedItems()}
+        chosen = self._chosen()
         self._list.clear()
         for library in libraries:
             count = grouped(library["parts"])
@@ -143,7 +151,12 @@ class LibrariesPage(QtWidgets.QWidget):
         self._refresh.setEnabled(not busy and bool(self.roots))
 
     def _show_buttons(self):
-        self._remove.setEnabled(bool(self._list.selectedItems()))
+        self._remove.setEnabled(bool(self._chosen()))
+        self._report.setEnabled(bool(self.roots))
+
+    def _chosen(self):
+        """Folders of the selected libraries: list of str."""
+        return [item.data(QtCore.Qt.UserRole) for item in self._list.selectedItems()]
 
     def _ask(self):
         choose_folder(self, "", self.add, translate("ThinPart", "Choose a folder with classified parts"))

@@ -7,19 +7,15 @@ from ..application.qt import QtCore, QtGui, QtWidgets, translate
 from ..application.sentences import translated
 from ..document.insert_part import insert_part
 from ..document.open_part import DANGEROUS, confirm_dangerous_open, open_part, told_by
-from ..tables.table_view import TableView
+from ..record.thumbnails import PicturesView
 
 
-class PartFilesView(TableView):
-    """Shows rows with the fields of a StoredPart: pictures, and what can be done with the document of a part.
-
-    Its model has ``pictures``, a RowPictures.
-    """
+class PartFilesView(PicturesView):
+    """Shows rows with the fields of a StoredPart: pictures, and what can be done with the document of a part."""
 
     def __init__(self, name, table, parent=None):
         self._table = table
         super().__init__(name, table, parent)
-        self._fit_rows()
         self.doubleClicked.connect(lambda _: self.open_current())
 
     @property
@@ -71,16 +67,3 @@ class PartFilesView(TableView):
             self.open_current()
             return
         super().keyPressEvent(event)
-
-    def changeEvent(self, event):
-        """Adapt the row height to the font."""
-        super().changeEvent(event)
-        if event.type() in (QtCore.QEvent.FontChange, QtCore.QEvent.StyleChange):
-            self._fit_rows()
-
-    def _fit_rows(self):
-        self.set_row_height(2.6)
-        height = self.verticalHeader().defaultSectionSize()
-        size = QtCore.QSize(round((height - 4) * 4 / 3), height - 4)
-        self.setIconSize(size)
-        self._table.pictures.size, self._table.pictures.ratio = size, self.devicePixelRatioF()

@@ -88,6 +88,7 @@ class InfoFile(TypedDict):
     failures: NotRequired[Annotated[list[FailureRecord], Restricted(most=1_000_000), LATER]]
 
 
+HASH = kind_of(Sha256)
 SOURCE = kind_of(SourceRecord)
 INFO_FILE = kind_of(InfoFile)
 

@@ -47,9 +47,9 @@ def analyse_file(task, before_reading=None):
     """Analyse every part of a file, or take the results from a current info file.
 
     Returns a dict: ``file``, ``parts`` (part records), ``failures`` (``{"part", "label", "kind", "message"}``), ``reused``
-    (bool), ``seconds``; with pages also ``faces``, lines for the table of faces by part. If something was measured,
-    ``unwritten``: the data for `result_files.write_results`. Raises ThinPartError if nothing in the file could be analysed,
-    for a single reason.
+    (bool), ``seconds``, ``sha256`` of the file; with pages also ``faces``, lines for the table of faces by part. If
+    something was measured, ``unwritten``: the data for `result_files.write_results`. Raises ThinPartError if nothing could
+    be analysed, for a single reason.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def analyse_file(task, before_reading=None):
     if stored is not None and not task.force and is_current(
         stored, task.file, task.settings.content(), task.profile, task.info_file
     ):
-        return _outcome(task, stored["parts"], stored.get("failures", []), True, started)
+        return _outcome(task, stored["parts"], stored.get("failures", []), True, started, stored["source"])
     if before_reading is not None:
         before_reading()
     # Imported here since the adapter loads FreeCAD, which unchanged files do not need.
@@ -77,7 +77,7 @@ def analyse_file(task, before_reading=None):
     failures += [broken.failure() for broken in found.broken]
     if not records and len(failures) == 1:
         raise ThinPartError(failures[0]["message"], failures[0]["kind"])
-    outcome = _outcome(task, records, failures, False, started)
+    outcome = _outcome(task, records, failures, False, started, source)
     outcome["unwritten"] = {"source": source, "drawn": drawn}
     if pages is not None:
         outcome["faces"] = pages.faces
@@ -113,8 +113,8 @@ def _analyse_parts(parts, task, read_seconds, pages):
     return records, failures, drawn
 
 
-def _outcome(task, records, failures, reused, started):
+def _outcome(task, records, failures, reused, started, source):
     return {
         "file": task.file, "parts": records, "failures": failures, "reused": reused,
-        "seconds": round(time.perf_counter() - started, 4),
+        "seconds": round(time.perf_counter() - started, 4), "sha256": source["sha256"],
     }

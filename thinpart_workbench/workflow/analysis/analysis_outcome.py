@@ -6,7 +6,7 @@ from ...core.errors import KINDS
 from ...core.kinds.compound_kinds import Anything, ListOf, MapOf, Record
 from ...core.kinds.value_kinds import Flag, Number, OneOf, OrNull, Text
 from ...core.record.record_types import FAILURE, PART
-from ...storage.info.info_definition import SOURCE
+from ...storage.info.info_definition import HASH, SOURCE
 
 _SECONDS = Number(0.0)
 
@@ -23,7 +23,7 @@ _FAILED = Record({"file": Text(), "error": Record({"kind": OneOf(tuple(KINDS)), 
 _ANALYSED = Record(
     {"file": Text(), "parts": ListOf(PART, most=1_000_000, distinct="name"), "failures": ListOf(FAILURE, most=1_000_000),
      "reused": Flag(), "seconds": _SECONDS},
-    {"faces": MapOf(Text(_LONGEST_PAGE)), "unwritten": Record({"source": SOURCE, "drawn": _DRAWN}),
+    {"sha256": HASH, "faces": MapOf(Text(_LONGEST_PAGE)), "unwritten": Record({"source": SOURCE, "drawn": _DRAWN}),
      "confinement": OrNull(_CONFINEMENT)})
 
 

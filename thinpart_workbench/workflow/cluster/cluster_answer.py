@@ -4,7 +4,6 @@
 from ...core.kinds.compound_kinds import MapOf, Record
 from ...core.kinds.json_file import UnreadableJson, parsed_json
 from ...core.kinds.value_kinds import Text, Whole
-from ..analysis.analysis_outcome import checked_outcome
 
 _SOFTWARE = Record({"host": Text()}, {name: Text() for name in ("lacks", "thinpart", "freecad", "python")})
 
@@ -30,27 +29,29 @@ def software_from(text):
     return _software(_parsed(text))
 
 
-def response_from(text, task):
+def response_from(text, task, done):
     """The two parts of a response. Raises ValueError if it is invalid; the text says why.
 
     Parameters
     ----------
     text : object
         The received result of `cluster_worker.analyse`.
-    task : FileTask
+    task : object
+    done : callable
+        That of the `ClusterWork`.
 
     Returns
     -------
     software : dict
         See `software_from`.
-    outcome : dict or None
-        See `checked_outcome`; None if the process died.
+    done : Done or None
+        None if the process died.
     """
     response = _parsed(text)
     if not isinstance(response, dict) or set(response) != {"software", "outcome"}:
         raise ValueError("no software or no outcome")
     outcome = response["outcome"]
-    return _software(response["software"]), None if outcome is None else checked_outcome(task, _parsed(outcome))
+    return _software(response["software"]), None if outcome is None else done(task, _parsed(outcome))
 
 
 def _software(content):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Analyse files on a Dask cluster whose machines have the same network share."""
+"""Do tasks, such as analysing files, on a Dask cluster whose machines have the same network share."""
 
 import asyncio
 import io
@@ -21,8 +21,9 @@ from pathlib import Path
 from ...core.errors import ThinPartError
 from ...core.run_control import RunControl
 from ..analysis.analysis_outcome import failure
-from .analysis_server import task_line
+from ..workers.task_run import Done
 from .cluster_answer import THREADS, VERSIONS, checked, response_from, software_from
+from .file_work import FILES
 from .plain_pickles import PickleRefused, plain_pickles_only, texts_of_pickle
 
 PATIENCE = 30.0
@@ -49,24 +50,37 @@ def analyse_files_on_cluster(address, tasks, limits, control=None, on_threads_ch
                              patience=PATIENCE):
     """Analyse files on the workers of a Dask cluster, each in a process with time and memory limits.
 
-    Yields a dict: see `worker_pool.analyse_files`. Raises Cancelled when `control` was asked to stop. Raises ThinPartError,
-    kind ``cluster``: the scheduler cannot be reached or was lost, there are no workers, or one cannot analyse files.
+    Yields a dict: see `worker_pool.analyse_files`. Raises Cancelled, ThinPartError: as `run_on_cluster`, which also has the
+    parameters; the tasks are FileTask.
+    """
+    for done in run_on_cluster(address, tasks, FILES, limits, control, on_threads_changed, patience):
+        yield done.failure or done.result
 
-    Dask repeats the files of a lost worker on another one. A file whose workers were lost more often than
+
+def run_on_cluster(address, tasks, work, limits, control=None, on_threads_changed=None, patience=PATIENCE):
+    """Do tasks on the workers of a Dask cluster, each in a process with time and memory limits.
+
+    Yields a Done: as they finish. Raises Cancelled when `control` was asked to stop. Raises ThinPartError,
+    kind ``cluster``: the scheduler cannot be reached or was lost, there are no workers, or one cannot read files.
+
+    Dask repeats the tasks of a lost worker on another one. A task whose workers were lost more often than
     the scheduler's ``distributed.scheduler.allowed-failures`` is reported as a failure.
 
     Parameters
     ----------
     address : str
         From `cluster_address`.
-    tasks : list of FileTask
+    tasks : list
+        Each has the path of the document that it is about as ``file``.
+    work : ClusterWork
+        What is done with them.
     limits : Limits
-        `jobs` is ignored: every thread of every worker processes one file at a time.
+        `jobs` is ignored: every thread of every worker does one task at a time.
     control : RunControl, optional
-        Pauses and stops the run. A paused cluster still processes the files that it has received: a few
+        Pauses and stops the run. A paused cluster still does the tasks that it has received: a few
         per thread.
     on_threads_changed : callable, optional
-        ``on_threads_changed(number)`` is called when the number of files that are analysed at once changes.
+        ``on_threads_changed(number)`` is called when the number of tasks that are done at once changes.
     patience : float
         Seconds to wait for a response of the scheduler, for the first worker, or for another one when all
         have gone.
@@ -76,19 +90,19 @@ def analyse_files_on_cluster(address, tasks, limits, control=None, on_threads_ch
     control = control or RunControl()
     pending = deque(tasks)
     # Scheduler and workers are untrusted, and Dask unpickles whatever they send.
-    with plain_pickles_only(), _connected(address, limits, patience, control, on_threads_changed) as cluster:
+    with plain_pickles_only(), _connected(address, work, limits, patience, control, on_threads_changed) as cluster:
         while pending or cluster.running:
             control.check()
             control.set_state("paused" if control.paused else "running")
             while pending and not control.paused and not cluster.is_full():
                 cluster.submit(pending.popleft())
-            for outcome in cluster.outcomes():
+            for done in cluster.finished():
                 control.check()
-                yield outcome
+                yield done
 
 
 @contextmanager
-def _connected(address, limits, patience, control, on_threads_changed):
+def _connected(address, work, limits, patience, control, on_threads_changed):
     """A `_Cluster` for a ``with`` block; at its end, running files are cancelled."""
     try:
         from distributed import Client
@@ -108,7 +122,7 @@ def _connected(address, limits, patience, control, on_threads_changed):
             raise ThinPartError(
                 f"There is no Dask scheduler at {address} ({_first_line(error)}): start one there with "
                 "'dask scheduler', or check the address.", "cluster") from None
-    cluster = _Cluster(client, address, limits, patience, on_threads_changed)
+    cluster = _Cluster(client, address, work, limits, patience, on_threads_changed)
     try:
         cluster.start(control)
         yield cluster
@@ -117,10 +131,10 @@ def _connected(address, limits, patience, control, on_threads_changed):
 
 
 class _Cluster:
-    """One run on a cluster: the submitted and the finished files."""
+    """One run on a cluster: the submitted and the finished tasks."""
 
-    def __init__(self, client, address, limits, patience, on_threads_changed):
-        self.client, self.address, self.limits, self.patience = client, address, limits, patience
+    def __init__(self, client, address, work, limits, patience, on_threads_changed):
+        self.client, self.address, self.work, self.limits, self.patience = client, address, work, limits, patience
         self.on_threads_changed = on_threads_changed
         self.name = f"thinpart-{uuid.uuid4().hex}"
         self.running = {}
@@ -143,7 +157,7 @@ class _Cluster:
         cloudpickle.register_pickle_by_value(cluster_worker)
         self._analyse = _FunctionByValue(cluster_worker.analyse)
         limits = {key: value for key, value in asdict(self.limits).items() if key != "jobs"}
-        plugin = cluster_worker.AnalysisServers(self.name, _archive(), json.dumps(limits))
+        plugin = cluster_worker.AnalysisServers(self.name, _archive(), self.work.name, json.dumps(limits))
         register = getattr(self.client, "register_plugin", None) or self.client.register_worker_plugin
         self._ask(lambda: register(plugin, name=self.name))
         responses = self._ask(lambda: self.client.run(
@@ -159,21 +173,21 @@ class _Cluster:
                         "again; finished results are saved.", "cluster") from None
 
     def submit(self, task):
-        """Submit a file to the cluster."""
+        """Submit a task to the cluster."""
         self._count += 1
         with _scheduler_lost_errors(self.address):
-            future = self.client.submit(self._analyse, self.name, task_line(task), pure=False,
+            future = self.client.submit(self._analyse, self.name, json.dumps(self.work.content(task)), pure=False,
                                         key=f"{self.name}-{self._count}")
             self.running[future] = task
             future.add_done_callback(self._finished.put)
 
     def is_full(self):
-        """Whether the workers have enough files."""
+        """Whether the workers have enough tasks."""
         self._update_threads()
         return len(self.running) >= max(2, _PER_THREAD * self._threads)
 
-    def outcomes(self):
-        """Yield the outcomes of the files that have finished meanwhile."""
+    def finished(self):
+        """Yield the Done of the tasks that have finished meanwhile."""
         self._update_threads()
         finished = self._finished_futures()
         if not finished:
@@ -190,19 +204,34 @@ class _Cluster:
             task = self.running.pop(future)
             future.release()
             if future in errors:
-                yield _failed_outcome(task, errors[future])
+                yield Done(task, failure=_given_up(task, errors[future]))
                 continue
             try:
-                software, outcome = response_from(responses[future], task)
+                software, done = response_from(responses[future], task, self.work.done)
             except ValueError:
-                yield failure(task.file, "failed", f"{Path(task.file).name} failed on the cluster (a worker answered "
-                                                   "with something else than a result).")
+                yield Done(task, failure=failure(
+                    task.file, "failed", f"{Path(task.file).name} failed on the cluster (a worker answered with something "
+                                         "else than a result)."))
                 continue
             self._check_software(software)
-            yield _outcome(task, outcome, software["host"])
+            yield self._told(task, done, software["host"])
+
+    def _told(self, task, done, host):
+        """The Done of a task that a worker returned, with the errors of this machine; it returned None where it died."""
+        if done is None:
+            return Done(task, failure=failure(
+                task.file, "crash", f"{Path(task.file).name} ended the process that read it on {host}: the file is likely "
+                                    "damaged."))
+        files = self.work.files(task)
+        if done.failure is not None and done.failure["error"]["kind"] == "missing" and all(map(os.path.exists, files)):
+            places = " or ".join(map(os.path.abspath, files))
+            return Done(task, failure=failure(
+                task.file, "missing",
+                f"The worker {host} does not see {places}: mount the share there under the same path."))
+        return done
 
     def close(self):
-        """Cancel running files, end the processes of the workers, and restore the state of the cluster."""
+        """Cancel running tasks, end the processes of the workers, and restore the state of the cluster."""
         if self.client.status == "running":
             for cleanup in (lambda: self.client.cancel(list(self.running)),
                              lambda: self.client.unregister_worker_plugin(self.name)):
@@ -323,21 +352,8 @@ def _archive():
     return content.getvalue()
 
 
-def _outcome(task, outcome, host):
-    """The outcome that a worker returned, with the path and the errors of this machine."""
-    name = Path(task.file).name
-    if outcome is None:
-        return failure(task.file, "crash", f"{name} ended the process that read it on {host}: the file is "
-                                           "likely damaged.")
-    if outcome.get("error", {}).get("kind") == "missing" and os.path.exists(task.file):
-        return failure(task.file, "missing",
-                       f"The worker {host} does not see {os.path.abspath(task.file)}: mount the share "
-                       "there under the same path.")
-    return outcome
-
-
-def _failed_outcome(task, error):
-    """The outcome of a file that Dask has given up."""
+def _given_up(task, error):
+    """The failure of a task that Dask has given up."""
     name = Path(task.file).name
     if "KilledWorker" in (type(error).__name__, *_pickled_texts(error)):
         return failure(task.file, "crash",

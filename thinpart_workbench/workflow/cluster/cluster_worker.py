@@ -25,7 +25,7 @@ _SECONDS_TO_END = 10
 
 
 class AnalysisServers(WorkerPlugin):
-    """The analysis processes of one Dask worker: one per thread that requests one.
+    """The processes of one Dask worker that do the tasks: one per thread that requests one.
 
     Parameters
     ----------
@@ -33,12 +33,14 @@ class AnalysisServers(WorkerPlugin):
         Name of this plugin, unique for every run.
     archive : bytes
         A ZIP archive of ThinPart.
+    work : str
+        Name of the `ClusterWork`.
     limits : str
-        JSON of the `Limits` for one file.
+        JSON of the `Limits` for one task.
     """
 
-    def __init__(self, name, archive, limits):
-        self.name, self.archive, self.limits = name, archive, limits
+    def __init__(self, name, archive, work, limits):
+        self.name, self.archive, self.work, self.limits = name, archive, work, limits
 
     def setup(self, worker):
         """Unpack ThinPart; called by Dask, also on workers that join later."""
@@ -49,7 +51,7 @@ class AnalysisServers(WorkerPlugin):
             archive.extractall(self.folder)
 
     def teardown(self, worker):
-        """End the processes, even during an analysis; called by Dask."""
+        """End the processes, even during a task; called by Dask."""
         with self.lock:
             self.closed = True
             servers = list(self.servers)
@@ -82,7 +84,7 @@ class AnalysisServers(WorkerPlugin):
             return self.versions
 
     def analyse(self, task):
-        """Analyse one file by a line of JSON: JSON of ``software``, and ``outcome``, JSON or None if the process died."""
+        """Do one task by a line of JSON: JSON of ``software``, and ``outcome``, JSON or None if the process died."""
         versions = self.software()
         if "lacks" in versions:
             return json.dumps({"software": versions, "outcome": None})
@@ -117,7 +119,7 @@ class AnalysisServers(WorkerPlugin):
                 raise Reschedule()
             self.servers = [server for server in self.servers if server.poll() is None]
             server = subprocess.Popen(
-                [sys.executable, "-m", _SERVER, self.limits], stdin=subprocess.PIPE,
+                [sys.executable, "-m", _SERVER, self.work, self.limits], stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE, **self._popen_options())
             self.servers.append(server)
             return server

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Two parts whose documents are read again, so that their own geometry is compared. Most of it runs in a worker process."""
 
+import os
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,6 +15,7 @@ from ...core.kinds.compound_kinds import ListOf, Record
 from ...core.kinds.value_kinds import Flag, Number, Whole
 from ...core.message import message
 from ...core.reuse.likeness import is_whole
+from ..workers.preparation import require_preparation
 
 VERSION = 4
 """Of what a comparison is; results of another one are not taken from the cache."""
@@ -91,6 +93,20 @@ def compare(task):
     return best
 
 
+def comparison_by_worker(task):
+    """As `compare`, in a worker process."""
+    require_preparation()
+    return compare(task)
+
+
+def checked_comparison(task, answer):
+    """The answer to a task, as `ANSWER`. Raises ValueError where it is none; the text says why, in a few words."""
+    fault = ANSWER.fault(answer, "")
+    if fault or answer["motion"] >= len(task.motions):
+        raise ValueError(fault or message("it has no such motion"))
+    return answer
+
+
 def _least_share(answer):
     return min(answer["part"]["share"], answer["reference"]["share"])
 
@@ -129,12 +145,18 @@ def side_answer(form, distance, same):
 
 
 def part_of(compared_part):
-    """The part of its document, SolidPart or MeshedPart; a ThinPartError where it has none of this name any more."""
+    """The part of its document, SolidPart or MeshedPart.
+
+    Raises ThinPartError, kind ``missing`` where the document is gone, and ``info_file`` where it has no part of this name
+    any more.
+    """
     # Imported here since the adapter loads FreeCAD.
     from ...freecad_adapter.reading.part_files import read_parts
 
+    if not os.path.exists(compared_part.file):
+        raise ThinPartError(message("The file {file} no longer exists.", file=compared_part.file), "missing")
     for part in read_parts(compared_part.file).parts:
         if part.name == compared_part.name:
             return part
     raise ThinPartError(message("{file} has no part {part} any more: classify it again.",
-                                file=compared_part.file, part=compared_part.name), "missing")
+                                file=compared_part.file, part=compared_part.name), "info_file")

@@ -5,13 +5,11 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from ...core.forms.laying import SAME
-from ...core.message import message
 from ...core.reuse.likeness import KINDS
 from ...core.run_control import RunControl
-from ..workers.preparation import require_preparation
 from ..workers.result_cache import ResultCache
-from ..workers.task_run import run_tasks
-from .comparison_task import ANSWER, ComparedPart, ComparisonTask, compare, side_answer
+from ..workers.task_run import run_tasks, run_with_cache
+from .comparison_task import ComparedPart, ComparisonTask, checked_comparison, comparison_by_worker, side_answer
 from .evidence import BYTES, GEOMETRY, OUTLINES, evidence, judged
 from .formed_parts import formed_parts
 from .like_parts import LikeParts
@@ -77,7 +75,7 @@ class Duplicates:
     failures: list
 
 
-def find_duplicates(indexes, limits, reads_documents=True, control=None, report=None):
+def find_duplicates(indexes, limits, reads_documents=True, control=None, report=None, cluster=None):
     """Find the parts that refreshed LibraryIndexes have more than once: Duplicates.
 
     Parts are found by the moments and outlines that their records keep. Then the documents of each pair are read again, and
@@ -94,6 +92,8 @@ def find_duplicates(indexes, limits, reads_documents=True, control=None, report=
     control : RunControl, optional
     report : callable, optional
         Called with the numbers of steps done and of all; may raise to stop.
+    cluster : str, optional
+        Address of a Dask scheduler, from `cluster_address`, whose workers read and compare the documents.
     """
     control, report = control or RunControl(), report or (lambda done, total: None)
     parts = formed_parts(indexes)
@@ -109,7 +109,7 @@ def find_duplicates(indexes, limits, reads_documents=True, control=None, report=
     stored = parts.stored(sorted({number for each in found for number in (each.part, each.reference)}))
     found = [likes.with_ways(each) if reads_documents else each
              for each in found if each.part in stored and each.reference in stored]
-    answers, failures = _answers(found, parts, stored, limits, reads_documents, control, report)
+    answers, failures = _answers(found, parts, stored, limits, reads_documents, control, report, cluster)
     groups: dict = {}
     for likeness, (answer, compared) in zip(found, answers):
         likeness = likeness.taken(answer["motion"]) if compared == GEOMETRY else likeness
@@ -124,7 +124,7 @@ def find_duplicates(indexes, limits, reads_documents=True, control=None, report=
     return Duplicates(made, len(parts), parts.without_form, failures)
 
 
-def _answers(found, parts, stored, limits, reads_documents, control, report):
+def _answers(found, parts, stored, limits, reads_documents, control, report, cluster):
     """Of each `Likeness`: an answer about it, and what was compared; and the failures of documents."""
     answers, failures, tasks = [], [], {}
     for number, likeness in enumerate(found):
@@ -137,15 +137,29 @@ def _answers(found, parts, stored, limits, reads_documents, control, report):
             task = ComparisonTask(_compared_part(part, form), _compared_part(reference, other), motions)
             tasks[id(task)] = number, task
     limits = replace(limits, seconds=2.0 * limits.seconds)  # two documents are read
-    cache = ResultCache(_CACHE, lambda task: task.key, _LARGEST)
-    finished = run_tasks([task for _, task in tasks.values()], _answer, _checked, limits, cache=cache, control=control)
-    for count, done in enumerate(finished, 1):
+    for count, done in enumerate(_compared([task for _, task in tasks.values()], limits, control, cluster), 1):
         report(count, len(tasks))
         if done.failure is not None:
             failures.append(done.failure)
         else:
             answers[tasks[id(done.task)][0]] = done.result, GEOMETRY
     return answers, failures
+
+
+def _compared(tasks, limits, control, cluster):
+    """Yield the Done of each ComparisonTask; what was compared before comes from the cache."""
+    cache = ResultCache(_CACHE, lambda task: task.key, _LARGEST)
+    if cluster is None:
+        yield from run_tasks(tasks, comparison_by_worker, checked_comparison, limits, cache=cache, control=control)
+        return
+    # Imported late: few runs need what it imports.
+    from ..cluster.cluster_run import run_on_cluster
+    from .comparison_work import COMPARISONS
+
+    def run(waiting):
+        return run_on_cluster(cluster, waiting, COMPARISONS, limits, control)
+
+    yield from run_with_cache(tasks, run, checked_comparison, cache, control)
 
 
 def of_outlines(laid, form, other):
@@ -158,16 +172,3 @@ def of_outlines(laid, form, other):
 
 def _compared_part(stored, form):
     return ComparedPart(stored.file, stored.sha256, stored.name, form)
-
-
-def _answer(task):
-    """Runs in a worker."""
-    require_preparation()
-    return compare(task)
-
-
-def _checked(task, answer):
-    fault = ANSWER.fault(answer, "")
-    if fault or answer["motion"] >= len(task.motions):
-        raise ValueError(fault or message("it has no such motion"))
-    return answer

@@ -3,7 +3,7 @@
 
 from collections import deque
 from concurrent.futures import TimeoutError as TaskTimeout
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, closing, contextmanager
 from functools import partial
 from itertools import chain
 from pathlib import Path
@@ -73,7 +73,31 @@ def run_tasks(tasks, work, check, limits, *, cache=None, control=None, with_prog
         ``meanwhile(folder)`` gives an iterable, whose items are taken while the workers are busy. The folder has one for
         each worker.
     """
-    control, waiting = control or RunControl(), []
+    control = control or RunControl()
+
+    def run(waiting):
+        with task_workers(min(limits.jobs, len(waiting)), work, check, limits, with_programs) as run_waiting:
+            yield from run_waiting(waiting, control, meanwhile)
+
+    yield from run_with_cache(tasks, run, check, cache, control)
+
+
+def run_with_cache(tasks, run, check, cache, control):
+    """Do tasks, of which a cache may have the results. Yields a Done: as they finish.
+
+    Raises what `run` raises; Cancelled when `control` was asked to stop.
+
+    Parameters
+    ----------
+    tasks : sequence
+    run : callable
+        ``run(tasks)`` gives the Done of the tasks that the cache has not.
+    check : callable
+        As of `run_tasks`: for what the cache has.
+    cache : ResultCache or None
+    control : RunControl
+    """
+    waiting = []
     for task in tasks:
         control.check()
         result = None if cache is None else _cached(cache, task, check)
@@ -82,8 +106,8 @@ def run_tasks(tasks, work, check, limits, *, cache=None, control=None, with_prog
         else:
             yield Done(task, result)
     if waiting:
-        with task_workers(min(limits.jobs, len(waiting)), work, check, limits, with_programs) as run:
-            for done in run(waiting, control, meanwhile):
+        with closing(run(waiting)) as finished:
+            for done in finished:
                 if cache is not None and done.failure is None:
                     cache.keep(done.task, done.result)
                 yield done

@@ -1,16 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Loads thumbnails of parts on demand and caches them."""
+"""Thumbnails of parts, loaded on demand and cached, and the rows of tables that show them."""
 
 import time
 from collections import OrderedDict
 
 from ..application.qt import QtCore, QtGui, Signal, colour
-from ..record.verdict_text import category_colour
 from ..tables.row_model import FAILED_COLOUR
+from ..tables.table_view import TableView
+from .verdict_text import category_colour
 
 CACHE_SIZE = 600
 SLICE_SECONDS = 0.01
 """Maximum time for loading pictures before returning to the event loop."""
+
+_ROW_LINES = 2.6
+"""Height of a row with a picture, in lines of text."""
 
 
 class Thumbnails(QtCore.QObject):
@@ -97,6 +101,39 @@ class RowPictures:
         if key not in self._neutral:
             self._neutral[key] = neutral_picture(part, self.size, self.ratio)
         return self._neutral[key]
+
+
+class PicturesView(TableView):
+    """Shows rows that are as high as the pictures of their parts.
+
+    Its model has ``pictures``, a RowPictures, which stand in the column ``label``; the model is drawn again by
+    `show_pictures` once they are loaded. Only those of rows that are seen are.
+    """
+
+    def __init__(self, name, model, parent=None):
+        super().__init__(name, model, parent)
+        self._fit_rows()
+
+    def changeEvent(self, event):
+        """Adapt the row height to the font."""
+        super().changeEvent(event)
+        if event.type() in (QtCore.QEvent.FontChange, QtCore.QEvent.StyleChange):
+            self._fit_rows()
+
+    def _fit_rows(self):
+        self.set_row_height(_ROW_LINES)
+        height = self.verticalHeader().defaultSectionSize()
+        size = QtCore.QSize(round((height - 4) * 4 / 3), height - 4)
+        self.setIconSize(size)
+        pictures = self.model().pictures
+        pictures.size, pictures.ratio = size, self.devicePixelRatioF()
+
+
+def show_pictures(table):
+    """Draw the pictures of a RowModel again, which stand in the column of the part."""
+    if table.rowCount():
+        column = table.number_of("label")
+        table.dataChanged.emit(table.index(0, column), table.index(table.rowCount() - 1, column), [QtCore.Qt.DecorationRole])
 
 
 def neutral_picture(part, size, ratio):
