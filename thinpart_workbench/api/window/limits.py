@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Limits of walls to choose from, and parts checked against them."""
 
+from dataclasses import replace
 from typing import Any, NamedTuple, Optional
 
 from ...core.errors import ThinPartError
 from ...core.judging.wall_check import check_sentence, check_walls
 from ...core.judging.wall_limits import SHIPPED, WallLimits, limits_content, shipped_limits
+from ...core.maps.too_thick import too_thick
 from ...freecad_adapter.objects.thickness_object import OWN_CHECK
 from ...freecad_adapter.preferences import preference
 from ...storage.user_limits import known_limits, limits_named
@@ -50,6 +52,36 @@ def checked(record, limits):
     """
     check = check_walls(record, limits)
     return CheckedPart(check.holds, check_sentence(check))
+
+
+def too_thick_facets(parts, limits, face_limits=None):
+    """Which facets of maps are thicker than a process allows, as `checked` says it: list of ndarray of shape (m,), bool.
+
+    Parameters
+    ----------
+    parts : list of MappedPart
+    limits : WallLimits
+    face_limits : dict, optional
+        Limits for single faces by the name of the part; see ``face_limits`` of a part record.
+
+    Examples
+    --------
+    >>> parts = parts_of(thickness)
+    >>> [int(facets.sum()) for facets in too_thick_facets(parts, offered_limits()["FDM"])]
+    [0]
+    """
+    return [too_thick(replace(part, record=limited(part.record, face_limits)), limits) for part in parts]
+
+
+def limited(record, face_limits):
+    """A record with the limits that are kept for its faces: see `too_thick_facets`.
+
+    Examples
+    --------
+    >>> limited(record, None)["face_limits"]
+    ()
+    """
+    return {**record, "face_limits": (face_limits or {}).get(record["name"], ())}
 
 
 def preferred_checks(record):

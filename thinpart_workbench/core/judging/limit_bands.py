@@ -14,7 +14,7 @@ AT_LIMIT = 1e-4
 
 @dataclass(frozen=True)
 class LimitBand:
-    """A range of thickness.
+    """A range of thickness across the wall; that of `TOO_THICK` is one of the largest balls inside.
 
     Attributes
     ----------
@@ -33,7 +33,11 @@ class LimitBand:
 
 
 def limit_bands(least, most):
-    """Divide all thicknesses by limits, float, mm, 0 for none: list of LimitBand, the thinnest first."""
+    """Divide all thicknesses by limits, float, mm, 0 for none: list of LimitBand, the thinnest first.
+
+    The last one, where there is a greatest wall, is `TOO_THICK`. It lies over the others: rays along a wall from its rim
+    are long without a thick place, so that balls decide (`core.maps.too_thick`).
+    """
     end = most * (1.0 + AT_LIMIT) if most > 0.0 else float("inf")
     bands, low = [], 0.0
     if least > 0.0:
@@ -42,7 +46,7 @@ def limit_bands(least, most):
         above = min(least * (1.0 + ABOVE), end)
         bands.append(LimitBand(JUST_ABOVE, low, above, least))
         low = above
-    bands.append(LimitBand(PASSES, low, end))
+    bands.append(LimitBand(PASSES, low, float("inf")))
     if most > 0.0:
         bands.append(LimitBand(TOO_THICK, end, float("inf"), most))
     return bands

@@ -167,6 +167,14 @@ class WallCheck:
     thick_faces: tuple = ()
     own: tuple = ()
 
+    @property
+    def thick_from(self):
+        """Balls of which diameter are too thick: float, mm, infinite for none, and a dict of the same by name for the faces
+        with a greatest wall of their own."""
+        own = {each.face: (1.0 + NEAR) * each.max_mm if each.is_over else math.inf
+               for each in self.own if each.max_mm is not None and not each.is_gone}
+        return math.inf if self.thick_holds or self.limits.max_mm is None else (1.0 + NEAR) * self.limits.max_mm, own
+
     def content(self):
         """dict for JSON."""
         return {

@@ -79,7 +79,7 @@ def region_groups(record, notes=None):
 
 
 def equal_regions(record):
-    """Numbers of the listed regions of a part record, from 0, equal ones together, whatever people say: list of list of int."""
+    """The listed regions of a part record, equal ones together, whatever people say: list of list of int, numbers from 0."""
     return _equal_groups(record, [None] * len(record.get("regions", {}).get("listed", ())))
 
 

@@ -70,7 +70,7 @@ def size_groups(measurement, proposal):
 
 
 def median_size(sources, numbers):
-    """The size that one row says for some wall regions, by their numbers, from 0: float, mm; None where none is asked for."""
+    """The size that one row says for wall regions, by their numbers from 0: float, mm; None where none asks for any."""
     own = sources.of_regions(numbers).sizes
     return float(np.median(own)) if len(own) else None
 
