@@ -664,7 +664,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Checks compare the least wall with the thickness across the wall, and the greatest with the largest balls inside: choose the thickness across the wall under 'Colours show' to see where the limits are broken.</source>
-        <translation>Les contrôles comparent la paroi minimale à l’épaisseur à travers la paroi, et la maximale aux plus grandes boules à l’intérieur : choisissez l’épaisseur à travers la paroi sous « Les couleurs montrent » pour voir où les limites ne sont pas respectées.</translation>
+        <translation>Les contrôles comparent la paroi minimale à l’épaisseur à travers la paroi, et la maximale aux plus grandes boules à l’intérieur : choisissez l’épaisseur à travers la paroi sous « Les couleurs montrent » pour voir où les limites ne sont pas respectées.</translation>
     </message>
     <message>
         <source>Choose a file with mesh settings</source>
@@ -2640,7 +2640,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>Three colours: red is thinner than the limit, yellow up to a tenth above it, blue passes. Violet is thicker than the process allows, by the largest ball inside, as in the check</source>
-        <translation>Trois couleurs : le rouge est plus mince que la limite, le jaune jusqu’à un dixième au-dessus, le bleu est conforme. Le violet est plus épais que le procédé ne le permet, d’après la plus grande boule à l’intérieur, comme dans le contrôle</translation>
+        <translation>Trois couleurs : le rouge est plus mince que la limite, le jaune jusqu’à un dixième au-dessus, le bleu est conforme. Le violet est plus épais que le procédé ne le permet, d’après la plus grande boule à l’intérieur, comme dans le contrôle</translation>
     </message>
     <message>
         <source>Threshold</source>
@@ -3060,7 +3060,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>largest ball over {}: too thick</source>
-        <translation>plus grande boule de plus de {} : trop épais</translation>
+        <translation>plus grande boule de plus de {} : trop épais</translation>
     </message>
     <message>
         <source>layers instead</source>
@@ -3676,7 +3676,7 @@ Son volume est inconnu.</translation>
     </message>
     <message>
         <source>✗ The largest ball here is too large: at most {} are allowed</source>
-        <translation>✗ La plus grande boule est trop grande ici : au plus {} sont admis</translation>
+        <translation>✗ La plus grande boule est trop grande ici : au plus {} sont admis</translation>
     </message>
     <message>
         <source>✗ {}: at least {} are needed here</source>

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Limits of walls to choose from, and parts checked against them."""
 
-from dataclasses import replace
 from typing import Any, NamedTuple, Optional
 
 from ...core.errors import ThinPartError
+from ...core.judging.limit_bands import too_thick
 from ...core.judging.wall_check import check_sentence, check_walls
 from ...core.judging.wall_limits import SHIPPED, WallLimits, limits_content, shipped_limits
-from ...core.maps.too_thick import too_thick
 from ...freecad_adapter.objects.thickness_object import OWN_CHECK
 from ...freecad_adapter.preferences import preference
 from ...storage.user_limits import known_limits, limits_named
@@ -57,6 +56,8 @@ def checked(record, limits):
 def too_thick_facets(parts, limits, face_limits=None):
     """Which facets of maps are thicker than a process allows, as `checked` says it: list of ndarray of shape (m,), bool.
 
+    Maps of earlier versions have no balls, and are told by the thickness across.
+
     Parameters
     ----------
     parts : list of MappedPart
@@ -66,11 +67,13 @@ def too_thick_facets(parts, limits, face_limits=None):
 
     Examples
     --------
-    >>> parts = parts_of(thickness)
-    >>> [int(facets.sum()) for facets in too_thick_facets(parts, offered_limits()["FDM"])]
+    >>> part, = parts_of(thickness)
+    >>> part.record.update(record)
+    >>> [int(facets.sum()) for facets in too_thick_facets([part], offered_limits()["FDM"])]
     [0]
     """
-    return [too_thick(replace(part, record=limited(part.record, face_limits)), limits) for part in parts]
+    return [too_thick(check_walls(limited(part.record, face_limits), limits),
+                      part.map.thickness if part.map.balls is None else part.map.balls, part.map.face) for part in parts]
 
 
 def limited(record, face_limits):

@@ -1,16 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The facets of a shown map that are too thick for the process that is checked; they are the same until that changes."""
 
-from weakref import WeakKeyDictionary
-
 from ...api.document_maps import map_version, parts_of
 from ...api.window.limits import limits_of_map, too_thick_facets
 from ...core.analysis_settings import RAY
 from ...core.errors import ThinPartError
 from ..application import lifelong
-
-_KNOWN: WeakKeyDictionary = WeakKeyDictionary()
-"""By the proxy of a map: what its facets depend on, and ThickFacets."""
 
 
 class ThickFacets:
@@ -35,12 +30,12 @@ def thick_facets(thickness):
         return None
     face_limits = (lifelong.face_limits and lifelong.face_limits.known(thickness.Document.FileName)) or {}
     depends = (map_version(thickness), thickness.Check, thickness.Threshold, thickness.CheckMost, repr(face_limits))
-    known = _KNOWN.get(thickness.Proxy)
+    known = thickness.Proxy.cached_thick
     if known is None or known[0] != depends:
         try:
             parts = parts_of(thickness)
         except ThinPartError:  # the view has said that the map cannot be read
             return None
         found = ThickFacets(too_thick_facets(parts, limits_of_map(thickness, thickness.Check), face_limits))
-        _KNOWN[thickness.Proxy] = known = depends, found
+        thickness.Proxy.cached_thick = known = depends, found
     return known[1]
