@@ -661,7 +661,7 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Checks use the thickness across the wall: choose it under 'Colours show' to see where the limits are broken.</source>
+        <source>Checks compare the least wall with the thickness across the wall, and the greatest with the largest balls inside: choose the thickness across the wall under 'Colours show' to see where the limits are broken.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2661,7 +2661,7 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Three colours: red is thinner than the limit, yellow up to a tenth above it, blue passes. Violet is thicker than the process allows; the edge of a wall is violet too, where the ray runs along the wall</source>
+        <source>Three colours: red is thinner than the limit, yellow up to a tenth above it, blue passes. Violet is thicker than the process allows, by the largest ball inside, as in the check</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3089,6 +3089,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>largest ball over {}: too thick</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>layers instead</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3214,10 +3218,6 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>only in {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>over {}: too thick</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3705,11 +3705,11 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>✗ {}: at least {} are needed here</source>
+        <source>✗ The largest ball here is too large: at most {} are allowed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>✗ {}: at most {} are allowed here</source>
+        <source>✗ {}: at least {} are needed here</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

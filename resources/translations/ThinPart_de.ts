@@ -663,8 +663,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Prüfen für</translation>
     </message>
     <message>
-        <source>Checks use the thickness across the wall: choose it under 'Colours show' to see where the limits are broken.</source>
-        <translation>Prüfungen verwenden die Wandstärke quer durch die Wand: Wählen Sie diese bei „Farben zeigen“, um zu sehen, wo die Grenzwerte verletzt sind.</translation>
+        <source>Checks compare the least wall with the thickness across the wall, and the greatest with the largest balls inside: choose the thickness across the wall under 'Colours show' to see where the limits are broken.</source>
+        <translation>Prüfungen vergleichen die kleinste Wandstärke mit der Dicke quer durch die Wand und die größte mit den größten Kugeln darin: Wählen Sie bei „Farben zeigen“ die Dicke quer durch die Wand, um zu sehen, wo die Grenzwerte verletzt sind.</translation>
     </message>
     <message>
         <source>Choose a file with mesh settings</source>
@@ -2663,8 +2663,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Dieser Link ist beim Teil hinterlegt. Außerhalb von FreeCAD öffnen?</translation>
     </message>
     <message>
-        <source>Three colours: red is thinner than the limit, yellow up to a tenth above it, blue passes. Violet is thicker than the process allows; the edge of a wall is violet too, where the ray runs along the wall</source>
-        <translation>Drei Farben: Rot ist dünner als die Grenze, Gelb bis zu einem Zehntel darüber, Blau besteht. Violett ist dicker, als das Verfahren erlaubt; auch die Kante einer Wand ist violett, wo der Strahl an der Wand entlang läuft</translation>
+        <source>Three colours: red is thinner than the limit, yellow up to a tenth above it, blue passes. Violet is thicker than the process allows, by the largest ball inside, as in the check</source>
+        <translation>Drei Farben: Rot ist dünner als die Grenze, Gelb bis zu einem Zehntel darüber, Blau besteht. Violett ist dicker, als das Verfahren erlaubt, nach der größten Kugel darin, wie bei der Prüfung</translation>
     </message>
     <message>
         <source>Threshold</source>
@@ -3091,6 +3091,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>es ist das aktive Dokument selbst</translation>
     </message>
     <message>
+        <source>largest ball over {}: too thick</source>
+        <translation>größte Kugel über {}: zu dick</translation>
+    </message>
+    <message>
         <source>layers instead</source>
         <translation>stattdessen Schichten</translation>
     </message>
@@ -3217,10 +3221,6 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>only in {}</source>
         <translation>nur in {}</translation>
-    </message>
-    <message>
-        <source>over {}: too thick</source>
-        <translation>über {}: zu dick</translation>
     </message>
     <message>
         <source>own limit</source>
@@ -3707,12 +3707,12 @@ Sein Volumen ist unbekannt.</translation>
         <translation>✓ {}: innerhalb der Grenzen</translation>
     </message>
     <message>
-        <source>✗ {}: at least {} are needed here</source>
-        <translation>✗ {}: hier sind mindestens {} nötig</translation>
+        <source>✗ The largest ball here is too large: at most {} are allowed</source>
+        <translation>✗ Die größte Kugel hier ist zu groß: Höchstens {} sind zulässig</translation>
     </message>
     <message>
-        <source>✗ {}: at most {} are allowed here</source>
-        <translation>✗ {}: hier sind höchstens {} zulässig</translation>
+        <source>✗ {}: at least {} are needed here</source>
+        <translation>✗ {}: hier sind mindestens {} nötig</translation>
     </message>
 </context>
 <context>

@@ -663,8 +663,8 @@ Son volume est inconnu.</translation>
         <translation>Vérifier pour</translation>
     </message>
     <message>
-        <source>Checks use the thickness across the wall: choose it under 'Colours show' to see where the limits are broken.</source>
-        <translation>Les contrôles utilisent l’épaisseur à travers la paroi : choisissez-la sous « Les couleurs montrent » pour voir où les limites ne sont pas respectées.</translation>
+        <source>Checks compare the least wall with the thickness across the wall, and the greatest with the largest balls inside: choose the thickness across the wall under 'Colours show' to see where the limits are broken.</source>
+        <translation>Les contrôles comparent la paroi minimale à l’épaisseur à travers la paroi, et la maximale aux plus grandes boules à l’intérieur : choisissez l’épaisseur à travers la paroi sous « Les couleurs montrent » pour voir où les limites ne sont pas respectées.</translation>
     </message>
     <message>
         <source>Choose a file with mesh settings</source>
@@ -2663,8 +2663,8 @@ Son volume est inconnu.</translation>
         <translation>Ce lien est enregistré avec la pièce. L’ouvrir en dehors de FreeCAD ?</translation>
     </message>
     <message>
-        <source>Three colours: red is thinner than the limit, yellow up to a tenth above it, blue passes. Violet is thicker than the process allows; the edge of a wall is violet too, where the ray runs along the wall</source>
-        <translation>Trois couleurs : le rouge est plus mince que la limite, le jaune jusqu'à un dixième au-dessus, le bleu est conforme. Le violet est plus épais que le procédé ne le permet ; le bord d'une paroi est violet aussi, là où le rayon longe la paroi</translation>
+        <source>Three colours: red is thinner than the limit, yellow up to a tenth above it, blue passes. Violet is thicker than the process allows, by the largest ball inside, as in the check</source>
+        <translation>Trois couleurs : le rouge est plus mince que la limite, le jaune jusqu’à un dixième au-dessus, le bleu est conforme. Le violet est plus épais que le procédé ne le permet, d’après la plus grande boule à l’intérieur, comme dans le contrôle</translation>
     </message>
     <message>
         <source>Threshold</source>
@@ -3091,6 +3091,10 @@ Son volume est inconnu.</translation>
         <translation>c’est le document actif lui-même</translation>
     </message>
     <message>
+        <source>largest ball over {}: too thick</source>
+        <translation>plus grande boule de plus de {} : trop épais</translation>
+    </message>
+    <message>
         <source>layers instead</source>
         <translation>des couches à la place</translation>
     </message>
@@ -3217,10 +3221,6 @@ Son volume est inconnu.</translation>
     <message>
         <source>only in {}</source>
         <translation>seulement dans {}</translation>
-    </message>
-    <message>
-        <source>over {}: too thick</source>
-        <translation>plus de {} : trop épais</translation>
     </message>
     <message>
         <source>own limit</source>
@@ -3707,12 +3707,12 @@ Son volume est inconnu.</translation>
         <translation>✓ {} : dans les limites</translation>
     </message>
     <message>
-        <source>✗ {}: at least {} are needed here</source>
-        <translation>✗ {} : il faut au moins {} ici</translation>
+        <source>✗ The largest ball here is too large: at most {} are allowed</source>
+        <translation>✗ La plus grande boule est trop grande ici : au plus {} sont admis</translation>
     </message>
     <message>
-        <source>✗ {}: at most {} are allowed here</source>
-        <translation>✗ {} : au plus {} sont admis ici</translation>
+        <source>✗ {}: at least {} are needed here</source>
+        <translation>✗ {} : il faut au moins {} ici</translation>
     </message>
 </context>
 <context>

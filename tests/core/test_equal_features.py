@@ -15,7 +15,11 @@ from thinpart_workbench.core.forms.equal_faces import equal_faces
 from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
 from thinpart_workbench.core.record.region_groups import region_groups
 from thinpart_workbench.core.record.thin_faces import thin_face_colours
+from thinpart_workbench.core.sizing.size_groups import size_groups
+from thinpart_workbench.core.sizing.size_proposal import propose_sizes
+from thinpart_workbench.core.sizing.sizing_settings import SizingSettings
 from thinpart_workbench.core.thickness.measurement import measure
+from thinpart_workbench.workflow.meshing.part_sizing import PartSizing
 
 FULL = AnalysisSettings()
 PLACES = {"as made": {}, "turned": {"rotation": Rotation.from_rotvec([0.4, -1.1, 0.7]).as_matrix()}}
@@ -95,6 +99,43 @@ def test_all_teeth_are_one_row_and_one_colour(place):
         colours = thin_face_colours(shown, "red", "orange")
         of_class = {(face["equal_to"] or face["face"], colours.get(int(face["face"][4:]) - 1)) for face in record["faces"]}
         assert len(of_class) == len(equal)
+
+
+LAYERED = SizingSettings(order=1)
+
+
+@pytest.mark.parametrize("settings", [SizingSettings(), LAYERED])
+@pytest.mark.parametrize("made, kind", [(comb, "plate"), (gear, "tooth")])
+def test_equal_walls_have_one_row_of_sizes_and_one_size(made, kind, settings):
+    measured = measure(surface_mesh(*made()), FULL)
+    rows = PartSizing(measured, 10.0).proposed(settings, {})["regions"]
+    row, = (row for row in rows if len(row["regions"]) > 1)
+    assert row["kind"] == kind and len(row["regions"]) == 24 and row["region"] == row["regions"][0]
+    listed = measured.regions.listed
+    assert set(row["faces"]) == {face for number in row["regions"] for face in listed[number].faces}
+    proposal = propose_sizes(measured, 10.0, settings)
+    own = [each for each in proposal.regions if each.number in row["regions"]]
+    assert min(each.size for each in own) <= row["size"] <= max(each.size for each in own)
+    assert row["elements"] == sum(each.elements for each in own)
+    assert sorted(number for each in rows for number in each["regions"]) == sorted(
+        each.number for each in proposal.regions)
+
+
+def test_a_size_for_a_row_holds_for_all_of_its_walls_and_one_with_another_size_is_apart():
+    measured = measure(surface_mesh(*comb()), FULL)
+    sizing = PartSizing(measured, 10.0)
+    row, = (row for row in sizing.proposed(LAYERED, {})["regions"] if row["kind"] == "plate")
+    wanted = dict.fromkeys(row["regions"], 0.5)
+    row, = (row for row in sizing.proposed(LAYERED, wanted)["regions"] if row["kind"] == "plate")
+    assert row["size"] == pytest.approx(0.5) and row["regions"] == list(wanted)
+    proposal = propose_sizes(measured, 10.0, LAYERED, wanted)
+    assert {round(each.size, 9) for each in proposal.regions if each.number in wanted} == {0.5}
+    other = row["regions"][3]
+    rows = [row for row in sizing.proposed(LAYERED, {**wanted, other: None})["regions"] if row["kind"] == "plate"]
+    assert [(len(row["regions"]), row["size"] is None) for row in rows] == [(23, False), (1, True)]
+    assert rows[1]["regions"] == [other] and rows[1]["proposed_size"] is not None
+    groups = size_groups(measured, proposal)
+    assert sum(len(group.numbers) for group in groups) == len(measured.regions.listed)
 
 
 def test_rows_of_ribs_are_listed_beyond_twenty_and_none_is_left_out():

@@ -166,8 +166,8 @@ def test_the_index_checks_alike(shape, least, most):
               *[column for number, column in enumerate(packed_slanted(content["nonparallel"])) if number != 1])
     found = packed_walls_pass(
         *walls_of(record), content["volume_mm3"], content["area_mm2"], content["diagonal_mm"],
-        content["shares"]["unmeasured"], content["shares"]["unmet"], *packed, content["local"]["T99"], content["box_mm"][1],
-        least, most)
+        content["shares"]["unmeasured"], content["shares"]["unmet"], *packed, None, content["local"]["T99"],
+        content["box_mm"][1], least, most)
     holds = check_walls(record, limits(least, most)).holds
     assert found == (None if holds is None else int(holds))
 

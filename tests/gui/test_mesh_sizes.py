@@ -217,6 +217,41 @@ def test_sizes_are_edited_and_the_estimate_follows(document):
     assert table.rows[0]["elements"] is None
 
 
+def combed(document):
+    """A block with six equal fins."""
+    shape = Part.makeBox(50, 62, 15)
+    for number in range(6):
+        shape = shape.fuse(Part.makeBox(50, 2, 12, V(0, 12 * number, 15)))
+    return window.add(document, "Comb", shape.removeSplitter())
+
+
+def test_equal_walls_are_one_row_with_one_switch_one_size_and_one_fem_region(document):
+    feature = combed(document)
+    open_panel()
+    ask_for_layers()
+    table = window.widget("ThinPart_WallSizes")
+    rows = {row["kind"]: number for number, row in enumerate(table.rows)}
+    at = rows["plate"]
+    assert len(table.rows) == len(rows) and len(table.rows[at]["regions"]) == 6
+    assert table.model().index(at, 0).data().startswith("6 \u00d7 plate")
+    window.check_cell("ThinPart_WallSizes", at, False)
+    window.wait_until(lambda: table.rows[at]["size"] is None)
+    assert len(table.rows[at]["regions"]) == 6
+    window.check_cell("ThinPart_WallSizes", at, True)
+    window.wait_until(lambda: table.rows[at]["size"] is not None)
+    window.edit_cell("ThinPart_WallSizes", at, 1, "2.5")
+    window.wait_until(lambda: table.rows[at]["size"] == pytest.approx(2.5))
+    assert len(table.rows[at]["regions"]) == 6
+    press_ok()
+    window.wait_until(lambda: open_session() is None)
+    region, = (each for each in regions(document) if each.CharacteristicLength.Value == pytest.approx(2.5))
+    (owner, names), = region.References
+    sides = {round(owner.Shape.getElement(name).BoundBox.YMin) for name in names
+             if owner.Shape.getElement(name).BoundBox.YLength < 1e-6}
+    assert owner == feature and {12 * number + side for number in range(6) for side in (0, 2)} <= sides
+    assert "6 \u00d7 plate" in region.Label
+
+
 def test_what_a_limit_of_the_elements_costs_is_said(document):
     """A plate with a knife's edge, which takes most of the elements and gives way first."""
     outline = [V(0, 0, 0), V(2, 0, 0), V(2, 50, 0), V(0.05, 52, 0), V(0, 52, 0), V(0, 0, 0)]

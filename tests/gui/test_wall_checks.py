@@ -12,6 +12,7 @@ import pytest
 import window_actions as window
 from folder_dialog_use import CATEGORY, column, dialog, folder, message, no_choices, run  # noqa: F401 - fixtures among them
 
+from thinpart_workbench.api.document_maps import parts_of
 from thinpart_workbench.core.judging.limit_bands import FAILS, JUST_ABOVE, PASSES, TOO_THICK
 from thinpart_workbench.core.judging.wall_limits import shipped_limits
 from thinpart_workbench.freecad_adapter.objects.thickness_object import OWN_CHECK, thickness_objects
@@ -79,11 +80,43 @@ def test_the_map_shows_in_red_what_fails(document, own_limits):
     colours = ThicknessColours.of(thickness).of_values(np.array([6.0, 6.9999, 7.0, 7.69, 7.71, 20.0, 30.0, 40.0, np.nan]))
     names = {rgb: name for name, rgb in BAND_COLOURS.items()}
     assert [names.get(tuple(rgb)) for rgb in colours.tolist()] == [
-        FAILS, JUST_ABOVE, JUST_ABOVE, JUST_ABOVE, PASSES, PASSES, PASSES, TOO_THICK, None]
+        FAILS, JUST_ABOVE, JUST_ABOVE, JUST_ABOVE, PASSES, PASSES, PASSES, PASSES, None]
     assert "fails" in window.text("ThinPart_CheckResult") and "7\u00a0mm" in window.text("ThinPart_ThinShare")
     document.undo()
     window.settle(300)
     assert thickness.Check == "" and not window.is_shown("ThinPart_CheckResult")
+
+
+def violet(thickness):
+    """Of each part, which corners of its facets are violet: list of ndarray of shape (m, 3), bool."""
+    colours = ThicknessColours.of(thickness)
+    return [(colours.of_corners(number, part.map) == BAND_COLOURS[TOO_THICK]).all(axis=2)
+            for number, part in enumerate(parts_of(thickness))]
+
+
+def violet_share():
+    return float(re.search(r"([\d.]+)\u00a0%&nbsp;too", window.text("ThinPart_CheckShares")).group(1))
+
+
+def test_the_map_shows_in_violet_what_the_check_calls_too_thick_and_no_rims(document, own_limits):
+    window.add(document, "Plate", Part.makeBox(100, 80, 10))
+    window.show_thickness()
+    window.settle(300)
+    thickness, = thickness_objects(document)
+    choose_check("seven")
+    assert (parts_of(thickness)[0].map.thickness > 70.0).any()  # along the plate, from its rims
+    assert "passes" in window.text("ThinPart_CheckResult")
+    assert not violet(thickness)[0].any() and violet_share() == 0.0
+    own_limits.write_text(own_limits.read_text().replace('"max_mm": 30', '"max_mm": 8'))
+    choose_check("")
+    choose_check("seven")
+    assert thickness.CheckMost == 8.0 and "more than 8\u00a0mm" in window.text("ThinPart_CheckResult")
+    assert violet(thickness)[0].mean() > 0.9 and violet_share() > 90.0
+    drawn = thickness.ViewObject.Proxy.colours
+    assert drawn.thick is ThicknessColours.of(thickness).thick and drawn.thick.of_parts[0].mean() > 0.9
+    chart = window.widget("ThinPart_ThicknessChart")
+    at_ten = np.searchsorted(chart.edges, 10.0) - 1
+    assert tuple(chart.colours[at_ten]) == BAND_COLOURS[TOO_THICK]
 
 
 def test_shares_of_the_three_colours_are_those_of_the_surface(document):

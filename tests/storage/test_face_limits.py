@@ -13,7 +13,9 @@ from thinpart_workbench.core.errors import ThinPartError
 from thinpart_workbench.core.judging.wall_check import check_sentence, check_walls
 from thinpart_workbench.core.judging.wall_limits import WallLimits
 from thinpart_workbench.core.record.record_types import PART
+from thinpart_workbench.storage.index.library_index import LibraryIndex
 from thinpart_workbench.storage.info.annotations import carry_annotations, set_face_limit
+from thinpart_workbench.workflow.library.find_parts import PartQuery, find_parts
 
 REASON = "crush rib, thin on purpose"
 
@@ -90,6 +92,30 @@ def test_a_face_with_another_number_is_found_where_only_one_fits(ribbed):
     single["face"] = "Face99"
     check, = check_walls(ribbed, limits(0.4)).own
     assert (check.face, check.is_gone) == ("Face99", False)
+
+
+@pytest.mark.parametrize("least, most", [(None, None), (1.5, None), (2.5, None), (None, 3.0), (None, 1.5), (1.5, 3.0)])
+def test_a_search_finds_what_passes_as_the_check_says(ribbed, ribs, least, most, tmp_path):
+    path = made_library.store(tmp_path / "library", "ribs.step", [ribbed])
+    allowed = limit_faces(path, list(check_walls(ribbed, limits(None, 10.0)).thick_faces), "the foot", max_mm=60.0)
+    if least or most:
+        allowed = limit_faces(path, ribs, REASON, least, most)
+    processes = [limits(least=3.0), limits(least=1.0), limits(most=10.0), limits(3.0, 10.0), limits(most=2.5)]
+    with LibraryIndex(tmp_path / "library", tmp_path / "cache") as index:
+        index.refresh()
+        for process in processes:
+            holds = check_walls(allowed, process).holds
+            found = [bool(list(find_parts(index, PartQuery(**{name: (process,)})))) for name in ("passes", "fails")]
+            assert found == [holds is True, holds is False], process
+
+
+def test_a_changed_limit_is_found_by_the_next_search(ribbed, ribs, tmp_path):
+    path = made_library.store(tmp_path / "library", "ribs.step", [ribbed])
+    with LibraryIndex(tmp_path / "library", tmp_path / "cache") as index:
+        for faces, least, count in ((ribs, 1.5, 1), (ribs[:1], 2.5, 0), (ribs, None, 0)):
+            limit_faces(path, faces, REASON, least)
+            index.refresh()
+            assert len(list(find_parts(index, PartQuery(passes=(limits(3.0),))))) == count
 
 
 def test_it_is_kept_in_the_info_file_and_removed(ribbed, ribs, tmp_path):

@@ -59,7 +59,7 @@ def test_polydata_has_points_facets_and_values(parts, tmp_path):
 
 def test_ply_has_colours_and_thickness(parts, tmp_path):
     scale = ColourScale(0.0, 60.0)
-    write_map_file(tmp_path / "map.ply", PLY, parts, scale.colours)
+    write_map_file(tmp_path / "map.ply", PLY, parts, scale.of_corners)
     head, body = (tmp_path / "map.ply").read_bytes().split(b"end_header\n", 1)
     lines = head.decode("ascii").splitlines()
     assert lines[:2] == ["ply", "format binary_little_endian 1.0"]
@@ -77,5 +77,5 @@ def test_what_was_there_stays_where_it_cannot_be_written(parts, tmp_path):
     with pytest.raises(ThinPartError, match="cannot be written"):
         write_map_file(tmp_path / "folder.vtp", VTP, parts, None)
     with pytest.raises(OSError):
-        write_map_file(tmp_path / "no such folder" / "map.ply", PLY, parts, ColourScale(0.0, 1.0).colours)
+        write_map_file(tmp_path / "no such folder" / "map.ply", PLY, parts, ColourScale(0.0, 1.0).of_corners)
     assert os.listdir(tmp_path) == ["folder.vtp"]

@@ -8,10 +8,11 @@ import made_library
 import made_meshes
 import pytest
 
+from thinpart_workbench.api.annotations import keep_mesh_settings, settings_that_worked
 from thinpart_workbench.core.judging.conditions import search_conditions
 from thinpart_workbench.core.record.part_record import descriptors_of
 from thinpart_workbench.core.record.record_types import PART
-from thinpart_workbench.core.record.region_groups import region_groups
+from thinpart_workbench.core.record.region_groups import equal_regions, region_groups
 from thinpart_workbench.storage.index.library_index import LibraryIndex
 from thinpart_workbench.storage.index.part_query import PartQuery
 from thinpart_workbench.storage.index.written_query import SORTABLE
@@ -88,3 +89,18 @@ def test_libraries_are_searched_by_regions(ribbed, tmp_path):
         assert found("plate_regions > 1 and block_regions >= 1 and region_mm < 3") == ["ribs"]
         assert found("regions >= 1") == ["ribs", "tube"]
     assert {"region_mm", "regions", "tube_regions"} <= set(SORTABLE)
+
+
+def test_sizes_that_worked_are_offered_alike_for_equal_walls(tmp_path):
+    record = made_library.measured_record("ribs", RIBS)
+    listed = record["regions"]["listed"]
+    equal = equal_regions(record)[0]
+    assert len(equal) == 2
+    listed[equal[1]]["median"] *= 1.01  # as measures scatter
+    path = made_library.store(tmp_path, "ribs.step", [record])
+    figures = {"elements": 5000, "poor_share": 0.001, "gamma_least": 0.2, "layers_share": 0.97, "tries": []}
+    rows = [{"kind": listed[equal[0]]["kind"], "thickness": listed[equal[0]]["median"], "size": 0.5, "is_changed": True}]
+    settings = {"order": 1, "error": None, "layers": 2.0, "growth": 1.3, "size": None, "budget": None}
+    keep_mesh_settings(path, "Solid1", settings, 8.0, record["descriptors"]["diagonal_mm"], rows, figures)
+    sizes = dict(settings_that_worked(record, [], path)["sizes"])
+    assert [sizes[number] for number in equal] == [0.5, 0.5]

@@ -91,6 +91,29 @@ def test_a_report_in_another_language_has_no_english_texts_and_the_same_tables(l
         assert (tmp_path / language / table).read_bytes() == (tmp_path / "en" / table).read_bytes()
 
 
+def test_tables_and_exit_status_respect_limits_of_single_faces_as_the_pages_do(tmp_path):
+    part, limits = tmp_path / "rib.step", tmp_path / "own.json"
+    shutil.copy(SAMPLES / "cuboid_with_rib.step", part)
+    limits.write_text(json.dumps({"format": "thinpart-wall-limits", "version": 1, "processes": [
+        {"id": "nine", "title": "Nine", "min_mm": 9, "max_mm": None}]}))
+    check = "--check", "nine", "--limits", limits
+    assert thinpart("classify", part, *check).returncode == 3
+    assert thinpart("report", part, "-o", tmp_path / "before", *check).returncode == 3
+    record, = json.loads((tmp_path / "rib.step.thinpart.json").read_text())["parts"]
+    faces = [face["face"] for face in record["faces"] if face["min"] is not None and face["min"] < 9.0]
+    assert thinpart("note", part, "--face", ",".join(faces), "--at-least", 1, "--reason", "a crush rib").returncode == 0
+    assert thinpart("report", part, "-o", tmp_path / "after", *check).returncode == 0
+    before, after = (read_csv(tmp_path / name / "parts.csv")[0] for name in ("before", "after"))
+    assert (before["check nine"], after["check nine"]) == ("fails", "passes")
+    assert "a crush rib" in after["check nine sentence"]
+    page, = (page for name, page in pages(tmp_path / "after").items() if name != "index.html")
+    assert "a crush rib" in page.text
+    found = thinpart("find", tmp_path, "--passes", "nine", "--limits", limits, "--json")
+    assert len(found.stdout.splitlines()) == 1
+    assert thinpart("classify", part, *check, "--csv", tmp_path / "parts.csv").returncode == 0
+    assert read_csv(tmp_path / "parts.csv")[0]["check nine"] == "passes"
+
+
 def test_a_report_in_inches_says_no_millimetres_and_has_the_same_tables(tmp_path):
     reports = {unit: tmp_path / unit for unit in ("mm", "in")}
     for unit, folder in reports.items():

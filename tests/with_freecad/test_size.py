@@ -101,6 +101,20 @@ def test_with_layers_a_normal_part_stays_as_it_was_though_it_has_a_thin_wall(lin
     assert line["left_out"] == 0 and [row["layers"] for row in line["regions"]] == [pytest.approx(2.0, rel=0.05)]
 
 
+def test_equal_walls_are_one_row_with_one_size_and_all_of_their_faces(lines):
+    (line,), run = lines(SAMPLES / "heat_sink.step")
+    assert run.returncode == 0
+    fins, = (group for group in line["region_groups"] if group["count"] > 1)
+    own = [row for row in line["regions"] if row["group"] == fins["regions"][0]]
+    assert [row["region"] for row in own] == fins["regions"] and len(own) == fins["count"] > 5
+    assert {face for row in own for face in row["faces"]} == set(fins["faces"])
+    assert {row["size"] for row in own} == {fins["size"]} and {row["layers"] for row in own} == {fins["layers"]}
+    assert sum(row["elements"] for row in own) == fins["elements"]
+    table = thinpart("size", SAMPLES / "heat_sink.step").stdout.splitlines()
+    rows = [text for text in table if f"{fins['count']} x {fins['kind']}" in text]
+    assert len(rows) == 1 and len(table) < len(line["regions"]) + 4
+
+
 def test_the_script_opens_the_part_and_gives_the_same_mesh(parts, lines, tmp_path):
     script = tmp_path / "in a folder" / "sizes.geo"
     script.parent.mkdir()

@@ -17,6 +17,7 @@ from ..core.message import message
 from ..core.problem import problem_of
 from ..core.record.mesh_settings import LEAST_ALIKE, settings_for, wall_sizes_for, worked_settings
 from ..core.record.record_types import PART, PERSON
+from ..core.record.region_groups import equal_regions
 from ..core.regular_file import open_regular
 from ..storage.info.annotations import set_annotation, set_face_limit, set_label, set_region_note
 from ..storage.info.info_file import change_info, stored_info
@@ -292,10 +293,14 @@ def settings_that_worked(record, roots, info_file=None, report=None):
 
 def _offer(record, label, file, alike, is_own, meshed):
     diagonal = record["descriptors"]["diagonal_mm"]
-    walls = [(wall["kind"], wall["median"]) for wall in record.get("regions", {"listed": ()})["listed"]]
+    listed = record.get("regions", {"listed": ()})["listed"]
+    groups = equal_regions(record)
+    # Equal walls have one size, that of the first, though their measures scatter.
+    walls = [(listed[numbers[0]]["kind"], listed[numbers[0]]["median"]) for numbers in groups]
+    sizes = wall_sizes_for(meshed, walls, diagonal)
     return {"label": label, "file": file, "alike": alike, "is_own": is_own, "meshed": meshed,
             "settings": settings_for(meshed, diagonal),
-            "sizes": sorted(wall_sizes_for(meshed, walls, diagonal).items())}
+            "sizes": sorted((number, size) for group, size in sizes.items() for number in groups[group])}
 
 
 def no_settings(part):

@@ -128,7 +128,7 @@ def measure_snapshot(folder, megabytes, report=None, wait_for_history=None, page
             if pages is not None:
                 pages.add(part, measurement, found.record, _features(part, entry, folder, wait_for_history))
             elif job["maps"]:
-                part_map = thickness_map(measurement, partial(report_part, "map"), job["maps"])
+                part_map = thickness_map(measurement, partial(report_part, "map"), job["maps"], has_balls=True)
                 mapped = MappedPart(found.record, part_map, _features(part, entry, folder, wait_for_history))
                 yield SnapshotMap(part.name, _write_map(mapped, entry, folder))
         except Exception as error:  # a failed part does not affect the others

@@ -46,9 +46,9 @@ def print_part(stream, file, part):
         stream.write(printable(f"No shell: {part['idealisation']['no_shell']}") + "\n")
     if "shell" in part:
         stream.write(_shell(part["shell"]) + "\n")
-    if part["regions"]:
+    if part["region_groups"]:
         stream.write("\n")
-        print_table(stream, _REGION_COLUMNS, lambda: part["regions"])
+        print_table(stream, _REGION_COLUMNS, lambda: part["region_groups"])
     if part["check"] is not None:
         stream.write("\n")
         print_table(stream, _MESH_COLUMNS, lambda: [("one size", part["check"]["default"]),
@@ -170,8 +170,8 @@ def _outcome(figures):
 
 
 _REGION_COLUMNS = (
-    TableColumn("Region", lambda row: str(row["region"]), True),
-    TableColumn("Kind", lambda row: row["kind"]),
+    TableColumn("Region", lambda row: str(row["regions"][0]), True),
+    TableColumn("Kind", lambda row: row["kind"] if row["count"] == 1 else f"{row['count']} x {row['kind']}"),
     TableColumn("Thickness mm", lambda row: _number(row["thickness"]), True),
     TableColumn("Width mm", lambda row: _number(row["width"]), True),
     TableColumn("Area mm2", lambda row: _number(row["area"]), True),

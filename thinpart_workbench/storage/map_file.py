@@ -23,6 +23,8 @@ def write_maps(path, parts):
     for number, part in enumerate(parts):
         arrays.update({f"{name}_{number}": getattr(part.map, name) for name in _ARRAYS})
         arrays[f"corners_{number}"] = part.map.corner_thickness
+        if part.map.balls is not None:
+            arrays[f"balls_{number}"] = part.map.balls
         arrays[f"places_{number}"] = part.matrices
         arrays[f"outline_{number}"] = part.map.outline
     content = {"version": VERSION, "parts": [
@@ -49,9 +51,10 @@ def read_maps(path):
 
 
 def _part(file, number, entry):
-    corners = file[f"corners_{number}"] if f"corners_{number}" in file.files else None  # earlier versions wrote none
+    corners, balls = (file[f"{name}_{number}"] if f"{name}_{number}" in file.files else None  # earlier versions wrote none
+                      for name in ("corners", "balls"))
     thickness_map = ThicknessMap(**{name: file[f"{name}_{number}"] for name in _ARRAYS}, measure=entry.get("measure", RAY),
-                                 corner_thickness=corners)
+                                 corner_thickness=corners, balls=balls)
     # Computed by the process that measured: it takes 0.2 s for 200,000 facets.
     vars(thickness_map)["outline"] = file[f"outline_{number}"]
     return MappedPart(entry["record"], thickness_map, entry["features"], file[f"places_{number}"])

@@ -213,7 +213,7 @@ class OpenDocumentReport:
             The feature that made each face; may be empty.
         """
         self._pages.write(_Drawn(*self._maker.make(part, measurement, record, features)), record)
-        self._outcome["parts"].append(record)
+        self._outcome["parts"].append(self._maker.limited(record))
 
     def add_failure(self, failure):
         """Add a part that could not be measured: PartFailure."""

@@ -4,6 +4,7 @@
 from typing import Any, NamedTuple, Optional
 
 from ...core.errors import ThinPartError
+from ...core.judging.limit_bands import too_thick
 from ...core.judging.wall_check import check_sentence, check_walls
 from ...core.judging.wall_limits import SHIPPED, WallLimits, limits_content, shipped_limits
 from ...freecad_adapter.objects.thickness_object import OWN_CHECK
@@ -50,6 +51,40 @@ def checked(record, limits):
     """
     check = check_walls(record, limits)
     return CheckedPart(check.holds, check_sentence(check))
+
+
+def too_thick_facets(parts, limits, face_limits=None):
+    """Which facets of maps are thicker than a process allows, as `checked` says it: list of ndarray of shape (m,), bool.
+
+    Maps of earlier versions have no balls, and are told by the thickness across.
+
+    Parameters
+    ----------
+    parts : list of MappedPart
+    limits : WallLimits
+    face_limits : dict, optional
+        Limits for single faces by the name of the part; see ``face_limits`` of a part record.
+
+    Examples
+    --------
+    >>> part, = parts_of(thickness)
+    >>> part.record.update(record)
+    >>> [int(facets.sum()) for facets in too_thick_facets([part], offered_limits()["FDM"])]
+    [0]
+    """
+    return [too_thick(check_walls(limited(part.record, face_limits), limits),
+                      part.map.thickness if part.map.balls is None else part.map.balls, part.map.face) for part in parts]
+
+
+def limited(record, face_limits):
+    """A record with the limits that are kept for its faces: see `too_thick_facets`.
+
+    Examples
+    --------
+    >>> limited(record, None)["face_limits"]
+    ()
+    """
+    return {**record, "face_limits": (face_limits or {}).get(record["name"], ())}
 
 
 def preferred_checks(record):

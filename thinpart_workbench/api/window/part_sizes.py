@@ -223,8 +223,8 @@ def rows_to_keep(meshed, sizes):
     8.0
     """
     changed = {number for number, _ in sizes}
-    rows = [{"kind": row["kind"], "thickness": row["thickness"], "size": row["size"], "is_changed": row["region"] in changed}
-            for row in meshed["regions"]]
+    rows = [{"kind": row["kind"], "thickness": row["thickness"], "size": row["size"],
+             "is_changed": not changed.isdisjoint(row["regions"])} for row in meshed["regions"]]
     figures = {key: meshed["proposed"][key] for key in ("elements", "poor_share", "gamma_least", "layers_share", "tries")}
     return {"rows": rows, "global_size": meshed["global_size"], "figures": figures}
 

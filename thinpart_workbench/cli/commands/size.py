@@ -199,7 +199,8 @@ def _keep(options, settings, sizes, file, part):
     if not figures["elements"]:
         return True
     rows = [{"kind": row["kind"], "thickness": row["thickness"], "size": row["size"],
-             "is_changed": row["region"] - 1 in sizes or part["category"] == NORMAL} for row in part["regions"]]
+             "is_changed": part["category"] == NORMAL or any(number - 1 in sizes for number in row["regions"])}
+            for row in part["region_groups"]]
     try:
         keep_mesh_settings(file, part["name"], asdict(settings), part["global_size"], part["diagonal"], rows, figures,
                            options.info_dir)

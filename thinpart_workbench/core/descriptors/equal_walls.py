@@ -45,6 +45,12 @@ class WallSize:
     area: float
     faces: tuple = ()
 
+    @classmethod
+    def of_region(cls, region, face_areas):
+        """That of a measured WallRegion, by the areas of all faces, ndarray of shape (f,), mm2: WallSize."""
+        return cls(region.kind, region.least, region.median, region.length, region.width, region.area,
+                   tuple(sorted(float(face_areas[face]) for face in region.faces)))
+
     @property
     def is_taper(self):
         """Whether it gets thinner towards one side."""
@@ -70,6 +76,27 @@ def are_equal(one, other):
         return _near(one.area, other.area, SAME_AREA) and (is_taper or _near(one.least, other.least, SAME_AREA))
     return one.kind == other.kind and (is_taper or _near(one.least, other.least, same)) and all(
         _near(getattr(one, name), getattr(other, name), SAME_SIDES) for name in ("length", "width"))
+
+
+def equal_groups(sizes, said):
+    """Which wall regions are shown as one row: list of list of int, their numbers, in the order of the first of each.
+
+    Each region joins the first group whose first region is equal to it, and of which people say the same.
+
+    Parameters
+    ----------
+    sizes : sequence of WallSize
+    said : sequence
+        What people say of each region, of values that can be compared.
+    """
+    groups: list[list[int]] = []
+    for number, (size, of_it) in enumerate(zip(sizes, said)):
+        equal = next((group for group in groups if said[group[0]] == of_it and are_equal(sizes[group[0]], size)), None)
+        if equal is None:
+            groups.append([number])
+        else:
+            equal.append(number)
+    return groups
 
 
 def are_on_equal_faces(one, other):

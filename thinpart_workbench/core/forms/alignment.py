@@ -42,6 +42,7 @@ LEAST_FITTED = 6
 STILL = 1e-6
 """A motion that changes by less, as a share of the extent, is as near as it comes."""
 
+_FIRST_POINTS, _TRIED_TURNS = 16, 256
 _TRIED_POINTS = 96
 _AXES_BESIDE = np.radians(3.0)  # where radii differ little, triangles of another fineness turn the axes
 _ORDERS = np.array([np.eye(3)[list(order)] * [1.0, 1.0, sign] for order, sign in (
@@ -80,15 +81,23 @@ def likely_turns(form, other, scale, is_mirrored, count, any_axes=False, whole=F
         turns, skew = turns[is_likely], skew[is_likely]
         if not len(turns):
             return turns
-    few = form.thinned(_TRIED_POINTS).outline
-    moved = np.einsum("rij,pj->rpi", turns, np.hstack([scale * few.points, few.normals]).reshape(-1, 3))
-    moved = moved.reshape(len(turns), -1, 6) * np.repeat([1.0, other.normal_length], 3)
-    distance = other.directed_tree.query(moved.reshape(-1, 6))[0].reshape(len(turns), -1)
-    away = distance.mean(axis=1) / other.extent
+    if len(turns) > _TRIED_TURNS:
+        best = np.argsort(_away(form.thinned(_FIRST_POINTS), other, scale, turns), kind="stable")[:_TRIED_TURNS]
+        turns, skew = turns[best], skew[best]
+    away = _away(form.thinned(_TRIED_POINTS), other, scale, turns)
     if whole:
         is_near = away <= (MOST_AWAY * other.normal_length / NORMAL_SPACINGS + step * other.radii[0]) / other.extent
         turns, away, skew = turns[is_near], away[is_near], skew[is_near]
     return _apart(turns[np.argsort(away + skew, kind="stable")], count)
+
+
+def _away(form, other, scale, turns):
+    """Mean distance of the points of a form from those of another, by its extent, after each turn: ndarray of shape (r,)."""
+    few = form.outline
+    moved = np.einsum("rij,pj->rpi", turns, np.hstack([scale * few.points, few.normals]).reshape(-1, 3))
+    moved = moved.reshape(len(turns), -1, 6) * np.repeat([1.0, other.normal_length], 3)
+    distance = other.directed_tree.query(moved.reshape(-1, 6))[0].reshape(len(turns), -1)
+    return distance.mean(axis=1) / other.extent
 
 
 def _apart(turns, count):

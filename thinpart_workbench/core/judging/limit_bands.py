@@ -1,7 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The ranges of thickness into which limits of the wall divide a map: what fails, what is just above, what passes."""
+"""The ranges of thickness into which limits of the wall divide a map: what fails, what is just above, what passes; and which
+places are too thick."""
 
 from dataclasses import dataclass
+
+import numpy as np
+
+from ..record.face_names import face_number
 
 FAILS, JUST_ABOVE, PASSES, TOO_THICK = ("fails", "just_above", "passes", "too_thick")
 
@@ -14,7 +19,7 @@ AT_LIMIT = 1e-4
 
 @dataclass(frozen=True)
 class LimitBand:
-    """A range of thickness.
+    """A range of thickness across the wall; that of `TOO_THICK` is one of the largest balls inside.
 
     Attributes
     ----------
@@ -33,7 +38,11 @@ class LimitBand:
 
 
 def limit_bands(least, most):
-    """Divide all thicknesses by limits, float, mm, 0 for none: list of LimitBand, the thinnest first."""
+    """Divide all thicknesses by limits, float, mm, 0 for none: list of LimitBand, the thinnest first.
+
+    The last one, where there is a greatest wall, is `TOO_THICK`. It lies over the others: rays along a wall from its rim
+    are long without a thick place, so that balls decide (`too_thick`).
+    """
     end = most * (1.0 + AT_LIMIT) if most > 0.0 else float("inf")
     bands, low = [], 0.0
     if least > 0.0:
@@ -42,7 +51,29 @@ def limit_bands(least, most):
         above = min(least * (1.0 + ABOVE), end)
         bands.append(LimitBand(JUST_ABOVE, low, above, least))
         low = above
-    bands.append(LimitBand(PASSES, low, end))
+    bands.append(LimitBand(PASSES, low, float("inf")))
     if most > 0.0:
         bands.append(LimitBand(TOO_THICK, end, float("inf"), most))
     return bands
+
+
+def too_thick(check, balls, faces):
+    """Which places are thicker than a process allows, as the check of the part says it: ndarray of shape (m,), bool.
+
+    So rims and edges, along which rays run, are not among them, nor is anything where the check passes. Faces with a
+    greatest wall of their own are compared with that.
+
+    Parameters
+    ----------
+    check : WallCheck
+    balls : ndarray of shape (m,), mm
+        Diameters of the largest balls inside that reach the places; nan where that is not known.
+    faces : ndarray of shape (m,), int
+        Numbers of the B-Rep faces of the places, from 0.
+    """
+    most, of_faces = check.thick_from
+    allowed = np.full(len(balls), most)
+    for name, own in of_faces.items():
+        allowed[faces == face_number({"face": name})] = own
+    with np.errstate(invalid="ignore"):
+        return balls > allowed

@@ -6,7 +6,7 @@ Command lines list and check stored parts without numpy, so neither is it import
 
 import math
 from dataclasses import dataclass, replace
-from typing import Optional
+from typing import NamedTuple, Optional
 
 from ..descriptors.bins import BINS, MIDDLE_BINS
 from ..descriptors.descriptor_table import STATED_FLOOR
@@ -167,6 +167,14 @@ class WallCheck:
     thick_faces: tuple = ()
     own: tuple = ()
 
+    @property
+    def thick_from(self):
+        """Balls of which diameter are too thick: float, mm, infinite for none, and a dict of the same by name for the faces
+        with a greatest wall of their own."""
+        own = {each.face: (1.0 + NEAR) * each.max_mm if each.is_over else math.inf
+               for each in self.own if each.max_mm is not None and not each.is_gone}
+        return math.inf if self.thick_holds or self.limits.max_mm is None else (1.0 + NEAR) * self.limits.max_mm, own
+
     def content(self):
         """dict for JSON."""
         return {
@@ -212,32 +220,63 @@ def check_walls(record, limits):
         It may lack its faces, which make shares of the surface more precise.
     limits : WallLimits
     """
-    own = tuple(check_faces(record))
-    measured = _without(own, record, MeasuredWalls.of_record(record))
+    return _check(record, limits, judged_walls(record, MeasuredWalls.of_record(record), limits))
+
+
+class JudgedWalls(NamedTuple):
+    """What decides a check; see `WallCheck` for ``holds``, ``thin_holds``, ``thick_holds``, ``within`` and ``own``.
+
+    ``measured`` is what was measured, apart from faces with a least wall of their own, ``thick`` the names of the faces that
+    are thicker than the process allows, the thickest first.
+    """
+
+    holds: Optional[bool]
+    thin_holds: Optional[bool]
+    thick_holds: Optional[bool]
+    within: bool
+    measured: MeasuredWalls
+    thick: tuple
+    own: tuple
+
+
+def judged_walls(limited, measured, limits):
+    """Compare the walls of a part with the limits of a process, and faces that have limits of their own with these.
+
+    Returns JudgedWalls.
+
+    Parameters
+    ----------
+    limited : dict
+        ``faces`` and ``face_limits`` of a part record; see `limited_part`. Either may be missing.
+    measured : MeasuredWalls
+    limits : WallLimits
+    """
+    own = tuple(check_faces(limited))
+    measured = _without(own, limited, measured)
     thin_holds, thick_holds, within = wall_verdict(measured, limits)
     if measured.thinnest is None and any(each.min_mm is not None and not each.is_gone for each in own):
         thin_holds = True  # all walls have limits of their own
-    limited = {each.face for each in own if each.max_mm is not None and not each.is_gone}
-    over = () if limits.max_mm is None else _faces_over(record, limits.max_mm)
-    thick = tuple(face for face in over if face not in limited)
-    if thick_holds is False and limited and not thick:
+    apart = {each.face for each in own if each.max_mm is not None and not each.is_gone}
+    over = () if limits.max_mm is None else _faces_over(limited, limits.max_mm)
+    thick = tuple(face for face in over if face not in apart)
+    if thick_holds is False and apart and not thick:
         thick_holds = True
-    if any(each.holds is False for each in own):
-        return replace(_check(record, limits, measured, thin_holds, thick_holds, within, thick, own), holds=False)
-    return _check(record, limits, measured, thin_holds, thick_holds, within, thick, own)
+    verdicts = (thin_holds, thick_holds, *(False for each in own if each.holds is False))
+    holds = False if False in verdicts else None if None in verdicts else True
+    return JudgedWalls(holds, thin_holds, thick_holds, within, measured, thick, own)
 
 
-def _without(own, record, measured):
+def _without(own, limited, measured):
     """What was measured, with the thinnest wall apart from those of faces with a least wall of their own."""
     if not any(each.min_mm is not None and not each.is_gone for each in own) or measured.thinnest is None:
         return measured
-    least = least_elsewhere(record, own)
+    least = least_elsewhere(limited, own)
     return replace(measured, thinnest=None if least is None else max(least, measured.thinnest))
 
 
-def _check(record, limits, measured, thin_holds, thick_holds, within, thick, own):
+def _check(record, limits, judged):
     """The result: WallCheck."""
-    holds = False if False in (thin_holds, thick_holds) else None if None in (thin_holds, thick_holds) else True
+    holds, thin_holds, thick_holds, within, measured, thick, own = judged
     apart = {each.face for each in own if each.min_mm is not None}
     least = [(face.get("walls_min", face["min"]), face["face"]) for face in record.get("faces", ())
              if face["face"] not in apart]
@@ -354,9 +393,9 @@ def _thick_share(record, measured, most, holds):
     return max(sum(area for bin_, area in zip(local["bins"], local["area"]) if bin_ > cut), THICK_SHARE)
 
 
-def _faces_over(record, most):
+def _faces_over(limited, most):
     """Names of the faces that balls larger than the greatest wall reach, the thickest first."""
-    thick = [(-face["ball_mm"], face["face"]) for face in record.get("faces", ()) if face.get("ball_mm")]
+    thick = [(-face["ball_mm"], face["face"]) for face in limited.get("faces", ()) if face.get("ball_mm")]
     return [face for ball, face in sorted(thick) if -ball > (1.0 + NEAR) * most]
 
 

@@ -81,6 +81,12 @@ def share_between(parts, low, high):
     return float(chosen / sum(len(part.matrices) * part.map.areas.sum() for part in parts))
 
 
+def share_of(parts, chosen):
+    """float: share of all area on some facets: for each MappedPart, an ndarray of shape (m,), bool."""
+    area = sum(len(part.matrices) * part.map.areas[own].sum() for part, own in zip(parts, chosen))
+    return float(area / sum(len(part.matrices) * part.map.areas.sum() for part in parts))
+
+
 def between(thickness_map, low, high):
     """ndarray of shape (m,), bool: facets over walls that are at least `low` and less than `high` mm thick."""
     return are_between(thickness_map.thickness, low, high)

@@ -28,6 +28,9 @@ JUMP_ROUNDS = 2
 CUT_DONE = 0.05
 """Progress when the facets are small enough."""
 
+WALLS_DONE = 0.8
+"""The share of the rest after which the walls across are known, where balls follow."""
+
 
 @dataclass(frozen=True)
 class ThicknessMap:
@@ -53,6 +56,9 @@ class ThicknessMap:
     corner_thickness : ndarray of shape (m, 3), float32, mm
         At the corners of each facet, on which the thickness changes linearly; across the line between two facets it may
         jump. nan where nothing was measured.
+    balls : ndarray of shape (m,), float32, mm, or None
+        Beside walls across, the local thickness: the diameter of the largest ball inside that reaches the middle of each
+        facet. None for maps of balls, and where balls were not looked for.
     """
 
     points: np.ndarray
@@ -63,6 +69,7 @@ class ThicknessMap:
     origin: np.ndarray = field(default_factory=lambda: np.zeros(3))
     measure: str = RAY
     corner_thickness: Optional[np.ndarray] = None
+    balls: Optional[np.ndarray] = None
 
     def __post_init__(self):
         if self.corner_thickness is None:
@@ -144,7 +151,7 @@ class ThicknessMap:
         return distance, point + distance * inward
 
 
-def thickness_map(measurement, report=None, by=RAY):
+def thickness_map(measurement, report=None, by=RAY, has_balls=False):
     """Compute the thickness of a measured part, facet by facet: ThicknessMap.
 
     Large triangles are cut until their sides are about as long as those of `FACETS` equal facets. Where the thickness jumps
@@ -158,6 +165,8 @@ def thickness_map(measurement, report=None, by=RAY):
         Called with the fraction done; may raise to stop.
     by : str
         One of `SHOWN_MEASURES`.
+    has_balls : bool
+        Whether a map of walls across is to have `balls` too, which tell what is too thick.
     """
     mesh = measurement.field.mesh
     rays = measurement.rays or InwardRays(mesh)
@@ -166,21 +175,26 @@ def thickness_map(measurement, report=None, by=RAY):
     report_progress(report, CUT_DONE)
     made = portion(report, CUT_DONE, 1.0)
     if by == RAY:
-        found = _map_of_walls(mesh, rays, points, facets, parent, made)
+        # A flat open surface has no inside.
+        diameters = _reaching(measurement, rays) if has_balls and measurement.box_mm[2] > 0.0 else None
+        found = _map_of_walls(mesh, rays, points, facets, parent, diameters, made)
     else:
         found = _map_of_balls(_DIAMETERS[by](measurement, rays), by, mesh, points, facets, parent, size, most, made)
     report_progress(report, 1.0)
     return found
 
 
-def _map_of_walls(mesh, rays, points, facets, parent, report):
-    cut = cut_along_jumps(mesh, rays, points, facets, parent, report)
+def _map_of_walls(mesh, rays, points, facets, parent, diameters, report):
+    done = 1.0 if diameters is None else WALLS_DONE
+    cut = cut_along_jumps(mesh, rays, points, facets, parent, portion(report, 0.0, done))
     known = np.isfinite(cut.corner_thickness)
     mean = np.divide(np.where(known, cut.corner_thickness, 0.0).sum(axis=1), known.sum(axis=1),
                      out=np.full(len(known), np.nan), where=known.any(axis=1))
     at_corners = np.where(known, cut.corner_thickness, mean[:, None])
+    balls = None if diameters is None else diameters(
+        cut.points[cut.facets].mean(axis=1), cut.parent, portion(report, done, 1.0)).astype(np.float32)
     return _assembled(mesh, cut.points, cut.facets, cut.parent, mean, np.where(np.isfinite(mean), cut.opposite, -1), RAY,
-                      at_corners)
+                      at_corners, balls)
 
 
 def _map_of_balls(diameters, by, mesh, points, facets, parent, size, most, report):
@@ -237,7 +251,7 @@ def _beside_jump(facets, count, thickness):
     return beside
 
 
-def _assembled(mesh, points, facets, parent, thickness, opposite, by, corner_thickness=None):
+def _assembled(mesh, points, facets, parent, thickness, opposite, by, corner_thickness=None, balls=None):
     facet_of_triangle = np.full(mesh.count, -1, dtype=np.int64)
     facet_of_triangle[parent[::-1]] = np.arange(len(parent))[::-1]
     opposite_facet = np.where(opposite >= 0, facet_of_triangle[opposite], -1)
@@ -245,5 +259,5 @@ def _assembled(mesh, points, facets, parent, thickness, opposite, by, corner_thi
         points.astype(np.float32), facets.astype(np.int32),
         np.where(np.isfinite(thickness), thickness, np.nan).astype(np.float32),
         opposite_facet.astype(np.int32), mesh.face_of_triangle[parent].astype(np.int32), mesh.origin, by,
-        None if corner_thickness is None else corner_thickness.astype(np.float32),
+        None if corner_thickness is None else corner_thickness.astype(np.float32), balls,
     )

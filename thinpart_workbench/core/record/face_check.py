@@ -40,6 +40,11 @@ class FaceCheck:
     holds: Optional[bool] = None
     is_gone: bool = False
 
+    @property
+    def is_over(self):
+        """bool: whether it is thicker than its own limit."""
+        return self.max_mm is not None and self.ball_mm is not None and self.ball_mm > (1.0 + NEAR) * self.max_mm
+
     def content(self):
         """dict for JSON."""
         return {"face": self.face, "min_mm": self.min_mm, "max_mm": self.max_mm, "reason": self.reason,
@@ -101,7 +106,7 @@ def _checked(limit, face):
         return FaceCheck(limit["face"], least, most, limit["reason"], is_gone=True)
     check = FaceCheck(face["face"], least, most, limit["reason"], _wall(face), face.get("ball_mm"))
     unknown = (least is not None and check.wall_mm is None) or (most is not None and check.ball_mm is None)
-    holds = None if unknown else not _is_under(check) and not (most is not None and check.ball_mm > (1.0 + NEAR) * most)
+    holds = None if unknown else not _is_under(check) and not check.is_over
     return FaceCheck(check.face, least, most, check.reason, check.wall_mm, check.ball_mm, holds)
 
 

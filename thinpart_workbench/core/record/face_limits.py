@@ -5,6 +5,26 @@ SAME_AREA = 0.01
 """Share by which the area of a face may differ between measurements."""
 
 
+_MEASURED = ("face", "area_mm2", "surface", "min", "walls_min", "ball_mm")
+_LIMIT = ("face", "area_mm2", "surface", "min_mm", "max_mm", "reason")
+
+
+def limited_part(record):
+    """What a check needs of a part record whose faces have limits of their own: dict of plain values, None for any other.
+
+    It has ``faces`` and ``face_limits``, as the record, with fewer keys.
+    """
+    if not record.get("face_limits"):
+        return None
+    faces = [{**_only(_MEASURED, face), "witness": face["witness"] and _only(("opposite_face",), face["witness"])}
+             for face in record.get("faces", ())]
+    return {"face_limits": [_only(_LIMIT, limit) for limit in record["face_limits"]], "faces": faces}
+
+
+def _only(keys, content):
+    return {key: content[key] for key in keys if key in content}
+
+
 def limited_faces(record):
     """The limits for single faces of a part record, each with the face that it is for: list of (dict, FaceRecord or None).
 

@@ -4,7 +4,7 @@
 from dataclasses import dataclass
 from typing import Optional
 
-from ..descriptors.equal_walls import WallSize, are_equal
+from ..descriptors.equal_walls import WallSize, equal_groups
 from .face_names import face_number
 from .region_notes import notes_of_regions
 
@@ -68,21 +68,24 @@ def region_groups(record, notes=None):
     notes : list of dict, optional
         ``region_notes`` of the part; by default those in the record.
     """
-    groups: list[tuple] = []
-    face_areas = {face["face"]: face["area_mm2"] for face in record.get("faces", ())}
     listed = record.get("regions", {}).get("listed", [])
     found = notes_of_regions(listed, record.get("region_notes", ()) if notes is None else notes)
-    for region, note in zip(listed, found):
-        said, size = ((note or {}).get("excluded", ""), (note or {}).get("mesh_size_mm")), _size(region, face_areas)
-        equal = next((group for group, other, first in groups if other == said and are_equal(first, size)), None)
-        if equal is None:
-            groups.append(([region], said, size))
-        else:
-            equal.append(region)
+    said = [((note or {}).get("excluded", ""), (note or {}).get("mesh_size_mm")) for note in found]
     area = record["descriptors"]["area_mm2"]
     # Those of a record are in the order of their medians: a taper that begins thinner than a plate came after it.
-    found = (_group(regions, area, *said) for regions, said, _ in groups)
-    return sorted(found, key=lambda group: (group.least, -group.area))
+    groups = (_group([listed[number] for number in numbers], area, *said[numbers[0]])
+              for numbers in _equal_groups(record, said))
+    return sorted(groups, key=lambda group: (group.least, -group.area))
+
+
+def equal_regions(record):
+    """The listed regions of a part record, equal ones together, whatever people say: list of list of int, numbers from 0."""
+    return _equal_groups(record, [None] * len(record.get("regions", {}).get("listed", ())))
+
+
+def _equal_groups(record, said):
+    face_areas = {face["face"]: face["area_mm2"] for face in record.get("faces", ())}
+    return equal_groups([_size(region, face_areas) for region in record.get("regions", {}).get("listed", ())], said)
 
 
 def features_of(group, record, features):

@@ -53,6 +53,10 @@ class ColourScale:
         colours[~measured] = np.round(255.0 * np.array(self.unmeasured))
         return colours
 
+    def of_corners(self, _, shown):
+        """Colours at the corners of the facets of a ThicknessMap, of any number: ndarray of shape (m, 3, 3), uint8."""
+        return self.colours(shown.corner_thickness.ravel()).reshape(-1, 3, 3)
+
     def positions(self, thickness):
         """ndarray of shape (m,): where along the scale thicknesses in mm lie, from 0 for its low end to 1."""
         thickness = np.asarray(thickness, dtype=np.float64)

@@ -36,7 +36,7 @@ class RegionSize:
         Of the region among those that are listed, from 0.
     region : WallRegion
     size : float, mm
-        Of the elements, the median over the region.
+        Of the elements, the median over the region; see `size_groups` for that of equal regions.
     layers : float
         Elements through its median thickness.
     elements : int

@@ -81,8 +81,7 @@ class _Row:
 
 def _add(rows, number, region, face_areas, is_new):
     """Add a region to the row of its equals; where there is none, to a new one if there may be one."""
-    size = WallSize(region.kind, region.least, region.median, region.length, region.width, region.area,
-                    tuple(np.sort(face_areas[list(region.faces)]).tolist()))
+    size = WallSize.of_region(region, face_areas)
     row = next((row for row in rows if are_equal(row.size, size)), None)
     if row is not None:
         row.regions[number] = region

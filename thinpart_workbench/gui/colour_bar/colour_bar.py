@@ -83,7 +83,7 @@ def _band_text(band, unit):
     if band.name == JUST_ABOVE:
         return translate("ThinPart", "up to {} above it").format(percent(ABOVE))
     if band.name == TOO_THICK:
-        return translate("ThinPart", "over {}: too thick").format(unit.text(band.limit))
+        return translate("ThinPart", "largest ball over {}: too thick").format(unit.text(band.limit))
     return translate("ThinPart", "passes")
 
 
@@ -202,7 +202,7 @@ class _Drawing:
                 swatch = QtCore.QRect(em, top + round(0.25 * em), em, em)
                 middle = {band.name: min(0.5 * (band.low + band.high), band.low + 1.0)
                           for band in self._content.colours.bands}
-                rgb = self._content.colours.of_values([middle.get(kind, np.nan)])[0].tolist()
+                rgb = self._content.colours.of_values([middle.get(kind, np.nan)], np.array([kind == TOO_THICK]))[0].tolist()
                 painter.setBrush(QtGui.QColor(*rgb))
                 painter.drawRect(swatch)
             painter.drawText(em, top + round(1.1 * em), text)

@@ -12,6 +12,7 @@ from ...core.maps.level_cuts import within_steps
 from ...core.maps.map_summary import are_between
 from ...core.rendering.colour_scale import ColourScale
 from ...freecad_adapter.objects.thickness_object import OWN_CHECK, scale_of
+from .thick_facets import ThickFacets, thick_facets
 
 NEUTRAL = (205, 205, 205)
 """Walls that are not thin, where only thin walls are coloured."""
@@ -43,6 +44,8 @@ class ThicknessColours:
         The highlighted range.
     faces : dict or None
         Sets of highlighted B-Rep faces, by part number.
+    thick : ThickFacets or None
+        Facets that are too thick for the process that is checked.
     """
 
     scale: ColourScale
@@ -51,6 +54,7 @@ class ThicknessColours:
     stale: bool = False
     between: Optional[tuple] = None
     faces: Optional[dict] = None
+    thick: Optional[ThickFacets] = None
 
     @classmethod
     def of(cls, thickness, between=None, faces=None):
@@ -58,20 +62,36 @@ class ThicknessColours:
         return cls(scale_of(thickness), thickness.Threshold if thickness.ThinOnly else None,
                    (thickness.Threshold, thickness.CheckMost) if thickness.Check and (
                        thickness.Measure == RAY or thickness.Check == OWN_CHECK) else None,
-                   bool(thickness.Stale), between, faces)
+                   bool(thickness.Stale), between, faces, thick_facets(thickness))
 
     @property
     def bands(self):
         """list of LimitBand: those of the limits that are checked; empty where none are."""
         return [] if self.checked is None else limit_bands(*self.checked)
 
-    def of_values(self, values):
-        """Colours of thicknesses in mm, nan where unmeasured: ndarray of shape (m, 3), uint8."""
+    def are_failing(self, values):
+        """Which thicknesses, mm, are under the least wall that is checked: ndarray of bool. That is told before a ball."""
+        failing = next((band for band in self.bands if band.name == FAILS), None)
+        return np.zeros(np.shape(values), bool) if failing is None else are_between(values, failing.low, failing.high)
+
+    def of_values(self, values, are_thick=None):
+        """Colours of thicknesses in mm, nan where unmeasured: ndarray of shape (m, 3), uint8.
+
+        Parameters
+        ----------
+        values : array_like of shape (m,), mm
+            Across the wall, or of balls where these are shown.
+        are_thick : ndarray of shape (m,), bool, optional
+            Where balls are larger than the greatest wall that is checked: the values do not tell that.
+        """
         values = np.asarray(values, dtype=np.float64)
         colours = self.scale.colours(values)
         if self.checked is not None:
             for band in self.bands:
-                colours[are_between(values, band.low, band.high)] = BAND_COLOURS[band.name]
+                if band.name != TOO_THICK:
+                    colours[are_between(values, band.low, band.high)] = BAND_COLOURS[band.name]
+            if are_thick is not None:
+                colours[are_thick & ~self.are_failing(values)] = BAND_COLOURS[TOO_THICK]
         elif self.thin_below is not None:
             colours[are_between(values, self.thin_below, np.inf)] = NEUTRAL
         if self.between is not None:
@@ -82,7 +102,7 @@ class ThicknessColours:
     def levels(self):
         """tuple of float, mm: the thicknesses at which the colour changes in a step, ascending."""
         if self.checked is not None:
-            found = [band.low for band in self.bands]
+            found = [band.low for band in self.bands if band.name != TOO_THICK]
         else:
             found = [*self.scale.steps, *([] if self.thin_below is None else [self.thin_below])]
         if self.between is not None:
@@ -101,14 +121,14 @@ class ThicknessColours:
             Pieces of the facets, or lines on them, cut at `levels`: their corners or ends, ndarray of shape (k, 2, 3) for
             lines, are coloured instead.
         """
-        thickness, face = ((shown.corner_thickness, shown.face) if cut is None
-                           else (cut.thickness, shown.face[cut.facet]))
-        levels = self.levels
+        facet = np.arange(shown.count) if cut is None else cut.facet
+        thickness, levels = shown.corner_thickness if cut is None else cut.thickness, self.levels
         values = within_steps(thickness, levels) if levels else thickness
-        colours = self.of_values(values.ravel()).reshape(*values.shape, 3)
+        are_thick = None if self.thick is None else np.repeat(self.thick.of_parts[number][facet], values.shape[1])
+        colours = self.of_values(values.ravel(), are_thick).reshape(*values.shape, 3)
         if self.faces is not None:
             chosen = np.fromiter(self.faces.get(number, ()), dtype=np.int64)
-            colours[~np.isin(face, chosen)] = GREYED
+            colours[~np.isin(shown.face[facet], chosen)] = GREYED
         return colours
 
     def _faded(self, colours):

@@ -78,7 +78,7 @@ class ExportDialog(QtWidgets.QFileDialog):
             if self.ending == PICTURE:
                 write_output(path, marked_png(self._picture()), MAPS[PICTURE], overwrite)
             else:
-                colours = ThicknessColours.of(self._thickness).of_values
+                colours = ThicknessColours.of(self._thickness).of_corners
                 write_map_file(path, self.ending, parts_of(self._thickness), colours, overwrite)
             return True
         except OSError as error:

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Presents the distribution of a map: its bars, its threshold, and the check of its walls."""
 
-from ...api.window.limits import offered_limits
+import numpy as np
+
+from ...api.window.limits import limited, offered_limits
 from ...api.window.map_values import thickness_bars
-from ...core.maps.map_summary import share_between
+from ...core.maps.map_summary import between, share_between, share_of
 from ...freecad_adapter.objects.thickness_object import OWN_CHECK
 from ..application import lifelong
 from ..colour_bar.colours import ThicknessColours
@@ -23,7 +25,7 @@ class DistributionPresenter(MapPresenter):
             (box.range_chosen, self._choose_range), (box.threshold_changed, self._set_threshold),
             (box.thin_only_changed, lambda on: change(thickness, {"ThinOnly": on})),
             (box.check.chosen, self._choose_check), (box.check.limit_typed, self._check_own_limit),
-            (shown.chosen, self.show), (lifelong.face_limits.answered, lambda *_: self._show_threshold()))
+            (shown.chosen, self.show), (lifelong.face_limits.answered, lambda *_: self._show_face_limits()))
 
     def show(self):
         """Show everything; no bar is selected."""
@@ -50,21 +52,33 @@ class DistributionPresenter(MapPresenter):
         middles = 0.5 * (chart.edges[1:] + chart.edges[:-1])
         if chart.thickest > chart.edges[-1]:
             middles[-1] = chart.thickest
-        chart.show_colours(ThicknessColours.of(self._thickness).of_values(middles))
+        colours = ThicknessColours.of(self._thickness)
+        chart.show_colours(colours.of_values(middles, self._are_thick(chart.edges, colours.thick)))
+
+    def _are_thick(self, edges, thick):
+        """Of which bars most of the surface is too thick: ndarray of bool, or None where that is not checked."""
+        if thick is None:
+            return None
+        ends = np.append(edges[:-1], np.inf)
+        return np.array([2.0 * share_of(self._shown.shown, [
+            between(part.map, *bar) & thick.of_parts[number] for number, part in self._shown.numbered.items()])
+            > share_between(self._shown.shown, *bar) for bar in zip(ends[:-1], ends[1:])])
 
     def _show_threshold(self):
         threshold, parts = self._thickness.Threshold, self._shown.shown
         self._box.show_threshold(threshold, share_between(parts, 0.0, threshold), self._thickness.ThinOnly)
+        face_limits = lifelong.face_limits.known(self._thickness.Document.FileName)
         self._box.check.show_check(
             self._thickness.Check, threshold, self._shown.unit,
-            band_texts(parts, ThicknessColours.of(self._thickness).bands),
-            map_check_text([self._limited(part.record) for part in parts], checked_limits(self._thickness), self._shown.unit,
-                           self._thickness.Measure))
+            band_texts(self._shown.numbered, ThicknessColours.of(self._thickness)),
+            map_check_text([limited(part.record, face_limits) for part in parts], checked_limits(self._thickness),
+                           self._shown.unit, self._thickness.Measure))
 
-    def _limited(self, record):
-        """The record with the limits that its faces have of their own."""
-        known = lifelong.face_limits.known(self._thickness.Document.FileName) or {}
-        return {**record, "face_limits": known.get(record["name"], ())}
+    def _show_face_limits(self):
+        """What the faces have of their own is known, or has changed: what is too thick depends on it."""
+        self._thickness.ViewObject.Proxy.colour()
+        self._show_colours()
+        self._show_threshold()
 
     def _choose_range(self, chosen):
         if chosen is None:

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The check of a thickness map: its limits, and the result for some of its parts in words."""
 
+import numpy as np
+
 from ...api.window.limits import checked, limits_of_map
 from ...core.analysis_settings import RAY
-from ...core.judging.limit_bands import FAILS, JUST_ABOVE, PASSES
-from ...core.maps.map_summary import share_between
+from ...core.judging.limit_bands import FAILS, JUST_ABOVE, PASSES, TOO_THICK
+from ...core.maps.map_summary import between, share_of
 from ...freecad_adapter.objects.thickness_object import OWN_CHECK
 from ..application.numbers import percent
 from ..application.qt import translate
@@ -20,8 +22,8 @@ def checked_limits(thickness):
 def map_check_text(records, limits, unit, measure):
     """The result of a check of a list of PartRecord: str.
 
-    A sentence for one part, how many fail for several; empty without limits. Checks are always by rays, so where the colours
-    show something else, by the one of `SHOWN_MEASURES`, another sentence says so.
+    A sentence for one part, how many fail for several; empty without limits. Checks do not depend on what the colours show,
+    by the one of `SHOWN_MEASURES`: where that is not the thickness across, another sentence says so.
     """
     if limits is None:
         return ""
@@ -38,17 +40,35 @@ def map_check_text(records, limits, unit, measure):
             "ThinPart", "Colours and shares are of the largest balls inside, which shrink to nothing towards sharp edges; "
             "the line above is of the thickness across the wall.")
     return f"{result}\n" + translate(
-        "ThinPart", "Checks use the thickness across the wall: choose it under 'Colours show' to see where the limits are "
-        "broken.")
+        "ThinPart", "Checks compare the least wall with the thickness across the wall, and the greatest with the largest "
+        "balls inside: choose the thickness across the wall under 'Colours show' to see where the limits are broken.")
 
 
-def band_texts(parts, bands):
-    """The share of the surface of a list of MappedPart in each colour of a check: list of (tuple, str).
+def band_texts(numbered, colours):
+    """The share of the surface of parts in each colour of a check: list of (tuple, str).
 
     Colour of each LimitBand, red, green and blue from 0 to 255, and its share of all area in words.
+
+    Parameters
+    ----------
+    numbered : dict of int to MappedPart
+        By part number.
+    colours : ThicknessColours
     """
-    return [(BAND_COLOURS[band.name], _band_words(band.name).format(percent(share_between(parts, band.low, band.high))))
-            for band in bands]
+    parts, thick = list(numbered.values()), colours.thick
+    are_thick = [np.zeros(part.map.count, bool) if thick is None else thick.of_parts[number]
+                 for number, part in numbered.items()]
+    found = []
+    for band in colours.bands:
+        chosen = [_are_in(band, part.map, colours, thick) for part, thick in zip(parts, are_thick)]
+        found.append((BAND_COLOURS[band.name], _band_words(band.name).format(percent(share_of(parts, chosen)))))
+    return found
+
+
+def _are_in(band, shown, colours, thick):
+    """Which facets of a map have the colour of a band: ndarray of bool."""
+    over = thick & ~colours.are_failing(shown.thickness)
+    return over if band.name == TOO_THICK else between(shown, band.low, band.high) & ~over
 
 
 def _band_words(name):

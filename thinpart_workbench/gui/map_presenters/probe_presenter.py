@@ -3,6 +3,7 @@
 
 from ...freecad_adapter.objects.thickness_probes import probes_of
 from ..application.qt import translate
+from ..colour_bar.thick_facets import thick_facets
 from ..document.transaction import transaction
 from ..view3d.picking import ThicknessPicker, probe_ends, remove_probe
 from .map_presenter import MapPresenter
@@ -17,7 +18,7 @@ class ProbePresenter(MapPresenter):
         self._tour, self._picker = tour, ThicknessPicker(thickness)
         self._connect(
             (box.picking_toggled, self._toggle), (box.removed, self._remove), (box.cleared, self._clear),
-            (box.visited, self._visit), (self._picker.hovered, lambda found: box.show_hovered(found)))
+            (box.visited, self._visit), (self._picker.hovered, lambda found: box.show_hovered(found, self._is_thick(found))))
 
     def start(self):
         """Show the thickness under the mouse."""
@@ -46,6 +47,11 @@ class ProbePresenter(MapPresenter):
         is_checked = bool(self._thickness.Check)
         self._box.show_limits(self._thickness.Threshold if is_checked else 0.0,
                               self._thickness.CheckMost if is_checked else 0.0)
+
+    def _is_thick(self, wall):
+        """Whether a wall of the picker is on a facet that is too thick for what is checked."""
+        thick = None if wall is None else thick_facets(self._thickness)
+        return thick is not None and bool(thick.of_parts[wall["part"]][wall["facet"]])
 
     def _toggle(self, is_on):
         self._picker.start(pins=is_on)

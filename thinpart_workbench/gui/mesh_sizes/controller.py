@@ -21,7 +21,7 @@ from ..document.task_controller import MeasuringController
 from ..document.task_dialog import TaskDialog
 from ..document.transaction import transaction
 from ..processes.size_client import SizeClient
-from ..record.regions_table import kind_word
+from ..record.regions_table import counted_kind
 from .active_analysis import analysis_to_join
 from .panel import MeshSizesPanel
 from .size_view import SizeView
@@ -287,7 +287,7 @@ class MeshSizesController(MeasuringController):
 
         def label(row):
             return translate("ThinPart", "{} of {}: elements of {}").format(
-                kind_word(row["kind"]), unit.text(row["thickness"]), unit.text(row["size"]))
+                counted_kind(row["kind"], len(row["regions"])), unit.text(row["thickness"]), unit.text(row["size"]))
 
         self._part.set_mesh(self._check, *self._request(), label,
                             analysis_to_join(self._document, self._part.owner, self._form.makes_analysis))

@@ -4,8 +4,8 @@
 from ...core.sizing.sizing_settings import divisions_of
 from ..application.numbers import marked
 from ..application.qt import QtWidgets, Signal, grouped, translate
-from ..record.regions_table import kind_word
-from ..tables.column import Column, figures, length, square
+from ..record.regions_table import counted_kind
+from ..tables.column import Column, count, figures, length, square
 from ..tables.small_table import SmallTable
 
 _LINES = 7
@@ -49,7 +49,7 @@ class CheckedWalls(SmallTable):
 
 
 class WallSizesTable(CheckedWalls):
-    """Walls, on or off, with their element sizes and layers.
+    """Walls, equal ones in one row, on or off, with their element sizes and layers.
 
     Signals
     -------
@@ -91,12 +91,13 @@ class WallSizesTable(CheckedWalls):
 
         return [
             Column("wall", translate("ThinPart", "Wall"), lambda wall: wall["kind"],
-                   lambda wall, unit: f"{kind_word(wall['kind'])} {unit.text(wall['thickness'])}", stretches=True,
+                   lambda wall, unit: _wall_text(wall, unit), stretches=True,
                    picture=lambda wall: square(self._colours[wall["region"]]), is_checked=is_on),
             Column("size_mm", translate("ThinPart", "Size, {}"), lambda wall: wall["size"],
                    lambda wall, unit: unit.number(wall["size"]), is_number=True, has_unit=True, is_editable=is_on),
             if_on("layers", translate("ThinPart", "Layers"), lambda layers: marked(f"{layers:.3g}"), is_editable=is_on),
             if_on("elements", translate("ThinPart", "Elements"), grouped),
+            figures("count", translate("ThinPart", "Instances"), lambda wall: len(wall["regions"]), count, is_hidden=True),
             figures("thickness_mm", translate("ThinPart", "Thick, {}"), lambda wall: wall["thickness"], length,
                     is_hidden=True),
         ]
@@ -104,12 +105,17 @@ class WallSizesTable(CheckedWalls):
     def _on_edited(self, key, number, value):
         chosen = [self.rows[each] for each in self.selected(number)]
         if key == "wall":
-            self.edited.emit({wall["region"]: wall["proposed_size"] if value else None for wall in chosen})
+            self.edited.emit({number: wall["proposed_size"] if value else None for wall in chosen
+                              for number in wall["regions"]})
             return
         value = _number(value)
         if value is not None:
-            self.edited.emit({wall["region"]: value * self.model().unit.millimetres if key == "size_mm"
-                              else wall["thickness"] / divisions_of(value) for wall in chosen})
+            self.edited.emit({number: value * self.model().unit.millimetres if key == "size_mm"
+                              else wall["thickness"] / divisions_of(value) for wall in chosen for number in wall["regions"]})
+
+
+def _wall_text(wall, unit):
+    return f"{counted_kind(wall['kind'], len(wall['regions']))} {unit.text(wall['thickness'])}"
 
 
 def _number(text):

@@ -104,8 +104,12 @@ def _columns(made_by=None):
 
 
 def _kind_text(group):
-    text = kind_word(group.kind)
-    return text if group.count == 1 else f"{group.count} \u00d7 {text}"
+    return counted_kind(group.kind, group.count)
+
+
+def counted_kind(kind, count):
+    """What people call so many equal regions: "18 x tooth"."""
+    return kind_word(kind) if count == 1 else f"{count} \u00d7 {kind_word(kind)}"
 
 
 def kind_word(kind):

@@ -33,7 +33,7 @@ class CheckBox(QtWidgets.QWidget):
         self._combo = narrow_combo(self, "ThinPart_Check")
         self._combo.setToolTip(translate(
             "ThinPart", "Three colours: red is thinner than the limit, yellow up to a tenth above it, blue passes. Violet "
-            "is thicker than the process allows; the edge of a wall is violet too, where the ray runs along the wall"))
+            "is thicker than the process allows, by the largest ball inside, as in the check"))
         label.setBuddy(self._combo)
         self._combo.addItem(translate("ThinPart", "none"), "")
         self._combo.addItem(translate("ThinPart", "own limit"), OWN_CHECK)

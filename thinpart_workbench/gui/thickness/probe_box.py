@@ -87,27 +87,27 @@ class ProbeBox(QtWidgets.QWidget):
         """Tell of the wall under the cursor whether it lies within limits in mm; 0 for none."""
         self._least, self._most = least, most
 
-    def _hovered_sentence(self, value):
+    def _hovered_sentence(self, value, is_thick):
         text = self._unit.text(value)
         if self._measure != RAY or not (self._least or self._most):
             return here_sentence(self._measure, text)  # limits are those of the wall across
         if value < self._least:
             return translate("ThinPart", "\u2717 {}: at least {} are needed here").format(
                 text, self._unit.text(self._least))
-        if 0.0 < self._most < value:
-            return translate("ThinPart", "\u2717 {}: at most {} are allowed here").format(
-                text, self._unit.text(self._most))
+        if is_thick:
+            return translate("ThinPart", "\u2717 The largest ball here is too large: at most {} are allowed").format(
+                self._unit.text(self._most))
         return translate("ThinPart", "\u2713 {}: within the limits").format(text)
 
-    def show_hovered(self, wall):
-        """Show the wall under the cursor: a dict of the picker, or None."""
+    def show_hovered(self, wall, is_thick=False):
+        """Show the wall under the cursor: a dict of the picker, or None; and whether it is too thick for what is checked."""
         if wall is None:
             show_text(self._hover_text, translate("ThinPart", "Move over the part; a click pins the wall there.")
                       if self.probe_button.isChecked() else "")
         elif wall["thickness"] is None:
             show_text(self._hover_text, translate("ThinPart", "No wall was measured here."))
         else:
-            show_text(self._hover_text, self._hovered_sentence(wall["thickness"]))
+            show_text(self._hover_text, self._hovered_sentence(wall["thickness"], is_thick))
 
     def keyPressEvent(self, event):
         """Remove the selected probe on Delete."""

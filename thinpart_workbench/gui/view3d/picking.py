@@ -57,7 +57,7 @@ class ThicknessPicker(QtCore.QObject):
     Signals
     -------
     hovered(object)
-        None, or a dict: ``part``, ``face`` and ``placement`` (numbers from 0), ``thickness`` (mm, None
+        None, or a dict: ``part``, ``face``, ``facet`` and ``placement`` (numbers from 0), ``thickness`` (mm, None
         where unmeasured), ``point`` and ``opposite`` (ndarray of shape (3,), mm, in the document).
     """
 
@@ -239,8 +239,8 @@ class ThicknessPicker(QtCore.QObject):
             return None  # the material in the cut, which lies before that wall
         value, opposite = wall_at_placement(part, placement, facet, transform_points(inverse(moved), point))
         return {
-            "part": number, "placement": placement, "face": int(part.map.face[facet]), "thickness": value,
-            "point": point,
+            "part": number, "placement": placement, "face": int(part.map.face[facet]), "facet": int(facet),
+            "thickness": value, "point": point,
             "opposite": None if opposite is None else transform_points(moved, opposite),
         }
 

@@ -101,7 +101,7 @@ class ThicknessView:
         if name == "Map":
             self.refresh()
         elif name in _COLOURING:
-            self._colour()
+            self.colour()
         elif name == "ProbeValues":  # the last of the three lists
             lifelong.map_events.refresh_soon()  # the labels
         if name == "Stale":
@@ -112,7 +112,7 @@ class ThicknessView:
         if self._nodes is None:
             return
         if name == "Transparency":
-            self._colour()
+            self.colour()
         elif name == "Visibility":
             lifelong.map_events.refresh_soon()
 
@@ -138,7 +138,7 @@ class ThicknessView:
                 self._nodes.show([])
                 self._shown_version, self._failed_version = None, version
                 lifelong.notifications.report_error(f"{thickness.Label}: {translated(error)}", thickness.Document.Label)
-            self._colour()
+            self.colour()
         self.move()
 
     def show_in_batches(self):
@@ -162,12 +162,12 @@ class ThicknessView:
         """Grey all facets except those over walls from `low` to `high` mm and on `faces`; None ends the highlight."""
         self._range = None if low is None else (low, high)
         self._faces = faces
-        self._colour()
+        self.colour()
 
     def highlight_faces(self, faces):
         """Grey all but some B-Rep faces: dict of sets of face numbers, by part number."""
         self._range, self._faces = None, faces
-        self._colour()
+        self.colour()
 
     @property
     def highlighting(self):
@@ -177,7 +177,7 @@ class ThicknessView:
     def restore_highlight(self, highlighting):
         """Highlight again what was."""
         self._range, self._faces = highlighting
-        self._colour()
+        self.colour()
 
     def isolate(self, faces=None):
         """Draw only some B-Rep faces, as `FacetNodes.isolate`; they are drawn whole again after the next measurement."""
@@ -271,7 +271,8 @@ class ThicknessView:
             self._shown_section = key
             self._cut.show(self._section, parts_of(thickness), moved_matrix(thickness), self.colours, self._isolated)
 
-    def _colour(self):
+    def colour(self):
+        """Colour the facets by what is known now."""
         if self._shown_version is not None and hasattr(self._view.Object, "ProbeValues"):
             opacity = 1.0 - getattr(self._view, "Transparency", 0) / 100.0
             self._nodes.shade(getattr(self._view.Object, "Shaded", False))

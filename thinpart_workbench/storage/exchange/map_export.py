@@ -70,13 +70,15 @@ def ply_bytes(parts, colours):
     ----------
     parts : list of MappedPart
     colours : callable
-        Maps thicknesses in mm, ndarray of shape (n,), to ndarray of shape (n, 3), uint8.
+        Gives the colours at the corners of the facets, ndarray of shape (m, 3, 3), uint8, of the number of a part among
+        these and its ThicknessMap.
     """
     corners, at_corners, _, _, _ = _joined(parts)
     count = len(corners)
     vertices = np.empty(3 * count, dtype=[("point", "<f4", 3), ("colour", "u1", 3), ("thickness", "<f4")])
     vertices["point"], vertices["thickness"] = corners.reshape(-1, 3), at_corners.ravel()
-    vertices["colour"] = colours(at_corners.ravel())
+    vertices["colour"] = np.concatenate([np.tile(colours(number, part.map).reshape(-1, 3), (len(part.matrices), 1))
+                                         for number, part in enumerate(parts)])
     faces = np.empty(count, dtype=[("number", "u1"), ("corners", "<i4", 3)])
     faces["number"], faces["corners"] = 3, np.arange(3 * count).reshape(-1, 3)
     head = "\n".join([

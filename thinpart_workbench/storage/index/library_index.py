@@ -235,7 +235,7 @@ def _connect(path):
         database.create_function("middle_share", 12, middle_share, deterministic=True)
         database.create_function("local_share", 4, local_share, deterministic=True)
         database.create_function("least_slanted", 6, least_slanted, deterministic=True)
-        database.create_function("walls_pass", 15, packed_walls_pass, deterministic=True)
+        database.create_function("walls_pass", 16, packed_walls_pass, deterministic=True)
         tables, = database.execute("SELECT count(*) FROM sqlite_master WHERE type = 'table'").fetchone()
         if tables < 4:
             with database:

@@ -110,6 +110,9 @@ def _analyse_parts(parts, task, read_seconds, pages):
         drawn[record["name"]] = pictures.content()
 
     records, failures = analyse_parts(parts, task.settings, profile_from(task.profile), read_seconds, on_result=on_part)
+    if pages is not None and task.info_file is None:
+        # Tables check them too. An info file is written with all that was kept in it before.
+        records = [pages.limited(record) for record in records]
     return records, failures, drawn
 
 

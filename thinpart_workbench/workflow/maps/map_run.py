@@ -105,7 +105,7 @@ def _contents(task):
     mapped = MappedPart(record, thickness_map(measurement, by=task.measure))
     scale = task.look.scale(mapped)
     contents = {ending: _png(map_picture(mapped, task.look)) if ending == PNG
-                else MAP_FORMATS[ending].content([mapped], scale.colours) for ending in task.formats}
+                else MAP_FORMATS[ending].content([mapped], scale.of_corners) for ending in task.formats}
     thinnest = record["descriptors"]["thickness_mm"]["min"]
     return {"label": part.label, "thinnest": thinnest, "low": scale.low, "high": scale.high,
             "contents": {ending: base64.b64encode(content).decode() for ending, content in contents.items()}}

@@ -12,6 +12,7 @@ from ...core.mesh.tetrahedra import POOR, radius_ratios
 from ...core.message import message
 from ...core.shells.shell_or_solid import idealisation_values
 from ...core.sizing.element_estimate import MANY_NODES, solver_seconds
+from ...core.sizing.size_groups import median_size, size_groups
 from ...core.sizing.size_proposal import propose_sizes
 from ...core.sizing.size_sources import size_sources
 from .gmsh_program import convert_mesh
@@ -157,18 +158,10 @@ class PartSizing:
         return propose_sizes(self._measurement, self._thin_limit, settings, region_sizes, only_chosen=self._only_chosen)
 
     def _rows(self, proposal, settings):
-        """A row for each region that asks for sizes, also for those that people have switched off."""
-        proposed = {each.number: each for each in proposal.regions}
+        """A row for equal regions of which one asks for a size, also for those that people have switched off."""
         sources = size_sources(self._measurement, self._thin_limit, settings, not settings.is_by_error).below(
             settings.global_size(self._measurement.descriptors.box.diagonal))
-        rows = []
-        for number, region in enumerate(self._measurement.regions.listed):
-            own = sources.sizes[sources.region == number]
-            if len(own):
-                now = proposed.get(number)
-                rows.append({
-                    "region": number, "kind": region.kind, "thickness": float(region.median),
-                    "thinnest": float(region.least), "faces": [int(face) for face in region.faces],
-                    "proposed_size": float(np.median(own)), "size": now and now.size, "layers": now and now.layers,
-                    "elements": now and now.elements})
-        return rows
+        return [{"region": group.numbers[0], "regions": list(group.numbers), "kind": group.kind, "thickness": group.median,
+                 "thinnest": group.least, "faces": list(group.faces), "proposed_size": median_size(sources, group.numbers),
+                 "size": group.size, "layers": group.layers, "elements": group.elements}
+                for group in size_groups(self._measurement, proposal) if median_size(sources, group.numbers) is not None]

@@ -26,7 +26,13 @@ MESH_FIGURES = Record({
 _REGION = Record({
     "region": Whole(1), "kind": OneOf(REGION_KINDS), "thickness": _LENGTH, "thinnest": _LENGTH, "area": _LENGTH,
     "length": _LENGTH, "width": _LENGTH, "faces": ListOf(Text(), most=1_000_000), "size": _LENGTH, "layers": Number(0.0),
-    "elements": _COUNT,
+    "elements": _COUNT, "group": Whole(1),
+})
+
+_GROUP = Record({
+    "regions": ListOf(Whole(1), 1, 10_000), "count": Whole(1, 10_000), "kind": OneOf(REGION_KINDS), "thickness": _LENGTH,
+    "thinnest": _LENGTH, "area": _LENGTH, "length": _LENGTH, "width": _LENGTH, "faces": ListOf(Text(), most=1_000_000),
+    "size": _LENGTH, "layers": Number(0.0), "elements": _COUNT,
 })
 
 _IDEALISATION = Record({
@@ -64,7 +70,8 @@ PART_SIZES = Record({
     "global_size": _SIZE,
     "least_size": _SIZE, "elements": _COUNT, "nodes": _COUNT, "error": OrNull(Number(0.0)), "uniform_elements": _COUNT,
     "unbounded": OrNull(Record({"layers": Number(0.0), "least_size": _LENGTH, "elements": _COUNT, "nodes": _COUNT})),
-    "regions": ListOf(_REGION, most=10_000), "left_out": Whole(0, 10_000), "idealisation": _IDEALISATION,
+    "regions": ListOf(_REGION, most=10_000), "region_groups": ListOf(_GROUP, most=10_000),
+    "left_out": Whole(0, 10_000), "idealisation": _IDEALISATION,
     "check": OrNull(Record({"default": MESH_FIGURES, "proposed": MESH_FIGURES})),
     "gmsh_options": ListOf(Record({"name": OneOf(OPTIONS), "value": Number()}), most=20),
     "is_mended": Flag(),

@@ -16,7 +16,7 @@ from .size_result import known_values, sizes_fault
 from .size_steps import StepNote, watched_steps
 from .size_task import propose_for_document
 
-_VERSION = 10
+_VERSION = 11
 """Changes when proposals do."""
 
 _LARGEST = 1 << 30

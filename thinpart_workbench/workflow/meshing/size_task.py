@@ -19,6 +19,7 @@ from ...core.judging.criteria import profile_from
 from ...core.message import message
 from ...core.shells.shell_or_solid import idealisation_values
 from ...core.shells.shell_settings import ShellSettings
+from ...core.sizing.size_groups import size_groups
 from ...core.sizing.size_proposal import propose_sizes
 from ...core.sizing.sizing_settings import SizingSettings
 from ...storage.exchange.gmsh_shape import gmsh_ending
@@ -167,6 +168,8 @@ def size_record(part, record, measurement, proposal, check, has_sources, tried, 
         Why a shell cannot be made; see `idealisation`.
     """
     unbounded = proposal.unbounded
+    groups = [group for group in size_groups(measurement, proposal) if group.size is not None]
+    of_region = {number: group for group in groups for number in group.numbers}
     options = tried.options if tried else usual_options(proposal)
     found = {
         "name": part.name, "label": part.label, "category": record["category"],
@@ -180,7 +183,8 @@ def size_record(part, record, measurement, proposal, check, has_sources, tried, 
         "unbounded": None if unbounded is None else {
             "layers": _rounded(unbounded.layers), "least_size": _rounded(unbounded.least_size),
             "elements": unbounded.elements, "nodes": unbounded.nodes},
-        "regions": [_region_row(each) for each in proposal.regions],
+        "regions": [_region_row(each, of_region[each.number]) for each in proposal.regions],
+        "region_groups": [_group_row(group) for group in groups],
         "check": check, "idealisation": idealisation_values(measurement, proposal.elements, no_shell),
         "left_out": proposal.left_out,
         "gmsh_options": [{"name": name, "value": value} for name, value in options.items()],
@@ -194,12 +198,22 @@ def size_record(part, record, measurement, proposal, check, has_sources, tried, 
     return found
 
 
-def _region_row(each):
+def _region_row(each, group):
+    """One of equal regions: its measures are its own, its size is that of all of them."""
     region = each.region
     return {"region": each.number + 1, "kind": region.kind, "thickness": _rounded(region.median),
             "thinnest": _rounded(region.least), "area": _rounded(region.area), "length": _rounded(region.length),
             "width": _rounded(region.width), "faces": [f"Face{face + 1}" for face in region.faces],
-            "size": _rounded(each.size), "layers": _rounded(each.layers), "elements": each.elements}
+            "size": _rounded(group.size), "layers": _rounded(group.layers), "elements": each.elements,
+            "group": group.numbers[0] + 1}
+
+
+def _group_row(group):
+    return {"regions": [number + 1 for number in group.numbers], "count": len(group.numbers), "kind": group.kind,
+            "thickness": _rounded(group.median), "thinnest": _rounded(group.least), "area": _rounded(group.area),
+            "length": _rounded(group.length), "width": _rounded(group.width),
+            "faces": [f"Face{face + 1}" for face in group.faces], "size": _rounded(group.size),
+            "layers": _rounded(group.layers), "elements": group.elements}
 
 
 def _rounded(value):

@@ -94,8 +94,7 @@ def _chances(record):
 
 def _checks(record, about):
     """The checks of the walls, each with its sentence and the source of its limits."""
-    limited = {**record, "face_limits": about["kept"].get("face_limits") or ()}
-    found = [check_walls(limited, each) for each in about["limits"]]
+    found = [check_walls(record, each) for each in about["limits"]]
     return [{"title": check.limits.full_title, "holds": check.holds, "min": check.limits.min_mm, "max": check.limits.max_mm,
              "sentence": check_sentence(check), "faces": check.faces, "note": check.limits.note,
              "source": check.limits.source} for check in found]

@@ -137,6 +137,11 @@ class PageMaker:
                              for part in stored["parts"]}
         self.faces = {}
 
+    def limited(self, record):
+        """A part record with the limits that are kept for its faces: the same where there are none."""
+        limits = self._annotations.get(record["name"], {}).get("face_limits")
+        return {**record, "face_limits": limits} if limits else record
+
     def make(self, part, measurement, record, features=None):
         """Create the page of a part and its small picture. Returns `page` and `picture` (bytes).
 
@@ -164,7 +169,7 @@ class PageMaker:
         page = self._pages.page(part.name)
         overview = address(os.path.relpath("index.html", os.path.dirname(page)))
         about = {**self._about, "kept": self._annotations.get(part.name, {}), "limits": self._pages.limits}
-        content = part_page(record, pictures, features, about, self._pages.document, overview,
+        content = part_page(self.limited(record), pictures, features, about, self._pages.document, overview,
                             self._pages.language, self._pages.unit)
         self.faces[part.name] = FACES.text(face_rows(self._pages.document, record, features))
         small = pictures.small(PICTURE_WIDTH, PICTURE_HEIGHT)
