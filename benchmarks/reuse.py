@@ -6,7 +6,8 @@
 
 LIBRARY is a folder of classified parts. Their forms are varied until there are so many: most are stretched along each axis,
 so that they are parts of their own, and three in ten are copies of others, one in three of these turned anywhere. What is
-found is compared with that. Parts of which one is nearly the other by chance, such as boxes, are counted as more.
+found is compared with that. Parts of which one is nearly the other by chance, such as boxes, are counted as more. The last
+column is how long it takes besides to find parts that are alike but for something.
 """
 
 import argparse
@@ -50,17 +51,22 @@ def main():
         known = formed_parts(libraries.indexes)
         bases = [form for form in map(known.form, range(len(known))) if form is not None]
     print(json.dumps(machine()), file=sys.stderr)
-    line = "| {} | {} | {} | {} | {} | {} |" if options.markdown else "{:>9} {:>9} {:>10} {:>8} {:>8} {:>8}"
-    print(line.format("parts", "seconds", "of a core", "copies", "found", "more"))
+    line = "| {} | {} | {} | {} | {} | {} | {} |" if options.markdown else "{:>9} {:>9} {:>10} {:>8} {:>8} {:>8} {:>8}"
+    print(line.format("parts", "seconds", "of a core", "copies", "found", "more", "alike s"))
     if options.markdown:
-        print("|---|---|---|---|---|---|")
+        print("|---|---|---|---|---|---|---|")
     for count in options.parts:
         parts, copy_of = _many(bases, count)
         started, cpu = time.perf_counter(), time.process_time()
-        found = list(LikeParts(parts).of_one_form())
+        likes = LikeParts(parts)
+        found = list(likes.of_one_form())
         seconds, cpu = time.perf_counter() - started, time.process_time() - cpu
+        alike = time.perf_counter()
+        list(likes.alike(set(range(count)) - {each.part for each in found}))
+        alike = time.perf_counter() - alike
         true = sum(copy_of.get(each.part, each.part) == copy_of.get(each.reference, each.reference) for each in found)
-        print(line.format(count, f"{seconds:.1f}", f"{cpu:.1f}", len(copy_of), true, len(found) - true), flush=True)
+        print(line.format(count, f"{seconds:.1f}", f"{cpu:.1f}", len(copy_of), true, len(found) - true,
+                          f"{alike:.1f}"), flush=True)
 
 
 def _many(bases, count):
@@ -75,9 +81,14 @@ def _many(bases, count):
             recipes.append((recipes[source][0], recipes[source][1], turn))
         else:
             recipes.append((int(rng.integers(len(bases))), np.exp(rng.normal(size=3) * 0.3), np.eye(3)))
-    numbers = np.concatenate([_numbers(_made(bases, recipe)) for recipe in recipes])
+    numbers, sides = [], []
+    for recipe in recipes:
+        form = _made(bases, recipe)
+        numbers.append(_numbers(form))
+        sides.append(np.sort(np.ptp(form.outline.points @ form.axes, axis=0))[::-1])
+    numbers = np.concatenate(numbers)
     none = np.zeros(count, dtype=np.int64)
-    parts = ManyParts([], none, none, numbers, np.full(count, np.nan), np.ones((count, 3)), list(range(count, 0, -1)), 0,
+    parts = ManyParts([], none, none, numbers, np.full(count, np.nan), np.array(sides), list(range(count, 0, -1)), 0,
                       tuple(lambda recipe=recipe: _made(bases, recipe) for recipe in recipes))
     return parts, copy_of
 

@@ -68,6 +68,7 @@ class LikeParts:
     def __init__(self, parts):
         self._parts = parts
         self._form = lru_cache(_FORMS_AT_HAND)(parts.form)
+        self._areas = lru_cache(None)(self._face_areas)  # some hundred bytes of each part
         self._order = sorted(range(len(parts)), key=lambda part: parts.standing[part], reverse=True)
 
     def of_one_form(self, report=None):
@@ -192,7 +193,7 @@ class LikeParts:
         return self._common_area(part, reference) >= 0.25
 
     def _common_area(self, part, reference):
-        own, other = (self._face_areas(each) for each in (part, reference))
+        own, other = self._areas(part), self._areas(reference)
         if own is None or other is None:
             return 0.0
         place = np.searchsorted(other, own)
