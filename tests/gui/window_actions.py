@@ -24,9 +24,10 @@ def settle(milliseconds=30):
     while True:
         QtWidgets.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 10)
         QtWidgets.QApplication.sendPostedEvents(None, QtCore.QEvent.DeferredDelete)
-        if time.monotonic() >= end:
+        left = end - time.monotonic()
+        if left <= 0:
             return
-        time.sleep(0.002)
+        time.sleep(min(left, 0.01))  # looking more often takes the processor from what is waited for
 
 
 class Turns:
@@ -61,7 +62,7 @@ def wait_until(condition, what=None, seconds=60.0):
         In words; the condition's own source where nothing is given.
     seconds : float
     """
-    time_limit.wait_until(condition, what or (lambda: _source_of(condition)), seconds, lambda: settle(10))
+    time_limit.wait_until(condition, what or (lambda: _source_of(condition)), seconds, lambda: settle(40))
 
 
 def _source_of(condition):
@@ -100,9 +101,10 @@ def dismiss():
 def widget(name, kind=QtWidgets.QWidget):
     """The widget of a name, or None."""
     # Not among allWidgets() or topLevelWidgets(): PySide2 wraps widgets that Qt is about to delete, and crashes.
-    app, found = QtWidgets.QApplication, []
+    app, roots, found = QtWidgets.QApplication, [], []
     for root in (Gui.getMainWindow(), app.activeWindow(), app.activeModalWidget(), app.activePopupWidget()):
-        if root is not None:
+        if root is not None and root not in roots:
+            roots.append(root)
             of_name = [root] if isinstance(root, kind) and root.objectName() == name else []
             found += [each for each in [*of_name, *root.findChildren(kind, name)] if each not in found]
     shown = [each for each in found if each.isVisible()]

@@ -19,6 +19,7 @@ restrict that.
 """
 
 import os
+import time
 from contextlib import ExitStack, closing
 
 from ..api.classified_parts import PartFailure
@@ -28,6 +29,9 @@ from .json_lines import JsonLines
 
 PATIENCE = 600.0
 """Seconds without a job after which the process ends; loading the modules again takes less than one."""
+
+_PROGRESS_SECONDS = 0.1
+"""Between two lines of progress in one stage: for each, the window draws all of itself anew where OpenGL is drawn in software."""
 
 
 def main():
@@ -67,9 +71,13 @@ def _new_report(folder, wanted):
 
 def _send_results(folder, megabytes, snapshots, parent, pages):
     send = parent.send
+    told, due = None, 0.0
 
     def report(part, stage, fraction):
-        send(progress={"part": part, "stage": stage, "fraction": round(fraction, 4)})
+        nonlocal told, due
+        if (part, stage) != told or time.monotonic() >= due:
+            told, due = (part, stage), time.monotonic() + _PROGRESS_SECONDS
+            send(progress={"part": part, "stage": stage, "fraction": round(fraction, 4)})
 
     # The window closes the pipe once it has written the feature history, which it does while idle.
     for found in snapshots.measure_snapshot(folder, megabytes, report, parent.receive, pages):
