@@ -78,7 +78,6 @@ ELSEWHERE = (
     "core.descriptors.local_quantiles",  # shares of the surface whose local thickness is recorded
     "core.descriptors.precision",  # errors of shares, of the volume and of the area
     "core.descriptors.quantity",  # where an edge of a bin is blurred
-    "core.descriptors.similarity",  # how near two parts are that are alike
     "core.forms.alignment",  # turns that are tried, points of two outlines that belong together
     "core.forms.comparison",  # geometry that is the same
     "core.forms.equal_faces",  # faces that are equal
@@ -154,7 +153,6 @@ ELSEWHERE = (
     "freecad_adapter.mid_surface.smooth_cuts",  # faces that meet smoothly
     "freecad_adapter.mid_surface.solid_rest",  # walls that go over into a solid, thick bodies
     "freecad_adapter.objects.thickness_probes",  # probes on a surface that was measured again
-    "freecad_adapter.reading.common_edges",  # when two edges follow each other
     "freecad_adapter.reading.sewn_solids",  # gaps that sewing closes
     "freecad_adapter.shapes.mended_solid",  # solids that are the same after mending
     "freecad_adapter.shapes.tolerances",  # solids, points and placements that are the same

@@ -31,7 +31,7 @@ PATIENCE = 600.0
 """Seconds without a job after which the process ends; loading the modules again takes less than one."""
 
 _PROGRESS_SECONDS = 0.1
-"""Between two lines of progress in one stage: for each, the window draws all of itself anew where OpenGL is drawn in software."""
+"""Between two lines of progress of one stage: for each, a window with OpenGL in software draws all of itself anew."""
 
 
 def main():
