@@ -3,14 +3,18 @@
 
 import FreeCAD as App
 import FreeCADGui as Gui
+import numpy as np
 import Part
 import pytest
 import window_actions as window
 
+from thinpart_workbench.api.document_maps import parts_of
+from thinpart_workbench.core.judging.limit_bands import FAILS
 from thinpart_workbench.freecad_adapter.objects.thickness_object import OWN_CHECK, thickness_objects
 from thinpart_workbench.freecad_adapter.preferences import set_preference
 from thinpart_workbench.gui.application import lifelong
 from thinpart_workbench.gui.application.qt import QtCore, QtWidgets
+from thinpart_workbench.gui.colour_bar.colours import BAND_COLOURS
 from thinpart_workbench.storage.info.stored_records import stored_records
 
 REASON = "crush rib, thin on purpose"
@@ -90,17 +94,29 @@ def check_at(thickness, millimetres):
     return window.widget("ThinPart_CheckResult").text()
 
 
-def test_a_face_gets_a_limit_with_a_reason_which_the_check_respects(saved):
+def red_faces(thickness):
+    """The names of the faces of the part that are red anywhere."""
+    part, = parts_of(thickness)
+    colours = thickness.ViewObject.Proxy.colours
+    red = (colours.of_corners(0, part.map) == BAND_COLOURS[FAILS]).all(axis=2).any(axis=1)
+    return {f"Face{number + 1}" for number in np.unique(part.map.face[red])}
+
+
+def test_a_face_gets_a_limit_with_a_reason_which_the_check_and_the_colours_respect(saved):
     thickness = thickness_objects(App.ActiveDocument)[0]
     assert "fails" in check_at(thickness, 3.0)
     row = rib_row()
     face = table().rows[row].name
+    sides = {each.name for each in table().rows if each.summary.median == pytest.approx(1.5, rel=0.01)}
+    assert len(sides) == 2 and sides <= red_faces(thickness)
     choose("least", row, [1.0, REASON])
     kept, = stored_records(str(saved))[0]["face_limits"]
     assert (kept["face"], kept["min_mm"], kept["reason"], kept["person"]) == (face, 1.0, REASON, "Anna")
     assert REASON in said() and face in said()
     result = check_at(thickness, 3.0)
     assert "passes" in result and REASON in result
+    assert not sides & red_faces(thickness), "the wall is seen from both sides, and one has the limit"
     choose("remove", rib_row())
+    assert sides <= red_faces(thickness)
     assert "face_limits" not in stored_records(str(saved))[0]
     assert said() == "" and "fails" in check_at(thickness, 3.0)

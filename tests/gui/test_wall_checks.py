@@ -113,7 +113,7 @@ def test_the_map_shows_in_violet_what_the_check_calls_too_thick_and_no_rims(docu
     assert thickness.CheckMost == 8.0 and "more than 8\u00a0mm" in window.text("ThinPart_CheckResult")
     assert violet(thickness)[0].mean() > 0.9 and violet_share() > 90.0
     drawn = thickness.ViewObject.Proxy.colours
-    assert drawn.thick is ThicknessColours.of(thickness).thick and drawn.thick.of_parts[0].mean() > 0.9
+    assert drawn.maps is ThicknessColours.of(thickness).maps and drawn.are_thick(0).mean() > 0.9
     chart = window.widget("ThinPart_ThicknessChart")
     at_ten = np.searchsorted(chart.edges, 10.0) - 1
     assert tuple(chart.colours[at_ten]) == BAND_COLOURS[TOO_THICK]

@@ -1,15 +1,26 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Limits of walls to choose from, and parts checked against them."""
 
+from dataclasses import replace
 from typing import Any, NamedTuple, Optional
 
+import numpy as np
+
 from ...core.errors import ThinPartError
-from ...core.judging.limit_bands import too_thick
+from ...core.judging.limit_bands import least_ratios, too_thick
 from ...core.judging.wall_check import check_sentence, check_walls
 from ...core.judging.wall_limits import SHIPPED, WallLimits, limits_content, shipped_limits
 from ...freecad_adapter.objects.thickness_object import OWN_CHECK
 from ...freecad_adapter.preferences import preference
 from ...storage.user_limits import known_limits, limits_named
+
+
+class CheckedFacets(NamedTuple):
+    """Of a map, which facets are ``too_thick``, ndarray of shape (m,), bool, and a ThicknessMap to be ``compared`` with the
+    limits of the process: where faces have a least wall of their own, thicknesses in proportion to that."""
+
+    too_thick: Any
+    compared: Any
 
 
 class CheckedPart(NamedTuple):
@@ -53,10 +64,10 @@ def checked(record, limits):
     return CheckedPart(check.holds, check_sentence(check))
 
 
-def too_thick_facets(parts, limits, face_limits=None):
-    """Which facets of maps are thicker than a process allows, as `checked` says it: list of ndarray of shape (m,), bool.
+def checked_facets(parts, limits, face_limits=None):
+    """Which facets of maps are thinner or thicker than a process allows, as `checked` says it: list of CheckedFacets.
 
-    Maps of earlier versions have no balls, and are told by the thickness across.
+    In maps of earlier versions, which have no balls, what is too thick is told by the thickness across.
 
     Parameters
     ----------
@@ -69,15 +80,22 @@ def too_thick_facets(parts, limits, face_limits=None):
     --------
     >>> part, = parts_of(thickness)
     >>> part.record.update(record)
-    >>> [int(facets.sum()) for facets in too_thick_facets([part], offered_limits()["FDM"])]
+    >>> [int(facets.too_thick.sum()) for facets in checked_facets([part], offered_limits()["FDM"])]
     [0]
     """
-    return [too_thick(check_walls(limited(part.record, face_limits), limits),
-                      part.map.thickness if part.map.balls is None else part.map.balls, part.map.face) for part in parts]
+    return [_checked_facets(part.map, check_walls(limited(part.record, face_limits), limits)) for part in parts]
+
+
+def _checked_facets(shown, check):
+    compared, ratios = shown, least_ratios(check, shown.face, shown.opposite)
+    if ratios is not None:
+        compared = replace(shown, thickness=(shown.thickness * ratios).astype(np.float32),
+                           corner_thickness=(shown.corner_thickness * ratios[:, None]).astype(np.float32))
+    return CheckedFacets(too_thick(check, shown.thickness if shown.balls is None else shown.balls, shown.face), compared)
 
 
 def limited(record, face_limits):
-    """A record with the limits that are kept for its faces: see `too_thick_facets`.
+    """A record with the limits that are kept for its faces: see `checked_facets`.
 
     Examples
     --------

@@ -57,6 +57,30 @@ def limit_bands(least, most):
     return bands
 
 
+def least_ratios(check, faces, opposite):
+    """How many times the least wall of a process is that of places with a least wall of their own: ndarray of shape (m,).
+
+    Thicknesses that are multiplied by it are compared with the process. A wall that only the face opposite has a limit for
+    is compared with that, as the check does. 1 elsewhere; None where no face has a least wall of its own.
+
+    Parameters
+    ----------
+    check : WallCheck
+    faces : ndarray of shape (m,), int
+        Numbers of the B-Rep faces of the places, from 0.
+    opposite : ndarray of shape (m,), int
+        Which place each lies opposite of, -1 for none.
+    """
+    own = {face_number({"face": each.face}): each.min_mm for each in check.own if each.min_mm and not each.is_gone}
+    if not own or not check.limits.min_mm:
+        return None
+    ratios, across = np.ones(len(faces)), np.where(opposite >= 0, faces[opposite], -1)
+    for places in (across, faces):  # its own limit comes before that of the other side
+        for number, least in own.items():
+            ratios[places == number] = check.limits.min_mm / least
+    return ratios
+
+
 def too_thick(check, balls, faces):
     """Which places are thicker than a process allows, as the check of the part says it: ndarray of shape (m,), bool.
 

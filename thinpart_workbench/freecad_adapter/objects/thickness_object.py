@@ -159,7 +159,7 @@ class ThicknessObject:
         self._unit = None  # current unit of Low and High in mm, to convert them when it changes
         self._last_state = None  # the sources at the last check, see `_source_state`
         self.cached_parts = None  # see `document_maps`
-        self.cached_thick = None  # what the window knows of its facets that are too thick
+        self.cached_check = None  # what the window knows of its facets beside the limits
 
     def dumps(self):
         """The proxy saves no state of its own. Called by FreeCAD 1.0."""

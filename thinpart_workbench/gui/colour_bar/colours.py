@@ -6,13 +6,12 @@ from typing import Optional
 
 import numpy as np
 
-from ...core.analysis_settings import RAY
 from ...core.judging.limit_bands import FAILS, JUST_ABOVE, PASSES, TOO_THICK, limit_bands
 from ...core.maps.level_cuts import within_steps
 from ...core.maps.map_summary import are_between
 from ...core.rendering.colour_scale import ColourScale
-from ...freecad_adapter.objects.thickness_object import OWN_CHECK, scale_of
-from .thick_facets import ThickFacets, thick_facets
+from ...freecad_adapter.objects.thickness_object import scale_of
+from .checked_facets import CheckedMaps, checked_maps, is_checked
 
 NEUTRAL = (205, 205, 205)
 """Walls that are not thin, where only thin walls are coloured."""
@@ -44,8 +43,8 @@ class ThicknessColours:
         The highlighted range.
     faces : dict or None
         Sets of highlighted B-Rep faces, by part number.
-    thick : ThickFacets or None
-        Facets that are too thick for the process that is checked.
+    maps : CheckedMaps or None
+        Facets as they are compared with the limits that are checked.
     """
 
     scale: ColourScale
@@ -54,20 +53,27 @@ class ThicknessColours:
     stale: bool = False
     between: Optional[tuple] = None
     faces: Optional[dict] = None
-    thick: Optional[ThickFacets] = None
+    maps: Optional[CheckedMaps] = None
 
     @classmethod
     def of(cls, thickness, between=None, faces=None):
         """The colours of a thickness object."""
         return cls(scale_of(thickness), thickness.Threshold if thickness.ThinOnly else None,
-                   (thickness.Threshold, thickness.CheckMost) if thickness.Check and (
-                       thickness.Measure == RAY or thickness.Check == OWN_CHECK) else None,
-                   bool(thickness.Stale), between, faces, thick_facets(thickness))
+                   (thickness.Threshold, thickness.CheckMost) if is_checked(thickness) else None,
+                   bool(thickness.Stale), between, faces, checked_maps(thickness))
 
     @property
     def bands(self):
         """list of LimitBand: those of the limits that are checked; empty where none are."""
         return [] if self.checked is None else limit_bands(*self.checked)
+
+    def compared(self, number, shown):
+        """The map of a part with thicknesses as they are compared with the limits that are checked: ThicknessMap."""
+        return shown if self.maps is None else self.maps.of_parts[number].compared
+
+    def are_thick(self, number):
+        """Which facets of a part are too thick: ndarray of shape (m,), bool, or None where that is not checked."""
+        return None if self.maps is None else self.maps.are_thick(number)
 
     def are_failing(self, values):
         """Which thicknesses, mm, are under the least wall that is checked: ndarray of bool. That is told before a ball."""
@@ -118,13 +124,15 @@ class ThicknessColours:
             Of the part.
         shown : ThicknessMap
         cut : LevelCuts or MapSection, optional
-            Pieces of the facets, or lines on them, cut at `levels`: their corners or ends, ndarray of shape (k, 2, 3) for
-            lines, are coloured instead.
+            Pieces of the facets of the `compared` map, or lines on them, cut at `levels`: their corners or ends, ndarray of
+            shape (k, 2, 3) for lines, are coloured instead.
         """
+        shown = self.compared(number, shown)
         facet = np.arange(shown.count) if cut is None else cut.facet
         thickness, levels = shown.corner_thickness if cut is None else cut.thickness, self.levels
         values = within_steps(thickness, levels) if levels else thickness
-        are_thick = None if self.thick is None else np.repeat(self.thick.of_parts[number][facet], values.shape[1])
+        are_thick = self.are_thick(number)
+        are_thick = None if are_thick is None else np.repeat(are_thick[facet], values.shape[1])
         colours = self.of_values(values.ravel(), are_thick).reshape(*values.shape, 3)
         if self.faces is not None:
             chosen = np.fromiter(self.faces.get(number, ()), dtype=np.int64)

@@ -53,15 +53,15 @@ class DistributionPresenter(MapPresenter):
         if chart.thickest > chart.edges[-1]:
             middles[-1] = chart.thickest
         colours = ThicknessColours.of(self._thickness)
-        chart.show_colours(colours.of_values(middles, self._are_thick(chart.edges, colours.thick)))
+        chart.show_colours(colours.of_values(middles, self._are_thick(chart.edges, colours)))
 
-    def _are_thick(self, edges, thick):
+    def _are_thick(self, edges, colours):
         """Of which bars most of the surface is too thick: ndarray of bool, or None where that is not checked."""
-        if thick is None:
+        if colours.maps is None or not colours.maps.has_thick:
             return None
         ends = np.append(edges[:-1], np.inf)
         return np.array([2.0 * share_of(self._shown.shown, [
-            between(part.map, *bar) & thick.of_parts[number] for number, part in self._shown.numbered.items()])
+            between(part.map, *bar) & colours.are_thick(number) for number, part in self._shown.numbered.items()])
             > share_between(self._shown.shown, *bar) for bar in zip(ends[:-1], ends[1:])])
 
     def _show_threshold(self):

@@ -55,19 +55,17 @@ def band_texts(numbered, colours):
         By part number.
     colours : ThicknessColours
     """
-    parts, thick = list(numbered.values()), colours.thick
-    are_thick = [np.zeros(part.map.count, bool) if thick is None else thick.of_parts[number]
-                 for number, part in numbered.items()]
-    found = []
+    parts, found = list(numbered.values()), []
     for band in colours.bands:
-        chosen = [_are_in(band, part.map, colours, thick) for part, thick in zip(parts, are_thick)]
+        chosen = [_are_in(band, colours.compared(number, part.map), colours, colours.are_thick(number))
+                  for number, part in numbered.items()]
         found.append((BAND_COLOURS[band.name], _band_words(band.name).format(percent(share_of(parts, chosen)))))
     return found
 
 
 def _are_in(band, shown, colours, thick):
     """Which facets of a map have the colour of a band: ndarray of bool."""
-    over = thick & ~colours.are_failing(shown.thickness)
+    over = np.zeros(shown.count, bool) if thick is None else thick & ~colours.are_failing(shown.thickness)
     return over if band.name == TOO_THICK else between(shown, band.low, band.high) & ~over
 
 

@@ -3,7 +3,7 @@
 
 from ...freecad_adapter.objects.thickness_probes import probes_of
 from ..application.qt import translate
-from ..colour_bar.thick_facets import thick_facets
+from ..colour_bar.checked_facets import checked_maps
 from ..document.transaction import transaction
 from ..view3d.picking import ThicknessPicker, probe_ends, remove_probe
 from .map_presenter import MapPresenter
@@ -50,8 +50,8 @@ class ProbePresenter(MapPresenter):
 
     def _is_thick(self, wall):
         """Whether a wall of the picker is on a facet that is too thick for what is checked."""
-        thick = None if wall is None else thick_facets(self._thickness)
-        return thick is not None and bool(thick.of_parts[wall["part"]][wall["facet"]])
+        maps = None if wall is None else checked_maps(self._thickness)
+        return maps is not None and maps.has_thick and bool(maps.are_thick(wall["part"])[wall["facet"]])
 
     def _toggle(self, is_on):
         self._picker.start(pins=is_on)

@@ -83,7 +83,7 @@ class SectionNodes:
             drawn = None if faces is None else np.isin(part.map.face, np.fromiter(faces.get(number, ()), dtype=np.int64))
             for matrix in part.matrices:
                 stands = moved @ matrix
-                cut = map_section(part.map, plane.moved(inverse(stands)), drawn)
+                cut = map_section(colours.compared(number, part.map), plane.moved(inverse(stands)), drawn)
                 cut = section_at_levels(cut, colours.levels)
                 ends.append(transform_points(stands, cut.ends.reshape(-1, 3)))
                 edge_colours.append(colours.of_corners(number, part.map, cut).reshape(-1, 3))

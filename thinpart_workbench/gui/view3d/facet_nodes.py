@@ -142,7 +142,7 @@ class FacetNodes:
                 fill_colours(few.orderedRGBA, of_corners[kept], opacity)
             cut = self._cut[number]
             before = cut.facets
-            if cut.show(shown, colours.levels):
+            if cut.show(colours.compared(number, shown), colours.levels):
                 self._draw_facets(number, np.concatenate([before, cut.facets]))
             if len(cut.facets):
                 fill_colours(cut.colour.orderedRGBA, colours.of_corners(number, shown, cut.cuts), opacity)
@@ -241,14 +241,14 @@ class _CutFacets:
         self._points, self._normals, self._pieces = coin.SoCoordinate3(), coin.SoNormal(), coin.SoIndexedFaceSet()
         add_children(self.root, self.colour, self._points, self._normals, self._pieces)
         self.facets, self.cuts = np.empty(0, dtype=np.int64), None
-        self._levels = ()
+        self._shown_at = None, ()
         self._pieces.coordIndex.setNum(0)
 
     def show(self, shown, levels):
-        """Cut a map at other levels; returns whether that changed anything. Call `draw` afterwards."""
-        if levels == self._levels:
+        """Cut a map at its levels; returns whether that changed anything. Call `draw` afterwards."""
+        if shown is self._shown_at[0] and levels == self._shown_at[1]:
             return False
-        had, self._levels = len(self.facets), levels
+        had, self._shown_at = len(self.facets), (shown, levels)
         self.cuts = cut_at_levels(shown, levels)
         self.facets = np.unique(self.cuts.facet)
         if not had and not len(self.facets):
