@@ -35,6 +35,8 @@ def load_freecad():
             message("FreeCAD needs a home folder, but {folder} is not accessible: set FREECAD_USER_HOME to a folder "
                     "that is.", folder=os.path.expanduser("~")), "permission",
         )
+    # MeshPart brings UCX along, a library of MPI, which takes half a second to watch all memory. Nothing here needs that.
+    os.environ.setdefault("UCX_MEM_EVENTS", "n")
     try:
         freecad = importlib.import_module("FreeCAD")
     except ImportError as error:
