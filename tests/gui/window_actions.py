@@ -19,15 +19,16 @@ V = App.Vector
 
 
 def settle(milliseconds=30):
-    """Let the window do what is waiting, for some time."""
-    end = time.monotonic() + milliseconds / 1000.0
+    """Let the window do what is waiting, and what comes, for some time."""
+    clock = QtCore.QTimer(singleShot=True, timerType=QtCore.Qt.PreciseTimer)
+    clock.start(milliseconds)
     while True:
         QtWidgets.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 10)
         QtWidgets.QApplication.sendPostedEvents(None, QtCore.QEvent.DeferredDelete)
-        left = end - time.monotonic()
-        if left <= 0:
+        if not clock.isActive():
             return
-        time.sleep(min(left, 0.01))  # looking more often takes the processor from what is waited for
+        # Sleeps until something comes: looking all the time takes the processor from what is waited for.
+        QtWidgets.QApplication.processEvents(QtCore.QEventLoop.WaitForMoreEvents)
 
 
 class Turns:
