@@ -37,8 +37,8 @@ class ChildProcess(QtCore.QObject):
     -------
     line(object), error_line(object)
         One line of standard output or standard error, bytes without the line end.
-    slice_read(bool)
-        A slice of the output was read and emitted; the argument says whether no more lines are available.
+    slice_read()
+        A slice of the output was read and emitted.
     ended(object)
         ProcessEnd: the process has ended by itself, and all its output was emitted.
     failed_to_start()
@@ -55,7 +55,7 @@ class ChildProcess(QtCore.QObject):
 
     line = Signal(object)
     error_line = Signal(object)
-    slice_read = Signal(bool)
+    slice_read = Signal()
     ended = Signal(object)
     failed_to_start = Signal()
     released = Signal()
@@ -197,7 +197,7 @@ class ChildProcess(QtCore.QObject):
         if is_all and self._has_ended:
             self._read_rest(process)
         if self._process is process:
-            self.slice_read.emit(is_all)
+            self.slice_read.emit()
         if self._process is not process:
             return
         if not is_all:

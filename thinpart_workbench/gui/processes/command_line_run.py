@@ -22,8 +22,8 @@ DONE, STOPPED, REFUSED, LOST = "done", "stopped", "refused", "lost"
 RunEnd = namedtuple("RunEnd", ("outcome", "sentence"))
 """The end of a run; `sentence` is empty where there is nothing to explain."""
 
-_BATCH_SECONDS = 0.1
-"""Rows are emitted in batches: each batch repaints the table, which takes as long as reading a slice."""
+_BATCH_SECONDS = 0.25
+"""Rows are emitted in batches, this long apart: each batch repaints the table, which takes as long as reading a slice."""
 
 _READ_DELAY = 30
 """Milliseconds between the first available line and reading; the process fills its pipe meanwhile."""
@@ -68,6 +68,8 @@ class CommandLineRun(QtCore.QObject):
         self._process.line.connect(self._on_line)
         self._process.error_line.connect(self._on_error_line)
         self._process.slice_read.connect(self._emit_batch)
+        self._batch_timer = QtCore.QTimer(self, singleShot=True)
+        self._batch_timer.timeout.connect(self._emit_rows)
         self._process.ended.connect(self._on_ended)
         self._process.failed_to_start.connect(self._on_failed_to_start)
         self._process.released.connect(self._on_released)
@@ -147,13 +149,20 @@ class CommandLineRun(QtCore.QObject):
     def _on_error_line(self, line):
         self._messages.append(line)
 
-    def _emit_batch(self, is_all):
+    def _emit_batch(self):
         """Emit the rows read so far, unless more can be emitted together with them."""
-        if self._rows and (is_all or time.monotonic() > self._last_batch + _BATCH_SECONDS):
-            rows, self._rows, self._last_batch = self._rows, [], time.monotonic()
-            self.found.emit(rows)
+        left = self._last_batch + _BATCH_SECONDS - time.monotonic()
+        if left <= 0.0:
+            self._emit_rows()
+        elif self._rows and not self._batch_timer.isActive():
+            self._batch_timer.start(int(1000.0 * left) + 1)
         if self.is_running:  # a slot of `found` may have ended the run
             self._emit_messages()
+
+    def _emit_rows(self):
+        if self._rows:
+            rows, self._rows, self._last_batch = self._rows, [], time.monotonic()
+            self.found.emit(rows)
 
     def _row(self, line):
         try:
@@ -186,6 +195,7 @@ class CommandLineRun(QtCore.QObject):
         self.ended.emit(RunEnd(LOST, translate("ThinPart", "The classification process could not be started.")))
 
     def _on_ended(self, end):
+        self._emit_rows()
         self.ended.emit(self._run_end(end.code, self._stopping))
 
     def _run_end(self, code, stopping):
@@ -204,6 +214,7 @@ class CommandLineRun(QtCore.QObject):
 
     def _on_released(self):
         """Remove the list of files, which the process no longer needs."""
+        self._batch_timer.stop()
         self._stack.close()
 
 

@@ -6,6 +6,11 @@ from ..application.qt import QtCore, QtGui, QtWidgets, Signal, colour, flags_as_
 
 FAILED_COLOUR = (0.80, 0.07, 0.07)
 
+# Looking a name up in Qt's namespace takes longer than all the rest that a cell needs.
+_ALIGNMENT, _SHOWN, _EDITED, _TIP, _PICTURE, _COLOUR, _FONT, _CHECK = (
+    QtCore.Qt.TextAlignmentRole, QtCore.Qt.DisplayRole, QtCore.Qt.EditRole, QtCore.Qt.ToolTipRole, QtCore.Qt.DecorationRole,
+    QtCore.Qt.ForegroundRole, QtCore.Qt.FontRole, QtCore.Qt.CheckStateRole)
+
 
 class RowModel(QtCore.QAbstractTableModel):
     """Table model whose columns, a list of Column, are data; `KeptRows` and `FetchedRows` have the rows.
@@ -75,41 +80,41 @@ class RowModel(QtCore.QAbstractTableModel):
         """Number of columns."""
         return 0 if parent.isValid() else len(self.columns)
 
-    def headerData(self, section, orientation, role=QtCore.Qt.DisplayRole):
+    def headerData(self, section, orientation, role=_SHOWN):
         """Headings of the columns, aligned like their cells."""
         if orientation != QtCore.Qt.Horizontal or section >= len(self.columns):
             return None
         column = self.columns[section]
         is_brief = column.key in self._brief
-        if role == QtCore.Qt.DisplayRole:
+        if role == _SHOWN:
             return column.brief(self.unit) if is_brief else column.heading(self.unit)
-        if role == QtCore.Qt.ToolTipRole:
+        if role == _TIP:
             said = (column.heading(self.unit) if is_brief or not column.meaning else "", column.meaning)
             return "\n".join(filter(None, said))
-        return column.alignment if role == QtCore.Qt.TextAlignmentRole else None
+        return column.alignment if role == _ALIGNMENT else None
 
-    def data(self, index, role=QtCore.Qt.DisplayRole):
+    def data(self, index, role=_SHOWN):
         """Data of a cell for a role."""
         if not index.isValid():
             return None
         column, row = self.columns[index.column()], self.row_at(index.row())
-        if role == QtCore.Qt.TextAlignmentRole:
+        if role == _ALIGNMENT:
             return column.alignment
         if row is None:
-            return self.waiting(index) if role == QtCore.Qt.DisplayRole else None
-        if role in (QtCore.Qt.DisplayRole, QtCore.Qt.EditRole):
+            return self.waiting(index) if role == _SHOWN else None
+        if role in (_SHOWN, _EDITED):
             return column.shown(row, self.unit)
-        if role == QtCore.Qt.ToolTipRole:
+        if role == _TIP:
             return column.tip and column.tip(row, self.unit) or self.tip(row, column)
-        if role == QtCore.Qt.DecorationRole:
+        if role == _PICTURE:
             return column.picture and column.picture(row)
-        if role == QtCore.Qt.ForegroundRole and self.is_failed(row):
+        if role == _COLOUR and self.is_failed(row):
             return QtGui.QBrush(colour(FAILED_COLOUR))
-        if role == QtCore.Qt.FontRole and column.is_struck and column.is_struck(row):
+        if role == _FONT and column.is_struck and column.is_struck(row):
             font = QtGui.QFont(QtWidgets.QApplication.font("QTableView"))
             font.setStrikeOut(True)
             return font
-        if role == QtCore.Qt.CheckStateRole and column.is_checked and column.is_checked(row) is not None:
+        if role == _CHECK and column.is_checked and column.is_checked(row) is not None:
             return flags_as_int(QtCore.Qt.Checked if column.is_checked(row) else QtCore.Qt.Unchecked)
         return None
 
