@@ -180,6 +180,7 @@ class CommandLineRun(QtCore.QObject):
         for line in lines:
             content = _content(line)
             if "state" in content:
+                self._emit_rows()  # paused: nothing comes after that but what is at work
                 self.state_changed.emit(content["state"])
             elif "progress" in content:
                 progress = content["progress"]
