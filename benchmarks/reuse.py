@@ -6,8 +6,9 @@
 
 LIBRARY is a folder of classified parts. Their forms are varied until there are so many: most are stretched along each axis,
 so that they are parts of their own, and three in ten are copies of others, one in three of these turned anywhere. What is
-found is compared with that. Parts of which one is nearly the other by chance, such as boxes, are counted as more. The last
-column is how long it takes besides to find parts that are alike but for something.
+found is compared with that: a copy is found where it is in one group with its source. Parts of which one is nearly the other
+by chance, such as boxes, are counted as more. The last column is how long it takes besides to find parts that are alike but
+for something.
 """
 
 import argparse
@@ -64,7 +65,8 @@ def main():
         alike = time.perf_counter()
         list(likes.alike(set(range(count)) - {each.part for each in found}))
         alike = time.perf_counter() - alike
-        true = sum(copy_of.get(each.part, each.part) == copy_of.get(each.reference, each.reference) for each in found)
+        group = {each.part: each.reference for each in found}
+        true = sum(group.get(copy, copy) == group.get(source, source) for copy, source in copy_of.items())
         print(line.format(count, f"{seconds:.1f}", f"{cpu:.1f}", len(copy_of), true, len(found) - true,
                           f"{alike:.1f}"), flush=True)
 
