@@ -16,7 +16,10 @@ MOST_STEPS = 8
 """Steps of least squares."""
 
 MOST_SEARCHED = 64
-"""Points that seem to lie apart for which the whole other geometry is searched, which takes long."""
+"""Points at a time that seem to lie apart for which the whole other geometry is searched, which takes long."""
+
+_WRONGLY_FAR = 0.25
+"""Share of these which lie on it after all from which on more are searched: all points that are left over count as apart."""
 
 FITTED = 160
 """Points by which two forms are fitted."""
@@ -133,10 +136,13 @@ def _distances(asked, other, motion, same):
     points, feet, _ = _feet(asked, other, motion)
     distance = np.linalg.norm(points - feet, axis=1)
     far = np.flatnonzero(distance > same)
-    far = far[np.linspace(0, len(far) - 1, min(len(far), MOST_SEARCHED)).astype(np.int64)]
-    if len(far):
-        nearest = other.centred(other.nearest.anywhere(other.placed(points[far])))
-        distance[far] = np.linalg.norm(points[far] - nearest, axis=1)
+    while len(far):
+        chosen = np.unique(np.linspace(0, len(far) - 1, min(len(far), MOST_SEARCHED)).astype(np.int64))
+        some, far = far[chosen], np.delete(far, chosen)
+        nearest = other.centred(other.nearest.anywhere(other.placed(points[some])))
+        distance[some] = np.linalg.norm(points[some] - nearest, axis=1)
+        if (distance[some] <= same).mean() < _WRONGLY_FAR:
+            break  # the rest is as far as it seems
     return distance
 
 

@@ -20,8 +20,11 @@ class NearestOnSolid:
         import Part
 
         # Not the solid itself, from which a point in its material is at no distance.
-        self._faces, self._vertex = Part.makeCompound(solid.Faces), Part.Vertex
-        self._surfaces = [_surface(face) for face in solid.Faces]
+        self._all, self._faces, self._vertex = Part.makeCompound(solid.Faces), solid.Faces, Part.Vertex
+        self._surfaces = [_surface(face) for face in self._faces]
+        boxes = [face.BoundBox for face in self._faces]
+        self._least = np.array([(box.XMin, box.YMin, box.ZMin) for box in boxes])
+        self._most = np.array([(box.XMax, box.YMax, box.ZMax) for box in boxes])
 
     def quick(self, outline):
         """An `Outline` without most of its points on free-form faces."""
@@ -57,9 +60,35 @@ class NearestOnSolid:
 
     def anywhere(self, points):
         """The points of the solid nearest to points: ndarray of shape (k, 3), mm. It takes long."""
+        return np.array([self._nearest(point) for point in points])
+
+    def _nearest(self, point):
         from FreeCAD import Vector
 
-        return np.array([tuple(self._faces.distToShape(self._vertex(Vector(*point)))[1][0][0]) for point in points])
+        at = Vector(*point)
+        distance, pairs, _ = self._all.distToShape(self._vertex(at))
+        found = pairs[0][0]
+        # OCC takes an edge for the nearest where it cannot solve for the surface: surfaces of revolution, as IGES has them.
+        outside = np.linalg.norm(np.maximum(np.maximum(self._least - point, point - self._most), 0.0), axis=1)
+        for face in np.flatnonzero(outside < distance):
+            foot = self._foot(face, at)
+            if foot is not None and foot.distanceToPoint(at) < distance:
+                found, distance = foot, foot.distanceToPoint(at)
+        return tuple(found)
+
+    def _foot(self, number, at):
+        """The point of a face at right angles below a Vector, or None where that is not on the face."""
+        face, surface = self._faces[number], self._surfaces[number]
+        if surface is None:
+            return None
+        try:
+            u, v = surface.parameter(at)
+            low_u, high_u, low_v, high_v = face.ParameterRange
+            u = _within(u, low_u, high_u, surface.UPeriod() if surface.isUPeriodic() else 0.0)
+            v = _within(v, low_v, high_v, surface.VPeriod() if surface.isVPeriodic() else 0.0)
+            return surface.value(u, v) if face.isPartOfDomain(u, v) else None
+        except Exception:  # where a surface has no such point; FreeCAD raises classes of its own
+            return None
 
 
 class NearestOnTriangles:
@@ -80,6 +109,13 @@ class NearestOnTriangles:
     def anywhere(self, points):
         """The points of the triangles nearest to points: ndarray of shape (k, 3), mm."""
         return self._nearest.nearest(points - self._origin) + self._origin
+
+
+def _within(value, low, high, period):
+    """A parameter moved by whole periods to where the face has it."""
+    if period > 0.0 and not low <= value <= high:
+        value += period * np.ceil((low - value) / period)
+    return float(value)
 
 
 def _surface(face):
