@@ -21,6 +21,9 @@ MOST_SEARCHED = 64
 _WRONGLY_FAR = 0.25
 """Share of these which lie on it after all from which on more are searched: all points that are left over count as apart."""
 
+_ROUNDS = 5
+"""How often at most."""
+
 FITTED = 160
 """Points by which two forms are fitted."""
 
@@ -136,13 +139,18 @@ def _distances(asked, other, motion, same):
     points, feet, _ = _feet(asked, other, motion)
     distance = np.linalg.norm(points - feet, axis=1)
     far = np.flatnonzero(distance > same)
-    while len(far):
-        chosen = np.unique(np.linspace(0, len(far) - 1, min(len(far), MOST_SEARCHED)).astype(np.int64))
+    far, greatest = far[np.argsort(-distance[far], kind="stable")], 0.0
+    for _ in range(_ROUNDS):
+        if not len(far):
+            break
+        chosen = np.linspace(0, len(far) - 1, min(len(far), MOST_SEARCHED)).astype(np.int64)
+        chosen = np.union1d(chosen, np.arange(min(len(far), MOST_SEARCHED // 4)))  # the farthest say how far it is
         some, far = far[chosen], np.delete(far, chosen)
         nearest = other.centred(other.nearest.anywhere(other.placed(points[some])))
         distance[some] = np.linalg.norm(points[some] - nearest, axis=1)
-        if (distance[some] <= same).mean() < _WRONGLY_FAR:
-            break  # the rest is as far as it seems
+        greatest = max(greatest, distance[some].max())
+        if (distance[some] <= same).mean() < _WRONGLY_FAR and not (distance[far] > greatest).any():
+            break  # the rest is no farther
     return distance
 
 

@@ -17,7 +17,7 @@ from ...core.message import message
 from ...core.reuse.likeness import is_whole
 from ..workers.preparation import require_preparation
 
-VERSION = 5
+VERSION = 6
 """Of what a comparison is; results of another one are not taken from the cache."""
 
 
