@@ -2,13 +2,11 @@
 """Columns of tables: what a cell shows, and how rows are sorted by it."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any, Callable, Optional
 
 from ..application.numbers import number
 from ..application.qt import QtCore, QtGui, colour, flags_as_int
-
-_LEFT, _RIGHT = (flags_as_int(side | QtCore.Qt.AlignVCenter) for side in (QtCore.Qt.AlignLeft, QtCore.Qt.AlignRight))
-"""Looking a name up in Qt's namespace takes longer than all the rest that a cell needs."""
 
 
 @dataclass(frozen=True)
@@ -93,7 +91,13 @@ class Column:
     @property
     def alignment(self):
         """int: Qt flags for heading and cells."""
-        return _RIGHT if self.is_number else _LEFT
+        return _alignment(self.is_number)
+
+
+@lru_cache
+def _alignment(is_number):
+    # Kept: looking a name up in Qt's namespace takes longer than all the rest that a cell needs.
+    return flags_as_int((QtCore.Qt.AlignRight if is_number else QtCore.Qt.AlignLeft) | QtCore.Qt.AlignVCenter)
 
 
 def figures(key, title, value, shown, **more: Any):
