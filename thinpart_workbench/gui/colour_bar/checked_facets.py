@@ -34,13 +34,16 @@ def is_checked(thickness):
 
 
 def checked_maps(thickness):
-    """CheckedMaps of a thickness object; None where it is not coloured by limits.
+    """CheckedMaps of a thickness object; None where its thicknesses alone say how it is coloured.
 
     Limits for single faces count as soon as they are known to the window.
     """
     if not is_checked(thickness):
         return None
     face_limits = (lifelong.face_limits and lifelong.face_limits.known(thickness.Document.FileName)) or {}
+    has_thick = thickness.CheckMost > 0.0 and thickness.Measure == RAY
+    if not has_thick and not face_limits:
+        return None
     depends = (map_version(thickness), thickness.Check, thickness.Threshold, thickness.CheckMost, repr(face_limits))
     known = thickness.Proxy.cached_check
     if known is None or known[0] != depends:
@@ -49,6 +52,6 @@ def checked_maps(thickness):
         except ThinPartError:  # the view has said that the map cannot be read
             return None
         found = CheckedMaps(checked_facets(parts, limits_of_map(thickness, thickness.Check), face_limits),
-                            thickness.CheckMost > 0.0 and thickness.Measure == RAY)
+                            has_thick)
         thickness.Proxy.cached_check = known = depends, found
     return known[1]
