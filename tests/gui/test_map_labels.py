@@ -107,15 +107,17 @@ def test_another_object_hides_a_label_and_uncovers_it(thickness, camera):
     window.wait_until(lambda: "min 6\u00a0mm" in texts(thickness))
 
 
-def test_closing_a_document_right_after_its_view_moved(thickness):
-    """Labels look again, a moment later, whether other objects hide their places: there is no view to look at any more."""
+@pytest.mark.parametrize("close", [lambda document: App.closeDocument(document.Name), lambda document: document.removeObject(
+    thickness_objects(document)[0].Name)], ids=["document", "map"])
+def test_what_is_closed_right_after_its_view_moved(thickness, close):
+    """Labels look again, a moment later, whether other objects hide their places: there are no labels any more."""
     window.add(thickness.Document, "Other", Part.makeBox(5, 5, 5, V(200, 0, 0)))
     look_at(thickness.Document)
     wait_for(thickness, {"min 6\u00a0mm", "max 100\u00a0mm"})
     for direction in ((0, 0, -1), (-1, 0, 0), (0, 1, 0)):
         look(thickness, direction, (0, 1, 0) if direction[2] else (0, 0, 1))
         window.settle(30)
-    App.closeDocument(thickness.Document.Name)
+    close(thickness.Document)
     window.settle(500)  # FreeCAD crashed here
 
 

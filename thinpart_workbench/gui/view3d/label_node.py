@@ -61,7 +61,7 @@ class LabelNode:
         self._root, self.obstacles = view.getSceneGraph(), []
         self._widget = view.graphicsView().viewport()
         self._content, self._drawn_for, self._chosen, self._images = None, None, {}, []
-        self._covered_by_others, self._drawn_at, self._is_waiting = {}, 0.0, False
+        self._covered_by_others, self._drawn_at, self._is_waiting, self._is_removed = {}, 0.0, False, False
         self.node, self._annotation = skipped_by_fit_all(), coin.SoAnnotation()
         self._annotation.renderCaching = coin.SoSeparator.OFF
         prepare = coin.SoCallback()
@@ -91,6 +91,7 @@ class LabelNode:
 
     def remove(self):
         """Take the labels out of the view."""
+        self._is_removed = True
         take_out_of(self._root, self.node)
         try:
             self._widget.setProperty(self._kind, None)
@@ -224,6 +225,8 @@ class LabelNode:
 
     def _look_again(self):
         self._is_waiting, self._drawn_for = False, None
+        if self._is_removed:
+            return  # the scene has freed the node
         try:
             self._widget.property(self._kind)
         except RuntimeError:
