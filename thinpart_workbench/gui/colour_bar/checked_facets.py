@@ -51,7 +51,6 @@ def checked_maps(thickness):
             parts = parts_of(thickness)
         except ThinPartError:  # the view has said that the map cannot be read
             return None
-        found = CheckedMaps(checked_facets(parts, limits_of_map(thickness, thickness.Check), face_limits),
-                            has_thick)
+        found = CheckedMaps(checked_facets(parts, limits_of_map(thickness, thickness.Check), face_limits), has_thick)
         thickness.Proxy.cached_check = known = depends, found
     return known[1]
