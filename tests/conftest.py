@@ -10,11 +10,27 @@ import pytest
 import time_limit
 
 ROOT = Path(__file__).resolve().parents[1]
+LONG_TESTS = Path(__file__).with_name("long_tests.txt")
 
 # What runs in the background, or under nohup, is deaf to these, and programs that tests start would be deaf as well.
 for number, handler in ((signal.SIGINT, signal.default_int_handler), (signal.SIGHUP, lambda *_: None)):
     if signal.getsignal(number) == signal.SIG_IGN:
         signal.signal(number, handler)
+
+
+def pytest_addoption(parser):
+    parser.addoption("--quick", action="store_true", help="leave out the tests that tests/long_tests.txt names")
+
+
+def pytest_collection_modifyitems(config, items):
+    """Of --quick: a test that is asked for by its own name runs anyway."""
+    if not config.getoption("quick"):
+        return
+    named = {each.partition("[")[0] for each in config.args if "::" in each}
+    long = {line for line in LONG_TESTS.read_text(encoding="utf-8").splitlines() if not line.startswith("#")} - named
+    left_out = [item for item in items if item.nodeid.partition("[")[0] in long]
+    config.hook.pytest_deselected(items=left_out)
+    items[:] = [item for item in items if item not in left_out]
 
 
 def pytest_configure(config):

@@ -1,17 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`thinpart test` runs the tests without window in several processes, each with a session of its own."""
+"""`thinpart test` runs the tests without window in several processes, each with a session of its own, and with --quick not
+those of tests/long_tests.txt."""
 
 import argparse
+import ast
 import os
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 from program import environment
 
 from thinpart_workbench.cli.commands import test as command
 
-FILES = ["tests/test_requirements.py", "tests/core/test_progress.py"]
+ROOT = Path(__file__).resolve().parents[1]
+FILES = ["tests/test_requirements.py", "tests/core/test_message.py"]
 
 
 def asked(*arguments):
@@ -46,3 +50,35 @@ def test_the_processes_run_all_that_was_asked_for(processes):
     assert all(any(file in line for line in done) for file in FILES)
     assert {number for number in range(3) if any(f"[gw{number}]" in line for line in done)} == (
         {0, 1} if processes == 2 else set())
+
+
+def long_tests():
+    """The tests of the list, as (file, function)."""
+    lines = (ROOT / "tests" / "long_tests.txt").read_text(encoding="utf-8").splitlines()
+    return [line.split("::") for line in lines if not line.startswith("#")]
+
+
+def test_the_list_of_long_tests_names_tests_that_exist_and_leaves_some_of_each_file():
+    left = {}
+    for file, function in long_tests():
+        if file not in left:
+            body = ast.parse((ROOT / file).read_text(encoding="utf-8")).body
+            left[file] = {each.name for each in body if isinstance(each, ast.FunctionDef)}
+            left[file] |= {each.asname or each.name for made in body if isinstance(made, ast.ImportFrom) for each in made.names}
+            left[file] = {name for name in left[file] if name.startswith("test_")}
+        assert function in left[file], f"{file}::{function}"
+        left[file].remove(function)
+    assert all(left.values()), [file for file, functions in left.items() if not functions]
+
+
+@pytest.mark.parametrize("options, named, there", [
+    ([], "{file}", True), (["--quick"], "{file}", False), (["--quick"], "{file}::{function}", True)],
+    ids=["all", "quick", "named"])
+def test_quick_leaves_the_long_ones_out_unless_one_is_named(options, named, there):
+    file, function = long_tests()[0]
+    run = subprocess.run(
+        [sys.executable, "-m", "thinpart_workbench", "test", *options, "--collect-only", "-q",
+         named.format(file=file, function=function)],
+        env=environment(), capture_output=True, encoding="utf-8", stdin=subprocess.DEVNULL)
+    assert file in run.stdout, run.stdout + run.stderr
+    assert (f"::{function}" in run.stdout) == there

@@ -9,9 +9,9 @@
 The last writes a picture of every panel, dialog and page for each language, scale, theme and unit: see EVERY_LOOK.
 
 Options: --language German starts FreeCAD in that language, --scale 1.5 draws everything larger,
---theme "FreeCAD Dark" takes the colours of one of FreeCAD's own preference packs, --again runs a few tests that
-fail once more in a FreeCAD of their own and says which passed only there, --share 1/2 takes every second file (2/2 the
-others, and what comes after all tests), so that two FreeCADs share them.
+--theme "FreeCAD Dark" takes the colours of one of FreeCAD's own preference packs, --quick leaves out the
+tests that tests/long_tests.txt names, --again runs a few tests that fail once more in a FreeCAD of their own and says which
+passed only there.
 
 The status is pytest's; a FreeCAD that crashes, hangs or ends without a complete report is a
 failure of the test that it did last, and the others go on in a new one. After all tests of the window, those of
@@ -152,7 +152,7 @@ def main(arguments):
     parser.add_argument("--scale", type=float, default=PLAIN.scale)
     parser.add_argument("--theme", default=PLAIN.theme)
     parser.add_argument("--again", action="store_true")
-    parser.add_argument("--share", type=_share, default=(1, 1), metavar="K/N")
+    parser.add_argument("--quick", action="store_true")
     options, rest = parser.parse_known_args(arguments)
     look = Look(options.language, options.scale, options.theme)
     # FreeCAD starts hundreds of processes that measure, none of which keeps what it has compiled.
@@ -162,10 +162,9 @@ def main(arguments):
     if options.every_look:
         return max(_in_a_home(lambda home, name=name: _make_contact_sheet(Path(options.every_look), home, name))
                    for name in rest or EVERY_LOOK)
-    number, count = options.share
-    everything = number == count and not {*arguments} - {"--again", "--share", f"{number}/{count}"}
-    if count > 1:
-        rest += map(os.fspath, sorted(HERE.glob("test_*.py"))[number - 1::count])
+    everything = not {*arguments} - {"--again", "--quick"}
+    if options.quick:
+        rest.append("--quick")
     status = 0 if options.close else _run_tests(rest, look, options.again)
     if status == 0 and everything:
         status = _run_tests([os.fspath(HERE / "test_translations.py")], Look(TRANSLATED), options.again)
@@ -174,13 +173,6 @@ def main(arguments):
             with tempfile.TemporaryDirectory(prefix="thinpart-gui-") as home:
                 status = _closes_cleanly(Path(home), what)
     return status
-
-
-def _share(text):
-    number, count = map(int, text.split("/"))
-    if not 1 <= number <= count:
-        raise ValueError(text)
-    return number, count
 
 
 def _in_a_home(do):

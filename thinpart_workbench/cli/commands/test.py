@@ -25,6 +25,8 @@ def add_arguments(parser):
     parser.add_argument("--processes", type=int, metavar="N",
                         help="run the tests without window in N processes (default: one per core, and one where further "
                              "arguments choose some)")
+    parser.add_argument("--quick", action="store_true",
+                        help="leave out those that tests/long_tests.txt names: one in ten, which take most of the time")
     parser.add_argument("--again", action="store_true",
                         help=f"where up to {MOST_AGAIN} tests fail, run those once more on their own, and say which passed "
                              "only then")
@@ -57,7 +59,7 @@ def run(options):
     same = {"cwd": ROOT, "env": environment, "stdin": subprocess.DEVNULL}
     if options.no_gui or options.rest:
         return _without_window(options, same)
-    command = [sys.executable, os.fspath(GUI_RUNNER), *(["--again"] if options.again else [])]
+    command = [sys.executable, os.fspath(GUI_RUNNER), *(["--again"] if options.again else []), *_quick(options)]
     with tempfile.TemporaryFile() as output, subprocess.Popen(
             command, stdout=output, stderr=subprocess.STDOUT, **same) as window:
         status = _without_window(options, same)
@@ -72,13 +74,17 @@ def run(options):
 def _without_window(options, same):
     """Run the tests without window, those that fail once more where that was asked for; pytest's exit status."""
     with tempfile.TemporaryDirectory(prefix="thinpart-tests-") as cache:
-        pytest = [sys.executable, "-m", "pytest", "-o", f"cache_dir={cache}"]
+        pytest = [sys.executable, "-m", "pytest", "-o", f"cache_dir={cache}", *_quick(options)]
         status = subprocess.run([*pytest, *spread(options), *options.rest], **same).returncode
         failed = failed_tests(cache) if options.again and status == 1 else []
         if not 0 < len(failed) <= MOST_AGAIN:
             return status
         print(AGAIN.format("\n".join(failed)), flush=True)
         return subprocess.run([*pytest, "--last-failed", *options.rest], **same).returncode
+
+
+def _quick(options):
+    return ["--quick"] if options.quick else []
 
 
 AGAIN = "These tests failed and run once more, on their own. Those that pass now depend on how busy the machine is:\n{}\n"
