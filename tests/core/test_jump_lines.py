@@ -8,8 +8,10 @@ from map_accuracy import share_off
 from scipy.spatial.transform import Rotation
 
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
+from thinpart_workbench.core.maps.seen_walls import seen_walls
 from thinpart_workbench.core.maps.thickness_map import thickness_map
 from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
+from thinpart_workbench.core.rays.inward_rays import InwardRays
 from thinpart_workbench.core.thickness.measurement import measure
 
 TURNED = Rotation.from_rotvec([0.3, -0.8, 0.5]).as_matrix()
@@ -98,3 +100,21 @@ def test_between_jumps_the_thickness_is_linear():
     inner = flank & (corners[:, :, 0].min(axis=1) > 5.0) & np.isfinite(shown.thickness)
     expected = np.hypot(corners[inner][:, :, 0], corners[inner][:, :, 1]) * np.tan(np.radians(20.0))
     assert shown.corner_thickness[inner] == pytest.approx(expected, rel=0.03)
+
+
+def test_a_band_that_is_narrower_than_the_facets_is_one_band():
+    """Seen from above, the steep flanks of a groove in the lower side are no wall: two bands, each between two walls."""
+    turn = np.linspace(0.0, np.pi, 97)
+    groove = [(50.0 - 3.0 * np.cos(each), 3.0 * np.sin(each)) for each in turn]
+    mesh = surface_mesh(*made_meshes.prism([(0.0, 0.0), *groove, (100.0, 0.0), (100.0, 60.0), (0.0, 60.0)], 80.0))
+    shown = thickness_map(measure(mesh, AnalysisSettings()))
+    corners = shown.corners + shown.origin
+    band = (corners[:, :, 1].min(axis=1) > 60.0 - 1e-3) & ~shown.measured
+    # By rays side by side.
+    x = np.linspace(46.0, 54.0, 1001)
+    above = np.flatnonzero((mesh.corners[:, :, 1] + mesh.origin[1] > 60.0 - 1e-6).all(axis=1))
+    points = np.column_stack([x, np.full_like(x, 60.0), np.full_like(x, 33.0)]) - mesh.origin
+    walls, _ = seen_walls(mesh, InwardRays(mesh), points, np.full(len(x), above[0]))
+    lost = x[np.isinf(walls)]
+    assert shown.areas[band].sum() == pytest.approx(80.0 * 8.0 * np.isinf(walls).mean(), rel=0.1)
+    assert np.ptp(corners[band][:, :, 0]) == pytest.approx(np.ptp(lost), abs=2.0 * mesh.extent / 600.0)

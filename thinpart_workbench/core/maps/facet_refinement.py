@@ -80,8 +80,8 @@ def side_lengths(points, facets):
     return lengths.T
 
 
-def cut_sides(points, facets, cut):
-    """Cut sides of facets at their middle, on both facets that share a side.
+def cut_sides(points, facets, cut, share=None):
+    """Cut sides of facets, on both facets that share a side.
 
     Parameters
     ----------
@@ -89,21 +89,25 @@ def cut_sides(points, facets, cut):
     facets : ndarray of shape (m, 3), int64
     cut : ndarray of shape (m, 3), bool
         Sides to cut, from each corner to the next. A shared side is cut if either of its two facets marks it.
+    share : ndarray of shape (m, 3), optional
+        Where they are cut, from 0 at the corner with the lower number to 1 at the other, by one of the facets that mark it
+        (default: at their middle).
 
     Returns
     -------
     points : ndarray of shape (w, 3), mm
-        The given points, then the middles of the cut sides.
+        The given points, then the places of the cuts.
     facets : ndarray of shape (k, 3), int64
         Facets that were not cut come first, in their given order.
     parent : ndarray of shape (k,), int64
         Index of the given facet that each one equals or is a piece of.
     """
     key = side_keys(facets, len(points))
-    cut_keys = np.unique(key[cut])
+    cut_keys, first = np.unique(key[cut], return_index=True)
     cut_index = np.minimum(np.searchsorted(cut_keys, key), max(len(cut_keys) - 1, 0))
     is_cut = cut_keys[cut_index] == key if len(cut_keys) else np.zeros_like(cut)
-    middles = 0.5 * (points[cut_keys // len(points)] + points[cut_keys % len(points)])
+    at = 0.5 if share is None else share[cut][first][:, None]
+    places = (1.0 - at) * points[cut_keys // len(points)] + at * points[cut_keys % len(points)]
     nodes = np.concatenate([facets, len(points) + cut_index], axis=1)
     code = is_cut @ np.array([1, 2, 4])
     pieces, parents = [], []
@@ -111,7 +115,7 @@ def cut_sides(points, facets, cut):
         which = np.flatnonzero(code == number)
         pieces.append(nodes[which][:, np.array(corners)].reshape(-1, 3))
         parents.append(np.repeat(which, len(corners)))
-    return np.concatenate([points, middles]), np.concatenate(pieces), np.concatenate(parents)
+    return np.concatenate([points, places]), np.concatenate(pieces), np.concatenate(parents)
 
 
 def side_keys(facets, count):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Facets cut along the lines at which the thickness jumps, with a value at each corner of each piece."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import NamedTuple
 
 import numpy as np
@@ -18,6 +18,9 @@ LINE = 1.0 / 600.0
 
 ROUNDS = 4
 """How often facets are halved in which walls meet otherwise than along one line from side to side."""
+
+BANDS = 2
+"""How often facets are cut, after that, where a band that is narrower than they are lies between two walls."""
 
 UNEVEN = 0.04
 """Share by which the thickness at the middle of a side or of a facet may differ from the mean of its ends or corners."""
@@ -77,34 +80,54 @@ def cut_along_jumps(mesh, rays, points, facets, parent, report=None):
     report : callable, optional
         Called with the fraction done; may raise to stop.
     """
-    finest = LINE * mesh.extent
-    found, new = None, np.arange(len(facets))
-    for step in range(ROUNDS + 1):
-        measured = _measured(mesh, rays, points, facets[new], parent[new],
-                             portion(report, step / (ROUNDS + 2), (step + 1) / (ROUNDS + 2)))
-        found = measured if found is None else _Seen(*(
-            np.concatenate([old, added]) for old, added in zip(found, measured)))
-        jumps = _jumps_between(mesh, found)
-        # A line that is bent within its facet gets a corner there.
-        halve = ~_is_one_line(mesh, found, jumps) | _is_uneven(found, jumps) | (jumps.any(axis=1) & (step == 0))
-        sides = halve[:, None] & (side_lengths(points, facets) > 4.0 * finest)
-        if step == ROUNDS or not sides.any():
+    finest, last = LINE * mesh.extent, ROUNDS + BANDS + 2
+    shown = _Shown(points, facets, parent,
+                   _measured(mesh, rays, points, facets, parent, portion(report, 0.0, 1.0 / last)))
+    for step in range(ROUNDS):
+        sides = _to_halve(mesh, shown, step == 0) & (side_lengths(shown.points, shown.facets) > 4.0 * finest)
+        sides = _within_bounds(shown, sides)
+        if not sides.any():
             break
-        room = (MOST_FACETS - len(facets)) // 2  # a side that is cut divides the facets on both sides of it
-        if sides.sum() > room:
-            # The longest first.
-            longest = np.sort(side_lengths(points, facets)[sides])[::-1]
-            sides &= side_lengths(points, facets) > longest[max(room, 0)]
-            if not sides.any():
-                break
-        points, facets, pieces = cut_sides(points, facets, sides)
-        parent = parent[pieces]
-        # Facets that stayed whole come first.
-        whole = np.count_nonzero(np.bincount(pieces)[pieces] == 1)
-        found, new = _Seen(*(values[pieces[:whole]] for values in found)), np.arange(whole, len(facets))
-    cut = _cut(mesh, rays, points, facets, parent, _united(mesh, facets, parent, found), finest)
+        shown = _cut_and_measured(mesh, rays, shown, sides, None, portion(report, (step + 1) / last, (step + 2) / last))
+    crossings = _NONE
+    for step in range(ROUNDS, ROUNDS + BANDS):
+        crossings, sides, middle = _bands(mesh, rays, shown, finest, crossings)
+        sides = _within_bounds(shown, sides)
+        if not sides.any():
+            break
+        shown = _cut_and_measured(mesh, rays, shown, sides, middle, portion(report, (step + 1) / last, (step + 2) / last))
+    cut = _cut(mesh, rays, shown._replace(found=_united(mesh, shown)), finest, crossings)
     report_progress(report, 1.0)
     return cut
+
+
+class _Shown(NamedTuple):
+    """Facets as in `cut_along_jumps`, and what they see."""
+
+    points: np.ndarray
+    facets: np.ndarray
+    parent: np.ndarray
+    found: "_Seen"
+
+
+def _within_bounds(shown, sides):
+    """The sides to cut, only the longest of them where there would be more facets than `MOST_FACETS`."""
+    room = (MOST_FACETS - len(shown.facets)) // 2  # a side that is cut divides the facets on both sides of it
+    if sides.sum() <= room:
+        return sides
+    lengths = side_lengths(shown.points, shown.facets)
+    return sides & (lengths > np.sort(lengths[sides])[::-1][max(room, 0)])
+
+
+def _cut_and_measured(mesh, rays, shown, sides, share, report):
+    """The facets with some sides cut, at their middle or as `cut_sides` says, and what the pieces see."""
+    points, facets, pieces = cut_sides(shown.points, shown.facets, sides, share)
+    parent = shown.parent[pieces]
+    # Facets that stayed whole come first.
+    whole = np.count_nonzero(np.bincount(pieces)[pieces] == 1)
+    added = _measured(mesh, rays, points, facets[whole:], parent[whole:], report)
+    return _Shown(points, facets, parent, _Seen(*(
+        np.concatenate([old[pieces[:whole]], new]) for old, new in zip(shown.found, added))))
 
 
 class _Seen(NamedTuple):
@@ -144,10 +167,10 @@ def _corner_keys(facets, face, faces):
     return facets * faces + face[:, None]
 
 
-def _united(mesh, facets, parent, found):
-    """The same, where all facets of a face that share a corner see the same there: so they agree on which sides jump."""
-    faces = int(mesh.face_of_triangle.max()) + 1
-    _, first, back = np.unique(_corner_keys(facets, mesh.face_of_triangle[parent], faces), return_index=True,
+def _united(mesh, shown):
+    """What is seen where all facets of a face that share a corner see the same there: so they agree on which sides jump."""
+    faces, found = int(mesh.face_of_triangle.max()) + 1, shown.found
+    _, first, back = np.unique(_corner_keys(shown.facets, mesh.face_of_triangle[shown.parent], faces), return_index=True,
                                return_inverse=True)
     back = back.reshape(-1, 3)
     return found._replace(corner=found.corner.ravel()[first][back], opposite=found.opposite.ravel()[first][back])
@@ -156,6 +179,27 @@ def _united(mesh, facets, parent, found):
 def _jumps_between(mesh, found):
     """Whether the thickness jumps along each side: ndarray of shape (m, 3), bool."""
     return np.stack([differ(mesh, found.at_corner(side), found.at_corner((side + 1) % 3)) for side in range(3)], axis=1)
+
+
+def _to_halve(mesh, shown, is_first):
+    """Sides of facets through which more than one line goes, or which are far from even: ndarray of shape (m, 3), bool."""
+    jumps = _jumps_between(mesh, shown.found)
+    halve = ~_is_one_line(mesh, shown.found, jumps) | _is_uneven(shown.found, jumps)
+    # A line that is bent within its facet gets a corner there.
+    return np.repeat((halve | is_first & jumps.any(axis=1))[:, None], 3, axis=1)
+
+
+def _bands(mesh, rays, shown, finest, known):
+    """All `_Crossings`, the sides on which a third wall lies between those of their ends, and its middle: of shape (m, 3).
+
+    Such a band, narrower than the facets, is what sees the rim of a hole far behind. Cut there, each side has two lines.
+    """
+    shown = shown._replace(found=_united(mesh, shown))
+    jumps = _jumps_between(mesh, shown.found)
+    crossings, crossing = _all_crossings(mesh, rays, shown, jumps, finest, known)
+    width = np.append(crossings.after - crossings.before, 0.0)[crossing]
+    middle = np.append(0.5 * (crossings.before + crossings.after), 0.5)[crossing]
+    return crossings, jumps & (width * side_lengths(shown.points, shown.facets) > 2.0 * SMOOTH * finest), middle
 
 
 def _is_one_line(mesh, found, jumps):
@@ -182,17 +226,11 @@ def _is_uneven(found, jumps):
     return np.where(jumps, steep, bent).any(axis=1) | (middle & ~jumps.any(axis=1))
 
 
-def _cut(mesh, rays, points, facets, parent, found, finest):
+def _cut(mesh, rays, shown, finest, known):
     """Cut the facets that have jumps on their sides."""
+    points, facets, parent, found = shown
     jumps = _jumps_between(mesh, found)
-    face, faces = mesh.face_of_triangle[parent], int(mesh.face_of_triangle.max()) + 1
-    keys = (side_keys(facets, len(points)) * faces + face[:, None]).ravel()
-    cut = np.flatnonzero(jumps.ravel())
-    _, first, of_cut = np.unique(keys[cut], return_index=True, return_inverse=True)
-    crossings = _crossings(mesh, rays, points, facets, parent, found, cut[first], finest)
-    crossing = np.zeros(len(keys), dtype=np.int64)
-    crossing[cut] = of_cut.ravel()
-    crossing = crossing.reshape(-1, 3)
+    crossings, crossing = _all_crossings(mesh, rays, shown, jumps, finest, known)
     # The thickness at a crossing as seen from the corner that a side starts from, and from the one that it ends at.
     is_forward = facets <= np.roll(facets, -1, axis=1)
     known = np.append(crossings.low, np.nan), np.append(crossings.high, np.nan)
@@ -214,35 +252,119 @@ def _cut(mesh, rays, points, facets, parent, found, finest):
 
 @dataclass(frozen=True)
 class _Crossings:
-    """Places of jumps on sides, with the thickness at either end: of the corner with the lower number, and the higher."""
+    """Places of jumps on sides, with the thickness at either end: of the corner with the lower number, and the higher.
 
+    Between `before` and `after`, shares of the way from the lower to the higher, is what else is seen there, if anything.
+    `side` has the numbers of both corners and of the face, of shape (n, 3).
+    """
+
+    side: np.ndarray
+    before: np.ndarray
+    after: np.ndarray
     points: np.ndarray
     low: np.ndarray
     high: np.ndarray
 
+    def chosen(self, which):
+        return _Crossings(*(getattr(self, each.name)[which] for each in fields(self)))
 
-def _crossings(mesh, rays, points, facets, parent, found, side, finest):
-    """Find the place of the jump on each side by bisection."""
+    def and_those(self, more):
+        return _Crossings(*(np.concatenate([getattr(self, each.name), getattr(more, each.name)]) for each in fields(self)))
+
+
+_NONE = _Crossings(np.empty((0, 3), dtype=np.int64), *(np.empty((0, 3) if number == 2 else 0) for number in range(5)))
+
+
+def _all_crossings(mesh, rays, shown, jumps, finest, known):
+    """The _Crossings of all sides with jumps, once for all facets of a face, and the number of each side's own: (m, 3).
+
+    Of `known`, those of the facets before some were cut, what is needed is taken.
+    """
+    face, ahead = mesh.face_of_triangle[shown.parent], np.roll(shown.facets, -1, axis=1)
+    sides = np.stack([np.minimum(shown.facets, ahead), np.maximum(shown.facets, ahead),
+                      np.broadcast_to(face[:, None], ahead.shape)], axis=2).reshape(-1, 3)
+    count, faces = len(shown.points), int(mesh.face_of_triangle.max()) + 1
+
+    def keys(sides):
+        return (sides[:, 0] * count + sides[:, 1]) * faces + sides[:, 2]
+
+    cut = np.flatnonzero(jumps.ravel())
+    needed, first, of_cut = np.unique(keys(sides[cut]), return_index=True, return_inverse=True)
+    order = np.argsort(keys(known.side))
+    place = np.searchsorted(keys(known.side)[order], needed)
+    is_known = np.zeros(len(needed), dtype=bool)
+    inside = place < len(order)
+    is_known[inside] = keys(known.side)[order[place[inside]]] == needed[inside]
+    new = _crossings(mesh, rays, shown, cut[first[~is_known]], finest)
+    at = np.empty(len(needed), dtype=np.int64)
+    at[is_known], at[~is_known] = order[place[is_known]], len(order) + np.arange(len(new.low))
+    crossing = np.zeros(len(sides), dtype=np.int64)
+    crossing[cut] = of_cut.ravel()
+    return known.and_those(new).chosen(at), crossing.reshape(-1, 3)
+
+
+def _crossings(mesh, rays, shown, side, finest):
+    """Find the place of the jump on each side by bisection.
+
+    From the lower corner, it is where its wall ends; from the higher, where its own does: where a third wall lies between,
+    such as the narrow band that sees the rim of a hole, these are two places. The place is half-way then.
+    """
+    points, facets, parent, found = shown
     facet, number = side // 3, side % 3
     ahead = (number + 1) % 3
     swap = facets[facet, number] > facets[facet, ahead]
     low, high = np.where(swap, ahead, number), np.where(swap, number, ahead)
-    start, end, middles = points[facets[facet, low]], points[facets[facet, high]], points[facets[facet]].mean(axis=1)
-    near, far = ([found.corner[facet, at], found.opposite[facet, at]] for at in (low, high))
-    before, after, length = np.zeros(len(side)), np.ones(len(side)), np.linalg.norm(end - start, axis=1)
+    ends, middles = points[facets[facet[:, None], np.column_stack([low, high])]], points[facets[facet]].mean(axis=1)
+    walls = [(found.corner[facet, at], found.opposite[facet, at]) for at in (low, high)]
+    sides = _Sides(ends, middles, parent[facet], np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1))
+    nothing, everything = np.zeros(len(side)), np.ones(len(side))
+    before, after, near, far = _bisected(mesh, rays, sides, nothing, everything, walls[0], walls[1], finest)
+    third = np.flatnonzero(differ(mesh, far, walls[1]))
+    if len(third):
+        # The same from the other corner, as far as the place that is known. A wall that rises steeply ends nowhere, and is
+        # not one wall where it begins and ends.
+        found_first = far[0][third], far[1][third]
+        back, behind, own, other = _bisected(mesh, rays, sides.chosen(third), everything[third], after[third],
+                                             (walls[1][0][third], walls[1][1][third]), found_first, finest)
+        ends_there = differ(mesh, own, other) & ~differ(mesh, found_first, other)
+        third = third[ends_there]
+        after[third], far[0][third] = 0.5 * (back + behind)[ends_there], own[0][ends_there]
+    place = 0.5 * (before + after)
+    names = np.column_stack([facets[facet, low], facets[facet, high], mesh.face_of_triangle[parent[facet]]])
+    return _Crossings(names, before, after, ends[:, 0] + place[:, None] * (ends[:, 1] - ends[:, 0]), near[0], far[0])
+
+
+class _Sides(NamedTuple):
+    """Sides of facets: their ends, of shape (n, 2, 3), the middles of the facets, the triangles they lie on, and lengths."""
+
+    ends: np.ndarray
+    middles: np.ndarray
+    parent: np.ndarray
+    length: np.ndarray
+
+    def chosen(self, which):
+        return _Sides(*(each[which] for each in self))
+
+
+def _bisected(mesh, rays, sides, first, last, near, far, finest):
+    """Where the wall that is seen at the first place of each side ends on the way to the last, which sees another.
+
+    Returns the last place that sees it, the first that does not, and what they see: each as (thickness, opposite).
+    """
+    before, after, near, far = first.copy(), last.copy(), [each.copy() for each in near], [each.copy() for each in far]
     for _ in range(_MOST_HALVINGS):
-        wide = np.flatnonzero((after - before) * length > SMOOTH * finest)
+        wide = np.flatnonzero(np.abs(after - before) * sides.length > SMOOTH * finest)
         if not len(wide):
             break
-        share = 0.5 * (before + after)[wide]
-        places = start[wide] + share[:, None] * (end - start)[wide]
-        places += INSET * (middles[wide] - places)
-        seen = seen_walls(mesh, rays, places, parent[facet[wide]])
+        some, share = sides.chosen(wide), 0.5 * (before + after)[wide]
+        places = some.ends[:, 0] + share[:, None] * (some.ends[:, 1] - some.ends[:, 0])
+        places += INSET * (some.middles - places)
+        seen = seen_walls(mesh, rays, places, some.parent)
         is_far = differ(mesh, seen, (near[0][wide], near[1][wide]))
         for chosen, ends, shares in ((is_far, far, after), (~is_far, near, before)):
             rows = wide[chosen]
             ends[0][rows], ends[1][rows], shares[rows] = seen[0][chosen], seen[1][chosen], share[chosen]
-    return _Crossings(start + (0.5 * (before + after))[:, None] * (end - start), near[0], far[0])
+    return before, after, near, far
 
 
 def _pieces(code, facets, crossing, middle, parent, thickness, opposite, at_start, at_end):
