@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How long it takes to find parts of one form among many, by what an index keeps of them.
 
-    /usr/bin/python3 benchmarks/reuse.py LIBRARY [--parts 1000 10000 100000] [--markdown]
+    /usr/bin/python3 benchmarks/reuse.py LIBRARY [--parts 1000 10000 100000] [--processes N] [--markdown]
 
 LIBRARY is a folder of classified parts. Their forms are varied until there are so many: most are stretched along each axis,
 so that they are parts of their own, and three in ten are copies of others, one in three of these turned anywhere. What is
@@ -29,8 +29,10 @@ from thinpart_workbench.core.forms.form import Form  # noqa: E402
 from thinpart_workbench.core.forms.moments import SurfaceMoments  # noqa: E402
 from thinpart_workbench.core.forms.motion import turn_by  # noqa: E402
 from thinpart_workbench.core.forms.recorded_form import packed_form, recorded_form, unpacked_numbers  # noqa: E402
+from thinpart_workbench.core.run_control import RunControl  # noqa: E402
 from thinpart_workbench.workflow.reuse.formed_parts import FormedParts, formed_parts  # noqa: E402
 from thinpart_workbench.workflow.reuse.like_parts import LikeParts  # noqa: E402
+from thinpart_workbench.workflow.reuse.like_processes import alike, of_one_form  # noqa: E402
 
 COPIES, TURNED = 0.3, 1 / 3
 
@@ -46,29 +48,30 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("library", metavar="LIBRARY")
     parser.add_argument("--parts", type=int, nargs="+", default=[1000, 10_000, 100_000], metavar="N")
+    parser.add_argument("--processes", type=int, default=os.cpu_count(), metavar="N", help="default: one per core")
     parser.add_argument("--markdown", action="store_true", help="print a table in Markdown")
     options = parser.parse_args()
     with Libraries([options.library]) as libraries:
         known = formed_parts(libraries.indexes)
         bases = [form for form in map(known.form, range(len(known))) if form is not None]
     print(json.dumps(machine()), file=sys.stderr)
-    line = "| {} | {} | {} | {} | {} | {} | {} |" if options.markdown else "{:>9} {:>9} {:>10} {:>8} {:>8} {:>8} {:>8}"
-    print(line.format("parts", "seconds", "of a core", "copies", "found", "more", "alike s"))
+    line = "| {} | {} | {} | {} | {} | {} |" if options.markdown else "{:>9} {:>9} {:>8} {:>8} {:>8} {:>8}"
+    print(line.format("parts", "seconds", "copies", "found", "more", "alike s"))
     if options.markdown:
-        print("|---|---|---|---|---|---|---|")
+        print("|---|---|---|---|---|---|")
+    quiet = RunControl(), lambda done, total: None
     for count in options.parts:
         parts, copy_of = _many(bases, count)
-        started, cpu = time.perf_counter(), time.process_time()
+        started = time.perf_counter()
         likes = LikeParts(parts)
-        found = list(likes.of_one_form())
-        seconds, cpu = time.perf_counter() - started, time.process_time() - cpu
-        alike = time.perf_counter()
-        list(likes.alike(set(range(count)) - {each.part for each in found}))
-        alike = time.perf_counter() - alike
+        found = of_one_form(likes, parts, options.processes, *quiet)
+        ended = time.perf_counter()
+        alike(likes, parts, set(range(count)) - {each.part for each in found}, options.processes, *quiet)
+        last = time.perf_counter()
         group = {each.part: each.reference for each in found}
         true = sum(group.get(copy, copy) == group.get(source, source) for copy, source in copy_of.items())
-        print(line.format(count, f"{seconds:.1f}", f"{cpu:.1f}", len(copy_of), true, len(found) - true,
-                          f"{alike:.1f}"), flush=True)
+        print(line.format(count, f"{ended - started:.1f}", len(copy_of), true, len(found) - true, f"{last - ended:.1f}"),
+              flush=True)
 
 
 def _many(bases, count):

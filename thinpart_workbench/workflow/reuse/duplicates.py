@@ -13,6 +13,7 @@ from .comparison_task import ComparedPart, ComparisonTask, checked_comparison, c
 from .evidence import BYTES, GEOMETRY, OUTLINES, evidence, judged
 from .formed_parts import formed_parts
 from .like_parts import LikeParts
+from .like_processes import alike, of_one_form
 
 REFERENCE = "reference"
 """What stands for the kind of the part of a group that is to be kept, with which the others are compared."""
@@ -103,9 +104,9 @@ def find_duplicates(indexes, limits, reads_documents=True, control=None, report=
         report(done, total)
 
     likes = LikeParts(parts)
-    found = list(likes.of_one_form(step))
+    found = of_one_form(likes, parts, limits.jobs, control, step)
     rest = set(range(len(parts))) - {each.part for each in found}
-    found += likes.alike(rest, step)
+    found += alike(likes, parts, rest, limits.jobs, control, step)
     stored = parts.stored(sorted({number for each in found for number in (each.part, each.reference)}))
     found = [likes.with_ways(each) if reads_documents else each
              for each in found if each.part in stored and each.reference in stored]

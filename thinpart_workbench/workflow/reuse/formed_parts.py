@@ -104,6 +104,16 @@ class FormedParts:
             found.update((part, by_id[self.id[part]]) for part in own if self.id[part] in by_id)
         return found
 
+    def alone(self, chosen):
+        """Some of these parts with their forms, in no library: `FormedParts` that another process can be given.
+
+        Parameters
+        ----------
+        chosen : ndarray of shape (k,), int64
+        """
+        nowhere = np.full(len(chosen), -1)
+        return FormedParts([], nowhere, nowhere, self.numbers[chosen], self.volume[chosen], self.sides[chosen],
+                           [self.standing[part] for part in chosen], 0, tuple(self.form(part) for part in chosen))
 
     def with_record(self, record):
         """These parts and one more, the last, of a part record that has a form."""

@@ -84,33 +84,49 @@ class LikeParts:
             taken.add(reference)
             near = [part for part in tree.query_ball_point(self._parts.proportions[reference], SAME_PROPORTIONS)
                     if part not in taken and self._may_have_one_volume(part, reference)]
-            for part in sorted(near, key=lambda part: self._distance(part, reference)):
+            for part in sorted(near, key=lambda part: (self._distance(part, reference), part)):
                 found = self._whole(part, reference)
                 if found is not None:
                     taken.add(part)
                     yield found
 
-    def alike(self, among, report=None):
-        """Yield a `Likeness` for each of some parts that is alike but for something to one that stands before it."""
+    def alike(self, among, report=None, partly=None, at_once=1):
+        """Yield a `Likeness` for each of some parts that is alike but for something to one that stands before it.
+
+        Parameters
+        ----------
+        among : set of int
+        report : callable, optional
+            Called with the numbers of parts done and of all; may raise to stop.
+        partly : callable, optional
+            As the method `partly`.
+        at_once : int, optional
+            Of how many references the pairs are given to it at a time.
+        """
         chosen = [part for part in self._order if part in among]
         if len(chosen) < 2:
             return
-        size = self._size(chosen)
+        size, partly = self._size(chosen), partly or self.partly
         tree, taken = cKDTree(size), set()
-        for done, reference in enumerate(chosen):
-            if report is not None:
-                report(done, len(chosen))
-            if reference in taken:
-                continue
-            away, near = tree.query(size[done], k=min(NEIGHBOURS + 1, len(chosen)), distance_upper_bound=MOST_UNLIKE)
-            for place in near[np.isfinite(away)]:
-                part = chosen[place]
-                if place <= done or part in taken or not self._may_be_alike(part, reference):
+        for start in range(0, len(chosen), at_once):
+            pairs = []
+            for done in range(start, min(start + at_once, len(chosen))):
+                reference = chosen[done]
+                if report is not None:
+                    report(done, len(chosen))
+                if reference in taken:
                     continue
-                found = self._partly(part, reference)
-                if found is not None:
+                away, near = tree.query(size[done], k=min(NEIGHBOURS + 1, len(chosen)), distance_upper_bound=MOST_UNLIKE)
+                pairs += [(chosen[place], reference) for place in near[np.isfinite(away)] if place > done
+                          and chosen[place] not in taken and self._may_be_alike(chosen[place], reference)]
+            for (part, reference), found in zip(pairs, partly(pairs)):
+                if found is not None and part not in taken and reference not in taken:
                     taken.add(part)
                     yield found
+
+    def partly(self, pairs):
+        """What each pair of a part and a reference have in common: iterable of `Likeness`, None where that is little."""
+        return (self._partly(part, reference) for part, reference in pairs)
 
     def of_part(self, part):
         """What a part is to the one of the others that is closest to it: `Likeness`, or None where none is alike."""
