@@ -3,7 +3,7 @@
 
 import base64
 from concurrent.futures import TimeoutError as TaskTimeout
-from contextlib import closing
+from contextlib import closing, contextmanager
 from dataclasses import dataclass
 
 import numpy as np
@@ -49,9 +49,10 @@ def of_one_form(likes, parts, jobs, control, report):
         return list(likes.of_one_form(report))
     found: list = []
     lots = _Lots(parts, _lots(parts.proportions))
-    for lot, told in _done(lots, _wholes, jobs, control):
-        found += [_restored(each, lot.members) for each in told]
-        report(lots.done(lot), len(parts))
+    with _processes(jobs, _wholes) as done:
+        for lot, told in done(lots, control):
+            found += [_restored(each, lot.members) for each in told]
+            report(lots.done(lot), len(parts))
     # The order in which one process finds them: by how the references stand; those of one reference come together.
     rank = {part: place for place, part in enumerate(sorted(range(len(parts)), key=lambda part: parts.standing[part],
                                                             reverse=True))}
@@ -63,15 +64,15 @@ def alike(likes, parts, among, jobs, control, report):
     if jobs < 2 or len(among) < FEW:
         return list(likes.alike(among, report))
 
-    def partly(pairs):
-        batches = [pairs[start:start + _PAIRS] for start in range(0, len(pairs), _PAIRS)]
-        members = [np.unique(np.array(batch)) for batch in batches]
-        lots, answers = _Lots(parts, members, batches), {}
-        for lot, told in _done(lots, _partlies, jobs, control):
-            answers[lot.number] = [None if each is None else _restored(each, lot.members) for each in told]
-        return [each for number in range(len(batches)) for each in answers[number]]
+    with _processes(jobs, _partlies) as done:
+        def partly(pairs):
+            batches = [pairs[start:start + _PAIRS] for start in range(0, len(pairs), _PAIRS)]
+            lots, answers = _Lots(parts, [np.unique(np.array(batch)) for batch in batches], batches), {}
+            for lot, told in done(lots, control):
+                answers[lot.number] = [None if each is None else _restored(each, lot.members) for each in told]
+            return [each for number in range(len(batches)) for each in answers[number]]
 
-    return list(likes.alike(among, report, partly, _REFERENCES))
+        return list(likes.alike(among, report, partly, _REFERENCES))
 
 
 @dataclass(frozen=True)
@@ -132,17 +133,23 @@ def _lots(proportions):
     return [np.sort(np.concatenate(lot)) for lot in lots if lot]
 
 
-def _done(lots, work, jobs, control):
-    """Yield each lot and what `work` tells of it, as processes finish them."""
+@contextmanager
+def _processes(jobs, work):
+    """For a ``with`` block: a function of lots that yields each with what `work` tells of it, as processes finish them."""
     with worker_folder() as folder:
         pool = ProcessPool(jobs, _SECONDS, folder, work, _start)
-        try:
+
+        def done(lots, control):
             with closing(pool.run(lots, control)) as finished:
                 for future, lot in finished:
                     try:
-                        yield lot, future.result()
+                        told = future.result()
                     except (WorkerDied, WorkerFault, TaskTimeout):
-                        yield lot, work(lot)
+                        told = work(lot)
+                    yield lot, told
+
+        try:
+            yield done
         finally:
             pool.stop()
 
