@@ -9,6 +9,7 @@ from itertools import zip_longest
 from ..core.errors import ThinPartError
 from ..core.judging.paper_verdict import paper_sentence
 from ..core.number_text import percent
+from ..core.record.checked_walls import walls_of
 from ..core.record.thinnest_sentence import thinnest_kind
 from ..core.risk.risk_sentence import risk_sentence
 from ..storage.part_table import checked_row, failed_row, part_table, write_table
@@ -26,8 +27,13 @@ def _ratio(part):
 
 
 def _thinnest(part):
-    value = part["descriptors"]["thickness_mm"]["min"]
-    return "-" if value is None else f"{value:.4g} {thinnest_kind(part)}".rstrip()
+    value, walls = part["descriptors"]["thickness_mm"]["min"], walls_of(part)[0]
+    if value is None:
+        return "-"
+    # Beside a sharp edge any part is thin: what one part is compared by with another is its walls.
+    if value < (walls or value):
+        return f"{walls:.4g} (edge {value:.2g})"
+    return f"{value:.4g} {thinnest_kind(part)}".rstrip()
 
 
 def _risk(part):

@@ -124,13 +124,9 @@ def _lots(proportions):
     several = np.flatnonzero(np.bincount(label)[label] > 1)
     order = several[np.argsort(label[several], kind="stable")]
     ends = np.flatnonzero(np.diff(label[order])) + 1
-    lots, size = [[]], 0
-    for component in np.split(order, ends):
-        if size > _TOGETHER:
-            lots, size = [*lots, []], 0
-        lots[-1].append(component)
-        size += len(component)
-    return [np.sort(np.concatenate(lot)) for lot in lots if lot]
+    # Small ones together: the first of so many parts begins a lot.
+    begins = np.flatnonzero(np.diff(np.append(0, ends) // _TOGETHER))
+    return [np.sort(lot) for lot in np.split(order, ends[begins]) if len(lot)]
 
 
 @contextmanager
