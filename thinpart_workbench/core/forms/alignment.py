@@ -139,26 +139,30 @@ def partners(form, other, motion):
     return np.where(is_like[rows, best], across[rows, best], np.inf), near[rows, best]
 
 
-def fitted(form, other, motion, limit, steps=3):
-    """A motion brought nearer to the best in a few steps of least squares: `Motion`.
+def fitted(form, other, motion, limits, steps=3):
+    """A motion brought nearer to the best by least squares, in a few steps for each limit: `Motion`.
 
     Parameters
     ----------
-    limit : float, mm
-        Points that lie farther from the other surface do not count: what only one of the two has must not draw the rest.
+    limits : sequence of float, mm
+        Descending. Points that lie farther from the other surface do not count: what only one of the two has must not draw
+        the rest.
     """
-    for _ in range(steps):
-        distance, partner = partners(form, other, motion)
-        used = np.flatnonzero(np.abs(distance) <= limit)
-        if len(used) < LEAST_FITTED:
-            return motion
-        points = motion.points(form.outline.points[used])
-        normals = motion.directions(form.outline.normals[used]) + other.outline.normals[partner[used]]
-        normals /= np.linalg.norm(normals, axis=1)[:, None]
-        before, motion = motion, motion.nearer(points, distance[used], normals, form.outline.area[used])
-        moved = np.abs(motion.turn - before.turn).max() * other.extent + np.abs(motion.shift - before.shift).max()
-        if moved <= STILL * other.extent:
-            break
+    for limit in limits:
+        for _ in range(steps):
+            distance, partner = partners(form, other, motion)
+            away = np.abs(distance)
+            used = np.flatnonzero(away <= limit)
+            if len(used) < LEAST_FITTED:
+                break
+            points = motion.points(form.outline.points[used])
+            normals = motion.directions(form.outline.normals[used]) + other.outline.normals[partner[used]]
+            normals /= np.linalg.norm(normals, axis=1)[:, None]
+            before, motion = motion, motion.nearer(points, distance[used], normals, form.outline.area[used])
+            moved = np.abs(motion.turn - before.turn).max() * other.extent + np.abs(motion.shift - before.shift).max()
+            # Where all points are within the last limit, the others count the same.
+            if moved <= STILL * other.extent or away.max() <= limits[-1] < limit:
+                break
     return motion
 
 

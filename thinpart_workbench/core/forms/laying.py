@@ -157,8 +157,7 @@ def _ends(points):
 def _laid(form, other, motion):
     size = max(motion.scale * form.extent, other.extent)
     few = form.thinned(_FITTED)
-    for limit in (_FIRST_LIMIT, LAST_LIMIT):
-        motion = fitted(few, other, motion, limit * size)
+    motion = fitted(few, other, motion, (_FIRST_LIMIT * size, LAST_LIMIT * size))
     distance, _ = partners(form, other, motion)
     other_distance, _ = partners(other, form, motion.inverse())
     distance, other_distance = np.abs(distance), np.abs(other_distance) * motion.scale
