@@ -164,14 +164,16 @@ def _partlies(lot):
 
 
 def _told(likeness):
-    return [int(likeness.part), int(likeness.reference), likeness.kind,
-            [_told_laid(each) for each in (likeness.laid, *likeness.ways)]]
+    # It is laid in one of its ways, where they were looked for.
+    number = next((number for number, way in enumerate(likeness.ways) if way is likeness.laid), None)
+    laid = [likeness.laid] if number is None else likeness.ways
+    return [int(likeness.part), int(likeness.reference), likeness.kind, number, [_told_laid(each) for each in laid]]
 
 
 def _restored(told, members):
-    part, reference, kind, laid = told
-    laid, *ways = map(_restored_laid, laid)
-    return Likeness(int(members[part]), int(members[reference]), kind, laid, tuple(ways))
+    part, reference, kind, number, laid = told
+    laid = tuple(map(_restored_laid, laid))
+    return Likeness(int(members[part]), int(members[reference]), kind, laid[number or 0], () if number is None else laid)
 
 
 def _told_laid(laid):
