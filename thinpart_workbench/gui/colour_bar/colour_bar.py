@@ -8,6 +8,7 @@ import numpy as np
 
 from ...core.analysis_settings import RAY
 from ...core.judging.limit_bands import ABOVE, FAILS, JUST_ABOVE, TOO_THICK
+from ...core.number_text import number
 from ..application.length_unit import LengthUnit
 from ..application.numbers import marked, percent
 from ..application.qt import QtCore, QtGui, colour, translate
@@ -18,6 +19,7 @@ _INK = (0.1, 0.1, 0.1)
 _WARNING = (0.75, 0.0, 0.0)
 _PLATE = (255, 255, 255, 225)  # keeps the text readable on any background
 _TICKS = 6
+_WIDE = 1.1  # ratio of the ends
 
 
 @dataclass(frozen=True)
@@ -52,10 +54,10 @@ class BarContent:
     is_coarse: bool = False
 
 
-def tick_text(value):
+def tick_text(value, digits=4):
     """Text of a tick, with enough digits to distinguish it from the next."""
-    text = f"{value:.4g}"
-    return marked(f"{value:.8f}".rstrip("0") if "e-" in text else text)
+    text = number(value, digits)
+    return marked(f"{value:.8f}".rstrip("0") if "e" in text else text)
 
 
 def round_values(low, high, max_count=_TICKS):
@@ -150,8 +152,10 @@ class _Drawing:
         """Ticks as (value in mm, text): the ends of the bar, and round values at a distance from them."""
         low, high = self._ends
         content, unit_length = self._content, self._content.diagonal or self._content.unit.millimetres
-        ends = [("\u2264 " if content.thinnest < low * (1 - 1e-6) else "") + self._tick_text(low),
-                ("\u2265 " if content.thickest > high * (1 + 1e-6) else "") + self._tick_text(high)]
+        # As everywhere, where that tells them from each other.
+        digits = 3 if high > _WIDE * low else 4
+        ends = [("\u2264 " if content.thinnest < low * (1 - 1e-6) else "") + self._tick_text(low, digits),
+                ("\u2265 " if content.thickest > high * (1 + 1e-6) else "") + self._tick_text(high, digits)]
         ticks = list(zip((low, high), ends)) if high > low else [(low, ends[0])]
         gap, scale = 1.3 * self._em / length, content.colours.scale
         rounded = round_ratios if scale.is_logarithmic else round_values
@@ -163,9 +167,9 @@ class _Drawing:
                 last = place + gap
         return ticks
 
-    def _tick_text(self, value):
-        diagonal, text = self._content.diagonal, tick_text(self._content.unit.value(value))
-        return f"{tick_text(value / diagonal)}  ({text})" if diagonal else text
+    def _tick_text(self, value, digits=4):
+        diagonal, text = self._content.diagonal, tick_text(self._content.unit.value(value), digits)
+        return f"{tick_text(value / diagonal, digits)}  ({text})" if diagonal else text
 
     def _draw(self, painter, above, below, ticks, length):
         em, line = self._em, self._line
