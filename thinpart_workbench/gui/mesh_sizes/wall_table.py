@@ -9,6 +9,7 @@ from ..tables.column import Column, count, figures, length, square
 from ..tables.small_table import SmallTable
 
 _LINES = 7
+_WALL = 32  # characters, of which the check mark and the colour take some
 
 
 class CheckedWalls(SmallTable):
@@ -91,7 +92,7 @@ class WallSizesTable(CheckedWalls):
 
         return [
             Column("wall", translate("ThinPart", "Wall"), lambda wall: wall["kind"],
-                   lambda wall, unit: _wall_text(wall, unit), stretches=True,
+                   lambda wall, unit: _wall_text(wall, unit), stretches=True, most=_WALL,
                    picture=lambda wall: square(self._colours[wall["region"]]), is_checked=is_on),
             Column("size_mm", translate("ThinPart", "Size, {}"), lambda wall: wall["size"],
                    lambda wall, unit: unit.number(wall["size"]), is_number=True, has_unit=True, is_editable=is_on),
