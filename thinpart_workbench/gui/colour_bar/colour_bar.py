@@ -215,8 +215,8 @@ class _Drawing:
     def _draw_bar(self, painter, bar):
         share = 1.0 - (np.arange(bar.height()) + 0.5) / bar.height()
         rows = self._content.colours.of_values(self._content.colours.scale.thickness_at(share)).tolist()
-        for number, rgb in enumerate(rows):
-            painter.fillRect(bar.left(), bar.top() + number, bar.width(), 1, QtGui.QColor(*rgb))
+        for row, rgb in enumerate(rows):
+            painter.fillRect(bar.left(), bar.top() + row, bar.width(), 1, QtGui.QColor(*rgb))
         painter.setBrush(QtCore.Qt.NoBrush)
         painter.setPen(colour(_INK))
         painter.drawRect(bar.adjusted(-1, -1, 0, 0))

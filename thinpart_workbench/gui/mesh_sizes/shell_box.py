@@ -14,7 +14,7 @@ from ..tables.column import Column, area, figures, length, square
 from ..widgets.buttons import add_button
 from .mesh_fields import number_field, order_combo
 from .scale_bar import ScaleBar
-from .wall_table import CheckedWalls
+from .wall_table import WALL, CheckedWalls
 
 
 class _Wall(NamedTuple):
@@ -145,7 +145,7 @@ class ShellBox(QtWidgets.QWidget):
 
 def _columns():
     return [
-        Column("wall", translate("ThinPart", "Wall"), lambda wall: wall.word, stretches=True,
+        Column("wall", translate("ThinPart", "Wall"), lambda wall: wall.word, stretches=True, most=WALL,
                picture=lambda wall: wall.rgb and square(wall.rgb), is_checked=lambda wall: wall.is_in),
         figures("thickness_mm", translate("ThinPart", "Thick, {}"), lambda wall: wall.thickness, length),
         figures("area_mm2", translate("ThinPart", "Area, {}\u00b2"), lambda wall: wall.area, area),

@@ -8,8 +8,10 @@ from ..record.regions_table import counted_kind
 from ..tables.column import Column, count, figures, length, square
 from ..tables.small_table import SmallTable
 
+WALL = 32
+"""Greatest width of the column of walls, in characters, of which the check mark and the colour take some."""
+
 _LINES = 7
-_WALL = 32  # characters, of which the check mark and the colour take some
 
 
 class CheckedWalls(SmallTable):
@@ -92,7 +94,7 @@ class WallSizesTable(CheckedWalls):
 
         return [
             Column("wall", translate("ThinPart", "Wall"), lambda wall: wall["kind"],
-                   lambda wall, unit: _wall_text(wall, unit), stretches=True, most=_WALL,
+                   lambda wall, unit: _wall_text(wall, unit), stretches=True, most=WALL,
                    picture=lambda wall: square(self._colours[wall["region"]]), is_checked=is_on),
             Column("size_mm", translate("ThinPart", "Size, {}"), lambda wall: wall["size"],
                    lambda wall, unit: unit.number(wall["size"]), is_number=True, has_unit=True, is_editable=is_on),
