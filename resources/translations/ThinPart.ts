@@ -3792,7 +3792,15 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>1 duplicate triangle was left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>1 part is not on the map: no wall was found opposite, or its surface is not closed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 triangle of zero area was left out.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7181,6 +7189,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{whose} holds 1 face beside its solids, which was left out: close or thicken it if it is a part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{whose} holds 1 solid that is only a line, which was left out.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

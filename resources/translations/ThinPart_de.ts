@@ -3794,8 +3794,16 @@ Sein Volumen ist unbekannt.</translation>
         <translation>1 Dokument hat keine Infodatei und fehlt auf dieser Seite: „thinpart classify“ misst es.</translation>
     </message>
     <message>
+        <source>1 duplicate triangle was left out.</source>
+        <translation>1 doppeltes Dreieck wurde weggelassen.</translation>
+    </message>
+    <message>
         <source>1 part is not on the map: no wall was found opposite, or its surface is not closed.</source>
         <translation>1 Teil ist nicht auf der Karte: Gegenüber wurde keine Wand gefunden, oder die Oberfläche ist nicht geschlossen.</translation>
+    </message>
+    <message>
+        <source>1 triangle of zero area was left out.</source>
+        <translation>1 Dreieck mit Flächeninhalt null wurde weggelassen.</translation>
     </message>
     <message>
         <source>1 warning</source>
@@ -7184,6 +7192,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{whose} holds 1 face beside its solids, which was left out: close or thicken it if it is a part.</source>
         <translation>{whose} enthält neben den Volumenkörpern 1 Fläche, die weggelassen wurde: Schließen Sie sie oder geben Sie ihr eine Wandstärke, wenn sie ein Bauteil ist.</translation>
+    </message>
+    <message>
+        <source>{whose} holds 1 solid that is only a line, which was left out.</source>
+        <translation>{whose} enthält 1 Körper, der nur eine Linie ist; er wurde ausgelassen.</translation>
     </message>
     <message>
         <source>{whose} holds {count} solids that are only a line, which were left out.</source>

@@ -3794,8 +3794,16 @@ Son volume est inconnu.</translation>
         <translation>1 document n’a pas de fichier d’information et manque sur cette page : « thinpart classify » le mesure.</translation>
     </message>
     <message>
+        <source>1 duplicate triangle was left out.</source>
+        <translation>1 triangle en double a été omis.</translation>
+    </message>
+    <message>
         <source>1 part is not on the map: no wall was found opposite, or its surface is not closed.</source>
         <translation>1 pièce n’est pas sur la carte : aucune paroi n’a été trouvée en face, ou sa surface n’est pas fermée.</translation>
+    </message>
+    <message>
+        <source>1 triangle of zero area was left out.</source>
+        <translation>1 triangle d’aire nulle a été omis.</translation>
     </message>
     <message>
         <source>1 warning</source>
@@ -7184,6 +7192,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{whose} holds 1 face beside its solids, which was left out: close or thicken it if it is a part.</source>
         <translation>{whose} contient, outre ses solides, 1 face qui a été omise : fermez-la ou épaississez-la si c’est une pièce.</translation>
+    </message>
+    <message>
+        <source>{whose} holds 1 solid that is only a line, which was left out.</source>
+        <translation>{whose} contient 1 solide qui n’est qu’une ligne ; il a été omis.</translation>
     </message>
     <message>
         <source>{whose} holds {count} solids that are only a line, which were left out.</source>

@@ -32,7 +32,7 @@ def test_duplicates_and_flat_triangles_are_dropped_and_counted():
     points, triangles = made_meshes.box(3, 4, 5)
     extra = np.concatenate([triangles, triangles[:4][:, [1, 2, 0]], [[0, 0, 1]]])
     mesh = surface_mesh(points, extra)
-    assert mesh.warnings == ("4 duplicate triangles were left out.", "1 triangles of zero area were left out.")
+    assert mesh.warnings == ("4 duplicate triangles were left out.", "1 triangle of zero area was left out.")
     assert mesh.watertight and volume(mesh) == pytest.approx(60, rel=1e-14)
 
 
@@ -44,7 +44,7 @@ def test_needle_keeps_the_surface_closed():
     points = np.vstack([points, (points[a] + points[b]) / 2])
     triangles = np.vstack([triangles[1:], [a, middle, c], [middle, b, c], [a, b, middle]])
     mesh = surface_mesh(points, triangles)
-    assert mesh.watertight and mesh.warnings == ("1 triangles of zero area were left out.",)
+    assert mesh.watertight and mesh.warnings == ("1 triangle of zero area was left out.",)
     assert volume(mesh) == pytest.approx(1000, rel=1e-12)
 
 

@@ -201,9 +201,11 @@ def surface_mesh(points, triangles, face_of_triangle=None, rounding=TOLERANCES.r
     if inside_out:
         warnings.append(message("The surface was inside out and has been reversed."))
     if duplicates:
-        warnings.append(message("{count} duplicate triangles were left out.", count=duplicates))
+        warnings.append(message("1 duplicate triangle was left out.") if duplicates == 1 else
+                        message("{count} duplicate triangles were left out.", count=duplicates))
     if degenerate:
-        warnings.append(message("{count} triangles of zero area were left out.", count=degenerate))
+        warnings.append(message("1 triangle of zero area was left out.") if degenerate == 1 else
+                        message("{count} triangles of zero area were left out.", count=degenerate))
     mesh = SurfaceMesh(
         vertices, np.ascontiguousarray(triangles), face_of_triangle, origin, watertight, cracked,
         tuple(warnings), rounding, has_faces, face_normals,

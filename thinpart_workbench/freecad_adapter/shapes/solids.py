@@ -25,6 +25,8 @@ def lines_warning(shape, whose):
     lines = sum(not has_surface(solid) for solid in shape.Solids)
     if not lines:
         return None
+    if lines == 1:
+        return message("{whose} holds 1 solid that is only a line, which was left out.", whose=whose)
     return message("{whose} holds {count} solids that are only a line, which were left out.", whose=whose, count=lines)
 
 
