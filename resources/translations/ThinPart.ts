@@ -3349,6 +3349,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>thread</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>to be measured again</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6417,6 +6421,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>thinnest wall, {unit}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>thread</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

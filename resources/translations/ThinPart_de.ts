@@ -3351,6 +3351,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>die in ihren Infodateien aufbewahrten</translation>
     </message>
     <message>
+        <source>thread</source>
+        <translation>Gewinde</translation>
+    </message>
+    <message>
         <source>to be measured again</source>
         <translation>neu zu messen</translation>
     </message>
@@ -6420,6 +6424,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>thinnest wall, {unit}</source>
         <translation>dünnste Wand, {unit}</translation>
+    </message>
+    <message>
+        <source>thread</source>
+        <translation>Gewinde</translation>
     </message>
     <message>
         <source>thread {least} to {thickness} thick</source>

@@ -3351,6 +3351,10 @@ Son volume est inconnu.</translation>
         <translation>celles gardées dans ses fichiers d’information</translation>
     </message>
     <message>
+        <source>thread</source>
+        <translation>filetage</translation>
+    </message>
+    <message>
         <source>to be measured again</source>
         <translation>à mesurer de nouveau</translation>
     </message>
@@ -6420,6 +6424,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>thinnest wall, {unit}</source>
         <translation>paroi la plus mince, {unit}</translation>
+    </message>
+    <message>
+        <source>thread</source>
+        <translation>filetage</translation>
     </message>
     <message>
         <source>thread {least} to {thickness} thick</source>

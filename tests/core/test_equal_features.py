@@ -89,6 +89,7 @@ def test_all_ribs_are_one_row(place):
 def test_all_teeth_are_one_row_and_one_colour(place):
     record = made_library.measured_record("gear", made_meshes.moved(gear(), **PLACES[place]), FULL)
     assert [(group.kind, group.count) for group in region_groups(record)] == [("tooth", 24), ("plate", 1)]
+    assert [group.word for group in region_groups(record)] == ["tooth", "plate"]
     assert record["descriptors"]["regions"]["tooth"] == 24
     equal = Counter(face["equal_to"] or face["face"] for face in record["faces"])
     # Flanks, of which both of a tooth are alike, crests and roots, and both sides of the disc.

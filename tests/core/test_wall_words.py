@@ -7,6 +7,8 @@ import made_library
 import made_meshes
 import pytest
 
+from thinpart_workbench.core.analysis_settings import AnalysisSettings
+from thinpart_workbench.core.descriptors.region_kinds import called
 from thinpart_workbench.core.judging.verdict_sentence import verdict_sentence
 from thinpart_workbench.core.judging.wall_words import thin_features, walls_it_is_made_of
 from thinpart_workbench.core.record.region_groups import RegionGroup, region_groups
@@ -45,6 +47,15 @@ def test_a_thread_is_told_from_teeth_by_its_turns():
     assert (found.words, found.are_teeth) == ("thread 1 mm to 5.4 mm thick", True)
     assert thin_features([core, group("tooth", 5.4, 20, least=1.0)], 2.0, 20.0).words == "20 teeth 1 mm to 5.4 mm thick"
     assert thin_features([core, group("tooth", 7.0, least=1.0)], 2.0, 20.0) is None  # a body that ends in an edge
+
+
+def test_the_table_calls_them_what_the_sentence_does():
+    groups = region_groups(made_library.measured_record("Screw", made_meshes.screw(10.0, 1.5, 20, 0.92), AnalysisSettings()))
+    assert [each.word for each in groups] == ["thread", "bar"]
+    assert str(thin_features(groups, 2.0, 10.0).words).startswith("thread ")
+    assert called("tooth", 1) == "taper" and str(thin_features([group("tooth", 5.4, least=1.0)], 2.0, 20.0).words) == (
+        "a taper 1 mm to 5.4 mm thick")
+    assert called("tooth", 20) == "tooth" and called("bar", 1) == "bar"
 
 
 def test_more_than_three_are_summed_up():

@@ -169,7 +169,7 @@ def _region_lines(part):
         faces = ", ".join(f"Face{face + 1}" for face in group.faces[:_MOST_FACES])
         excluded = f" (excluded: {group.excluded})" if group.excluded else ""
         more = f" and {len(group.faces) - _MOST_FACES} more" if len(group.faces) > _MOST_FACES else ""
-        yield (f"{times}{group.kind}, {group.least:.3g}{to} mm thick, {group.length:.4g} mm long, {group.width:.4g} mm wide"
+        yield (f"{times}{group.word}, {group.least:.3g}{to} mm thick, {group.length:.4g} mm long, {group.width:.4g} mm wide"
                f"{volume}: {faces}{more}{excluded}")
     if part.get("regions", {}).get("others"):
         others, share = part["regions"]["others"], part["regions"]["others_share"]

@@ -78,6 +78,7 @@ ELSEWHERE = (
     "core.descriptors.local_quantiles",  # shares of the surface whose local thickness is recorded
     "core.descriptors.precision",  # errors of shares, of the volume and of the area
     "core.descriptors.quantity",  # where an edge of a bin is blurred
+    "core.descriptors.region_kinds",  # threads
     "core.forms.alignment",  # turns that are tried, points of two outlines that belong together
     "core.forms.comparison",  # geometry that is the same
     "core.forms.equal_faces",  # faces that are equal
@@ -88,7 +89,7 @@ ELSEWHERE = (
     "core.judging.limit_bands",  # walls just above a limit
     "core.judging.threshold_search",  # steps of learned thresholds
     "core.judging.verdict_sentence",  # the least share that is said
-    "core.judging.wall_words",  # walls of one thickness, what a part is made of, sheets, threads
+    "core.judging.wall_words",  # walls of one thickness, what a part is made of, sheets
     "core.judging.wall_check",  # a mesh that is too coarse for a limit, thick and thin walls, walls near a limit
     "core.maps.facet_refinement",  # the longest facet, and how many there are
     "core.maps.map_changes",  # changes of thickness that are listed

@@ -1,7 +1,25 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The kinds of wall regions. `core/thickness/region_shape` says by which measures a region is of a kind."""
 
+import math
+
 REGION_KINDS = PLATE, TUBE, BAR, BLOCK, TAPER, TOOTH = ("plate", "tube", "bar", "block", "taper", "tooth")
 """A plate is wider than thick, be it flat, bent or a shell; a tube is a plate closed round an axis; a bar is long and about
 as wide as thick: a shaft, a wire, a ring; a block is about as long and wide as thick; a taper gets thinner towards one side;
 a tooth is a narrow taper on a thicker body: of a gear, a thread."""
+
+THREAD = "thread"
+"""What people call a ridge that goes round a part."""
+
+THREAD_TURNS = 1.5
+"""Length of a ridge, in ways round the part, from which it is a thread."""
+
+
+def is_thread(kind, length, width):
+    """Whether a region of a kind and a length is a thread of a part whose box has a middle side `width`, mm."""
+    return kind == TOOTH and length >= THREAD_TURNS * math.pi * width
+
+
+def called(kind, count):
+    """The kind of so many equal regions as people call it: one tooth alone is a taper."""
+    return TAPER if kind == TOOTH and count == 1 else kind

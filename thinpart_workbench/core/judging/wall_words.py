@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from ..descriptors.bins import BINS
 from ..descriptors.equal_walls import SAME
-from ..descriptors.region_kinds import BAR, BLOCK, PLATE, TAPER, TOOTH, TUBE
+from ..descriptors.region_kinds import BAR, BLOCK, PLATE, TAPER, TOOTH, TUBE, is_thread
 from ..figures import Length, Share
 from ..message import Message, message
 
@@ -22,9 +22,6 @@ ABOUT = 0.1
 
 OUTLYING = 0.05, 0.95
 """Shares of the thin walls below and above which they are not named."""
-
-THREAD_TURNS = 1.5
-"""Length of a ridge, in ways round the part, from which it is a thread."""
 
 MOSTLY = 3.0
 """Median thickness of a taper, in limits, from which it is a body that ends in an edge rather than a thin wall."""
@@ -147,8 +144,8 @@ def _features(groups, width):
     found: list[_Feature] = []
     for group in groups:
         kind = {TUBE: PLATE, TAPER: TOOTH}.get(group.kind, group.kind)
-        is_thread = group.kind == TOOTH and group.length >= THREAD_TURNS * math.pi * width
-        feature = _Feature(kind, group.count, group.least, group.median, is_thread, width)
+        goes_round = is_thread(group.kind, group.length, width)
+        feature = _Feature(kind, group.count, group.least, group.median, goes_round, width)
         same = next((number for number, other in enumerate(found) if _are_one(feature, other)), None)
         if same is None:
             found.append(feature)

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Optional
 
 from ..descriptors.equal_walls import WallSize, equal_groups
+from ..descriptors.region_kinds import THREAD, called, is_thread
 from .face_names import face_number
 from .region_notes import notes_of_regions
 
@@ -38,6 +39,8 @@ class RegionGroup:
         Why people leave them out; empty where they do not.
     mesh_size : float or None, mm
         Element size that is wanted there.
+    word : str
+        The kind as people call it: see `called`; or `THREAD`.
     """
 
     kind: str
@@ -54,6 +57,7 @@ class RegionGroup:
     regions: tuple = ()
     excluded: str = ""
     mesh_size: Optional[float] = None
+    word: str = ""
 
 
 def region_groups(record, notes=None):
@@ -71,9 +75,9 @@ def region_groups(record, notes=None):
     listed = record.get("regions", {}).get("listed", [])
     found = notes_of_regions(listed, record.get("region_notes", ()) if notes is None else notes)
     said = [((note or {}).get("excluded", ""), (note or {}).get("mesh_size_mm")) for note in found]
-    area = record["descriptors"]["area_mm2"]
+    area, width = record["descriptors"]["area_mm2"], record["descriptors"]["box_mm"][1]
     # Those of a record are in the order of their medians: a taper that begins thinner than a plate came after it.
-    groups = (_group([listed[number] for number in numbers], area, *said[numbers[0]])
+    groups = (_group([listed[number] for number in numbers], area, width, *said[numbers[0]])
               for numbers in _equal_groups(record, said))
     return sorted(groups, key=lambda group: (group.least, -group.area))
 
@@ -111,9 +115,10 @@ def _size(region, face_areas):
                     region["area_mm2"], tuple(sorted(face_areas[face] for face in region["faces"] if face in face_areas)))
 
 
-def _group(regions, area, excluded, mesh_size):
+def _group(regions, area, width, excluded, mesh_size):
     typical = sorted(regions, key=lambda region: region["length_mm"])[(len(regions) - 1) // 2]
     shares = [region["volume_share"] for region in regions]
+    goes_round = is_thread(typical["kind"], typical["length_mm"], width)
     return RegionGroup(
         typical["kind"], len(regions), min(region["min"] for region in regions), typical["median"],
         typical["length_mm"], typical["width_mm"],
@@ -121,4 +126,5 @@ def _group(regions, area, excluded, mesh_size):
         tuple(sorted({face_number({"face": face}) for region in regions for face in region["faces"]})),
         min(1.0, sum(region["area_mm2"] for region in regions) / area),
         tuple(sorted((region["min"], region["witness"]["points"]) for region in regions if region.get("witness"))),
-        sum(region["area_mm2"] for region in regions), tuple(regions), excluded, mesh_size)
+        sum(region["area_mm2"] for region in regions), tuple(regions), excluded, mesh_size,
+        THREAD if goes_round else called(typical["kind"], len(regions)))

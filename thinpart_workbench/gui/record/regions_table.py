@@ -2,7 +2,7 @@
 """Table of the wall regions of a part, equal ones in one row."""
 
 from ...api.window.walls import grouped_walls
-from ...core.descriptors.region_kinds import BAR, BLOCK, PLATE, TAPER, TOOTH, TUBE
+from ...core.descriptors.region_kinds import BAR, BLOCK, PLATE, TAPER, THREAD, TOOTH, TUBE, called
 from ...core.length_unit import MILLIMETRE
 from ..application.qt import Signal, translate
 from ..tables.column import Column, area, count, figures, length
@@ -85,7 +85,7 @@ def _columns(made_by=None):
         columns.append(make(*of_column, is_struck=lambda group: bool(group.excluded), **more))
 
     columns = []
-    add(Column, "wall", translate("ThinPart", "Wall"), lambda group: group.kind, lambda group, unit: _kind_text(group),
+    add(Column, "wall", translate("ThinPart", "Wall"), lambda group: group.word, lambda group, unit: _kind_text(group),
         stretches=True, meaning=translate("ThinPart", "Connected walls of like thickness"))
     add(Column, "thinnest_mm", translate("ThinPart", "Thick, {}"), lambda group: group.least, _thickness, is_number=True,
         has_unit=True, least=9, meaning=translate("ThinPart", "Least and median thickness of the wall"))
@@ -104,12 +104,16 @@ def _columns(made_by=None):
 
 
 def _kind_text(group):
-    return counted_kind(group.kind, group.count)
+    return _counted(group.word, group.count)
 
 
 def counted_kind(kind, count):
-    """What people call so many equal regions: "18 x tooth"."""
-    return kind_word(kind) if count == 1 else f"{count} \u00d7 {kind_word(kind)}"
+    """What people call so many equal regions of a kind: "18 x tooth"."""
+    return _counted(called(kind, count), count)
+
+
+def _counted(word, count):
+    return kind_word(word) if count == 1 else f"{count} \u00d7 {kind_word(word)}"
 
 
 def kind_word(kind):
@@ -117,7 +121,7 @@ def kind_word(kind):
     words = {
         PLATE: translate("ThinPart", "plate"), TUBE: translate("ThinPart", "tube"), BAR: translate("ThinPart", "bar"),
         BLOCK: translate("ThinPart", "block"), TAPER: translate("ThinPart", "taper"),
-        TOOTH: translate("ThinPart", "tooth"),
+        TOOTH: translate("ThinPart", "tooth"), THREAD: translate("ThinPart", "thread"),
     }
     return words.get(kind, kind)
 

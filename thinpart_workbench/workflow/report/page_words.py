@@ -83,7 +83,7 @@ class PageWords:
         """A kind of wall."""
         _ = self.text
         return {"plate": _("plate"), "tube": _("tube"), "bar": _("bar"), "block": _("block"), "taper": _("taper"),
-                "tooth": _("tooth")}.get(kind, kind)
+                "tooth": _("tooth"), "thread": _("thread")}.get(kind, kind)
 
     def holds(self, value):
         """Whether something holds: a mark and a word."""

@@ -179,10 +179,10 @@ def _wall(words, group):
     _, length = words.text, words.length
     name = [f"{group.count} {TIMES} " if group.count > 1 else None]
     if group.excluded:
-        name += [element("s", words.wall(group.kind)), " ",
+        name += [element("s", words.wall(group.word)), " ",
                  element("span", _("excluded: {reason}", reason=group.excluded), class_="small")]
     else:
-        name.append(words.wall(group.kind))
+        name.append(words.wall(group.word))
     if group.mesh_size:
         name += [" ", element("span", _("element size {size}", size=length.text(group.mesh_size)), class_="small")]
     faces = ", ".join(f"Face{face + 1}" for face in group.faces[:8])
