@@ -30,10 +30,9 @@ def _thinnest(part):
     value, walls = part["descriptors"]["thickness_mm"]["min"], walls_of(part)[0]
     if value is None:
         return "-"
-    # Beside a sharp edge any part is thin: what one part is compared by with another is its walls.
-    if value < (walls or value):
-        return f"{walls:.4g} (edge {value:.2g})"
-    return f"{value:.4g} {thinnest_kind(part)}".rstrip()
+    # Beside a sharp edge any part is thin: what it is compared by with others is its walls.
+    more = f", wall {walls:.4g}" if value < (walls or value) else ""
+    return f"{value:.4g} {thinnest_kind(part)}".rstrip() + more
 
 
 def _risk(part):
