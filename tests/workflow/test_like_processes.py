@@ -19,6 +19,7 @@ from thinpart_workbench.core.thickness.measurement import measure
 from thinpart_workbench.workflow.reuse import like_processes
 from thinpart_workbench.workflow.reuse.formed_parts import FormedParts
 from thinpart_workbench.workflow.reuse.like_parts import LikeParts
+from thinpart_workbench.workflow.workers import process_pool
 
 MIRROR = np.diag([1.0, 1.0, -1.0])
 PLACES = np.eye(3), turn_by(np.array([0.3, -1.1, 0.7])), turn_by(np.array([2.0, 0.4, -0.2]))
@@ -93,6 +94,18 @@ def test_they_stop_when_they_are_asked_to(parts, few):
     control.stop()
     with pytest.raises(Cancelled):
         like_processes.of_one_form(LikeParts(parts), parts, 2, control, lambda *_: None)
+
+
+def test_where_no_process_can_be_started_one_finds_it(parts, few, monkeypatch):
+    """As in a FreeCAD that has no Python beside it."""
+    monkeypatch.setattr(process_pool, "is_within_freecad", lambda: True)
+    monkeypatch.setattr(process_pool, "python_beside_freecad", lambda: None)
+    monkeypatch.setattr(process_pool, "python_environment", dict)
+    likes = LikeParts(parts)
+    found = like_processes.of_one_form(likes, parts, 2, RunControl(), lambda *_: None)
+    assert told(found) == told(LikeParts(parts).of_one_form())
+    rest = set(range(len(parts))) - {each.part for each in found}
+    assert like_processes.alike(likes, parts, rest, 2, RunControl(), lambda *_: None)
 
 
 class EndsWhoReadsIt(Form):

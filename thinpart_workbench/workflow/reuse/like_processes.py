@@ -3,7 +3,7 @@
 
 import base64
 from concurrent.futures import TimeoutError as TaskTimeout
-from contextlib import closing, contextmanager
+from contextlib import closing, contextmanager, suppress
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,6 +11,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
+from ...core.errors import ThinPartError
 from ...core.forms.laying import Laid
 from ...core.forms.motion import Motion
 from ..workers.process_pool import ProcessPool
@@ -45,8 +46,13 @@ def of_one_form(likes, parts, jobs, control, report):
     report : callable
         Called with the numbers of parts done and of all; may raise to stop.
     """
-    if jobs < 2 or len(parts) < FEW:
-        return list(likes.of_one_form(report))
+    if jobs > 1 and len(parts) >= FEW:
+        with suppress(ThinPartError):  # where no process can be started, this one does it
+            return _of_one_form(parts, jobs, control, report)
+    return list(likes.of_one_form(report))
+
+
+def _of_one_form(parts, jobs, control, report):
     found: list = []
     lots = _Lots(parts, _lots(parts.proportions))
     with _processes(jobs, _wholes) as done:
@@ -61,9 +67,13 @@ def of_one_form(likes, parts, jobs, control, report):
 
 def alike(likes, parts, among, jobs, control, report):
     """What `LikeParts.alike` finds, as a list in the same order; parameters as in `of_one_form`."""
-    if jobs < 2 or len(among) < FEW:
-        return list(likes.alike(among, report))
+    if jobs > 1 and len(among) >= FEW:
+        with suppress(ThinPartError):
+            return _alike(likes, parts, among, jobs, control, report)
+    return list(likes.alike(among, report))
 
+
+def _alike(likes, parts, among, jobs, control, report):
     with _processes(jobs, _partlies) as done:
         def partly(pairs):
             batches = [pairs[start:start + _PAIRS] for start in range(0, len(pairs), _PAIRS)]
