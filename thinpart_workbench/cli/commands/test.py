@@ -26,7 +26,7 @@ def add_arguments(parser):
                         help="run the tests without window in N processes (default: one per core, and one where further "
                              "arguments choose some)")
     parser.add_argument("--quick", action="store_true",
-                        help="leave out those that tests/long_tests.txt names: one in ten, which take most of the time")
+                        help="leave out those that tests/long_tests.txt names: one in eight, which take most of the time")
     parser.add_argument("--again", action="store_true",
                         help=f"where up to {MOST_AGAIN} tests fail, run those once more on their own, and say which passed "
                              "only then")
