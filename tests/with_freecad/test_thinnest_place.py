@@ -122,6 +122,17 @@ def test_a_blade_is_as_thin_as_it_is_at_the_stated_depth(angle):
     assert in_table(record) == f"{record['descriptors']['thickness_mm']['min']:.4g} edge, wall {place['walls_mm']:.4g}"
 
 
+def test_a_sharp_edge_is_no_error_of_the_model_and_a_sliver_beside_it_may_be_one():
+    record = analysed(blade(10))
+    walls, place = record["descriptors"]["thickness_mm"], record["thinnest"]
+    walls["median"], place["walls_mm"] = 100.0 * walls["min"], 10.0 * walls["min"]
+    assert "error of the model" not in str(thinnest_sentence(record))
+    place["walls_mm"] = 1.5 * walls["min"]
+    assert "So thin a place, 1.5\u00a0% of the median" in str(thinnest_sentence(record))
+    place["kind"] = "parallel"
+    assert "So thin a place, 1.0\u00a0% of the median" in str(thinnest_sentence(record))
+
+
 @pytest.mark.parametrize("shape", [lambda: blade(45), lambda: extruded([(0, 0), (40, 0), (20, 33)], 80)])
 def test_an_edge_of_45_degrees_and_more_is_no_thin_wall(shape):
     place = analysed(shape())["thinnest"]

@@ -164,8 +164,6 @@ def _is_toothing(feature):
     return feature.is_thread or feature.kind == TOOTH and feature.count > 1
 
 
-
-
 def _listed(words, others):
     if others:
         return message("{one}, {two}, {three} and {count} more", one=words[0], two=words[1], three=words[2], count=others)

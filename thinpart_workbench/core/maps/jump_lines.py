@@ -233,8 +233,8 @@ def _cut(mesh, rays, shown, finest, known):
     crossings, crossing = _all_crossings(mesh, rays, shown, jumps, finest, known)
     # The thickness at a crossing as seen from the corner that a side starts from, and from the one that it ends at.
     is_forward = facets <= np.roll(facets, -1, axis=1)
-    known = np.append(crossings.low, np.nan), np.append(crossings.high, np.nan)
-    at_start, at_end = (np.where(is_forward, here[crossing], there[crossing]) for here, there in (known, known[::-1]))
+    both = np.append(crossings.low, np.nan), np.append(crossings.high, np.nan)
+    at_start, at_end = (np.where(is_forward, here[crossing], there[crossing]) for here, there in (both, both[::-1]))
     whole = ~jumps.any(axis=1)
     sees = np.where(found.opposite_of_centre >= 0, found.opposite_of_centre, found.opposite.max(axis=1))
     pieces = [(facets[whole], parent[whole], found.corner[whole], sees[whole])]

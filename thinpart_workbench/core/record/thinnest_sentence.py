@@ -31,10 +31,12 @@ def thinnest_sentence(record):
         return message("Thinnest parallel wall {thinnest}: classify the part again for its tapered walls.",
                        thinnest=thinnest)
     said = _said(record, place, thinnest)
-    if not walls["median"] or walls["min"] >= SLIVER * walls["median"]:
+    # Beside a sharp edge every wall is as thin as that.
+    least = place["walls_mm"] if place["kind"] == EDGE else walls["min"]
+    if least is None or not walls["median"] or least >= SLIVER * walls["median"]:
         return said
     return message("{said} So thin a place, {share} of the median of {median}, is often an error of the model: look at it.",
-                   said=said, share=Share(walls["min"] / walls["median"]), median=Length(walls["median"]))
+                   said=said, share=Share(least / walls["median"]), median=Length(walls["median"]))
 
 
 def with_error(length, error):

@@ -22,11 +22,11 @@ from .like_parts import SAME_PROPORTIONS, Likeness, LikeParts
 FEW = 3000
 """Parts up to which other processes would take longer to start than they help."""
 
-_SECONDS = 3600.0
-_TOGETHER = 300
-_PAIRS, _REFERENCES = 16, 4000
-_MOST_NEAR = 20_000_000
-_CELLS = 10.0
+_SECONDS = 3600.0  # for a lot
+_TOGETHER = 300  # parts of a lot, unless more are near each other
+_PAIRS, _REFERENCES = 16, 4000  # of a lot, and of all lots at a time, where parts may be alike
+_MOST_NEAR = 20_000_000  # pairs of cells, from which on looking for what hangs together takes more memory than it saves time
+_CELLS = 10.0  # in `SAME_PROPORTIONS`, within which proportions are equal
 
 
 def of_one_form(likes, parts, jobs, control, report):
