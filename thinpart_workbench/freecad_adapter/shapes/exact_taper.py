@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..bootstrap import load_freecad
-from .face_crossings import crossings
+from .face_crossings import is_on, surface_crossings
 
 _STEPS = 6
 """Times that the step along an edge is halved."""
@@ -46,23 +46,28 @@ def exact_taper(solid, wall, step, depth):
     lines = _Lines(solid, wall)
     per_mm = _parameters_per_mm(face, start)
 
-    def at(place):
+    def at(place, thinner_than=np.inf):
         place = float(place[0]), float(place[1])
-        found = lines.through(place) if face.isPartOfDomain(*place) else None
-        return found if found is None or all(_distance(edge, found.point) >= depth for edge in edges) else None
+        found = lines.through(place, thinner_than)
+        if found is None or any(_distance(edge, found.point) < depth for edge in edges):
+            return None
+        return found if face.isPartOfDomain(*place) else None
 
     best, place = at(start), np.array(start)
-    reach, step = 2.0 * step, min(step, _FIRST_STEP * wall.distance)
+    reach, step, tried = 2.0 * step, min(step, _FIRST_STEP * wall.distance), {(0.0, 0.0)}
     while step > _LAST_STEP * wall.distance and lines.left > 0:
         moved = True
         while moved and lines.left > 0:
             moved = False
             for way in ((1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, 1), (1, -1), (-1, -1)):
                 other = place + step * np.array(way) * per_mm
-                if np.linalg.norm((other - start) / per_mm) > reach:
+                moved_on = (other - start) / per_mm
+                number = tuple(np.rint(moved_on / (_LAST_STEP * wall.distance / 2.0)))
+                if number in tried or np.linalg.norm(moved_on) > reach:
                     continue
-                found = at(other)
-                if found is not None and (best is None or found.distance < best.distance * (1.0 - 1e-9)):
+                tried.add(number)
+                found = at(other, _thinner(best))
+                if found is not None:
                     best, place, moved = found, other, True
         step *= 0.5
     return best
@@ -91,15 +96,15 @@ def exact_edge_wall(solid, wall, depth):
     lines = _Lines(solid, wall)
     first, last = edge.ParameterRange
 
-    def at(parameter):
+    def at(parameter, thinner_than=np.inf):
         place = _beside(face, edge, parameter, wall.point, depth)
-        return None if place is None else lines.through(place)
+        return None if place is None else lines.through(place, thinner_than)
 
     best, place, step = at(start), start, _OF_EDGE * (last - first)
     for _ in range(_STEPS):
         for other in (place - step, place + step):
-            found = at(other) if first < other < last and lines.left > 0 else None
-            if found is not None and (best is None or found.distance < best.distance * (1.0 - 1e-9)):
+            found = at(other, _thinner(best)) if first < other < last and lines.left > 0 else None
+            if found is not None:
                 best, place = found, other
         step *= 0.5
     return best
@@ -112,8 +117,11 @@ class _Lines:
         self._face, self._opposite = solid.Faces[wall.face], solid.Faces[wall.opposite_face]
         self._wall, self.left = wall, _MOST_LINES
 
-    def through(self, place):
-        """The wall under a place of the face, by its parameters: Witness; None where there is none of about that size."""
+    def through(self, place, thinner_than=np.inf):
+        """The wall under a place of the face, by its parameters: Witness.
+
+        None where there is none of about that size, or none that is thinner than a limit, mm.
+        """
         App = load_freecad()
         import Part
 
@@ -125,14 +133,19 @@ class _Lines:
             if not np.isfinite(way).all() or not way.any():
                 return None
             line = Part.LineSegment(App.Vector(*start), App.Vector(*(start + _FACTOR * wall.distance * way)))
-            ends = [np.array(each) for each in crossings(line, self._opposite)]
+            ends = surface_crossings(line, self._opposite)
+            lengths = [float((np.array(end) - start) @ way) for end in ends]
+            most = min(_FACTOR * wall.distance, thinner_than)
+            length = next((lengths[end] for end in np.argsort(lengths)
+                           if wall.distance / _FACTOR < lengths[end] < most and is_on(self._opposite, ends[end])), None)
         except (RuntimeError, ValueError, ArithmeticError):  # OCC's own errors are RuntimeErrors: no normal there
             return None
-        lengths = [float((end - start) @ way) for end in ends]
-        lengths = [length for length in lengths if _FACTOR * wall.distance > length > wall.distance / _FACTOR]
-        if not lengths:
-            return None
-        return replace(wall, distance=min(lengths), point=start, opposite=start + min(lengths) * way)
+        return None if length is None else replace(wall, distance=length, point=start, opposite=start + length * way)
+
+
+def _thinner(best):
+    """mm: what the thickness of another wall has to be under for it to be thinner than the best one, Witness or None."""
+    return np.inf if best is None else best.distance * (1.0 - 1e-9)
 
 
 def _parameters(face, point):
