@@ -3125,10 +3125,6 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>max {}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>measuring…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3318,6 +3314,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>there is no importer for such files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>thickest wall {}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

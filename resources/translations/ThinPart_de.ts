@@ -3127,10 +3127,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>linear (erste Ordnung)</translation>
     </message>
     <message>
-        <source>max {}</source>
-        <translation>max. {}</translation>
-    </message>
-    <message>
         <source>measuring…</source>
         <translation>wird gemessen…</translation>
     </message>
@@ -3321,6 +3317,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>there is no importer for such files</source>
         <translation>für solche Dateien gibt es keinen Import</translation>
+    </message>
+    <message>
+        <source>thickest wall {}</source>
+        <translation>dickste Wand {}</translation>
     </message>
     <message>
         <source>thickness: {}, and share of the diagonal</source>

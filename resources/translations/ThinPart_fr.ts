@@ -3127,10 +3127,6 @@ Son volume est inconnu.</translation>
         <translation>linéaires (premier ordre)</translation>
     </message>
     <message>
-        <source>max {}</source>
-        <translation>max. {}</translation>
-    </message>
-    <message>
         <source>measuring…</source>
         <translation>mesure…</translation>
     </message>
@@ -3321,6 +3317,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>there is no importer for such files</source>
         <translation>il n’y a pas d’importateur pour ces fichiers</translation>
+    </message>
+    <message>
+        <source>thickest wall {}</source>
+        <translation>paroi la plus épaisse {}</translation>
     </message>
     <message>
         <source>thickness: {}, and share of the diagonal</source>

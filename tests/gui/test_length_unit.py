@@ -266,11 +266,11 @@ def test_colour_bar_probes_and_the_wall_under_the_cursor(ribbed):
     probes = window.widget("ThinPart_ProbeTable")
     window.wait_until(lambda: len(probes.rows) == 1)
     assert probes.model().index(0, 1).data() == "1.57\u00a0in"
-    window.wait_until(lambda: labels(ribbed) == {"1: 1.57\u00a0in", "min 0.236\u00a0in", "max 3.94\u00a0in"})
+    window.wait_until(lambda: labels(ribbed) == {"1: 1.57\u00a0in", "min 0.236\u00a0in", "thickest wall 3.94\u00a0in"})
     in_inches = bar_image(bar, 900)
     choose(STANDARD)
     assert probes.model().index(0, 1).data() == "40\u00a0mm"
-    window.wait_until(lambda: labels(ribbed) == {"1: 40\u00a0mm", "min 6\u00a0mm", "max 100\u00a0mm"})
+    window.wait_until(lambda: labels(ribbed) == {"1: 40\u00a0mm", "min 6\u00a0mm", "thickest wall 100\u00a0mm"})
     assert ribbed.ViewObject.Proxy.bar.unit == MILLIMETRE
     assert bar_image(ribbed.ViewObject.Proxy.bar, 900) != in_inches
     assert ribbed.ProbeValues[0] == pytest.approx(40.0, abs=1e-2)

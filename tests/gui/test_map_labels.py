@@ -61,7 +61,7 @@ def look(thickness, direction, up=(0, 0, 1)):
 
 
 def test_the_thinnest_and_the_thickest_wall_have_labels_beside_their_places(thickness):
-    wait_for(thickness, {"min 6\u00a0mm", "max 100\u00a0mm"})
+    wait_for(thickness, {"min 6\u00a0mm", "thickest wall 100\u00a0mm"})
     view = view_of(thickness.Document)
     for text, rect, place in shown_labels(view):
         assert not rect.adjusted(-2, -2, 2, 2).contains(place), text
@@ -71,7 +71,7 @@ def test_the_thinnest_and_the_thickest_wall_have_labels_beside_their_places(thic
 def test_pinned_walls_have_numbers_and_labels_do_not_overlap(thickness):
     for x in (20.0, 25.0, 30.0, 35.0, 40.0):
         add_probe(thickness, (x, 0.0, 20.0), (x, 60.0, 20.0), 60.0)
-    wait_for(thickness, {"min 6\u00a0mm", "max 100\u00a0mm", *(f"{number}: 60\u00a0mm" for number in range(1, 6))})
+    wait_for(thickness, {"min 6\u00a0mm", "thickest wall 100\u00a0mm", *(f"{number}: 60\u00a0mm" for number in range(1, 6))})
     found = shown_labels(view_of(thickness.Document))
     for (_, one, _), (_, other, _) in itertools.combinations(found, 2):
         assert not one.intersects(other)
@@ -85,7 +85,7 @@ def test_pinned_walls_have_numbers_and_labels_do_not_overlap(thickness):
 
 def test_a_label_hides_behind_the_part(thickness):
     add_probe(thickness, (20.0, 0.0, 20.0), (20.0, 0.1, 20.0), 0.1)
-    wait_for(thickness, {"min 6\u00a0mm", "max 100\u00a0mm", "1: 0.1\u00a0mm"})
+    wait_for(thickness, {"min 6\u00a0mm", "thickest wall 100\u00a0mm", "1: 0.1\u00a0mm"})
     look(thickness, (0, -1, 0))
     # From behind, the place in front is hidden; the sides of the rib are seen, and so is a rear end of the block.
     window.wait_until(lambda: texts(thickness) and "1: 0.1\u00a0mm" not in texts(thickness))
@@ -113,7 +113,7 @@ def test_what_is_closed_right_after_its_view_moved(thickness, close):
     """Labels look again, a moment later, whether other objects hide their places: there are no labels any more."""
     window.add(thickness.Document, "Other", Part.makeBox(5, 5, 5, V(200, 0, 0)))
     look_at(thickness.Document)
-    wait_for(thickness, {"min 6\u00a0mm", "max 100\u00a0mm"})
+    wait_for(thickness, {"min 6\u00a0mm", "thickest wall 100\u00a0mm"})
     for direction in ((0, 0, -1), (-1, 0, 0), (0, 1, 0)):
         look(thickness, direction, (0, 1, 0) if direction[2] else (0, 0, 1))
         window.settle(30)
@@ -161,7 +161,7 @@ def test_labels_are_hidden_and_come_back_with_the_box_in_the_panel(document, tmp
 
 
 def test_a_saved_picture_of_another_size_has_labels_too(thickness, tmp_path):
-    wait_for(thickness, {"min 6\u00a0mm", "max 100\u00a0mm"})
+    wait_for(thickness, {"min 6\u00a0mm", "thickest wall 100\u00a0mm"})
     view = view_of(thickness.Document)
     shown = shown_labels(view)
     with_labels = picture(view, tmp_path, 900, 500)
@@ -183,7 +183,7 @@ def test_balls_have_the_thickest_place_and_the_ball_of_the_thinnest_wall(documen
     look_at(document)
     window.widget("ThinPart_Measure").setCurrentIndex(1)
     window.wait_until(lambda: thickness.Measure != "ray" and window.is_thickness_told())
-    window.wait_until(lambda: any(text.startswith("max 4") for text in texts(thickness)))
+    window.wait_until(lambda: any(text.startswith("thickest wall 4") for text in texts(thickness)))
     least = next(float(text.split()[1]) for text in texts(thickness) if text.startswith("min"))
     assert least == pytest.approx(6.0, rel=0.05)
 

@@ -111,7 +111,7 @@ class LabelledWalls:
         """
         labels = []
         for text, wall in ((translate("ThinPart", "min {}"), self.thinnest),
-                           (translate("ThinPart", "max {}"), self.thickest)):
+                           (translate("ThinPart", "thickest wall {}"), self.thickest)):
             if wall is not None:
                 # What lies far behind a place may see something nearer: only the first end has the colour of the wall.
                 labels.append(MapLabel(text.format(unit.text(wall.value)), _moved(moved, wall.places),
