@@ -8,7 +8,7 @@ import pytest
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
 from thinpart_workbench.core.errors import ThinPartError
 from thinpart_workbench.core.forms.form import form_of
-from thinpart_workbench.core.forms.laying import laid_partly, laid_whole
+from thinpart_workbench.core.forms.laying import is_exact, laid_partly, laid_whole
 from thinpart_workbench.core.forms.moments import surface_moments
 from thinpart_workbench.core.forms.motion import Motion, turn_by
 from thinpart_workbench.core.forms.nearest_on_mesh import NearestOnMesh
@@ -83,6 +83,19 @@ def test_a_moved_part_lies_upon_itself(shape):
     mesh = surface_mesh(moved(shape()[0]), shape()[1])
     away = points - mesh.origin - NearestOnMesh(mesh).nearest(points - mesh.origin)
     assert np.linalg.norm(away, axis=1).max() < 2e-3 * other.extent
+
+
+@pytest.mark.parametrize("shape", [letter, made_meshes.tube, made_meshes.sphere])
+def test_a_turned_copy_is_laid_on_its_own_points_however_it_could_be_turned_within_itself(shape):
+    one, other = form(shape()), form(shape(), moved)
+    way, = laid_whole(one, other, 1.0, False)
+    assert is_exact(way, 1e-3 * other.extent) and not way.motion.is_mirrored
+    assert np.abs(way.motion.turn - TURN).max() < 1e-4
+
+
+def test_ways_in_which_two_forms_are_surely_not_the_same_are_left_out():
+    one, longer = form(letter(foot=0.0)), form(letter(20.6, foot=0.0), moved)
+    assert laid_whole(one, longer, 1.0, False) == []
 
 
 def test_a_mirror_image_is_told_from_the_part():

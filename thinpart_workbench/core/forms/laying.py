@@ -22,6 +22,7 @@ _TURNS = 6
 _FIRST_LIMIT = 0.03
 _TRIED_POINTS, _TRIED = 64, 3
 _FITTED = 160
+_SURELY_LESS = 0.8  # share of the fitted points under which that of all is not the same form's
 _MOST_APART = 4.0
 _AT_ONCE = 5e-6
 
@@ -72,11 +73,16 @@ def laid_whole(form, other, scale, is_mirrored):
 def each_laid(form, other, scale, is_mirrored):
     """Yield what `laid_whole` puts into order, in the order of how likely a way is by few points; parameters as there.
 
-    The last is one that lies as near as can be, if there is such a way.
+    The last is one that lies as near as can be, if there is such a way. Ways after which the points that are fitted show
+    that the forms are not the same are left out.
     """
     if not is_mirrored and scale == 1.0 and np.array_equal(form.outline.points, other.outline.points):
         none = np.zeros(form.outline.count)
         yield Laid(Motion(np.eye(3)), none, none, 1.0, 1.0)
+        return
+    found = _laid_in_order(form, other, Motion(np.diag([1.0, 1.0, -1.0 if is_mirrored else 1.0]), scale))
+    if found is not None:
+        yield found
         return
     motions = [Motion(turn, scale) for turn in likely_turns(form, other, scale, is_mirrored, _TURNS, whole=True)]
     # A copy is found much sooner by its own points, in whatever way it is turned: about an axis after fitting only.
@@ -85,7 +91,9 @@ def each_laid(form, other, scale, is_mirrored):
         yield found
         return
     for motion in motions:
-        laid = _laid(form, other, motion)
+        laid = _laid(form, other, motion, _SURELY_LESS)
+        if laid is None:
+            continue
         found = _laid_on_same_points(form, other, laid.motion)
         yield found or laid
         if found or laid.apart(_MOST_APART * SAME * other.extent) <= _AT_ONCE * other.extent:
@@ -111,6 +119,21 @@ def laid_partly(form, other, is_mirrored=False):
         motions += [Motion(turn, 1.0, axes @ np.array(shift)) for shift in product(*choices)]
     found = [_laid(form, other, motions[number]) for number in _nearest(form, other, motions)]
     return min(found, key=lambda each: each.apart(_MOST_APART * SAME * other.extent))
+
+
+def _laid_in_order(form, other, motion):
+    """The form laid upon one whose outline is made of the same points in the same order: `Laid`, None otherwise.
+
+    So is that of a copy which was turned as a whole; `motion` says the scale and whether it is mirrored.
+    """
+    points, others = form.outline.points, other.outline.points
+    if len(points) != len(others):
+        return None
+    motion = motion.between(points, others)
+    distance = np.linalg.norm(motion.points(points) - others, axis=1)
+    if distance.max() > SAME_POINTS * max(motion.scale * form.extent, other.extent):
+        return None
+    return Laid(motion, distance, distance, 1.0, 1.0)
 
 
 def _laid_on_same_points(form, other, motion):
@@ -154,10 +177,13 @@ def _ends(points):
     return points.min(axis=0), points.max(axis=0)
 
 
-def _laid(form, other, motion):
+def _laid(form, other, motion, least_share=0.0):
+    """A form laid upon another: `Laid`; None where less than a share of the points that are fitted is the same."""
     size = max(motion.scale * form.extent, other.extent)
     few = form.thinned(_FITTED)
     motion = fitted(few, other, motion, (_FIRST_LIMIT * size, LAST_LIMIT * size))
+    if least_share and share_of(few, np.abs(partners(few, other, motion)[0]) <= SAME * size) < least_share:
+        return None
     distance, _ = partners(form, other, motion)
     other_distance, _ = partners(other, form, motion.inverse())
     distance, other_distance = np.abs(distance), np.abs(other_distance) * motion.scale
