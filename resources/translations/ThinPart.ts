@@ -7032,6 +7032,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{process}: fails: {faces} Other faces: {check}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{process}: fails: {findings}.</source>
         <translation type="unfinished"></translation>
     </message>

@@ -7034,6 +7034,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{process}: nicht zu entscheiden: {share} der Oberfläche liegen über mehr als {most}, aber ein Strahl kann dort längs einer Wand laufen: Sehen Sie die Wandstärkenkarte an.</translation>
     </message>
     <message>
+        <source>{process}: fails: {faces} Other faces: {check}</source>
+        <translation>{process}: durchgefallen: {faces} Andere Flächen: {check}</translation>
+    </message>
+    <message>
         <source>{process}: fails: {findings}.</source>
         <translation>{process}: durchgefallen: {findings}.</translation>
     </message>

@@ -7034,6 +7034,10 @@ Son volume est inconnu.</translation>
         <translation>{process} : indécidable : {share} de la surface est au-dessus de plus de {most}, mais un rayon peut y suivre une paroi : regardez la carte d’épaisseur.</translation>
     </message>
     <message>
+        <source>{process}: fails: {faces} Other faces: {check}</source>
+        <translation>{process} : échoue : {faces} Autres faces : {check}</translation>
+    </message>
+    <message>
         <source>{process}: fails: {findings}.</source>
         <translation>{process} : échoue : {findings}.</translation>
     </message>

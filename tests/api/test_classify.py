@@ -206,7 +206,7 @@ def test_whoever_reports_may_stop():
     (None, {}, "usage", "NoneType is nothing"),
     (("a.step", "b.step"), {}, "usage", "classify_files"),
     ([[0.0, 1.0, 2.0]], {}, "usage", "vertices and triangles"),
-    (os.path.dirname(__file__), {}, "usage", "is a folder: use classify_files"),
+    (os.path.dirname(__file__), {}, "usage", "is a folder: name a file in it"),
     (made_meshes.box(1, 1, 1), {"write_info": True}, "usage", "Only a file can have an info file"),
     (made_meshes.box(1, 1, 1), {"profile": "none"}, "profile", "There is no profile"),
     ((made_meshes.box(1, 1, 1)[0], []), {}, "empty", "no triangles"),

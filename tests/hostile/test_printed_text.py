@@ -35,6 +35,13 @@ def test_words_that_are_not_text_are_searched(library, option):
     assert (run.returncode, run.stdout, run.stderr) == (0, "", "No stored part fulfils all these conditions.\n")
 
 
+def test_libraries_without_results_are_told_from_searches_without_any(library, tmp_path):
+    empty = tmp_path / "empty"
+    empty.mkdir()
+    for run in (thinpart("find", empty), thinpart("similar", library / "plate.step", empty)):
+        assert run.stdout == "" and run.stderr.startswith("There are no results below these folders: 'thinpart classify")
+
+
 def test_a_sign_of_patterns_is_no_pattern(library):
     line = json.loads(thinpart("find", library, "--json").stdout)
     criterion = str(line["criteria"][0])

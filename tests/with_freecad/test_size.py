@@ -152,6 +152,12 @@ def test_a_budget_is_kept_by_the_mesh(parts, lines):
     assert "The budget costs layers: 2 layers in all thin walls would take about" in text
 
 
+def test_a_budget_below_any_mesh_is_said_to_be(parts):
+    text = thinpart("size", parts / "bracket.step", "--budget", 1).stdout
+    assert "the budget allows no finer one" in text
+    assert "No mesh of this part is expected to be within the budget, 1.\n" in text
+
+
 def test_a_budget_is_kept_where_the_wall_is_a_thousand_times_smaller_than_the_part(lines, tmp_path):
     import Part
 

@@ -138,7 +138,7 @@ def _classified(run, outcomes, notify):
 
 def _classify_file(path, profile, settings, write_info, seconds, megabytes):
     if os.path.isdir(path):
-        raise ThinPartError(f"{path} is a folder: use classify_files for the files in it.", "usage")
+        raise ThinPartError(f"{path} is a folder: name a file in it.", "usage")
     parts, = classify_files([path], profile, settings, jobs=1, seconds=seconds, megabytes=megabytes,
                             write_info=write_info)
     if not parts.parts and len(parts.failures) == 1:

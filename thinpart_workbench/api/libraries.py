@@ -60,6 +60,11 @@ class Libraries:
         """Close the indexes."""
         self._stack.close()
 
+    @property
+    def has_parts(self):
+        """Whether there is any part, or failure, in one of them."""
+        return any(index.query("SELECT 1 FROM parts LIMIT 1") for index in self.indexes)
+
     def judged_otherwise(self):
         """Info files that a shipped profile has judged by other thresholds than it has now: dict of int, by its name."""
         files: dict[str, int] = {}

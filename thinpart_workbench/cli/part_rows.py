@@ -26,13 +26,34 @@ def _ratio(part):
     return "-" if value is None else f"{value:.3f}"
 
 
-def _thinnest(part):
-    value, walls = part["descriptors"]["thickness_mm"]["min"], walls_of(part)[0]
-    if value is None:
+def thinnest_cell(thinnest, kind, walls):
+    """The cell of the thinnest wall, str.
+
+    Parameters
+    ----------
+    thinnest, walls : float or None, mm
+        Of all walls, and apart from sharp edges.
+    kind : str or None
+        See `thinnest_kind`.
+    """
+    if thinnest is None:
         return "-"
     # Beside a sharp edge any part is thin: what it is compared by with others is its walls.
-    more = f", wall {walls:.4g}" if value < (walls or value) else ""
-    return f"{value:.4g} {thinnest_kind(part)}".rstrip() + more
+    more = f", wall {walls:.4g}" if thinnest < (walls or thinnest) else ""
+    return f"{thinnest:.4g} {kind or ''}".rstrip() + more
+
+
+def _thinnest(part):
+    return thinnest_cell(part["descriptors"]["thickness_mm"]["min"], thinnest_kind(part), walls_of(part)[0])
+
+
+def _between(part):
+    """Between which categories an unsure verdict is, the likelier first; empty where it is sure, or has no probabilities."""
+    if not (part["borderline"] and part.get("probabilities")):
+        return ""
+    first, second = sorted(part["probabilities"], key=lambda each: -each["probability"])[:2]
+    words = (f"{each['category'].replace('_', ' ')} ({percent(each['probability'])})" for each in (first, second))
+    return f"Unsure: {' or '.join(words)}."
 
 
 def _risk(part):
@@ -117,10 +138,11 @@ class PartRows:
         parts = self._single.get("parts", ()) if self._single else ()
         for row, part in zip_longest(self._loaded_rows(), parts):
             prefix = f"{row['path']}: {row['cells'][0]}" if several else row["cells"][0]
+            between = _between(part) if part else ""
             paper = paper_sentence(part, self._profile) if part else ""
             risk = row.get("risk") if len(parts) == 1 else None
             checks = check_remarks(row.get("checks") or (), several)
-            for text in [*filter(None, [paper, risk]), *row["remarks"], *checks, *row.get("regions", ())]:
+            for text in [*filter(None, [between, paper, risk]), *row["remarks"], *checks, *row.get("regions", ())]:
                 print_remark(stream, f"{prefix}: {text}")
 
     def _loaded_rows(self):

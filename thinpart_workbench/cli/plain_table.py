@@ -15,7 +15,7 @@ def styled(text, style):
 
 
 def table_lines(widths, rights, rows):
-    """Yields lines of a table; cells that are wider than their column are folded.
+    """Yields lines of a table; cells that are wider than their column are folded, between words where that is enough.
 
     Parameters
     ----------
@@ -45,8 +45,18 @@ def _width(character):
 
 
 def _folded(text, width):
+    lines: list = []
+    for word in text.split(" "):
+        if lines and text_width(lines[-1]) + 1 + text_width(word) <= width:
+            lines[-1] += f" {word}"
+        else:
+            lines += _cut(word, width)
+    return lines
+
+
+def _cut(word, width):
     lines, used = [""], 0
-    for character in text:
+    for character in word:
         if used + _width(character) > width and lines[-1]:
             lines.append("")
             used = 0

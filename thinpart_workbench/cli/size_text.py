@@ -39,9 +39,11 @@ SIZES = TableForm(
 """The CSV table of files and their parts; lengths in mm."""
 
 
-def print_part(stream, file, part):
-    """Print the proposal for one part: a sentence, its regions, and how it was meshed."""
+def print_part(stream, file, part, budget=None):
+    """Print the proposal for one part, made within a budget of elements: a sentence, its regions, and how it was meshed."""
     stream.write(_sentences(file, part) + "\n")
+    if budget is not None and part["elements"] > budget:
+        stream.write(f"No mesh of this part is expected to be within the budget, {budget:,}.\n")
     stream.write(_idealisation(part["idealisation"]) + "\n")
     if part["idealisation"]["no_shell"] and "shell" not in part:
         stream.write(printable(f"No shell: {part['idealisation']['no_shell']}") + "\n")
@@ -106,7 +108,7 @@ def _sizes(part):
     if part["least_size"] >= part["global_size"]:
         why = "no wall is thinner than {:.4g} mm".format(part["thin_limit"])
         if part["unbounded"] is not None:
-            why = "the budget allows no more"
+            why = "the budget allows no finer one"
         elif part["left_out"]:
             walls, them = (("a thin wall of this normal part is", "it") if part["left_out"] == 1 else
                            (f"{part['left_out']} thin walls of this normal part are", "them"))
@@ -147,8 +149,11 @@ def _shell(shell):
     if not shell["elements"]:
         return printable(f"No shell: {shell['reason']}")
     thick = [wall["thickness"] for wall in shell["walls"]]
-    text = (f"Shell: {shell['elements']:,} triangles of up to {shell['size']:.3g} mm, {len(thick)} walls from "
-            f"{min(thick):.3g} to {max(thick):.3g} mm thick, {_share(shell['volume_share'])} of the part's volume.")
+    least, most = f"{min(thick):.3g}", f"{max(thick):.3g}"
+    walls = (f"a wall {most}" if len(thick) == 1 else
+             f"{len(thick)} walls {most}" if least == most else f"{len(thick)} walls from {least} to {most}")
+    text = (f"Shell: {shell['elements']:,} triangles of up to {shell['size']:.3g} mm, {walls} mm thick, "
+            f"{_share(shell['volume_share'])} of the part's volume.")
     solid = shell["solid"]
     if solid is not None:
         text += (f"\nThe rest, {_share(solid['volume_share'])} of the volume, is solid: {solid['elements']:,} tetrahedra, "

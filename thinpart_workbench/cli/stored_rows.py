@@ -5,6 +5,7 @@ import json
 import os
 
 from ..storage.record_columns import labels_text
+from .part_rows import thinnest_cell
 from .terminal_table import FAILURE, TableColumn, category_style, print_table
 
 
@@ -25,12 +26,8 @@ def _style(part):
     return FAILURE if part.error_kind else category_style(part.category)
 
 
-def _number(name, digits):
-    def text(part):
-        value = getattr(part, name)
-        return "-" if value is None else f"{value:.{digits}g}"
-
-    return text
+def _ratio(part):
+    return "-" if part.volume_ratio is None else f"{part.volume_ratio:.3f}"
 
 
 def _risk(part):
@@ -61,7 +58,7 @@ _COLUMNS = (
     TableColumn("Mesh risk", _risk, True),
     TableColumn("Criteria", lambda part: ", ".join(part.criteria) or "none"),
     TableColumn("D1 x D2 x D3 mm", _box, True),
-    TableColumn("V/VBB", _number("volume_ratio", 3), True),
-    TableColumn("Thinnest mm", _number("thinnest_mm", 4), True),
+    TableColumn("V/VBB", _ratio, True),
+    TableColumn("Thinnest mm", lambda part: thinnest_cell(part.thinnest_mm, part.thinnest_at, part.walls_mm), True),
     TableColumn("Notes", _notes),
 )

@@ -12,11 +12,8 @@ from .plain_table import styled, table_lines, text_width
 CATEGORY_STYLES = {"thin": "red", "thin_features": "yellow", "normal": "green", "unknown": "magenta"}
 OTHER_CATEGORY, FAILURE = "cyan", "bold red"
 
-WIDTH_WITHOUT_TERMINAL = 220
-"""Width for a file or a pipe, which has none of its own; large enough that cells are not folded."""
-
-_NARROWEST = 8
-"""Least width of a column, in characters, on a terminal that is too narrow."""
+_NARROWEST = 12
+"""Least width of a column of text, in characters, on a terminal that is too narrow."""
 
 TableColumn = namedtuple("TableColumn", "title value is_right style", defaults=(False, None))
 """Title; a function from a row to its text; whether it is right-aligned; a function from a row to its style,
@@ -58,8 +55,8 @@ def print_table(stream, columns, rows):
         Returns an iterator over all rows; called twice, so that not all cells are in memory at once.
     """
     in_colours = _shows_colours(stream)
-    available = shutil.get_terminal_size().columns if stream.isatty() else WIDTH_WITHOUT_TERMINAL
-    widths = _widths(columns, rows, available)
+    # A file or a pipe has no width of its own, and what reads it looks for whole words.
+    widths = _widths(columns, rows, shutil.get_terminal_size().columns if stream.isatty() else None)
     titles = [(column.title, "bold" if in_colours else None) for column in columns]
     cells = ([(_text(column, row), column.style(row) if in_colours and column.style else None) for column in columns]
              for row in rows())
@@ -69,18 +66,31 @@ def print_table(stream, columns, rows):
 
 def _widths(columns, rows, available):
     widths = [len(column.title) for column in columns]
+    # Numbers are never cut, wherever a line ends.
+    least = [_longest_word(column.title) if column.is_right else _NARROWEST for column in columns]
     for row in rows():
         for number, column in enumerate(columns):
-            widths[number] = max(widths[number], text_width(_text(column, row)))
-    _fit(widths, available - 2 * (len(widths) - 1))
+            text = _text(column, row)
+            widths[number] = max(widths[number], text_width(text))
+            if column.is_right:
+                least[number] = max(least[number], _longest_word(text))
+    if available is not None:
+        _fit(widths, least, available - 2 * (len(widths) - 1))
     return widths
+
+
+def _longest_word(text):
+    return max(map(text_width, text.split(" ")))
 
 
 def _text(column, row):
     return terminal_cell(column.value(row))
 
 
-def _fit(widths, available):
-    """Narrow the widest columns until all fit."""
-    while sum(widths) > available and max(widths) > _NARROWEST:
-        widths[widths.index(max(widths))] -= 1
+def _fit(widths, least, available):
+    """Narrow the widest columns until all fit, or none may be narrower."""
+    while sum(widths) > available:
+        wide = [number for number, width in enumerate(widths) if width > least[number]]
+        if not wide:
+            break
+        widths[max(wide, key=lambda number: widths[number])] -= 1

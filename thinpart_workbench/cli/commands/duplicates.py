@@ -117,7 +117,8 @@ def _print(lines, found, folder):
     counts = {kind: sum(len(line["parts"]) - 1 for line in lines if line["kind"] == kind)
               for kind in dict.fromkeys(line["kind"] for line in lines)}
     said = ", ".join(f"{count} {kind}" for kind, count in counts.items()) or "none of them is there twice"
-    print(f"{found.compared} parts compared: {said}.", file=sys.stderr)
+    parts = "1 part" if found.compared == 1 else f"{found.compared} parts"
+    print(f"{parts} compared: {said}.", file=sys.stderr)
 
 
 def _row(line, part):

@@ -9,7 +9,7 @@ from ...core.foreign_text import json_text
 from ...storage.index.written_query import SORTABLE, moment, part_query
 from ..check_options import PartChecks, add_check_options, check_columns, checked_limits, named_limits
 from ..stored_rows import print_stored
-from .library import count_from_one, libraries
+from .library import NOTHING_STORED, count_from_one, libraries
 
 
 def add_arguments(parser):
@@ -76,7 +76,8 @@ def run(options):
             if len(found) < found.total and options.limit == len(found):
                 print(f"{len(found)} of {found.total} parts: raise --limit for more.", file=sys.stderr)
             elif not found:
-                print("No stored part fulfils all these conditions.", file=sys.stderr)
+                sentence = "No stored part fulfils all these conditions." if opened.has_parts else NOTHING_STORED
+                print(sentence, file=sys.stderr)
         for name, files in opened.judged_otherwise().items():
             print(f"thinpart: {files} info {'file was' if files == 1 else 'files were'} judged by another version of the "
                   f"profile {name}: 'thinpart reclassify FOLDER --profile {name}' shows what changes.", file=sys.stderr)

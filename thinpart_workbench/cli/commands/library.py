@@ -12,6 +12,9 @@ from ...core.foreign_text import printable
 PROGRESS_THRESHOLD = 2000
 """Number of info files to read from which progress is printed on a terminal."""
 
+NOTHING_STORED = "There are no results below these folders: 'thinpart classify FOLDER' makes them."
+"""Said where nothing was found because nothing is there."""
+
 MOST_MESSAGES = 5
 """Most unusable info files that are listed one by one."""
 

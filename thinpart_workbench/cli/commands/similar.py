@@ -8,7 +8,7 @@ from ...api.libraries import reference_part
 from ...core.foreign_text import json_text
 from ..stored_rows import print_stored
 from ..terminal_table import TableColumn
-from .library import count_from_one, libraries
+from .library import NOTHING_STORED, count_from_one, libraries
 
 
 def add_arguments(parser):
@@ -41,8 +41,8 @@ def run(options):
                 TableColumn("Score", lambda part: f"{by_part[part].score:.0f} %", True),
                 TableColumn("Why", lambda part: by_part[part].reasons),
             ))
-        else:
-            print("There is no other part in these folders.", file=sys.stderr)
+        elif not status:
+            print("There is no other part in these folders." if opened.has_parts else NOTHING_STORED, file=sys.stderr)
     return status
 
 

@@ -129,7 +129,7 @@ def run(options):
         if parts and not options.json:
             with standard_output() as stream:
                 if len(parts) == 1:
-                    print_part(stream, *parts[0])
+                    print_part(stream, *parts[0], budget=options.budget)
                 else:
                     print_sizes(stream, parts)
     if refused is not None:

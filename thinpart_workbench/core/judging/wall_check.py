@@ -293,9 +293,18 @@ def _check(record, limits, judged):
 
 
 def check_sentence(check):
-    """The result in sentences with figures, those on faces with limits of their own last: Message."""
-    found = _process_sentence(check)
-    for sentence in face_sentences(check.own):
+    """The result in sentences with figures: Message.
+
+    Those on faces with limits of their own come last, unless these are all that fails.
+    """
+    found, own = _process_sentence(check), face_sentences(check.own)
+    if check.holds is False and False not in (check.thin_holds, check.thick_holds):
+        faces = own[0]
+        for sentence in own[1:]:
+            faces = message("{check} {faces}", check=faces, faces=sentence)
+        return message("{process}: fails: {faces} Other faces: {check}", process=check.limits.full_title, faces=faces,
+                       check=found)
+    for sentence in own:
         found = message("{check} {faces}", check=found, faces=sentence)
     return found
 

@@ -25,6 +25,9 @@ WALL_BELOW = np.radians(45.0)
 LEAST = 0.1
 """Thickness, in depths, below which faces touch, or one runs out into the other, rather than enclose a wall."""
 
+BESIDE_EDGE = 4.0
+"""Depths from a sharp edge within which two faces that meet there have a wall that ends in it, however short it is."""
+
 _MOST_STEEP = np.tan(NONPARALLEL_BELOW)
 
 _ROUNDING = np.radians(0.2)
@@ -103,7 +106,10 @@ def thin_places(field, rays, width):
     if not mesh.has_faces:
         whole = _between_facets(whole, rays, samples)
     samples = samples[np.argsort(whole.distance[samples], kind="stable")]
-    return ThinPlaces(whole, samples, ~whole.parallel[samples], ends_in_edge[pair[samples]], depth,
+    # However short the edge is at which two faces meet, just beside it their wall is no thicker than it is told there.
+    at_edge = ends_in_edge[pair[samples]] | (
+        (lengths[pair[samples]] > 0.0) & edges.are_near(whole.samples.points[samples], BESIDE_EDGE * depth))
+    return ThinPlaces(whole, samples, ~whole.parallel[samples], at_edge, depth,
                       float(edges.under(WALL_BELOW - _ROUNDING).lengths.sum()))
 
 
