@@ -5356,7 +5356,7 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The thinnest first; thin is what lies over walls under {limit}</source>
+        <source>The thinnest first; thin is what lies over less than {limit}, beside edges of up to 60 degrees too, which are no walls</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

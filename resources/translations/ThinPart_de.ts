@@ -5358,8 +5358,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die Wandstärkenkarte {file} stammt von einem neueren ThinPart: Aktualisieren Sie ThinPart oder messen Sie das Bauteil erneut.</translation>
     </message>
     <message>
-        <source>The thinnest first; thin is what lies over walls under {limit}</source>
-        <translation>Die dünnsten zuerst; dünn ist, was über Wänden unter {limit} liegt</translation>
+        <source>The thinnest first; thin is what lies over less than {limit}, beside edges of up to 60 degrees too, which are no walls</source>
+        <translation>Die dünnsten zuerst; dünn ist, was über weniger als {limit} liegt, auch neben Kanten bis 60 Grad, die keine Wände sind</translation>
     </message>
     <message>
         <source>The thinnest wall is {wall} ± {error:.2g}: a finer mesh would be too large.</source>

@@ -5358,8 +5358,8 @@ Son volume est inconnu.</translation>
         <translation>La carte des épaisseurs {file} vient d’un ThinPart plus récent : mettez ThinPart à jour ou mesurez la pièce à nouveau.</translation>
     </message>
     <message>
-        <source>The thinnest first; thin is what lies over walls under {limit}</source>
-        <translation>Les plus minces d’abord ; est mince ce qui est sur des parois sous {limit}</translation>
+        <source>The thinnest first; thin is what lies over less than {limit}, beside edges of up to 60 degrees too, which are no walls</source>
+        <translation>Les plus minces d’abord ; est mince ce qui est sur moins de {limit}, aussi près d’arêtes jusqu’à 60 degrés, qui ne sont pas des parois</translation>
     </message>
     <message>
         <source>The thinnest wall is {wall} ± {error:.2g}: a finer mesh would be too large.</source>

@@ -197,8 +197,8 @@ def _wall(words, group):
 def _faces(words, page):
     _ = words.text
     first, further = page.faces[:SHOWN_FACES], page.faces[SHOWN_FACES:]
-    caption = _("The thinnest first; thin is what lies over walls under {limit}",
-                limit=words.length.text(page.part["thin_limit_mm"]))
+    caption = _("The thinnest first; thin is what lies over less than {limit}, beside edges of up to 60 degrees too, which "
+                "are no walls", limit=words.length.text(page.part["thin_limit_mm"]))
     return element(
         "section", element("h2", _("Its faces")), _face_table(words, page.features, first, caption, "first"),
         element("details", element("summary", _("{count} more faces", count=len(further))),
