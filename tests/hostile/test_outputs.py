@@ -197,7 +197,7 @@ def test_two_outputs_are_two_files(place, capsys):
 
 
 def test_a_place_that_cannot_be_written_is_told_before_anything_is_measured(place, capsys):
-    assert main(["size", "part.step", "--csv", "no folder/out.csv"]) == 1
+    assert main(["size", "part.step", "--csv", "no folder/out.csv"]) == 2
     said = capsys.readouterr()
     assert "no folder/out.csv cannot be written (No such file or directory)" in said.err and said.out == ""
 

@@ -90,12 +90,16 @@ def write_output(path, content, mark, overwrite=False, inputs=(), durable=True):
 
 @contextmanager
 def writing(path):
-    """Context manager that checks or writes an output: an OSError becomes a ThinPartError of the kind ``failed``."""
+    """Context manager that checks or writes an output: an OSError becomes a ThinPartError.
+
+    Of the kind ``usage`` where the folder is not there, else ``failed``.
+    """
     try:
         yield
     except OSError as error:
-        raise ThinPartError(message("{file} cannot be written ({problem}): name another place.", file=os.fspath(path),
-                                    problem=error.strerror), "failed") from None
+        raise ThinPartError(
+            message("{file} cannot be written ({problem}): name another place.", file=os.fspath(path), problem=error.strerror),
+            "usage" if isinstance(error, FileNotFoundError) else "failed") from None
 
 
 def bears_mark(path, mark):
