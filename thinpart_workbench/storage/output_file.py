@@ -97,9 +97,9 @@ def writing(path):
     try:
         yield
     except OSError as error:
-        raise ThinPartError(
-            message("{file} cannot be written ({problem}): name another place.", file=os.fspath(path), problem=error.strerror),
-            "usage" if isinstance(error, FileNotFoundError) else "failed") from None
+        kind = "usage" if isinstance(error, FileNotFoundError) else "failed"
+        raise ThinPartError(message("{file} cannot be written ({problem}): name another place.", file=os.fspath(path),
+                                    problem=error.strerror), kind) from None
 
 
 def bears_mark(path, mark):
