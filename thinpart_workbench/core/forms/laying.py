@@ -76,10 +76,6 @@ def each_laid(form, other, scale, is_mirrored):
     The last is one that lies as near as can be, if there is such a way. Ways after which the points that are fitted show
     that the forms are not the same are left out.
     """
-    if not is_mirrored and scale == 1.0 and np.array_equal(form.outline.points, other.outline.points):
-        none = np.zeros(form.outline.count)
-        yield Laid(Motion(np.eye(3)), none, none, 1.0, 1.0)
-        return
     found = _laid_in_order(form, other, Motion(np.diag([1.0, 1.0, -1.0 if is_mirrored else 1.0]), scale))
     if found is not None:
         yield found

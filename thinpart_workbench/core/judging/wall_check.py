@@ -6,6 +6,7 @@ Command lines list and check stored parts without numpy, so neither is it import
 
 import math
 from dataclasses import dataclass, replace
+from functools import reduce
 from typing import NamedTuple, Optional
 
 from ..descriptors.bins import BINS, MIDDLE_BINS
@@ -299,14 +300,14 @@ def check_sentence(check):
     """
     found, own = _process_sentence(check), face_sentences(check.own)
     if check.holds is False and False not in (check.thin_holds, check.thick_holds):
-        faces = own[0]
-        for sentence in own[1:]:
-            faces = message("{check} {faces}", check=faces, faces=sentence)
-        return message("{process}: fails: {faces} Other faces: {check}", process=check.limits.full_title, faces=faces,
-                       check=found)
-    for sentence in own:
-        found = message("{check} {faces}", check=found, faces=sentence)
-    return found
+        return message("{process}: fails: {faces} Other faces: {check}", process=check.limits.full_title,
+                       faces=_together(own), check=found)
+    return _together([found, *own])
+
+
+def _together(sentences):
+    """Sentences one after the other: Message."""
+    return reduce(lambda check, faces: message("{check} {faces}", check=check, faces=faces), sentences)
 
 
 def _process_sentence(check):
