@@ -427,4 +427,4 @@ def test_several_parts_are_refused_before_they_are_measured_and_one_of_them_is_w
 
 def test_the_script_cannot_be_written(parts, tmp_path):
     run = thinpart("size", parts / "block.brep", "--geo", tmp_path / "no such folder" / "sizes.geo")
-    assert run.returncode == 1 and "cannot be written" in run.stderr
+    assert run.returncode == 2 and "cannot be written" in run.stderr
