@@ -42,9 +42,12 @@ def test_features_are_counted_and_named():
 
 def test_a_thread_is_told_from_teeth_by_its_turns():
     core = group("bar", 20.0, share=0.5, volume=0.8)
-    thread = group("tooth", 5.4, least=1.0, length=5 * math.pi * 20.0)
-    found = thin_features([core, thread], 2.0, 20.0)
-    assert (found.words, found.are_teeth) == ("thread 1 mm to 5.4 mm thick", True)
+    thread = group("tooth", 5.4, least=2.6, length=5 * math.pi * 42.0)
+    found = thin_features([core, thread], 5.0, 42.0)
+    assert (found.words, found.are_teeth) == ("thread 2.6 mm to 5.4 mm thick", True)
+    # Nor are the walls of a housing a thread that run into each other, however long they are together.
+    assert thin_features([core, group("tooth", 10.1, least=0.19, length=5 * math.pi * 42.0)], 8.0, 42.0).words == (
+        "a taper 0.19 mm to 10.1 mm thick")
     assert thin_features([core, group("tooth", 5.4, 20, least=1.0)], 2.0, 20.0).words == "20 teeth 1 mm to 5.4 mm thick"
     assert thin_features([core, group("tooth", 7.0, least=1.0)], 2.0, 20.0) is None  # a body that ends in an edge
 

@@ -15,9 +15,14 @@ THREAD_TURNS = 1.5
 """Length of a ridge, in ways round the part, from which it is a thread."""
 
 
-def is_thread(kind, length, width):
-    """Whether a region of a kind and a length is a thread of a part whose box has a middle side `width`, mm."""
-    return kind == TOOTH and length >= THREAD_TURNS * math.pi * width
+THREAD_THICKNESS = 0.2
+"""Thickness of a ridge, by the width of the part, up to which it is a thread: a worm of eight modules has 0.17. The walls of a
+housing that run into each other have more, however long they are together."""
+
+
+def is_thread(kind, length, thickness, width):
+    """Whether a region of a kind, length and median thickness is a thread of a part whose box has a middle side `width`, mm."""
+    return kind == TOOTH and length >= THREAD_TURNS * math.pi * width and thickness <= THREAD_THICKNESS * width
 
 
 def called(kind, count):

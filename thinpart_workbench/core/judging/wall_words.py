@@ -144,7 +144,7 @@ def _features(groups, width):
     found: list[_Feature] = []
     for group in groups:
         kind = {TUBE: PLATE, TAPER: TOOTH}.get(group.kind, group.kind)
-        goes_round = is_thread(group.kind, group.length, width)
+        goes_round = is_thread(group.kind, group.length, group.median, width)
         feature = _Feature(kind, group.count, group.least, group.median, goes_round, width)
         same = next((number for number, other in enumerate(found) if _are_one(feature, other)), None)
         if same is None:

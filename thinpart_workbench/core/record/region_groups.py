@@ -118,7 +118,7 @@ def _size(region, face_areas):
 def _group(regions, area, width, excluded, mesh_size):
     typical = sorted(regions, key=lambda region: region["length_mm"])[(len(regions) - 1) // 2]
     shares = [region["volume_share"] for region in regions]
-    goes_round = is_thread(typical["kind"], typical["length_mm"], width)
+    goes_round = is_thread(typical["kind"], typical["length_mm"], typical["median"], width)
     return RegionGroup(
         typical["kind"], len(regions), min(region["min"] for region in regions), typical["median"],
         typical["length_mm"], typical["width_mm"],
