@@ -118,7 +118,7 @@ def test_one_module_of_gui_imports_qt():
 PACKAGE_ORDER = {
     "core": "kinds mesh rays descriptors walls forms thickness record sizing shells judging reuse risk maps rendering",
     "storage": "exchange info index",
-    "freecad_adapter": "tessellating shapes mid_surface reading occurrences features objects",
+    "freecad_adapter": "tessellating exact_walls shapes mid_surface reading occurrences features objects",
     "workflow": "report analysis workers cluster library reuse meshing solving maps learning",
     "api": "window report",
     "cli": "commands",

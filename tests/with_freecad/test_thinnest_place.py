@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 
 from thinpart_workbench.cli.part_rows import TABLE
-from thinpart_workbench.core.analysis_settings import AnalysisSettings
+from thinpart_workbench.core.analysis_settings import ACCURACIES, AnalysisSettings
 from thinpart_workbench.core.judging.criteria import load_profile
 from thinpart_workbench.core.record.thinnest_sentence import thinnest_sentence
 from thinpart_workbench.freecad_adapter.shapes.part import SolidPart
 from thinpart_workbench.workflow.analysis.analyse_part import analyse_part
 
 PROFILE = load_profile("calibrated")
-DENSITIES = {"default": AnalysisSettings(), "fine": AnalysisSettings(linear_deflection=0.0003, angular_deflection=2.5)}
+DENSITIES = {"default": AnalysisSettings(), "smooth": AnalysisSettings(linear_deflection=0.0003, angular_deflection=2.5)}
 TRAINING = Path(os.environ.get("THINPART_TRAINING", Path(__file__).resolve().parents[3] / "shared" / "training")) / "parts"
 
 
@@ -33,10 +33,11 @@ def extruded(corners, length):
     return Part.Face(Part.makePolygon([*points, points[0]])).extrude(vector(0, 0, length))
 
 
-def analysed(shape, density="default"):
+def analysed(shape, density="standard"):
     shape = shape.copy()
     shape.rotate(vector(1, 2, 3), vector(1, -2, 0.7), 37.0)
-    _, record = analyse_part(SolidPart("Part", "Part", shape=shape), DENSITIES[density], PROFILE)
+    settings = DENSITIES[density] if density in DENSITIES else AnalysisSettings.at(density)
+    _, record = analyse_part(SolidPart("Part", "Part", shape=shape), settings, PROFILE)
     return record
 
 
@@ -139,6 +140,41 @@ def test_an_edge_of_45_degrees_and_more_is_no_thin_wall(shape):
     assert place is None or (place["kind"], place["edges_mm"]) == ("parallel", 0.0)
 
 
+@pytest.mark.parametrize("accuracy", ACCURACIES)
+def test_a_taper_is_followed_along_the_border_of_its_face(accuracy):
+    """A blind hole whose floor ends 0.58 mm over a bore: nearest at its border, and straight across the bore alone."""
+    import Part
+
+    block = Part.makeBox(60, 43, 42, vector(-30, -21.5, -21))
+    block = block.cut(Part.makeCylinder(11.5, 60, vector(-30, 0, 0), vector(1, 0, 0)))
+    record = analysed(block.cut(Part.makeCylinder(1.95, 20, vector(3.3, 4.65 + 1.95, 11.15))), accuracy)
+    assert record["thinnest"]["kind"] == "tapered"
+    assert record["thinnest"]["witness"]["distance"] == pytest.approx(math.hypot(4.65, 11.15) - 11.5, rel=1e-4)
+
+
+@pytest.mark.parametrize("accuracy", ACCURACIES)
+def test_a_ridge_runs_out_into_an_edge_however_far_that_is(accuracy):
+    """A ridge of 0.4 mm on a block, whose sides meet under 10 degrees in an edge as short as it is high."""
+    import Part
+
+    ridge = extruded([(0, 0), (40, 0), (40, 40 * math.tan(math.radians(10)))], 0.4)
+    ridge.translate(vector(10, 20, 40))
+    place = analysed(Part.makeBox(100, 60, 40).fuse(ridge), accuracy)["thinnest"]
+    assert (place["kind"], place["walls_mm"]) == ("edge", pytest.approx(40.0, rel=1e-6))
+    assert place["witness"]["distance"] == pytest.approx(place["depth_mm"] * math.tan(math.radians(10)), rel=1e-3)
+
+
+@pytest.mark.parametrize("accuracy", ACCURACIES)
+def test_the_land_at_the_top_of_a_drafted_rib_is_told_from_any_sample(accuracy):
+    """A rib whose top is 0.05 mm wide: samples on its sides have multiples of that."""
+    rib = extruded([(0, 0), (60, 0), (60, 30), (33, 30), (30.025, 40), (29.975, 40), (27, 30), (0, 30)], 80)
+    record = analysed(rib, accuracy)
+    lean = math.atan(2.975 / 10)
+    assert record["thinnest"]["kind"] == "tapered"
+    assert record["thinnest"]["witness"]["distance"] == pytest.approx(
+        0.05 * math.cos(lean) / math.cos(2 * lean), rel=0.01)
+
+
 def test_places_are_counted():
     import Part
 
@@ -152,7 +188,7 @@ def test_places_are_counted():
 
 REAL = """
     p048 t022 t225 t206 t209 t145 t040 t286 t198 p082 t117 t070 p100 t162 p023 t084 p069 p078 t108 p071 t007 t043
-    t199 t147 t152 p073 t376 t159 p059 t235 p084 p009 t234 t151
+    t199 t147 t152 p073 t376 t159 p059 t235 p084 p009 t234 t151 t219 p070 t382 t381 t061 t004 t031 t353
 """.split()
 """Parts to train on: nozzles, lips, webs over slots and bores, countersinks, threads of screws and nuts, teeth, blends."""
 

@@ -16,12 +16,12 @@ THREAD_TURNS = 1.5
 
 
 THREAD_THICKNESS = 0.2
-"""Thickness of a ridge, by the width of the part, up to which it is a thread: a worm of eight modules has 0.17. The walls of a
-housing that run into each other have more, however long they are together."""
+"""Thickness of a ridge, by the width of the part, up to which it is a thread: a worm of eight modules has 0.17. The walls of
+a housing that run into each other have more, however long they are together."""
 
 
 def is_thread(kind, length, thickness, width):
-    """Whether a region of a kind, length and median thickness is a thread of a part whose box has a middle side `width`, mm."""
+    """Whether a region of a kind, length and median thickness is a thread of a part whose box has a middle side `width`."""
     return kind == TOOTH and length >= THREAD_TURNS * math.pi * width and thickness <= THREAD_THICKNESS * width
 
 

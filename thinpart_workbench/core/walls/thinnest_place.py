@@ -2,7 +2,7 @@
 """The one place where a part is thinnest, whatever the angle of its walls."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple, Optional
 
 import numpy as np
@@ -15,6 +15,9 @@ from .thin_places import LEAST
 
 MOST_TRIED = 12
 """Places that are looked for in the part's own geometry, from the thinnest on."""
+
+_MAY_BE_THINNER = 1.5
+"""How many times as thick as where it is thinnest a tapered wall may be at the sample nearest to that."""
 
 _MOST_COUNTED = 1000
 """Pairs of faces that are told apart as places."""
@@ -73,30 +76,43 @@ def thinnest_place(parallel, places, confirmed=None):
         The thinnest wall between parallel sides.
     places : ThinPlaces
     confirmed : callable, optional
-        Called with a `Witness`, its kind and the number of its sample in `ThinPlaces.field`; returns the wall as the
-        geometry of the part has it, None where there is none.
+        Called with a `Witness`, its kind, the number of its sample in `ThinPlaces.field` and the thickness, mm, under which
+        it would be the thinnest; returns the wall as the geometry of the part has it, None where there is none, and its
+        kind.
     """
-    best, kind, apart = parallel, PARALLEL, None
-    kept = np.ones(len(places.samples), dtype=bool)
-    for at_edge in (False, True):
-        for number in np.flatnonzero(places.is_at_edge == at_edge)[:MOST_TRIED]:
-            found = places.witness(number)
-            if best is not None and found.distance >= best.distance:
-                break
-            own = EDGE if at_edge else TAPERED if places.is_tapered[number] else PARALLEL
-            wall = found if confirmed is None else confirmed(found, own, int(places.samples[number]))
-            kept[number] = wall is not None and wall.distance > LEAST * places.depth
-            if kept[number] and (best is None or wall.distance < best.distance):
-                best, kind = wall, own
-                break
-        if not at_edge:
-            apart = best
+    best, kind, apart = parallel, PARALLEL, parallel
+    kept, at_edge = np.ones(len(places.samples), dtype=bool), places.is_at_edge.copy()
+    for number in _in_turn(places):
+        found, own = places.witness(number), _kind(places, number)
+        least = best if own == EDGE else apart
+        if least is not None and found.distance >= (_MAY_BE_THINNER if own == TAPERED else 1.0) * least.distance:
+            continue
+        wall, own = (found, own) if confirmed is None else confirmed(
+            found, own, int(places.samples[number]), np.inf if least is None else least.distance)
+        at_edge[number] = own == EDGE
+        kept[number] = wall is not None and (own == EDGE or wall.distance > LEAST * places.depth)
+        if not kept[number]:
+            continue
+        if own != EDGE and (apart is None or wall.distance < apart.distance):
+            apart = wall
+        if best is None or wall.distance < best.distance:
+            best, kind = wall, own
+    places = replace(places, is_at_edge=at_edge)
     if best is None:
         return None, places
     left = places.chosen(kept & (places.distance >= best.distance * (1.0 - NEARLY)))
     below = _rounded_up(TOLERANCES.alike * best.distance)
     count = max(1, _count(left, below))
     return ThinnestPlace(best, kind, places.depth, places.edges_mm, apart, below, count), left
+
+
+def _in_turn(places):
+    """Numbers of the walls to look for: the thinnest apart from edges, then those at edges."""
+    return np.concatenate([np.flatnonzero(places.is_at_edge == at_edge)[:MOST_TRIED] for at_edge in (False, True)])
+
+
+def _kind(places, number):
+    return EDGE if places.is_at_edge[number] else TAPERED if places.is_tapered[number] else PARALLEL
 
 
 def _rounded_up(length):

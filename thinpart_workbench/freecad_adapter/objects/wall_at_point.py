@@ -3,7 +3,7 @@
 
 from dataclasses import dataclass
 
-from ..shapes.face_crossings import crossings
+from ..exact_walls.face_crossings import crossings
 
 _START = 1e-7
 """Share of the solid's diagonal: intersections closer than this belong to the face that the line starts on."""

@@ -11,11 +11,11 @@ from ...core.errors import ThinPartError
 from ...core.mesh.surface_mesh import surface_mesh, unchecked_mesh
 from ...core.mesh.thinned_facets import thinned_facets
 from ...core.message import message
+from ..exact_walls.exact_place import ExactPlace, exact_place
+from ..exact_walls.exact_wall import exact_wall
 from ..tessellating.surface_types import face_surfaces
 from .brep_file import write_brep
 from .edge_lengths import edge_lengths
-from .exact_taper import exact_edge_wall, exact_taper
-from .exact_wall import exact_wall
 from .nearest_on_shape import NearestOnSolid, NearestOnTriangles
 from .solid_measures import SolidMeasures
 from .solid_mesher import SolidMesher, missing_faces
@@ -106,24 +106,9 @@ class SolidPart(Part):
         """
         return exact_wall(self.shape, wall, error)
 
-    def exact_place(self, wall, error, ends_in_edge, depth, step):
-        """The thinnest place near a wall between facets, as the faces have it; None where they have none.
-
-        Parameters
-        ----------
-        wall : Witness
-        error : float, mm
-            How far facets lie from their faces.
-        ends_in_edge : bool
-            Whether its two faces meet in a sharp edge.
-        depth : float, mm
-            Beside such an edge, at which the wall is measured.
-        step : float, mm
-            Size of the facets there.
-        """
-        if ends_in_edge:
-            return exact_edge_wall(self.shape, wall, depth)
-        return exact_taper(self.shape, wall, step, depth) or exact_wall(self.shape, wall, error)
+    def exact_place(self, wall, error, ends_in_edge, depth, step, least):
+        """The thinnest place near a wall between facets, as the faces have it: ExactPlace; see `exact_place`."""
+        return exact_place(self.shape, wall, error, ends_in_edge, depth, step, least)
 
     def nearest_points(self):
         """What finds the points of its faces nearest to others: `NearestOnSolid`."""
@@ -174,9 +159,9 @@ class MeshedPart(Part):
         """The wall as it is: there is no geometry but the triangles."""
         return wall
 
-    def exact_place(self, wall, error, ends_in_edge, depth, step):
-        """The wall as it is, as `exact_wall`."""
-        return wall
+    def exact_place(self, wall, error, ends_in_edge, depth, step, least):
+        """The wall as it is, as `exact_wall`: ExactPlace."""
+        return ExactPlace(wall, ends_in_edge)
 
     def nearest_points(self):
         """What finds its points nearest to others: `NearestOnTriangles`."""

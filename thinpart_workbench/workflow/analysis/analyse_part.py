@@ -241,9 +241,13 @@ def _with_confirmed_place(part, measurement, resolution, error_bound):
     """
     field = measurement.places.field
 
-    def confirmed(wall, kind, sample):
-        found = part.exact_place(wall, resolution.error, kind == EDGE, measurement.places.depth, _facet_size(field, sample))
-        return found or (wall if wall.distance > DOUBTFUL * resolution.error else None)
+    def confirmed(wall, kind, sample, least):
+        place = part.exact_place(wall, resolution.error, kind == EDGE, measurement.places.depth, _facet_size(field, sample),
+                                 least)
+        if not place.is_wall:
+            return None, kind
+        doubtful = wall.distance <= DOUBTFUL * resolution.error
+        return place.wall or (None if doubtful else wall), EDGE if place.ends_in_edge else kind
 
     measurement = measurement.with_thinnest_place(confirmed)
     placed = measurement.thinnest

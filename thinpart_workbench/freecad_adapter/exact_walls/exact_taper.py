@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where a tapered wall is thinnest along the normals of one of its faces."""
+
+import numpy as np
+
+from ...core.walls.thin_places import LEAST
+from .face_places import common_edges, distance_to_edge, parameters
+from .wall_lines import WallLines, below
+
+_FIRST_STEP, _LAST_STEP = 2.0, 0.002
+"""Steps across a face, in thicknesses: the first is no longer, the last about as long."""
+
+
+def exact_taper(solid, wall, step, depth, least=np.inf):
+    """A tapered wall where it is thinnest near a place that was found between facets: Witness or None.
+
+    Looked for across the face, along its normals, no farther than twice a step away.
+
+    Parameters
+    ----------
+    solid : Part.Solid
+    wall : Witness
+    step : float, mm
+        First step: about the size of the facets there.
+    depth : float, mm
+        No nearer than that to an edge at which the two faces meet.
+    least : float, mm, optional
+        A place that is no thinner than this from the first is not followed.
+    """
+    face = solid.Faces[wall.face]
+    edges = common_edges(face, solid.Faces[wall.opposite_face])
+    start = parameters(face, wall.point)
+    if start is None:
+        return None
+    lines = WallLines(solid, wall, LEAST * depth)
+    per_mm = _parameters_per_mm(face, start)
+
+    def at(place, thinner_than=np.inf):
+        place = float(place[0]), float(place[1])
+        found = lines.through(place, thinner_than)
+        if found is None or any(distance_to_edge(edge, found.point) < depth for edge in edges):
+            return None
+        return found if face.isPartOfDomain(*place) else None
+
+    best, place = at(start), np.array(start)
+    if best is not None and best.distance >= least:
+        return best
+    reach, step, tried = 2.0 * step, min(step, _FIRST_STEP * wall.distance), {(0.0, 0.0)}
+    while step > _LAST_STEP * wall.distance and lines.left > 0:
+        moved = True
+        while moved and lines.left > 0:
+            moved = False
+            for way in ((1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, 1), (1, -1), (-1, -1)):
+                other = place + step * np.array(way) * per_mm
+                moved_on = (other - start) / per_mm
+                number = tuple(np.rint(moved_on / (_LAST_STEP * wall.distance / 2.0)))
+                if number in tried or np.linalg.norm(moved_on) > reach:
+                    continue
+                tried.add(number)
+                found = at(other, below(best))
+                if found is not None:
+                    best, place, moved = found, other, True
+        step *= 0.5
+    return best
+
+
+def _parameters_per_mm(face, place):
+    """ndarray of shape (2,): parameters of a surface by which a place moves on by a millimetre."""
+    along, across = (np.linalg.norm(np.array(each)) for each in face.derivative1At(*place))
+    return 1.0 / np.maximum([along, across], 1e-12)

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Places on faces and edges by their parameters."""
+
+import numpy as np
+
+from ..bootstrap import load_freecad
+
+
+def parameters(face, point):
+    App = load_freecad()
+    try:
+        return tuple(map(float, face.Surface.parameter(App.Vector(*point))))
+    except (RuntimeError, ValueError):
+        return None
+
+
+def normals(faces, points):
+    """Normals of faces, of each at its own point: ndarray of shape (k, 3); None where one has none."""
+    found = []
+    for face, point in zip(faces, points):
+        place = parameters(face, point)
+        try:
+            found.append(None if place is None else np.array(face.normalAt(*place)))
+        except (RuntimeError, ValueError, ArithmeticError):  # OCC's own errors are RuntimeErrors: no normal there
+            return None
+    if any(each is None or not np.isfinite(each).all() or not each.any() for each in found):
+        return None
+    return np.array(found)
+
+
+def common_edges(face, opposite):
+    """Edges at which two faces meet; none where they are one face."""
+    if face.isSame(opposite):
+        return []
+    others = opposite.Edges
+    return [edge for edge in face.Edges if any(edge.isSame(other) for other in others)]
+
+
+def distance_to_edge(edge, point):
+    """Distance, mm, of a point from an edge; inf where that is not known."""
+    App = load_freecad()
+    point = App.Vector(*point)
+    at = on_edge(edge, point)
+    return np.inf if at is None else edge.Curve.value(at).distanceToPoint(point)
+
+
+def on_edge(edge, point):
+    """Parameter of the place of an edge nearest to a point; None where its curve has none."""
+    try:
+        first, last = edge.ParameterRange
+        found = edge.Curve.parameter(point)
+    except (RuntimeError, ValueError, AttributeError, TypeError):  # the pole of a ball is an edge without a curve
+        return None
+    return min(max(float(found), first), last)

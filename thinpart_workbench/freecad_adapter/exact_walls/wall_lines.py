@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Lines through a wall, across one of its faces."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from ..bootstrap import load_freecad
+from .face_crossings import is_on, surface_crossings
+
+_MOST_LINES = 250
+"""Lines through the shape for one wall."""
+
+_FACTOR = 2.0
+"""How many times as thick as the facets said a wall may be, and how many times as thin."""
+
+
+class WallLines:
+    """Lines through a wall, across its face to the opposite one.
+
+    Parameters
+    ----------
+    solid : Part.Solid
+    wall : Witness
+    least : float, mm, optional
+        What is no thicker is another wall: half of this one by default.
+    """
+
+    def __init__(self, solid, wall, least=None):
+        self.face, self.opposite = solid.Faces[wall.face], solid.Faces[wall.opposite_face]
+        self._wall, self.left = wall, _MOST_LINES
+        self._least = wall.distance / _FACTOR if least is None else least
+
+    def through(self, place, thinner_than=np.inf):
+        """The wall under a place of the face, by its parameters: Witness.
+
+        None where there is none of about that size, or none that is thinner than a limit, mm.
+        """
+        App = load_freecad()
+        import Part
+
+        self.left -= 1
+        wall = self._wall
+        try:
+            start, normal = np.array(self.face.valueAt(*place)), np.array(self.face.normalAt(*place))
+            way = -normal * np.sign(normal @ (wall.point - wall.opposite))
+            if not np.isfinite(way).all() or not way.any():
+                return None
+            line = Part.LineSegment(App.Vector(*start), App.Vector(*(start + _FACTOR * wall.distance * way)))
+            ends = surface_crossings(line, self.opposite)
+            lengths = [float((np.array(end) - start) @ way) for end in ends]
+            most = min(_FACTOR * wall.distance, thinner_than)
+            length = next((lengths[end] for end in np.argsort(lengths)
+                           if self._least < lengths[end] < most and is_on(self.opposite, ends[end])), None)
+        except (RuntimeError, ValueError, ArithmeticError):  # OCC's own errors are RuntimeErrors: no normal there
+            return None
+        return None if length is None else replace(wall, distance=length, point=start, opposite=start + length * way)
+
+
+def below(best):
+    """mm: what the thickness of another wall has to be under for it to be thinner than the best one, Witness or None."""
+    return np.inf if best is None else best.distance * (1.0 - 1e-9)
