@@ -32,7 +32,15 @@ def test_a_long_note_takes_a_few_lines_of_a_table_and_is_kept_whole(library):
                                     ("--said", "\udcff")], ids=lambda option: option[0])
 def test_words_that_are_not_text_are_searched(library, option):
     run = thinpart("find", library, *option)
-    assert (run.returncode, run.stdout, run.stderr) == (0, "", "No stored part fulfils all these conditions.\n")
+    sentence = "There is no category \\udcff in these folders: their parts are thin." if option[0] == "--category" else (
+        "No stored part fulfils all these conditions.")
+    assert (run.returncode, run.stdout, run.stderr) == (0, "", f"{sentence}\n")
+
+
+def test_a_category_that_nobody_uses_is_told_from_one_without_parts(library):
+    run = thinpart("find", library, "--category", "thin_feature,normal")
+    assert run.stderr == "There is no category thin_feature in these folders: their parts are thin.\n"
+    assert thinpart("find", library, "--category", "normal").stderr == "No stored part fulfils all these conditions.\n"
 
 
 def test_libraries_without_results_are_told_from_searches_without_any(library, tmp_path):

@@ -193,16 +193,29 @@ REAL = """
 """Parts to train on: nozzles, lips, webs over slots and bores, countersinks, threads of screws and nuts, teeth, blends."""
 
 
+def trained_on(name):
+    from thinpart_workbench.freecad_adapter.reading.part_files import read_parts
+
+    [file] = TRAINING.glob(f"{name}_*")
+    return read_parts(file).parts[0]
+
+
+# A floor over a bore, a gear's teeth whose sides meet under more than 60 degrees at the tip, and lands of chamfers.
+@pytest.mark.skipif(not TRAINING.is_dir(), reason="the parts to train on are not here")
+@pytest.mark.parametrize("name, thickness", [
+    ("t219", 0.5808), ("p003", 0.9950), ("t004", 0.65), ("t061", 0.2), ("t382", 0.0688)])
+@pytest.mark.parametrize("accuracy", ACCURACIES)
+def test_real_walls_are_as_thin_at_every_accuracy(name, thickness, accuracy):
+    _, record = analyse_part(trained_on(name), AnalysisSettings.at(accuracy), PROFILE)
+    assert record["thinnest"]["walls_mm"] == pytest.approx(thickness, rel=0.002)
+
+
 @pytest.mark.skipif(not TRAINING.is_dir(), reason="the parts to train on are not here")
 @pytest.mark.parametrize("name", REAL)
 def test_real_tapers_are_confirmed_by_lines_through_the_shape(name):
     import Part
 
-    from thinpart_workbench.freecad_adapter.reading.part_files import read_parts
-
-    [file] = TRAINING.glob(f"{name}_*")
-    read = read_parts(file)
-    part = (read[0] if isinstance(read, tuple) else getattr(read, "parts", read))[0]
+    part = trained_on(name)
     _, record = analyse_part(part, AnalysisSettings(), PROFILE)
     start, end = map(np.array, record["thinnest"]["witness"]["points"])
     along = (end - start) / np.linalg.norm(end - start)

@@ -65,6 +65,11 @@ class Libraries:
         """Whether there is any part, or failure, in one of them."""
         return any(index.query("SELECT 1 FROM parts LIMIT 1") for index in self.indexes)
 
+    def categories(self):
+        """Names of the categories that stored parts have: list of str."""
+        rows = (row for index in self.indexes for row in index.query("SELECT DISTINCT category FROM parts"))
+        return sorted({name for name, in rows if name})
+
     def judged_otherwise(self):
         """Info files that a shipped profile has judged by other thresholds than it has now: dict of int, by its name."""
         files: dict[str, int] = {}

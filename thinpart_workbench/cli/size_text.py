@@ -49,6 +49,9 @@ def print_part(stream, file, part, budget=None):
         stream.write(printable(f"No shell: {part['idealisation']['no_shell']}") + "\n")
     if "shell" in part:
         stream.write(_shell(part["shell"]) + "\n")
+    if budget is not None and part["elements"] <= budget < _meshed(part):
+        stream.write(f"The mesh has {_meshed(part):,} elements, {_meshed(part) / budget:.2g} times the budget: Gmsh made it "
+                     "finer than the sizes that were asked for. A smaller budget makes them larger.\n")
     if part["region_groups"]:
         stream.write("\n")
         print_table(stream, _REGION_COLUMNS, lambda: part["region_groups"])
@@ -58,6 +61,10 @@ def print_part(stream, file, part, budget=None):
                                                     ("proposed", part["check"]["proposed"])])
         if _was_changed(part):
             stream.write("\n" + _tries(part) + "\n")
+
+
+def _meshed(part):
+    return 0 if part["check"] is None else part["check"]["proposed"]["elements"]
 
 
 def _was_changed(part):

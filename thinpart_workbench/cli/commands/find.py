@@ -4,8 +4,11 @@
 import argparse
 import sys
 
+from ...core.categories import NORMAL, UNKNOWN
 from ...core.errors import ThinPartError
-from ...core.foreign_text import json_text
+from ...core.foreign_text import json_text, printable
+from ...core.judging.criteria import load_profile
+from ...storage.index.part_query import FAILED
 from ...storage.index.written_query import SORTABLE, moment, part_query
 from ..check_options import PartChecks, add_check_options, check_columns, checked_limits, named_limits
 from ..stored_rows import print_stored
@@ -76,12 +79,23 @@ def run(options):
             if len(found) < found.total and options.limit == len(found):
                 print(f"{len(found)} of {found.total} parts: raise --limit for more.", file=sys.stderr)
             elif not found:
-                sentence = "No stored part fulfils all these conditions." if opened.has_parts else NOTHING_STORED
-                print(sentence, file=sys.stderr)
+                print(_nothing(opened, query.categories), file=sys.stderr)
         for name, files in opened.judged_otherwise().items():
             print(f"thinpart: {files} info {'file was' if files == 1 else 'files were'} judged by another version of the "
                   f"profile {name}: 'thinpart reclassify FOLDER --profile {name}' shows what changes.", file=sys.stderr)
     return status
+
+
+def _nothing(opened, categories):
+    """Why nothing was found: str."""
+    if not opened.has_parts:
+        return NOTHING_STORED
+    known = opened.categories()
+    usual = {NORMAL, UNKNOWN, FAILED, *(category.name for category in load_profile().categories)}
+    unknown = [name for name in categories if name not in usual.union(known)]
+    if unknown:
+        return printable(f"There is no category {', '.join(unknown)} in these folders: their parts are {', '.join(known)}.")
+    return "No stored part fulfils all these conditions."
 
 
 def _columns(found, checks):

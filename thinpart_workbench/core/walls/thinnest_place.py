@@ -82,11 +82,14 @@ def thinnest_place(parallel, places, confirmed=None):
     """
     best, kind, apart = parallel, PARALLEL, parallel
     kept, at_edge = np.ones(len(places.samples), dtype=bool), places.is_at_edge.copy()
-    for number in _in_turn(places):
-        found, own = places.witness(number), _kind(places, number)
-        least = best if own == EDGE else apart
-        if least is not None and found.distance >= (_MAY_BE_THINNER if own == TAPERED else 1.0) * least.distance:
+    tried = {True: 0, False: 0}
+    for number in np.argsort(places.is_at_edge, kind="stable"):
+        found, own, is_at_edge = places.witness(number), _kind(places, number), bool(places.is_at_edge[number])
+        least = best if is_at_edge else apart
+        if tried[is_at_edge] == MOST_TRIED or (
+                least is not None and found.distance >= (_MAY_BE_THINNER if own == TAPERED else 1.0) * least.distance):
             continue
+        tried[is_at_edge] += 1
         wall, own = (found, own) if confirmed is None else confirmed(
             found, own, int(places.samples[number]), np.inf if least is None else least.distance)
         at_edge[number] = own == EDGE
@@ -104,11 +107,6 @@ def thinnest_place(parallel, places, confirmed=None):
     below = _rounded_up(TOLERANCES.alike * best.distance)
     count = max(1, _count(left, below))
     return ThinnestPlace(best, kind, places.depth, places.edges_mm, apart, below, count), left
-
-
-def _in_turn(places):
-    """Numbers of the walls to look for: the thinnest apart from edges, then those at edges."""
-    return np.concatenate([np.flatnonzero(places.is_at_edge == at_edge)[:MOST_TRIED] for at_edge in (False, True)])
 
 
 def _kind(places, number):

@@ -5,7 +5,7 @@ import numpy as np
 
 from ...core.walls.thin_places import WALL_BELOW
 from ..bootstrap import load_freecad
-from .face_places import common_edges, distance_to_edge, normals, on_edge
+from .face_places import common_edges, distance_to_edge, on_edge, wedge_angle
 from .wall_lines import WallLines, below
 
 _LEAST = 1e-3
@@ -48,7 +48,7 @@ def _beside_edge(edge, wall, depth, lines):
     def at(parameter, thinner_than=np.inf):
         place = _beside(lines.face, edge, parameter, wall.point, depth)
         found = None if place is None else lines.through(place, thinner_than)
-        return None if found is None or _angle(lines, found) >= WALL_BELOW else found
+        return None if found is None or wedge_angle((lines.face, lines.opposite), found) >= WALL_BELOW else found
 
     best, place = at(start), start
     for other in first + _PLACES * (last - first):
@@ -81,8 +81,3 @@ def _beside(face, edge, parameter, towards, depth):
     except (RuntimeError, ValueError, ArithmeticError):
         return None
     return place if face.isPartOfDomain(*place) else None
-
-def _angle(lines, wall):
-    """Angle, rad, between the two sides of a wall."""
-    across = normals((lines.face, lines.opposite), (wall.point, wall.opposite))
-    return 0.0 if across is None else float(np.arccos(np.clip(abs(across[0] @ across[1]), 0.0, 1.0)))

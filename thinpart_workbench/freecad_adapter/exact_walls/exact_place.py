@@ -5,9 +5,11 @@ from dataclasses import replace
 from typing import NamedTuple, Optional
 
 from ...core.walls.face_thickness import Witness
+from ...core.walls.walls import NONPARALLEL_BELOW
 from .edge_wall import exact_edge_wall
 from .exact_taper import exact_taper
 from .exact_wall import exact_wall
+from .face_places import wedge_angle
 from .nearest_approach import nearest_approach
 
 
@@ -55,8 +57,13 @@ def exact_place(solid, wall, error, ends_in_edge, depth, step, least):
         return ExactPlace(beside, True, beside is not None)
     if not approach.is_wall:
         return ExactPlace(is_wall=False)
-    return ExactPlace(approach.wall or _along_normals(solid, wall, approach.ends, step, depth, least)
-                      or exact_wall(solid, wall, error))
+    if approach.wall is not None:
+        return ExactPlace(approach.wall)
+    found = _along_normals(solid, wall, approach.ends, step, depth, least)
+    if found is None:
+        return ExactPlace(exact_wall(solid, wall, error))
+    rounds_off = wedge_angle((solid.Faces[found.face], solid.Faces[found.opposite_face]), found) >= NONPARALLEL_BELOW
+    return ExactPlace(is_wall=False) if rounds_off else ExactPlace(found)
 
 
 def _along_normals(solid, wall, nearest, step, depth, least):

@@ -28,6 +28,12 @@ def normals(faces, points):
     return np.array(found)
 
 
+def wedge_angle(faces, wall):
+    """Angle, rad, between the two sides of a wall between two faces; 0 where a normal is not known."""
+    across = normals(faces, (wall.point, wall.opposite))
+    return 0.0 if across is None else float(np.arccos(np.clip(abs(across[0] @ across[1]), 0.0, 1.0)))
+
+
 def common_edges(face, opposite):
     """Edges at which two faces meet; none where they are one face."""
     if face.isSame(opposite):

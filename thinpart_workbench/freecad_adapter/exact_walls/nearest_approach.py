@@ -71,13 +71,13 @@ def nearest_approach(solid, wall, depth):
         return Approach()
     # Which side of a face the material is on does not change along it.
     across = after * np.sign(before @ (wall.opposite - wall.point))[:, None]
-    if across[0] @ across[1] < np.cos(NONPARALLEL_BELOW):
-        return Approach(is_wall=False)
     if length <= LEAST * depth:
         return Approach()
     along = (ends[1] - ends[0]) / length
     if max(across @ along) < _STRAIGHT:
         return Approach(ends=ends)
+    if across[0] @ across[1] < np.cos(NONPARALLEL_BELOW):
+        return Approach(is_wall=False)
     return Approach(replace(wall, distance=length, point=ends[0], opposite=ends[1]))
 
 
