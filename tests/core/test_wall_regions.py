@@ -143,6 +143,15 @@ def test_a_region_with_nothing_half_way_along_has_a_length():
     assert shape.length > 100.0 and shape.kind in ("plate", "bar")
 
 
+@pytest.mark.filterwarnings("error")
+def test_one_row_of_points_about_an_axis_is_no_tube():
+    points, _ = wall_points(measure(surface_mesh(*made_meshes.tube(20.0, 18.0, 10.0)), AnalysisSettings()).field)
+    points = points.chosen(np.abs(points.normals[:, 2]) < 0.1)
+    for rows in (points.points, points.middle):
+        rows[:, 2] = 5.0
+    assert region_shape(points, wall_links(points), None).kind != "tube"
+
+
 def test_a_wedge_is_a_taper():
     taper, = regions_of(made_meshes.wedge(30.0, 100.0, 200.0)).listed
     assert taper.kind == "taper" and taper.least < 5.0 < taper.median

@@ -53,7 +53,7 @@ def neighbouring_faces(mesh):
     one, other = one[between], other[between]
     normals = mesh.normals
     towards = mesh.corners[other].mean(axis=1) - mesh.corners[one].mean(axis=1)
-    rise = dot(towards.T, normals[one].T) / np.linalg.norm(towards, axis=1)
+    rise = dot(towards.T, normals[one].T) / np.maximum(np.linalg.norm(towards, axis=1), np.finfo(float).tiny)
     turned = np.arccos(np.clip(dot(normals[one].T, normals[other].T), -1.0, 1.0))
     way = np.where(turned < _SMOOTH, 0, np.where(rise < 0.0, 1, -1))
     low, high = np.minimum(faces[0][between], faces[1][between]), np.maximum(faces[0][between], faces[1][between])

@@ -236,6 +236,8 @@ def _tube_axis(points):
     sector = ((np.arctan2(middle[:, 1], middle[:, 0]) / (2.0 * np.pi) + 0.5) * TUBE_SECTORS).astype(int) % TUBE_SECTORS
     inward = np.einsum("ij,ij->i", points.normals @ flat, middle) < 0.0
     along = points.points @ axes[:, 0]
+    if not np.ptp(along):
+        return None  # one row of points about an axis has no length
     slices = int(np.clip(len(along) / (2 * TUBE_SECTORS * _FEWEST_IN_CELL), 1, TUBE_LENGTHS))
     cell = np.minimum((along - along.min()) / np.ptp(along) * slices, slices - 1).astype(int) * TUBE_SECTORS + sector
     covered = [len(np.unique(cell[side])) for side in (inward, ~inward)]
