@@ -60,12 +60,17 @@ def nearest_approach(solid, wall, depth):
     faces = solid.Faces[wall.face], solid.Faces[wall.opposite_face]
     if faces[0].isSame(faces[1]):
         return Approach()
-    ends = _followed(faces, wall.point)
+    edges = common_edges(*faces)
+
+    def meet(ends):
+        return any(distance_to_edge(edge, end) < depth for edge in edges for end in ends)
+
+    ends = _followed(faces, wall.point, meet)
     if ends is None:
         return Approach()
-    length = float(np.linalg.norm(ends[1] - ends[0]))
-    if any(distance_to_edge(edge, end) < depth for edge in common_edges(*faces) for end in ends):
+    if meet(ends):
         return Approach(meets=True)
+    length = float(np.linalg.norm(ends[1] - ends[0]))
     before, after = normals(faces, (wall.point, wall.opposite)), normals(faces, ends)
     if before is None or after is None:
         return Approach()
@@ -81,8 +86,11 @@ def nearest_approach(solid, wall, depth):
     return Approach(replace(wall, distance=length, point=ends[0], opposite=ends[1]))
 
 
-def _followed(faces, start):
-    """The places of two faces nearest to each other, from a point of the first on: list of two ndarrays, or None."""
+def _followed(faces, start, meet):
+    """The places of two faces nearest to each other, from a point of the first on: list of two ndarrays, or None.
+
+    What comes to where the faces `meet` is followed no further.
+    """
     here, there = start, _nearest_on(faces[1], start)
     length, stretch = np.inf, 1.0
     for _ in range(_MOST_TURNS):
@@ -93,7 +101,7 @@ def _followed(faces, start):
             return None
         step, here = onward - here, onward
         before, length = length, float(np.linalg.norm(there - here))
-        if length > before * (1.0 - _SETTLED):
+        if length > before * (1.0 - _SETTLED) or meet([here, there]):
             break
         further = _nearest_on(faces[0], here + stretch * step)
         beyond = None if further is None else _nearest_on(faces[1], further)
