@@ -79,6 +79,8 @@ def nearest_approach(solid, wall, depth):
     if length <= LEAST * depth:
         return Approach()
     along = (ends[1] - ends[0]) / length
+    if min(across @ along) <= 0.0:
+        return Approach()  # not through the material: a face bends round to where it is nearer through the air
     if max(across @ along) < _STRAIGHT:
         return Approach(ends=ends)
     if across[0] @ across[1] < np.cos(NONPARALLEL_BELOW):
@@ -109,7 +111,7 @@ def _followed(faces, start, meet):
             here, there, stretch = further, beyond, 2.0 * stretch
         else:
             there, stretch = _nearest_on(faces[1], here), 1.0
-    return [here, there]
+    return None if there is None else [here, there]
 
 
 def _nearest_on(face, point):
