@@ -7,11 +7,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from program import SAMPLES
 
 from thinpart_workbench.cli.part_rows import TABLE
 from thinpart_workbench.core.analysis_settings import ACCURACIES, AnalysisSettings
 from thinpart_workbench.core.judging.criteria import load_profile
 from thinpart_workbench.core.record.thinnest_sentence import thinnest_sentence
+from thinpart_workbench.freecad_adapter.reading.part_files import read_parts
 from thinpart_workbench.freecad_adapter.shapes.part import SolidPart
 from thinpart_workbench.workflow.analysis.analyse_part import analyse_part
 
@@ -193,9 +195,14 @@ REAL = """
 """Parts to train on: nozzles, lips, webs over slots and bores, countersinks, threads of screws and nuts, teeth, blends."""
 
 
-def trained_on(name):
-    from thinpart_workbench.freecad_adapter.reading.part_files import read_parts
+@pytest.mark.parametrize("accuracy", ACCURACIES)
+def test_the_run_out_of_a_worm_is_as_thin_from_any_sample(accuracy):
+    """Normals of one flank miss the other one where the two are nearest: the wall ends on the way there."""
+    _, record = analyse_part(read_parts(SAMPLES / "worm_run_out.FCStd").parts[0], AnalysisSettings.at(accuracy), PROFILE)
+    assert (record["thinnest"]["kind"], record["thinnest"]["walls_mm"]) == ("tapered", pytest.approx(0.9985, rel=0.01))
 
+
+def trained_on(name):
     [file] = TRAINING.glob(f"{name}_*")
     return read_parts(file).parts[0]
 

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The thinnest place near a wall that was found between facets."""
 
-from dataclasses import replace
 from typing import NamedTuple, Optional
 
 from ...core.walls.face_thickness import Witness
@@ -68,8 +67,6 @@ def exact_place(solid, wall, error, ends_in_edge, depth, step, least):
 
 def _along_normals(solid, wall, nearest, step, depth, least):
     """The thinnest of what is found along the normals of either face: Witness or None."""
-    if nearest is None:
-        return exact_taper(solid, wall, step, depth)
-    wall = replace(wall, point=nearest[0], opposite=nearest[1])
-    found = [exact_taper(solid, side, step, depth, least) for side in (wall, wall.turned)]
+    found = [exact_taper(solid, side, step, depth, towards, least)
+             for side, towards in zip((wall, wall.turned), nearest or [None])]
     return min((each for each in found if each is not None), key=lambda each: each.distance, default=None)

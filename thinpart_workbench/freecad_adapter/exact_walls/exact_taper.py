@@ -7,14 +7,18 @@ from ...core.walls.thin_places import LEAST
 from .face_places import common_edges, distance_to_edge, parameters
 from .wall_lines import WallLines, below
 
+_ON_THE_WAY = np.append(np.linspace(0.125, 0.875, 7), 1.0 - 1e-6)
+"""Places from a sample to where the faces are nearest, as shares of the way; the last is on a border, but for rounding."""
+
 _FIRST_STEP, _LAST_STEP = 2.0, 0.002
 """Steps across a face, in thicknesses: the first is no longer, the last about as long."""
 
 
-def exact_taper(solid, wall, step, depth, least=np.inf):
+def exact_taper(solid, wall, step, depth, towards=None, least=np.inf):
     """A tapered wall where it is thinnest near a place that was found between facets: Witness or None.
 
-    Looked for across the face, along its normals, no farther than twice a step away.
+    Looked for across the face, along its normals, no farther away than twice a step and the way to where the faces are
+    nearest, and first on that way.
 
     Parameters
     ----------
@@ -24,8 +28,10 @@ def exact_taper(solid, wall, step, depth, least=np.inf):
         First step: about the size of the facets there.
     depth : float, mm
         No nearer than that to an edge at which the two faces meet.
+    towards : ndarray of shape (3,), mm, optional
+        The place of the face that is nearest to the opposite one; across it, there may be no wall.
     least : float, mm, optional
-        A place that is no thinner than this from the first is not followed.
+        Where that way has no place thinner than this, the wall is not followed further.
     """
     face = solid.Faces[wall.face]
     edges = common_edges(face, solid.Faces[wall.opposite_face])
@@ -42,10 +48,18 @@ def exact_taper(solid, wall, step, depth, least=np.inf):
             return None
         return found if face.isPartOfDomain(*place) else None
 
-    best, place = at(start), np.array(start)
-    if best is not None and best.distance >= least:
-        return best
-    reach, step, tried = 2.0 * step, min(step, _FIRST_STEP * wall.distance), {(0.0, 0.0)}
+    best, place, reach = at(start), np.array(start), 2.0 * step
+    nearest = None if towards is None else parameters(face, towards)
+    if nearest is not None:
+        for share in _ON_THE_WAY:
+            other = (1.0 - share) * np.array(start) + share * np.array(nearest)
+            found = at(other, below(best))
+            if found is not None:
+                best, place = found, other
+        if best is not None and best.distance >= least:
+            return best
+        reach += float(np.linalg.norm((np.array(nearest) - start) / per_mm))
+    step, tried = min(step, _FIRST_STEP * wall.distance), {(0.0, 0.0)}
     while step > _LAST_STEP * wall.distance and lines.left > 0:
         moved = True
         while moved and lines.left > 0:
