@@ -177,6 +177,36 @@ def test_the_land_at_the_top_of_a_drafted_rib_is_told_from_any_sample(accuracy):
         0.05 * math.cos(lean) / math.cos(2 * lean), rel=0.01)
 
 
+def undercut(width, length=3.0):
+    """A block of 60 x 40 x 20 whose corner above a slanted cut is 1 mm thick at its end, and 45 degrees steep.
+
+    Parameters
+    ----------
+    width : float, mm
+        Of the slanted face, measured along the top of the block.
+    length : float, mm
+        Along the side of the block: so short that few samples lie there.
+    """
+    import Part
+
+    cut = extruded([(0, 0), (width, 0), (width, 19 - width), (0, 19)], length)
+    cut.rotate(vector(0, 0, 0), vector(1, 0, 0), 90)
+    cut.translate(vector(0, 20 + length / 2, 0))
+    return Part.makeBox(60, 40, 20).cut(cut)
+
+
+@pytest.mark.parametrize("accuracy", ACCURACIES)
+def test_a_taper_that_few_samples_see_is_told_from_any(accuracy):
+    record = analysed(undercut(3.0), accuracy)
+    assert (record["thinnest"]["kind"], record["thinnest"]["walls_mm"]) == ("tapered", pytest.approx(1.0, rel=1e-3))
+
+
+@pytest.mark.parametrize("accuracy", ACCURACIES)
+def test_a_taper_that_is_narrower_than_thick_is_a_broken_edge(accuracy):
+    record = analysed(undercut(0.6), accuracy)
+    assert record["thinnest"]["walls_mm"] > 1.5
+
+
 def test_places_are_counted():
     import Part
 
@@ -207,10 +237,12 @@ def trained_on(name):
     return read_parts(file).parts[0]
 
 
-# A floor over a bore, a gear's teeth whose sides meet under more than 60 degrees at the tip, and lands of chamfers.
+# A floor over a bore, a gear's teeth whose sides meet under more than 60 degrees at the tip, lands of chamfers, and tapers
+# so small that coarse samples say nothing of their width.
 @pytest.mark.skipif(not TRAINING.is_dir(), reason="the parts to train on are not here")
 @pytest.mark.parametrize("name, thickness", [
-    ("t219", 0.5808), ("p003", 0.9950), ("t004", 0.65), ("t061", 0.2), ("t382", 0.0688)])
+    ("t219", 0.5808), ("p003", 0.9950), ("t004", 0.65), ("t061", 0.2), ("t382", 0.0688), ("t352", 0.7504),
+    ("t095", 0.5), ("t191", 1.05), ("t031", 1.723), ("t357", 0.9497), ("t049", 1.379)])
 @pytest.mark.parametrize("accuracy", ACCURACIES)
 def test_real_walls_are_as_thin_at_every_accuracy(name, thickness, accuracy):
     _, record = analyse_part(trained_on(name), AnalysisSettings.at(accuracy), PROFILE)

@@ -92,7 +92,8 @@ def face_thicknesses(field, thin_limit_mm, thinnest=None, places=None, thinnest_
     """
     face = field.face
     placed, walls = ({}, {}) if places is None or thinnest_of_all is None else (
-        _placed(places, thinnest_of_all.witness), _placed(places.chosen(~places.is_at_edge), thinnest_of_all.wall))
+        _placed(places.chosen(~places.is_narrow), thinnest_of_all.witness),
+        _placed(places.chosen(~places.is_narrow & ~places.is_at_edge), thinnest_of_all.wall))
     order = np.lexsort([field.distance, face])
     faces, start = np.unique(face[order], return_index=True)
     return [

@@ -25,8 +25,17 @@ WALL_BELOW = np.radians(45.0)
 LEAST = 0.1
 """Thickness, in depths, below which faces touch, or one runs out into the other, rather than enclose a wall."""
 
+SURELY_WIDE = 2.0
+"""Width, in thicknesses, from which on a taper is at least as wide as it is thick, however samples lie."""
+
+SURELY_NARROW, SEEN_WELL = 0.25, 16
+"""Width, in thicknesses, under which a taper that so many samples have seen is a broken edge, however they lie."""
+
 BESIDE_EDGE = 4.0
 """Depths from a sharp edge within which two faces that meet there have a wall that ends in it, however short it is."""
+
+MAY_BE_THINNER = 1.5
+"""How many times as thick as where it is thinnest a tapered wall may be at a sample that represents no area."""
 
 _MOST_STEEP = np.tan(NONPARALLEL_BELOW)
 
@@ -47,6 +56,8 @@ class ThinPlaces:
     is_tapered, is_at_edge : ndarray of shape (k,), bool
         Whether the two sides are at 10 to 60 degrees there; and whether they meet in a sharp edge, so that the wall is told
         from `depth` beside it on.
+    width : ndarray of shape (k,)
+        Of a taper, in its thicknesses, as far as samples show; inf for others.
     depth : float, mm
     edges_mm : float, mm
         Length of the sharp edges, at which faces meet under less than `WALL_BELOW`.
@@ -56,6 +67,7 @@ class ThinPlaces:
     samples: np.ndarray = dataclass_field(default_factory=lambda: np.zeros(0, dtype=np.int64))
     is_tapered: np.ndarray = dataclass_field(default_factory=lambda: np.zeros(0, dtype=bool))
     is_at_edge: np.ndarray = dataclass_field(default_factory=lambda: np.zeros(0, dtype=bool))
+    width: np.ndarray = dataclass_field(default_factory=lambda: np.zeros(0))
     depth: float = 0.0
     edges_mm: float = 0.0
 
@@ -64,10 +76,24 @@ class ThinPlaces:
         """ndarray of shape (k,), mm."""
         return np.zeros(0) if self.field is None else self.field.distance[self.samples]
 
+    @property
+    def is_narrow(self):
+        """ndarray of shape (k,), bool: what is narrower than it is thick, such as a chamfer, is no wall."""
+        return self.width < 1.0
+
+    @property
+    def may_be(self):
+        """ndarray of shape (k,), mm: how thin each may be near its sample, where it is a taper."""
+        if self.field is None:
+            return np.zeros(0)
+        slope = np.tan(self.field.wedge_angle[self.samples])
+        thinner = np.minimum(self.distance / MAY_BE_THINNER, self.distance - slope * np.sqrt(self.field.area[self.samples]))
+        return np.where(self.is_tapered, thinner, self.distance)
+
     def chosen(self, which):
         """Some of them, by a mask or numbers: ThinPlaces."""
         return replace(self, samples=self.samples[which], is_tapered=self.is_tapered[which],
-                       is_at_edge=self.is_at_edge[which])
+                       is_at_edge=self.is_at_edge[which], width=self.width[which])
 
     def witness(self, number) -> Witness:
         """Where one of them is thinnest: Witness."""
@@ -95,13 +121,13 @@ def thin_places(field, rays, width):
     whole, at_depth = _probed(field, rays, depth)
     pair, faces = _pairs(whole)
     lengths = _edge_lengths(mesh, edges, faces)
-    counted = _counted(whole, edges, at_depth, pair, lengths, depth)
+    counted, width = _counted(whole, edges, at_depth, pair, lengths, depth)
     ends_in_edge = lengths >= 2.0 * depth
     over = np.flatnonzero(counted & ~at_depth)
     least = first_of_extent(whole, over, pair[over], np.full(len(faces), depth * depth))
     beside = np.flatnonzero(counted & at_depth & ends_in_edge[pair])
     least = _thinner(whole, least, _first_of_pairs(whole, beside, pair, len(faces)))
-    is_edge = (whole.wedge_angle[least] >= WALL_BELOW - _ROUNDING) & (ends_in_edge | (whole.distance[least] < depth))
+    is_edge = is_blunt_edge(whole.wedge_angle[least], np.where(ends_in_edge, 0.0, whole.distance[least]), depth)
     samples = least[(least >= 0) & ~is_edge]
     if not mesh.has_faces:
         whole = _between_facets(whole, rays, samples)
@@ -109,8 +135,22 @@ def thin_places(field, rays, width):
     # However short the edge is at which two faces meet, just beside it their wall is no thicker than it is told there.
     at_edge = ends_in_edge[pair[samples]] | (
         (lengths[pair[samples]] > 0.0) & edges.are_near(whole.samples.points[samples], BESIDE_EDGE * depth))
-    return ThinPlaces(whole, samples, ~whole.parallel[samples], at_edge, depth,
+    return ThinPlaces(whole, samples, ~whole.parallel[samples], at_edge, width[pair[samples]], depth,
                       float(edges.under(WALL_BELOW - _ROUNDING).lengths.sum()))
+
+
+def is_blunt_edge(angle, distance, depth):
+    """Whether a taper is only an edge, broken or not, that is no wall: ndarray of bool, or bool.
+
+    Parameters
+    ----------
+    angle : ndarray or float, radians
+        Between its sides.
+    distance : ndarray or float, mm
+        How thin it is.
+    depth : float, mm
+    """
+    return (angle >= WALL_BELOW - _ROUNDING) & (distance < depth)
 
 
 def _probed(field, rays, depth):
@@ -125,12 +165,18 @@ def _probed(field, rays, depth):
 
 
 def _counted(field, edges, at_depth, pair, lengths, depth):
-    """Which samples lie over a wall, and no nearer than `depth` to a sharp edge: ndarray of shape (m,), bool."""
+    """Which samples lie over a wall, and no nearer than `depth` to a sharp edge: ndarray of shape (m,), bool.
+
+    And how wide tapers are, in their thicknesses: ndarray of shape (p,), inf for those that end in a sharp edge.
+    """
     wall = (field.parallel | field.nonparallel) & (field.distance > LEAST * depth)
     counted = wall.copy()
     close = np.flatnonzero(wall & ~at_depth & (field.distance < _MOST_STEEP * depth))
     counted[close[edges.are_near(field.samples.points[close], 0.99 * depth)]] = False
-    return counted & _are_walls(field, pair, wall, counted, lengths > 0.0)[pair]
+    round_off, width = _shapes(field, pair, wall, counted)
+    width = np.where(lengths > 0.0, np.inf, width)
+    is_broken = (width < SURELY_NARROW) & (np.bincount(pair[wall], minlength=len(width)) >= SEEN_WELL)
+    return counted & (at_depth | ~round_off[pair]) & ~is_broken[pair], width
 
 
 def _first_of_pairs(field, samples, pair, count):
@@ -176,20 +222,24 @@ def _pairs(field):
     return number.ravel(), np.stack([keys // count, keys % count], axis=1)
 
 
-def _are_walls(field, pair, wall, counted, ends_in_edge):
-    """Whether pairs of faces enclose a wall, rather than a rounded or a broken edge: ndarray of shape (p,), bool."""
-    count = len(ends_in_edge)
-    least, greatest, steep = np.full(count, np.inf), np.zeros(count), np.full(count, np.inf)
+def _shapes(field, pair, wall, counted):
+    """Whether pairs of faces round off: ndarray of shape (p,), bool; and how wide tapers are, in thicknesses: shape (p,)."""
+    count = int(pair.max(initial=-1)) + 1
+    least, steep = np.full(count, np.inf), np.full(count, np.inf)
     np.minimum.at(least, pair[counted], field.distance[counted])
-    np.maximum.at(greatest, pair[wall], field.distance[wall])
     beyond = (field.opposite >= 0) & (field.wedge_angle >= NONPARALLEL_BELOW) & (field.area > 0.0)
     np.minimum.at(steep, pair[beyond], field.distance[beyond])
     number = np.bincount(pair[wall], minlength=count)
     angle = np.bincount(pair[wall], field.wedge_angle[wall], count) / np.maximum(number, 1)
-    width = (greatest - least) / np.tan(np.clip(angle, 1e-9, NONPARALLEL_BELOW))
-    rounds_off = steep < least
-    is_broken = (angle > PARALLEL_BELOW) & (width < least) & ~ends_in_edge
-    return ~rounds_off & ~is_broken
+    # Across the one side and across the other one, the same wall is not as thick.
+    side = 2 * pair + (field.face < field.mesh.face_of_triangle[np.maximum(field.opposite, 0)])
+    thinnest, thickest = np.full(2 * count, np.inf), np.zeros(2 * count)
+    np.minimum.at(thinnest, side[counted], field.distance[counted])
+    np.maximum.at(thickest, side[wall], field.distance[wall])
+    growth = np.maximum(thickest - thinnest, 0.0).reshape(-1, 2).max(axis=1)
+    width = growth / np.tan(np.clip(angle, 1e-9, NONPARALLEL_BELOW))
+    is_taper = (angle > PARALLEL_BELOW) & np.isfinite(least)
+    return steep < least, np.divide(width, least, out=np.full(count, np.inf), where=is_taper)
 
 
 def _edge_lengths(mesh, edges, faces):

@@ -16,8 +16,8 @@ from .thin_places import LEAST
 MOST_TRIED = 12
 """Places that are looked for in the part's own geometry, from the thinnest on."""
 
-_MAY_BE_THINNER = 1.5
-"""How many times as thick as where it is thinnest a tapered wall may be at the sample nearest to that."""
+_MOST_IN_VAIN = 5
+"""Such places, one after the other, none of which is much thinner than what is known: then the others are not either."""
 
 _MOST_COUNTED = 1000
 """Pairs of faces that are told apart as places."""
@@ -76,36 +76,45 @@ def thinnest_place(parallel, places, confirmed=None):
         The thinnest wall between parallel sides.
     places : ThinPlaces
     confirmed : callable, optional
-        Called with a `Witness`, its kind, the number of its sample in `ThinPlaces.field` and the thickness, mm, under which
-        it would be the thinnest; returns the wall as the geometry of the part has it, None where there is none, and its
-        kind.
+        Called with a `Witness`, its kind, its number among the places and the thickness, mm, under which it would be the
+        thinnest; returns the wall as the geometry of the part has it, None where there is none, and its kind. Without it,
+        what `ThinPlaces.is_narrow` has for a chamfer is none.
     """
     best, kind, apart = parallel, PARALLEL, parallel
-    kept, at_edge = np.ones(len(places.samples), dtype=bool), places.is_at_edge.copy()
-    tried = {True: 0, False: 0}
-    for number in np.argsort(places.is_at_edge, kind="stable"):
-        found, own, is_at_edge = places.witness(number), _kind(places, number), bool(places.is_at_edge[number])
-        least = best if is_at_edge else apart
-        if tried[is_at_edge] == MOST_TRIED or (
-                least is not None and found.distance >= (_MAY_BE_THINNER if own == TAPERED else 1.0) * least.distance):
+    kept, at_edge, width = np.ones(len(places.samples), dtype=bool), places.is_at_edge.copy(), places.width.copy()
+    turn = np.where(places.is_at_edge, 2, places.is_narrow)
+    tried, in_vain = np.zeros(3, dtype=int), np.zeros(3, dtype=int)
+    for number in np.argsort(turn, kind="stable"):
+        found, own, own_turn = places.witness(number), _kind(places, number), turn[number]
+        least = best if places.is_at_edge[number] else apart
+        if tried[own_turn] == MOST_TRIED or in_vain[own_turn] == _MOST_IN_VAIN or (
+                least is not None and places.may_be[number] >= least.distance):
             continue
-        tried[is_at_edge] += 1
+        if confirmed is None and places.is_narrow[number]:
+            continue
+        tried[own_turn] += 1
+        in_vain[own_turn] += 1
         wall, own = (found, own) if confirmed is None else confirmed(
-            found, own, int(places.samples[number]), np.inf if least is None else least.distance)
+            found, own, number, np.inf if least is None else least.distance)
         at_edge[number] = own == EDGE
+        if confirmed is not None:
+            width[number] = np.inf
         kept[number] = wall is not None and (own == EDGE or wall.distance > LEAST * places.depth)
         if not kept[number]:
             continue
+        known = best if own == EDGE else apart
+        if known is None or wall.distance < (1.0 - NEARLY) * known.distance:
+            in_vain[own_turn] = 0
         if own != EDGE and (apart is None or wall.distance < apart.distance):
             apart = wall
         if best is None or wall.distance < best.distance:
             best, kind = wall, own
-    places = replace(places, is_at_edge=at_edge)
+    places = replace(places, is_at_edge=at_edge, width=width)
     if best is None:
         return None, places
-    left = places.chosen(kept & (places.distance >= best.distance * (1.0 - NEARLY)))
+    left = places.chosen(kept & (places.is_narrow | (places.distance >= best.distance * (1.0 - NEARLY))))
     below = _rounded_up(TOLERANCES.alike * best.distance)
-    count = max(1, _count(left, below))
+    count = max(1, _count(left.chosen(~left.is_narrow), below))
     return ThinnestPlace(best, kind, places.depth, places.edges_mm, apart, below, count), left
 
 

@@ -3,8 +3,10 @@
 
 from typing import NamedTuple, Optional
 
+from ...core.descriptors.wall_kinds import EDGE, PARALLEL, TAPERED
 from ...core.walls.face_thickness import Witness
-from ...core.walls.walls import NONPARALLEL_BELOW
+from ...core.walls.thin_places import is_blunt_edge
+from ...core.walls.walls import NONPARALLEL_BELOW, PARALLEL_BELOW
 from .edge_wall import exact_edge_wall
 from .exact_taper import exact_taper
 from .exact_wall import exact_wall
@@ -19,14 +21,14 @@ class ExactPlace(NamedTuple):
     ----------
     wall : Witness or None
         None where OCC finds none.
-    ends_in_edge : bool
-        Whether it ends in a sharp edge, so that it is told at a depth beside it.
+    kind : str or None
+        One of `WALL_KINDS`: `EDGE` where it is told at a depth beside a sharp edge; None where it is not known.
     is_wall : bool
-        False where the two faces enclose no wall after all, but round off.
+        False where the two faces enclose no wall after all, but round off, or break an edge.
     """
 
     wall: Optional[Witness] = None
-    ends_in_edge: bool = False
+    kind: Optional[str] = None
     is_wall: bool = True
 
 
@@ -49,20 +51,20 @@ def exact_place(solid, wall, error, ends_in_edge, depth, step, least):
         The thinnest that is known of the part; what is no thinner, such as an equal tooth, is not searched to the end.
     """
     if ends_in_edge:
-        return ExactPlace(exact_edge_wall(solid, wall, depth), True)
+        return ExactPlace(exact_edge_wall(solid, wall, depth), EDGE)
     approach = nearest_approach(solid, wall, depth)
     if approach.meets:
         beside = exact_edge_wall(solid, wall, depth)
-        return ExactPlace(beside, True, beside is not None)
+        return ExactPlace(beside, EDGE, beside is not None)
     if not approach.is_wall:
         return ExactPlace(is_wall=False)
-    if approach.wall is not None:
-        return ExactPlace(approach.wall)
-    found = _along_normals(solid, wall, approach.ends, step, depth, least)
+    found = approach.wall or _along_normals(solid, wall, approach.ends, step, depth, least)
     if found is None:
         return ExactPlace(exact_wall(solid, wall, error))
-    rounds_off = wedge_angle((solid.Faces[found.face], solid.Faces[found.opposite_face]), found) >= NONPARALLEL_BELOW
-    return ExactPlace(is_wall=False) if rounds_off else ExactPlace(found)
+    angle = wedge_angle((solid.Faces[found.face], solid.Faces[found.opposite_face]), found)
+    if angle >= NONPARALLEL_BELOW or is_blunt_edge(angle, found.distance, depth):
+        return ExactPlace(is_wall=False)
+    return ExactPlace(found, PARALLEL if angle < PARALLEL_BELOW else TAPERED)
 
 
 def _along_normals(solid, wall, nearest, step, depth, least):

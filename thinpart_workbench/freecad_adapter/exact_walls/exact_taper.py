@@ -4,7 +4,7 @@
 import numpy as np
 
 from ...core.walls.thin_places import LEAST
-from .face_places import common_edges, distance_to_edge, parameters
+from .face_places import common_edges, distance_to_edge, parameters, parameters_per_mm
 from .wall_lines import WallLines, below
 
 _ON_THE_WAY = np.append(np.linspace(0.125, 0.875, 7), 1.0 - 1e-6)
@@ -39,7 +39,7 @@ def exact_taper(solid, wall, step, depth, towards=None, least=np.inf):
     if start is None:
         return None
     lines = WallLines(solid, wall, LEAST * depth)
-    per_mm = _parameters_per_mm(face, start)
+    per_mm = parameters_per_mm(face, start)
 
     def at(place, thinner_than=np.inf):
         place = float(place[0]), float(place[1])
@@ -76,9 +76,3 @@ def exact_taper(solid, wall, step, depth, towards=None, least=np.inf):
                     best, place, moved = found, other, True
         step *= 0.5
     return best
-
-
-def _parameters_per_mm(face, place):
-    """ndarray of shape (2,): parameters of a surface by which a place moves on by a millimetre."""
-    along, across = (np.linalg.norm(np.array(each)) for each in face.derivative1At(*place))
-    return 1.0 / np.maximum([along, across], 1e-12)

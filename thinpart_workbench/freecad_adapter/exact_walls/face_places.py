@@ -5,6 +5,9 @@ import numpy as np
 
 from ..bootstrap import load_freecad
 
+_MOST_PARAMETERS = 100.0
+"""Parameters by which a place moves on by a millimetre, at most, in ranges of the face, which may be small."""
+
 
 def parameters(face, point):
     App = load_freecad()
@@ -12,6 +15,18 @@ def parameters(face, point):
         return tuple(map(float, face.Surface.parameter(App.Vector(*point))))
     except (RuntimeError, ValueError):
         return None
+
+
+def parameters_per_mm(face, place):
+    """ndarray of shape (2,): parameters of a surface by which a place moves on by a millimetre.
+
+    At the pole of a ball or the tip of a cone no change of one of them moves it: that one is bounded. OCC takes minutes to
+    bring an angle of a million turns back to the first one.
+    """
+    along, across = (np.linalg.norm(np.array(each)) for each in face.derivative1At(*place))
+    first, last, low, high = face.ParameterRange
+    most = _MOST_PARAMETERS * np.array([last - first, high - low])
+    return np.minimum(1.0 / np.maximum([along, across], np.finfo(float).tiny), most)
 
 
 def normals(faces, points):

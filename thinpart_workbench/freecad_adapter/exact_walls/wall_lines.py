@@ -12,7 +12,7 @@ _MOST_LINES = 250
 """Lines through the shape for one wall."""
 
 _FACTOR = 2.0
-"""How many times as thick as the facets said a wall may be, and how many times as thin."""
+"""How many times as thick as the facets said a wall may be, and how many times as thin, where nothing else is known."""
 
 
 class WallLines:
@@ -24,12 +24,15 @@ class WallLines:
     wall : Witness
     least : float, mm, optional
         What is no thicker is another wall: half of this one by default.
+    factor : float, optional
+        How many times as thick as this one it may be.
     """
 
-    def __init__(self, solid, wall, least=None):
+    def __init__(self, solid, wall, least=None, factor=_FACTOR):
         self.face, self.opposite = solid.Faces[wall.face], solid.Faces[wall.opposite_face]
         self._wall, self.left = wall, _MOST_LINES
         self._least = wall.distance / _FACTOR if least is None else least
+        self._reach = factor * wall.distance
 
     def through(self, place, thinner_than=np.inf):
         """The wall under a place of the face, by its parameters: Witness.
@@ -46,10 +49,10 @@ class WallLines:
             way = -normal * np.sign(normal @ (wall.point - wall.opposite))
             if not np.isfinite(way).all() or not way.any():
                 return None
-            line = Part.LineSegment(App.Vector(*start), App.Vector(*(start + _FACTOR * wall.distance * way)))
+            line = Part.LineSegment(App.Vector(*start), App.Vector(*(start + self._reach * way)))
             ends = surface_crossings(line, self.opposite)
             lengths = [float((np.array(end) - start) @ way) for end in ends]
-            most = min(_FACTOR * wall.distance, thinner_than)
+            most = min(self._reach, thinner_than)
             length = next((lengths[end] for end in np.argsort(lengths)
                            if self._least < lengths[end] < most and is_on(self.opposite, ends[end])), None)
         except (RuntimeError, ValueError, ArithmeticError):  # OCC's own errors are RuntimeErrors: no normal there

@@ -13,6 +13,7 @@ from ...core.mesh.thinned_facets import thinned_facets
 from ...core.message import message
 from ..exact_walls.exact_place import ExactPlace, exact_place
 from ..exact_walls.exact_wall import exact_wall
+from ..exact_walls.wall_width import is_as_wide_as_thick
 from ..tessellating.surface_types import face_surfaces
 from .brep_file import write_brep
 from .edge_lengths import edge_lengths
@@ -110,6 +111,10 @@ class SolidPart(Part):
         """The thinnest place near a wall between facets, as the faces have it: ExactPlace; see `exact_place`."""
         return exact_place(self.shape, wall, error, ends_in_edge, depth, step, least)
 
+    def is_as_wide_as_thick(self, wall, seems_wide):
+        """Whether a tapered wall is more than a broken edge: bool; see `is_as_wide_as_thick`."""
+        return is_as_wide_as_thick(self.shape, wall)
+
     def nearest_points(self):
         """What finds the points of its faces nearest to others: `NearestOnSolid`."""
         return NearestOnSolid(self.shape)
@@ -161,7 +166,11 @@ class MeshedPart(Part):
 
     def exact_place(self, wall, error, ends_in_edge, depth, step, least):
         """The wall as it is, as `exact_wall`: ExactPlace."""
-        return ExactPlace(wall, ends_in_edge)
+        return ExactPlace(wall)
+
+    def is_as_wide_as_thick(self, wall, seems_wide):
+        """As samples show it."""
+        return seems_wide
 
     def nearest_points(self):
         """What finds its points nearest to others: `NearestOnTriangles`."""

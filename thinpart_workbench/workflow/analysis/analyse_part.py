@@ -10,7 +10,7 @@ import numpy as np
 
 from ...core.analysis_settings import MOST_TRIANGLES, PAIRS
 from ...core.descriptors.descriptor_table import body_thickness
-from ...core.descriptors.wall_kinds import EDGE
+from ...core.descriptors.wall_kinds import EDGE, TAPERED
 from ...core.errors import MeshError, ThinPartError
 from ...core.figures import Length
 from ...core.judging.classification import classify
@@ -26,6 +26,7 @@ from ...core.sizing.mesh_hazards import mesh_hazards
 from ...core.thickness.measured_precision import chords_of, precision_of
 from ...core.thickness.measurement import measure
 from ...core.walls.face_thickness import face_thicknesses, witness_of
+from ...core.walls.thin_places import SURELY_WIDE
 from ...core.walls.thinnest_place import MOST_TRIED, WallErrors
 from ...core.walls.thinnest_wall import touching_sample
 from ...system.exit_cause import is_out_of_memory
@@ -239,15 +240,18 @@ def _with_confirmed_place(part, measurement, resolution, error_bound):
 
     Returns it and its WallErrors.
     """
-    field = measurement.places.field
+    places = measurement.places
 
-    def confirmed(wall, kind, sample, least):
-        place = part.exact_place(wall, resolution.error, kind == EDGE, measurement.places.depth, _facet_size(field, sample),
-                                 least)
+    def confirmed(wall, kind, number, least):
+        step = _facet_size(places.field, places.samples[number])
+        place = part.exact_place(wall, resolution.error, kind == EDGE, places.depth, step, least)
         if not place.is_wall:
             return None, kind
         doubtful = wall.distance <= DOUBTFUL * resolution.error
-        return place.wall or (None if doubtful else wall), EDGE if place.ends_in_edge else kind
+        found, kind = place.wall or (None if doubtful else wall), place.kind or kind
+        width = places.width[number]
+        is_asked = kind == TAPERED and width < SURELY_WIDE and found is not None and found.distance < least
+        return None if is_asked and not part.is_as_wide_as_thick(found, width >= 1.0) else found, kind
 
     measurement = measurement.with_thinnest_place(confirmed)
     placed = measurement.thinnest

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whether a tapered wall is as wide as it is thick, or only a broken edge."""
+
+import numpy as np
+
+from ...core.walls.walls import NONPARALLEL_BELOW
+from .face_places import normals, parameters, parameters_per_mm, wedge_angle
+from .wall_lines import WallLines
+
+_AS_WIDE = 0.98
+"""Width, in thicknesses, from which on a taper is a wall: not quite 1, so that a square counts however it is rounded."""
+
+_FIRST_STEP, _LAST_STEP, _LONGER = 0.5, 0.05, 1.5
+"""Steps across a face, in thicknesses, and how much longer the next one is after one that led on."""
+
+_GROWS = 1e-4
+"""Share by which a wall is thicker after a step that leads on."""
+
+_MOST = 5.0
+"""How many times as thick a wall may get on the way: at 60 degrees, 2.7 times, and twice as thick across the other face."""
+
+_WAYS = tuple((np.cos(way), np.sin(way)) for way in np.radians(np.arange(0.0, 360.0, 45.0)))
+
+
+def is_as_wide_as_thick(solid, wall):
+    """Whether a tapered wall goes on, where it gets thicker, until it is as wide as it is thick: bool.
+
+    A chamfer does not: it is narrower than the part is thick there. The width is along the way by which the thickness
+    grows most; or, where the two sides part along another one as on a thread that runs out, that over which it grows as
+    much at the angle of the sides.
+
+    Parameters
+    ----------
+    solid : Part.Solid
+    wall : Witness
+        Where the taper is thinnest.
+    """
+    return any(_gets_wide(solid, side) for side in (wall, wall.turned))
+
+
+def _gets_wide(solid, wall):
+    """Whether the wall does so across its first face: bool."""
+    faces = solid.Faces[wall.face], solid.Faces[wall.opposite_face]
+    across, place = normals(faces, (wall.point, wall.opposite)), parameters(faces[0], wall.point)
+    lines = WallLines(solid, wall, 0.0, _MOST)
+    here = None if across is None or place is None else lines.through(place)
+    if here is None:
+        return False
+    width, steepest = _AS_WIDE * wall.distance, _steepest(*across, wall.opposite - wall.point)
+    enough = here.distance + width * np.tan(wedge_angle(faces, wall))
+    per_mm, thickness, step = parameters_per_mm(faces[0], place), here.distance, _FIRST_STEP * wall.distance
+    while step > _LAST_STEP * wall.distance and lines.left > 0:
+        thicker, onward = thickness * (1.0 + _GROWS), None
+        for way in _WAYS:
+            other = tuple(np.array(place) + step * np.array(way) * per_mm)
+            found = lines.through(other) if faces[0].isPartOfDomain(*other) else None
+            if found is not None and found.distance > thicker and wedge_angle(faces, found) < NONPARALLEL_BELOW:
+                thicker, onward = found.distance, other
+                moved = found.point - wall.point
+                if moved @ steepest >= width or thicker >= enough and np.linalg.norm(moved) >= width:
+                    return True
+        if onward is None:
+            step *= 0.5
+        else:
+            place, thickness, step = onward, thicker, _LONGER * step
+    return False
+
+
+def _steepest(here, there, through):
+    """Unit vector along a face, ndarray of shape (3,), by which the wall gets thicker most; zeros where it is parallel.
+
+    Parameters
+    ----------
+    here, there : ndarray of shape (3,)
+        Normals of the face and of the opposite one.
+    through : ndarray of shape (3,)
+        From the face to the opposite one.
+    """
+    outward = there * np.sign(there @ through)
+    way = (outward @ here) * here - outward
+    return way / max(float(np.linalg.norm(way)), np.finfo(float).tiny)
