@@ -3,6 +3,7 @@
 
 import math
 
+from benchmarks.plot_file import LICENCE
 from thinpart_workbench.core.foreign_text import xml_text
 
 POOR_LEAST = 1e-5
@@ -30,7 +31,7 @@ def meshing_plot(groups):
     groups = [(title, sorted(parts, key=_order)) for title, parts in groups if parts]
     rows = sum(len(parts) for _, parts in groups) + 2 * len(groups)
     height = _TOP + _ROW * rows + 30
-    out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {_WIDTH} {height}" font-family="sans-serif" '
+    out = [LICENCE, f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {_WIDTH} {height}" font-family="sans-serif" '
            f'font-size="11" fill="{_TEXT}">', f'<rect width="{_WIDTH}" height="{height}" fill="#ffffff"/>',
            *_legend(), *_axis(_LEFT, "elements with gamma under 0.3", _POOR_TICKS, _poor_place, height),
            *_axis(_LEFT + _PLOT + _GAP, "thin walls with the wanted layers", _LAYER_TICKS, _share_place, height)]

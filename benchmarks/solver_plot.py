@@ -8,6 +8,7 @@ matplotlib.use("svg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+from benchmarks.plot_file import save_plot
 from benchmarks.solver_tables import groupings
 from thinpart_workbench.workflow.learning.validation import share_of
 from thinpart_workbench.workflow.solving.mesh_trouble import ERROR
@@ -37,7 +38,7 @@ def write_plot(parts, profiles, file):
             _draw_errors(errors, row, members, _COLOURS[category])
             _draw_share(shares, row, members, _COLOURS[category])
         _dress(errors, shares, groups)
-        figure.savefig(file, format="svg", metadata={"Date": None, "Creator": None})
+        save_plot(figure, file)
         plt.close(figure)
 
 

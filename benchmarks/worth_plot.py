@@ -8,6 +8,7 @@ matplotlib.use("svg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+from benchmarks.plot_file import save_plot
 from benchmarks.worth_tables import ERRORS, LEAST_ERROR, UNIFORM
 
 _MOST = 2.0
@@ -44,5 +45,5 @@ def write_plot(parts, file):
         axes.set_ylabel("greatest error of six frequencies and a deflection")
         axes.set_yticks([0.001, 0.01, 0.02, 0.1, 1.0], ["0.1 %", "1 %", "2 %", "10 %", "100 %"])
         axes.legend(frameon=False)
-        figure.savefig(file, format="svg", metadata={"Date": None, "Creator": None})
+        save_plot(figure, file)
         plt.close(figure)

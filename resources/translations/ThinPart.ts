@@ -5504,10 +5504,6 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Thin below</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Thin part</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5568,11 +5564,11 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Thinnest {thinnest}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long.</source>
+        <source>Thinnest {thinnest}, {depth:.2g} beside a sharp edge</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Thinnest {thinnest}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long. Apart from them, the thinnest wall is {walls}.</source>
+        <source>Thinnest {thinnest}, {depth:.2g} beside a sharp edge; {count} places below {below:.2g}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5836,6 +5832,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>beside a sharp edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>block</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5985,6 +5985,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>has notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in a taper</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6552,6 +6556,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{count} criteria</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{count} documents have no info file and are not on this page: 'thinpart classify' measures them.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7093,6 +7101,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{quantity} = {value:.3g}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{said} Apart from them, the thinnest wall is {walls}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -5506,10 +5506,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Dicke durch</translation>
     </message>
     <message>
-        <source>Thin below</source>
-        <translation>Dünn unter</translation>
-    </message>
-    <message>
         <source>Thin part</source>
         <translation>Dünnwandiges Bauteil</translation>
     </message>
@@ -5570,12 +5566,12 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Dünnste Wand {thinnest}; {count} Stellen unter {below:.2g}</translation>
     </message>
     <message>
-        <source>Thinnest {thinnest}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long.</source>
-        <translation>Dünnste Stelle {thinnest}, {depth:.2g} neben einer scharfen Kante; scharfe Kanten sind {edges} lang.</translation>
+        <source>Thinnest {thinnest}, {depth:.2g} beside a sharp edge</source>
+        <translation>Dünnste Stelle {thinnest}, {depth:.2g} neben einer scharfen Kante</translation>
     </message>
     <message>
-        <source>Thinnest {thinnest}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long. Apart from them, the thinnest wall is {walls}.</source>
-        <translation>Dünnste Stelle {thinnest}, {depth:.2g} neben einer scharfen Kante; scharfe Kanten sind {edges} lang. Ohne sie ist die dünnste Wand {walls}.</translation>
+        <source>Thinnest {thinnest}, {depth:.2g} beside a sharp edge; {count} places below {below:.2g}</source>
+        <translation>Dünnste Stelle {thinnest}, {depth:.2g} neben einer scharfen Kante; {count} Stellen unter {below:.2g}</translation>
     </message>
     <message>
         <source>Thinnest, {unit}</source>
@@ -5838,6 +5834,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>unter {share}</translation>
     </message>
     <message>
+        <source>beside a sharp edge</source>
+        <translation>neben einer scharfen Kante</translation>
+    </message>
+    <message>
         <source>block</source>
         <translation>Block</translation>
     </message>
@@ -5988,6 +5988,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>has notes</source>
         <translation>hat Notizen</translation>
+    </message>
+    <message>
+        <source>in a taper</source>
+        <translation>keilförmig</translation>
     </message>
     <message>
         <source>it cannot be unpacked</source>
@@ -6554,6 +6558,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{count:.0f} Kanten kürzer als {limit}, die kürzeste {shortest}, 1/{part:.0f} eines Elements</translation>
     </message>
     <message>
+        <source>{count} criteria</source>
+        <translation>{count} Kriterien</translation>
+    </message>
+    <message>
         <source>{count} documents have no info file and are not on this page: 'thinpart classify' measures them.</source>
         <translation>{count} Dokumente haben keine Infodatei und fehlen auf dieser Seite: „thinpart classify“ misst sie.</translation>
     </message>
@@ -7096,6 +7104,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{quantity} = {value:.3g}</source>
         <translation>{quantity} = {value:.3g}</translation>
+    </message>
+    <message>
+        <source>{said} Apart from them, the thinnest wall is {walls}.</source>
+        <translation>{said} Ohne sie ist die dünnste Wand {walls}.</translation>
     </message>
     <message>
         <source>{said} So thin a place, {share} of the median of {median}, is often an error of the model: look at it.</source>

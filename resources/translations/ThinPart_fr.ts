@@ -5506,10 +5506,6 @@ Son volume est inconnu.</translation>
         <translation>Épaisseur par</translation>
     </message>
     <message>
-        <source>Thin below</source>
-        <translation>Mince sous</translation>
-    </message>
-    <message>
         <source>Thin part</source>
         <translation>Pièce mince</translation>
     </message>
@@ -5570,12 +5566,12 @@ Son volume est inconnu.</translation>
         <translation>Paroi la plus mince {thinnest} ; {count} endroits sous {below:.2g}</translation>
     </message>
     <message>
-        <source>Thinnest {thinnest}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long.</source>
-        <translation>Endroit le plus mince {thinnest}, à {depth:.2g} d’une arête vive ; les arêtes vives mesurent {edges}.</translation>
+        <source>Thinnest {thinnest}, {depth:.2g} beside a sharp edge</source>
+        <translation>Endroit le plus mince {thinnest}, à {depth:.2g} d’une arête vive</translation>
     </message>
     <message>
-        <source>Thinnest {thinnest}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long. Apart from them, the thinnest wall is {walls}.</source>
-        <translation>Endroit le plus mince {thinnest}, à {depth:.2g} d’une arête vive ; les arêtes vives mesurent {edges}. En dehors d’elles, la paroi la plus mince est de {walls}.</translation>
+        <source>Thinnest {thinnest}, {depth:.2g} beside a sharp edge; {count} places below {below:.2g}</source>
+        <translation>Endroit le plus mince {thinnest}, à {depth:.2g} d’une arête vive ; {count} endroits sous {below:.2g}</translation>
     </message>
     <message>
         <source>Thinnest, {unit}</source>
@@ -5838,6 +5834,10 @@ Son volume est inconnu.</translation>
         <translation>moins de {share}</translation>
     </message>
     <message>
+        <source>beside a sharp edge</source>
+        <translation>près d’une arête vive</translation>
+    </message>
+    <message>
         <source>block</source>
         <translation>bloc</translation>
     </message>
@@ -5988,6 +5988,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>has notes</source>
         <translation>a des notes</translation>
+    </message>
+    <message>
+        <source>in a taper</source>
+        <translation>dans un coin</translation>
     </message>
     <message>
         <source>it cannot be unpacked</source>
@@ -6554,6 +6558,10 @@ Son volume est inconnu.</translation>
         <translation>{count:.0f} arêtes plus courtes que {limit}, la plus courte {shortest}, 1/{part:.0f} d'un élément</translation>
     </message>
     <message>
+        <source>{count} criteria</source>
+        <translation>{count} critères</translation>
+    </message>
+    <message>
         <source>{count} documents have no info file and are not on this page: 'thinpart classify' measures them.</source>
         <translation>{count} documents n’ont pas de fichier d’information et manquent sur cette page : « thinpart classify » les mesure.</translation>
     </message>
@@ -7096,6 +7104,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{quantity} = {value:.3g}</source>
         <translation>{quantity} = {value:.3g}</translation>
+    </message>
+    <message>
+        <source>{said} Apart from them, the thinnest wall is {walls}.</source>
+        <translation>{said} En dehors d’elles, la paroi la plus mince est de {walls}.</translation>
     </message>
     <message>
         <source>{said} So thin a place, {share} of the median of {median}, is often an error of the model: look at it.</source>

@@ -6,7 +6,7 @@ import pytest
 
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
 from thinpart_workbench.core.mesh.surface_mesh import surface_mesh
-from thinpart_workbench.core.record.thin_faces import limit_in_millimetres, thin_face_colours, with_limit
+from thinpart_workbench.core.record.thin_faces import limit_in_millimetres, shown_limit_mm, thin_face_colours, with_limit
 from thinpart_workbench.core.thickness.measurement import measure
 from thinpart_workbench.core.walls.face_thickness import face_thicknesses, thin_shares
 
@@ -47,3 +47,10 @@ def test_another_limit_changes_what_is_shown_and_nothing_else():
     ({"millimetres": 2.0}, 2.0), ({"share": 0.05}, 5.0), ({"millimetres": 5000.0}, 100.0)])
 def test_a_limit_in_mm_or_as_a_share(limit, expected):
     assert limit_in_millimetres(limit, 100.0) == expected
+
+
+@pytest.mark.parametrize("limit, median, shown", [
+    (22.8, 1.4, 1.8),  # a sheet: that its walls are thinner than a tenth of its width says nothing of them
+    (22.8, 20.0, 22.8), (5.0, 2.0, 5.0), (5.0, None, 5.0), (None, 2.0, None)])
+def test_walls_of_a_sheet_are_shown_under_a_limit_that_is_about_them(limit, median, shown):
+    assert shown_limit_mm({"thin_limit_mm": limit, "descriptors": {"thickness_mm": {"median": median}}}) == shown

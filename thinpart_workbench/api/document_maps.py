@@ -9,7 +9,7 @@ import numpy as np
 
 from ..core.analysis_settings import RAY
 from ..core.maps.map_summary import thickness_range, typical_range
-from ..core.record.thin_faces import limit_in_millimetres
+from ..core.record.thin_faces import limit_in_millimetres, shown_limit_mm
 from ..freecad_adapter.objects.thickness_object import ThicknessObject, unit_in_mm
 from ..freecad_adapter.objects.thickness_probes import carried_probes, probes_of, set_probes
 from ..freecad_adapter.preferences import preferred_thin_limit
@@ -169,5 +169,5 @@ def _thin_limit_mm(parts):
     preferred_limit = preferred_thin_limit()
     if preferred_limit is not None:
         return min(limit_in_millimetres(preferred_limit, part.record["descriptors"]["diagonal_mm"]) for part in parts)
-    limits = [part.record.get("thin_limit_mm") for part in parts]
+    limits = [shown_limit_mm(part.record) for part in parts if "descriptors" in part.record]
     return min((limit for limit in limits if limit), default=0.0)

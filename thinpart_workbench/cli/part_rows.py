@@ -11,6 +11,7 @@ from ..core.judging.paper_verdict import paper_sentence
 from ..core.number_text import percent
 from ..core.record.checked_walls import walls_of
 from ..core.record.thinnest_sentence import thinnest_kind
+from ..core.record.verdict_chances import open_between
 from ..core.risk.risk_sentence import risk_sentence
 from ..storage.part_table import checked_row, failed_row, part_table, write_table
 from .check_options import check_columns, check_remarks
@@ -49,10 +50,10 @@ def _thinnest(part):
 
 def _between(part):
     """Between which categories an unsure verdict is, the likelier first; empty where it is sure, or has no probabilities."""
-    if not (part["borderline"] and part.get("probabilities")):
+    between = open_between(part)
+    if between is None:
         return ""
-    first, second = sorted(part["probabilities"], key=lambda each: -each["probability"])[:2]
-    words = (f"{each['category'].replace('_', ' ')} ({percent(each['probability'])})" for each in (first, second))
+    words = (f"{category.replace('_', ' ')} ({percent(chance)})" for category, chance in between)
     return f"Unsure: {' or '.join(words)}."
 
 

@@ -1,6 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Numbers as text for people: with a decimal point, which `with_decimal_mark` replaces for other languages."""
 
+import math
+
+
+def rounded_up(value):
+    """A positive number rounded up to two digits."""
+    digit = 10.0 ** (math.floor(math.log10(value)) - 1)
+    return float(f"{math.ceil(value / digit - 1e-9) * digit:.6g}")
+
 
 def percent(share):
     """Format a share as a percentage; empty for None, and 0 below a twentieth of a percent."""

@@ -11,6 +11,7 @@ from ...core.judging.verdict_sentence import verdict_sentence
 from ...core.message import Message
 from ...core.record import thinnest_sentence
 from ...core.record.record_types import PartRecord
+from ...core.record.verdict_chances import verdict_chances
 from ...core.risk.risk_sentence import risk_sentence
 
 
@@ -55,11 +56,9 @@ def sureness(record: PartRecord) -> Optional[Sureness]:
     """
     if record["margin"] is None:
         return None
-    if "probabilities" in record:
-        chances = {each["category"]: each["probability"] for each in record["probabilities"]}
-        own = record["category"]
-        other = max((each for each in chances if each != own), key=lambda each: chances[each])
-        return Sureness(None, chances[own], other, chances[other], record["borderline"])
+    chances = verdict_chances(record)
+    if chances is not None:
+        return Sureness(None, chances.own, chances.other, chances.others, record["borderline"])
     return Sureness(record["margin"], None, nearest_other(record), None, record["borderline"])
 
 

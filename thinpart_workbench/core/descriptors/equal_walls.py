@@ -81,7 +81,7 @@ def are_equal(one, other):
 def equal_groups(sizes, said):
     """Which wall regions are shown as one row: list of list of int, their numbers, in the order of the first of each.
 
-    Each region joins the first group whose first region is equal to it, and of which people say the same.
+    Each region joins the first group whose middle one by thickness is equal to it, and of which people say the same.
 
     Parameters
     ----------
@@ -91,12 +91,17 @@ def equal_groups(sizes, said):
     """
     groups: list[list[int]] = []
     for number, (size, of_it) in enumerate(zip(sizes, said)):
-        equal = next((group for group in groups if said[group[0]] == of_it and are_equal(sizes[group[0]], size)), None)
+        equal = next((group for group in groups if said[group[0]] == of_it and are_equal(_middle(sizes, group), size)), None)
         if equal is None:
             groups.append([number])
         else:
             equal.append(number)
     return groups
+
+
+def _middle(sizes, group):
+    """The `WallSize` of a group that is of middle thickness: what scatters does so on both sides of it."""
+    return sorted((sizes[number] for number in group), key=lambda size: size.median)[len(group) // 2]
 
 
 def are_on_equal_faces(one, other):

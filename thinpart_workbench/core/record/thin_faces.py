@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Which faces of a part are shown as thin."""
 
+from ..number_text import rounded_up
 from .face_names import face_number
 
 MOSTLY_THIN_SHARE = 0.5
 """Thin share of a face's area from which on the face is shown as thin, not as thin in part."""
+
+FAR_THINNER, OVER_MOST = 3.0, 1.25
+"""How many times as thick as the median wall the limit of a verdict is from which on it says nothing of the walls; and what
+is shown instead, in median walls."""
 
 LEAST_AREA_SHARE, LEAST_FACE_SHARE = 0.0001, 0.02
 """Shares of the part's area and of the face's own that thin area on a face must exceed to be shown; less is a stray ray, or
@@ -23,6 +28,22 @@ def limit_in_millimetres(limit, diagonal):
     diagonal : float, mm
     """
     return min(limit.get("millimetres", limit.get("share", 0.0) * diagonal), diagonal)
+
+
+def shown_limit_mm(record):
+    """The thickness, mm, under which walls of a part are shown as thin at first: float or None.
+
+    That of the verdict; where nearly all walls are far thinner, as those of a sheet of 2 mm which is 200 mm wide, a round
+    length over most of them.
+
+    Parameters
+    ----------
+    record : PartRecord
+    """
+    limit, median = record.get("thin_limit_mm"), record["descriptors"].get("thickness_mm", {}).get("median")
+    if not limit or not median or median * FAR_THINNER > limit:
+        return limit
+    return rounded_up(OVER_MOST * median)
 
 
 def with_limit(record, limit, thin_shares):

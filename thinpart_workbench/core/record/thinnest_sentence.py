@@ -12,6 +12,9 @@ NOTED_EDGES = 0.01
 SMALL_ERROR = 0.001
 """Share of a length below which its error is not said: lengths are written with three digits."""
 
+TOLD_FROM = 1e-4
+"""Error, mm, from which on one is said."""
+
 SLIVER = 0.02
 """Share of the usual wall below which the thinnest one is often an error of the model: surfaces that nearly touch."""
 
@@ -41,24 +44,19 @@ def thinnest_sentence(record):
 
 def with_error(length, error):
     """A length, mm, and how far it may be off, where that is seen in three digits: Length or Message."""
-    if error is None or error < SMALL_ERROR * length:
+    if error is None or error < max(SMALL_ERROR * length, TOLD_FROM):
         return Length(length)
     return message("{length} \u00b1 {error:.2g}", length=Length(length), error=Length(error))
 
 
 def _said(record, place, thinnest):
-    depth, edges = Length(place["depth_mm"]), Length(place["edges_mm"])
-    if place["kind"] == EDGE and place["walls_mm"] is None:
-        return message("Thinnest {thinnest}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long.",
-                       thinnest=thinnest, depth=depth, edges=edges)
-    if place["kind"] == EDGE:
-        return message("Thinnest {thinnest}, {depth:.2g} beside a sharp edge; sharp edges are {edges} long. Apart from "
-                       "them, the thinnest wall is {walls}.",
-                       thinnest=thinnest, depth=depth, edges=edges, walls=Length(place["walls_mm"]))
-    wall = _wall(place, thinnest)
-    if place["edges_mm"] > NOTED_EDGES * record["descriptors"]["diagonal_mm"]:
-        return message("{wall}; sharp edges are {edges} long.", wall=wall, edges=edges)
-    return message("{wall}.", wall=wall)
+    is_edge, wall = place["kind"] == EDGE, _wall(place, thinnest)
+    if not is_edge and place["edges_mm"] <= NOTED_EDGES * record["descriptors"]["diagonal_mm"]:
+        return message("{wall}.", wall=wall)
+    said = message("{wall}; sharp edges are {edges} long.", wall=wall, edges=Length(place["edges_mm"]))
+    if not is_edge or place["walls_mm"] is None:
+        return said
+    return message("{said} Apart from them, the thinnest wall is {walls}.", said=said, walls=Length(place["walls_mm"]))
 
 
 def thinnest_kind(record):
@@ -69,6 +67,12 @@ def thinnest_kind(record):
 
 def _wall(place, thinnest):
     below, count = Length(place["below_mm"]), place["places"]
+    if place["kind"] == EDGE and count > 1:
+        return message("Thinnest {thinnest}, {depth:.2g} beside a sharp edge; {count} places below {below:.2g}",
+                       thinnest=thinnest, depth=Length(place["depth_mm"]), count=count, below=below)
+    if place["kind"] == EDGE:
+        return message("Thinnest {thinnest}, {depth:.2g} beside a sharp edge",
+                       thinnest=thinnest, depth=Length(place["depth_mm"]))
     if place["kind"] == TAPERED and count > 1:
         return message("Thinnest wall {thinnest}, in a taper; {count} places below {below:.2g}",
                        thinnest=thinnest, count=count, below=below)

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The one place where a part is thinnest, whatever the angle of its walls."""
 
-import math
 from dataclasses import dataclass, replace
 from typing import NamedTuple, Optional
 
@@ -9,6 +8,7 @@ import numpy as np
 from scipy.sparse.csgraph import connected_components
 
 from ..descriptors.wall_kinds import EDGE, PARALLEL, TAPERED
+from ..number_text import rounded_up
 from ..tolerances import TOLERANCES
 from .face_thickness import NEARLY, Witness
 from .thin_places import LEAST
@@ -113,19 +113,13 @@ def thinnest_place(parallel, places, confirmed=None):
     if best is None:
         return None, places
     left = places.chosen(kept & (places.is_narrow | (places.distance >= best.distance * (1.0 - NEARLY))))
-    below = _rounded_up(TOLERANCES.alike * best.distance)
+    below = rounded_up(TOLERANCES.alike * best.distance)
     count = max(1, _count(left.chosen(~left.is_narrow), below))
     return ThinnestPlace(best, kind, places.depth, places.edges_mm, apart, below, count), left
 
 
 def _kind(places, number):
     return EDGE if places.is_at_edge[number] else TAPERED if places.is_tapered[number] else PARALLEL
-
-
-def _rounded_up(length):
-    """A length rounded up to two digits."""
-    digit = 10.0 ** (math.floor(math.log10(length)) - 1)
-    return float(f"{math.ceil(length / digit - 1e-9) * digit:.6g}")
 
 
 def _count(places, below):

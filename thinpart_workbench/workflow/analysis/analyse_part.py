@@ -340,5 +340,5 @@ def _plausibility_warnings(part, mesh, field, diagonal):
 
 def _place(point):
     """Coordinates, mm, as FreeCAD shows them: Message."""
-    x, y, z = point
+    x, y, z = (round(float(each), 4) + 0.0 for each in point)  # not 1e-08, nor -0
     return message("{x:.3g}, {y:.3g}, {z:.3g}", x=x, y=y, z=z)

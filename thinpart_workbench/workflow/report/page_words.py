@@ -39,6 +39,13 @@ class PageWords:
                  "unknown": _("Unknown")}
         return known.get(name) or self.sentence(self._titles.get(name, name))
 
+    def headline(self, name, between):
+        """The verdict; where it is unsure, `open_between` has the two categories between which it is."""
+        if between is None:
+            return self.category(name)
+        return self.text("Unsure: {category} or {other}", category=self.category_word(between[0][0]),
+                         other=self.category_word(between[1][0]))
+
     def category_word(self, name):
         """A category within a table."""
         _ = self.text
@@ -67,8 +74,8 @@ class PageWords:
         if part["margin"] is None:
             return _("How near it is to another category cannot be told.")
         if chances:
-            own, others = self.percent(chances["own"]), self.percent(chances["others"])
-            likely = self.category(chances["other"])
+            own, others = self.percent(chances.own), self.percent(chances.others)
+            likely = self.category(chances.other)
             if part["borderline"]:
                 return _("Unsure: “{category}” ({probability}) or “{other}” ({others}).",
                          category=self.category(part["category"]), probability=own, other=likely, others=others)
@@ -78,6 +85,11 @@ class PageWords:
         if part["borderline"]:
             return _("Borderline: close to “{other}” ({margin} from the limit).", other=self.category(other), margin=margin)
         return _("Clear verdict: {margin} from the limit.", margin=margin)
+
+    def place(self, kind):
+        """What the thinnest wall is, as `thinnest_kind` has it."""
+        _ = self.text
+        return {"taper": _("in a taper"), "edge": _("beside a sharp edge")}.get(kind, "")
 
     def wall(self, kind):
         """A kind of wall."""

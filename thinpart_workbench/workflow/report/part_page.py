@@ -17,6 +17,7 @@ from ...core.judging.wall_check import check_sentence, check_walls
 from ...core.length_unit import MILLIMETRE
 from ...core.record.face_names import face_number
 from ...core.record.region_groups import region_groups
+from ...core.record.verdict_chances import open_between, verdict_chances
 from ...core.rendering.part_views import thinnest_wall
 from ...core.risk.risk_sentence import risk_sentence
 from ...storage.png import png_bytes
@@ -64,7 +65,8 @@ def part_page(record, pictures, features, about, file, overview, language=ENGLIS
     return page_bytes(part_document(words, SimpleNamespace(
         part=record, file=file, overview=overview,
         meaning=meanings.get(record["category"], ""), profile=about["profile"],
-        reason=_reason(record), deciding=deciding_criteria(record), other=nearest_other(record), chances=_chances(record),
+        reason=_reason(record), deciding=deciding_criteria(record), other=nearest_other(record),
+        chances=verdict_chances(record), between=open_between(record),
         paper=paper_sentence(record, profile),
         source=about["source"], settings=about["settings"], kept=_annotations(about["kept"]),
         views=[_view(view) for view in pictures.views()],
@@ -80,16 +82,6 @@ def _reason(record):
     if record["category"] == UNKNOWN:
         return reason_of(record)
     return verdict_sentence(record) or ""
-
-
-def _chances(record):
-    """Its category's probability, and the likeliest other category with its own; None where they are not known."""
-    if "probabilities" not in record:
-        return None
-    chances = {each["category"]: each["probability"] for each in record["probabilities"]}
-    own = record["category"]
-    other = max((each for each in chances if each != own), key=lambda each: chances[each])
-    return {"own": chances[own], "other": other, "others": chances[other]}
 
 
 def _checks(record, about):

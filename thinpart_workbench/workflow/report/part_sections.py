@@ -3,6 +3,7 @@
 
 from ... import __version__
 from ...core.foreign_text import head_text
+from ...core.record.thinnest_sentence import thinnest_kind
 from .html_elements import element
 from .page_words import TIMES
 from .part_figures import colour_scale, distribution, view_figure
@@ -44,7 +45,7 @@ def part_document(words, page):
 def _verdict(words, page):
     part = page.part
     return element(
-        "div", element("p", words.category(part["category"]), class_="headline"),
+        "div", element("p", words.headline(part["category"], page.between), class_="headline"),
         element("p", words.why(page.reason, page.deciding), " ", words.how_sure(part, page.other, page.chances)),
         element("p", words.sentence(page.paper)) if page.paper else None,
         element("p", words.sentence(page.risk)),
@@ -63,9 +64,9 @@ def _key_figures(words, page):
 
     return element(
         "dl",
-        figure(_("Thinnest wall"), length.number(thickness["min"]), length.symbol),
+        figure(_("Thinnest wall"), length.number(thickness["min"]),
+               f"{length.symbol} {words.place(thinnest_kind(part))}".rstrip()),
         figure(_("Median wall"), length.number(thickness["median"]), length.symbol),
-        figure(_("Thin below"), length.number(part["thin_limit_mm"]), length.symbol),
         figure(_("Error of a wall at most"), length.bound_number(thickness["error_bound"]), length.symbol),
         figure(_("Bounding box"), words.box(measured["box_mm"]), length.symbol),
         figure(_("Volume"), large(length.value(measured["volume_mm3"], 3)), f"{length.symbol}\u00b3"),
@@ -135,7 +136,9 @@ def _evidence(words, page):
                 "criterion holds", profile=words.profile_title(page.profile))
     bodies = [element("tbody", _criterion(words, each), [_condition(words, one) for one in each["conditions"]])
               for each in page.evidence]
-    return element("section", element("h2", _("Why it is in this category")), table(caption, headings, bodies), class_="why")
+    return element("section", element("h2", _("Why it is in this category")), element(
+        "details", element("summary", _("{count} criteria", count=len(page.evidence))), table(caption, headings, bodies)),
+        class_="why")
 
 
 def _criterion(words, each):
