@@ -8,6 +8,7 @@ import numpy as np
 from scipy.sparse.csgraph import connected_components
 
 from ..descriptors.descriptor_table import STATED_FLOOR
+from ..descriptors.equal_walls import WallSize, are_equal
 from ..descriptors.region_kinds import REGION_KINDS, TUBE
 from ..descriptors.wall_kinds import PARALLEL
 from ..mesh.sampling import even_samples
@@ -209,13 +210,16 @@ def with_thinnest(regions, thinnest):
     return replace(regions, listed=_thinnest_first(listed))
 
 
-def with_thinnest_taper(regions, thinnest):
+def with_thinnest_taper(regions, thinnest, face_areas):
     """The same regions; none is thinner than the part's thinnest place, and the first one that has it is as thin.
+
+    So are those that are equal to it, such as the other teeth of a gear.
 
     Parameters
     ----------
     regions : WallRegions
     thinnest : ThinnestPlace
+    face_areas : ndarray of shape (f,), mm2
     """
     wall = thinnest.witness
     listed = [replace(region, least=max(region.least, wall.distance), median=max(region.median, wall.distance))
@@ -223,7 +227,10 @@ def with_thinnest_taper(regions, thinnest):
     own = [number for number, region in enumerate(listed)
            if {wall.face, wall.opposite_face} <= set(region.faces) and region.is_slanted == (thinnest.kind != PARALLEL)]
     if own:
-        listed[own[0]] = replace(listed[own[0]], least=wall.distance, witness=wall)
+        sizes = [WallSize.of_region(region, face_areas) for region in listed]
+        listed = [replace(region, least=wall.distance) if are_equal(sizes[own[0]], size) else region
+                  for region, size in zip(listed, sizes)]
+        listed[own[0]] = replace(listed[own[0]], witness=wall)
     listed = [replace(region, witness=replace(region.witness, distance=region.least)) for region in listed]
     return replace(regions, listed=_thinnest_first(listed))
 
