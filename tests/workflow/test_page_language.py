@@ -16,10 +16,10 @@ def test_the_languages_are_those_of_the_window():
     assert LANGUAGES == ("en", "de", "fr")
 
 
-@pytest.mark.parametrize("code, text", [("en", "Thin below"), ("de", "D\u00fcnn unter"), ("fr", "Mince sous")])
+@pytest.mark.parametrize("code, text", [("en", "Median wall"), ("de", "Mediane Wand"), ("fr", "Paroi m\u00e9diane")])
 def test_texts_are_looked_up_and_unknown_ones_stay(code, text):
     language = page_language(code)
-    assert language.text("Thin below") == text
+    assert language.text("Median wall") == text
     assert language.text("My own title") == language.sentence("My own title") == "My own title"
 
 
