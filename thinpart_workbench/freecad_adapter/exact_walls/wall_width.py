@@ -54,11 +54,13 @@ def _gets_wide(solid, wall):
         for way in _WAYS:
             other = tuple(np.array(place) + step * np.array(way) * per_mm)
             found = lines.through(other) if faces[0].isPartOfDomain(*other) else None
-            if found is not None and found.distance > thicker and wedge_angle(faces, found) < NONPARALLEL_BELOW:
+            if found is None or found.distance <= here.distance or wedge_angle(faces, found) >= NONPARALLEL_BELOW:
+                continue
+            moved = found.point - wall.point
+            if moved @ steepest >= width or found.distance >= enough and np.linalg.norm(moved) >= width:
+                return True
+            if found.distance > thicker:
                 thicker, onward = found.distance, other
-                moved = found.point - wall.point
-                if moved @ steepest >= width or thicker >= enough and np.linalg.norm(moved) >= width:
-                    return True
         if onward is None:
             step *= 0.5
         else:
