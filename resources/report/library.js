@@ -73,9 +73,9 @@
     label.append(make("br"), file);
     const category = categories[Number(row.category)];
     const verdict = make("td");
-    verdict.append(make("span", category.word, { class: "badge " + category.name }));
-    if (row.borderline === "1") verdict.append(make("br"), make("span", table.dataset.unsure, { class: "small" }));
+    verdict.append(make("span", row.verdict || category.word, { class: "badge " + category.name }));
     const figures = numeric.map((name) => make("td", row[name], { class: "n" }));
+    if (row.place) figures[0].append(make("br"), make("span", row.place, { class: "small faint" }));
     const belongs = make("td", "", { class: "small" });
     [["groups", "group"], ["families", "family"]].forEach(function ([field, name]) {
       row[field].split(" ").filter(Boolean).forEach(function (number) {

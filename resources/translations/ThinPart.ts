@@ -3257,6 +3257,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>rib</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>s</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3405,6 +3409,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{} (edge)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{} (in searches and tables: {})</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3414,6 +3422,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{} (rule {})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} (taper)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4492,6 +4504,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Neither clearly solid nor clearly thin: {walls}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Netgen failed</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4908,6 +4924,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Solid but for {features}: mesh it with solids, and refine there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Solid core, {share} of the surface is thin: {features}. Refine the mesh there, or suppress them.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4916,23 +4936,7 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Solid: less than {share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Solid: no wall is thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Solid: no wall is thinner than {thinnest}, {part} of the width of {middle}: mesh it with solids.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Solid: only tapered walls are thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Solid: only {share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
+        <source>Solid: {walls}: mesh it with solids.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5356,7 +5360,7 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The thinnest first; thin is what lies over less than {limit}, beside edges of up to 60 degrees too, which are no walls</source>
+        <source>The thinnest first; thin is what lies over less than {limit}, {part} of the width, as the verdict has it, beside edges of up to 60 degrees too, which are no walls</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5725,6 +5729,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>Zinc, small casting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a bar of {thickness} ({share} of the width)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6124,6 +6132,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>less than {share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>linear deflection</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6200,6 +6212,14 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>no wall is thinner than {limit}, {part} of the width of {middle}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no wall is thinner than {thinnest}, {part} of the width of {middle}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>none</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6228,6 +6248,14 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>only tapered walls are thinner than {limit}, {part} of the width of {middle}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only {share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>other</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6253,6 +6281,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>radius {number}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rib</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6452,10 +6484,6 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>unsure</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>used {count} times</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6528,6 +6556,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{category} (unsure)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{category}, thinnest wall {thinnest}, median {median}, fill {fill}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6553,6 +6585,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{count:.0f} edges shorter than {limit}, the shortest {shortest}, 1/{part:.0f} of an element</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} bars of {thickness} ({share} of the width)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7040,6 +7076,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{process}: fails, but only where walls end in sharp edges: {findings}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{process}: fails: {faces} Other faces: {check}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7104,11 +7144,11 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{said} Apart from them, the thinnest wall is {walls}.</source>
+        <source>{said} So thin a place, {share} of the median of {median}, is often an error of the model: look at it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{said} So thin a place, {share} of the median of {median}, is often an error of the model: look at it.</source>
+        <source>{said} The thinnest wall that does not end in one is {walls}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7189,6 +7229,10 @@ Its volume is unknown.</source>
     </message>
     <message>
         <source>{wall} on {face}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{wall}, {depth:.2g} beside a sharp edge</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -3259,6 +3259,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Rot ist dünn</translation>
     </message>
     <message>
+        <source>rib</source>
+        <translation>Rippe</translation>
+    </message>
+    <message>
         <source>s</source>
         <translation>s</translation>
     </message>
@@ -3407,6 +3411,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>ja</translation>
     </message>
     <message>
+        <source>{} (edge)</source>
+        <translation>{} (Kante)</translation>
+    </message>
+    <message>
         <source>{} (in searches and tables: {})</source>
         <translation>{} (in Suchen und Tabellen: {})</translation>
     </message>
@@ -3417,6 +3425,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{} (rule {})</source>
         <translation>„{}“ (Regel {})</translation>
+    </message>
+    <message>
+        <source>{} (taper)</source>
+        <translation>{} (Keil)</translation>
     </message>
     <message>
         <source>{} (unsure)</source>
@@ -4494,6 +4506,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Nennen Sie, was geschrieben werden soll: --png DATEI, --vtp DATEI oder --ply DATEI.</translation>
     </message>
     <message>
+        <source>Neither clearly solid nor clearly thin: {walls}.</source>
+        <translation>Weder eindeutig massiv noch eindeutig dünn: {walls}.</translation>
+    </message>
+    <message>
         <source>Netgen failed</source>
         <translation>Netgen ist gescheitert</translation>
     </message>
@@ -4910,6 +4926,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Massiv bis auf {features}: mit Volumenelementen vernetzen und dort verfeinern oder das unterdrücken.</translation>
     </message>
     <message>
+        <source>Solid but for {features}: mesh it with solids, and refine there.</source>
+        <translation>Massiv bis auf {features}: mit Volumenelementen vernetzen und dort verfeinern.</translation>
+    </message>
+    <message>
         <source>Solid core, {share} of the surface is thin: {features}. Refine the mesh there, or suppress them.</source>
         <translation>Massiver Kern, {share} der Oberfläche sind dünn: {features}. Das Netz dort verfeinern oder sie unterdrücken.</translation>
     </message>
@@ -4918,24 +4938,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Massiver Kern, {share} der Oberfläche sind dünn: {features}. Das Netz dort verfeinern.</translation>
     </message>
     <message>
-        <source>Solid: less than {share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
-        <translation>Massiv: Weniger als {share} der Oberfläche liegen über Wänden, die dünner als {limit} sind, {part} der Breite von {middle}: mit Volumenelementen vernetzen.</translation>
-    </message>
-    <message>
-        <source>Solid: no wall is thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
-        <translation>Massiv: Keine Wand ist dünner als {limit}, {part} der Breite von {middle}: mit Volumenelementen vernetzen.</translation>
-    </message>
-    <message>
-        <source>Solid: no wall is thinner than {thinnest}, {part} of the width of {middle}: mesh it with solids.</source>
-        <translation>Massiv: Keine Wand ist dünner als {thinnest}, {part} der Breite von {middle}: mit Volumenelementen vernetzen.</translation>
-    </message>
-    <message>
-        <source>Solid: only tapered walls are thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
-        <translation>Massiv: Nur keilförmige Wände sind dünner als {limit}, {part} der Breite von {middle}: mit Volumenelementen vernetzen.</translation>
-    </message>
-    <message>
-        <source>Solid: only {share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
-        <translation>Massiv: Nur {share} der Oberfläche liegen über Wänden, die dünner als {limit} sind, {part} der Breite von {middle}: mit Volumenelementen vernetzen.</translation>
+        <source>Solid: {walls}: mesh it with solids.</source>
+        <translation>Massiv: {walls}: mit Volumenelementen vernetzen.</translation>
     </message>
     <message>
         <source>Some coordinates are not finite numbers.</source>
@@ -5358,8 +5362,8 @@ Sein Volumen ist unbekannt.</translation>
         <translation>Die Wandstärkenkarte {file} stammt von einem neueren ThinPart: Aktualisieren Sie ThinPart oder messen Sie das Bauteil erneut.</translation>
     </message>
     <message>
-        <source>The thinnest first; thin is what lies over less than {limit}, beside edges of up to 60 degrees too, which are no walls</source>
-        <translation>Die dünnsten zuerst; dünn ist, was über weniger als {limit} liegt, auch neben Kanten bis 60 Grad, die keine Wände sind</translation>
+        <source>The thinnest first; thin is what lies over less than {limit}, {part} of the width, as the verdict has it, beside edges of up to 60 degrees too, which are no walls</source>
+        <translation>Die dünnsten zuerst; dünn ist, was über weniger als {limit} liegt, {part} der Breite, wie das Urteil es nimmt, auch neben Kanten bis 60 Grad, die keine Wände sind</translation>
     </message>
     <message>
         <source>The thinnest wall is {wall} ± {error:.2g}: a finer mesh would be too large.</source>
@@ -5728,6 +5732,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>Zinc, small casting</source>
         <translation>Zink, kleines Gussteil</translation>
+    </message>
+    <message>
+        <source>a bar of {thickness} ({share} of the width)</source>
+        <translation>einen Stab von {thickness} ({share} der Breite)</translation>
     </message>
     <message>
         <source>a block of its elements is empty</source>
@@ -6126,6 +6134,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>weniger flacher Quader</translation>
     </message>
     <message>
+        <source>less than {share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}</source>
+        <translation>weniger als {share} der Oberfläche liegen über Wänden dünner als {limit}, {part} der Breite von {middle}</translation>
+    </message>
+    <message>
         <source>linear deflection</source>
         <translation>Lineare Abweichung</translation>
     </message>
@@ -6202,6 +6214,14 @@ Sein Volumen ist unbekannt.</translation>
         <translation>kein Grund angegeben</translation>
     </message>
     <message>
+        <source>no wall is thinner than {limit}, {part} of the width of {middle}</source>
+        <translation>keine Wand ist dünner als {limit}, {part} der Breite von {middle}</translation>
+    </message>
+    <message>
+        <source>no wall is thinner than {thinnest}, {part} of the width of {middle}</source>
+        <translation>keine Wand ist dünner als {thinnest}, {part} der Breite von {middle}</translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>keine</translation>
     </message>
@@ -6230,6 +6250,14 @@ Sein Volumen ist unbekannt.</translation>
         <translation>eine einzige Größe, da nichts Feineres vernetzt wird</translation>
     </message>
     <message>
+        <source>only tapered walls are thinner than {limit}, {part} of the width of {middle}</source>
+        <translation>nur keilförmige Wände sind dünner als {limit}, {part} der Breite von {middle}</translation>
+    </message>
+    <message>
+        <source>only {share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}</source>
+        <translation>nur {share} der Oberfläche liegen über Wänden dünner als {limit}, {part} der Breite von {middle}</translation>
+    </message>
+    <message>
         <source>other</source>
         <translation>andere</translation>
     </message>
@@ -6256,6 +6284,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>radius {number}</source>
         <translation>Radius {number}</translation>
+    </message>
+    <message>
+        <source>rib</source>
+        <translation>Rippe</translation>
     </message>
     <message>
         <source>same fill</source>
@@ -6454,10 +6486,6 @@ Sein Volumen ist unbekannt.</translation>
         <translation>unbekannt</translation>
     </message>
     <message>
-        <source>unsure</source>
-        <translation>unsicher</translation>
-    </message>
-    <message>
         <source>used {count} times</source>
         <translation>{count}-mal verwendet</translation>
     </message>
@@ -6530,6 +6558,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{category!r} ist keine Kategorie: Es gibt {known}.</translation>
     </message>
     <message>
+        <source>{category} (unsure)</source>
+        <translation>{category} (unsicher)</translation>
+    </message>
+    <message>
         <source>{category}, thinnest wall {thinnest}, median {median}, fill {fill}</source>
         <translation>{category}, dünnste Wand {thinnest}, Median {median}, Füllung {fill}</translation>
     </message>
@@ -6556,6 +6588,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{count:.0f} edges shorter than {limit}, the shortest {shortest}, 1/{part:.0f} of an element</source>
         <translation>{count:.0f} Kanten kürzer als {limit}, die kürzeste {shortest}, 1/{part:.0f} eines Elements</translation>
+    </message>
+    <message>
+        <source>{count} bars of {thickness} ({share} of the width)</source>
+        <translation>{count} Stäbe von {thickness} ({share} der Breite)</translation>
     </message>
     <message>
         <source>{count} criteria</source>
@@ -7042,6 +7078,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{process}: nicht zu entscheiden: {share} der Oberfläche liegen über mehr als {most}, aber ein Strahl kann dort längs einer Wand laufen: Sehen Sie die Wandstärkenkarte an.</translation>
     </message>
     <message>
+        <source>{process}: fails, but only where walls end in sharp edges: {findings}.</source>
+        <translation>{process}: nicht bestanden, aber nur wo Wände in scharfen Kanten enden: {findings}.</translation>
+    </message>
+    <message>
         <source>{process}: fails: {faces} Other faces: {check}</source>
         <translation>{process}: durchgefallen: {faces} Andere Flächen: {check}</translation>
     </message>
@@ -7106,12 +7146,12 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{quantity} = {value:.3g}</translation>
     </message>
     <message>
-        <source>{said} Apart from them, the thinnest wall is {walls}.</source>
-        <translation>{said} Ohne sie ist die dünnste Wand {walls}.</translation>
-    </message>
-    <message>
         <source>{said} So thin a place, {share} of the median of {median}, is often an error of the model: look at it.</source>
         <translation>{said} Eine so dünne Stelle, {share} des Medians von {median}, ist oft ein Fehler des Modells: Sehen Sie sie an.</translation>
+    </message>
+    <message>
+        <source>{said} The thinnest wall that does not end in one is {walls}.</source>
+        <translation>{said} Die dünnste Wand, die nicht in einer endet, ist {walls}.</translation>
     </message>
     <message>
         <source>{sentence} It was not changed.</source>
@@ -7192,6 +7232,10 @@ Sein Volumen ist unbekannt.</translation>
     <message>
         <source>{wall} on {face}</source>
         <translation>{wall} auf {face}</translation>
+    </message>
+    <message>
+        <source>{wall}, {depth:.2g} beside a sharp edge</source>
+        <translation>{wall}, {depth:.2g} neben einer scharfen Kante</translation>
     </message>
     <message>
         <source>{wall}.</source>

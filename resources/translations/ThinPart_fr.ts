@@ -3259,6 +3259,10 @@ Son volume est inconnu.</translation>
         <translation>rouge = mince</translation>
     </message>
     <message>
+        <source>rib</source>
+        <translation>nervure</translation>
+    </message>
+    <message>
         <source>s</source>
         <translation>s</translation>
     </message>
@@ -3407,6 +3411,10 @@ Son volume est inconnu.</translation>
         <translation>oui</translation>
     </message>
     <message>
+        <source>{} (edge)</source>
+        <translation>{} (arête)</translation>
+    </message>
+    <message>
         <source>{} (in searches and tables: {})</source>
         <translation>{} (dans les recherches et tableaux : {})</translation>
     </message>
@@ -3417,6 +3425,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{} (rule {})</source>
         <translation>« {} » (règle {})</translation>
+    </message>
+    <message>
+        <source>{} (taper)</source>
+        <translation>{} (dépouille)</translation>
     </message>
     <message>
         <source>{} (unsure)</source>
@@ -4494,6 +4506,10 @@ Son volume est inconnu.</translation>
         <translation>Indiquez ce qui est à écrire : --png FICHIER, --vtp FICHIER ou --ply FICHIER.</translation>
     </message>
     <message>
+        <source>Neither clearly solid nor clearly thin: {walls}.</source>
+        <translation>Ni clairement massive ni clairement mince : {walls}.</translation>
+    </message>
+    <message>
         <source>Netgen failed</source>
         <translation>Netgen a échoué</translation>
     </message>
@@ -4910,6 +4926,10 @@ Son volume est inconnu.</translation>
         <translation>Massive sauf {features} : mailler en éléments volumiques, et y raffiner ou supprimer cela.</translation>
     </message>
     <message>
+        <source>Solid but for {features}: mesh it with solids, and refine there.</source>
+        <translation>Massive sauf {features} : mailler en éléments volumiques, et y raffiner.</translation>
+    </message>
+    <message>
         <source>Solid core, {share} of the surface is thin: {features}. Refine the mesh there, or suppress them.</source>
         <translation>Noyau massif, {share} de la surface est mince : {features}. Y raffiner le maillage, ou les supprimer.</translation>
     </message>
@@ -4918,24 +4938,8 @@ Son volume est inconnu.</translation>
         <translation>Noyau massif, {share} de la surface est mince : {features}. Y raffiner le maillage.</translation>
     </message>
     <message>
-        <source>Solid: less than {share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
-        <translation>Massive : moins de {share} de la surface recouvre des parois plus minces que {limit}, {part} de la largeur de {middle} : mailler en éléments volumiques.</translation>
-    </message>
-    <message>
-        <source>Solid: no wall is thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
-        <translation>Massive : aucune paroi n’est plus mince que {limit}, {part} de la largeur de {middle} : mailler en éléments volumiques.</translation>
-    </message>
-    <message>
-        <source>Solid: no wall is thinner than {thinnest}, {part} of the width of {middle}: mesh it with solids.</source>
-        <translation>Massive : aucune paroi n’est plus mince que {thinnest}, {part} de la largeur de {middle} : mailler en éléments volumiques.</translation>
-    </message>
-    <message>
-        <source>Solid: only tapered walls are thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
-        <translation>Massive : seules des parois en dépouille sont plus minces que {limit}, {part} de la largeur de {middle} : mailler en éléments volumiques.</translation>
-    </message>
-    <message>
-        <source>Solid: only {share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}: mesh it with solids.</source>
-        <translation>Massive : seulement {share} de la surface recouvre des parois plus minces que {limit}, {part} de la largeur de {middle} : mailler en éléments volumiques.</translation>
+        <source>Solid: {walls}: mesh it with solids.</source>
+        <translation>Massive : {walls} : mailler en éléments volumiques.</translation>
     </message>
     <message>
         <source>Some coordinates are not finite numbers.</source>
@@ -5358,8 +5362,8 @@ Son volume est inconnu.</translation>
         <translation>La carte des épaisseurs {file} vient d’un ThinPart plus récent : mettez ThinPart à jour ou mesurez la pièce à nouveau.</translation>
     </message>
     <message>
-        <source>The thinnest first; thin is what lies over less than {limit}, beside edges of up to 60 degrees too, which are no walls</source>
-        <translation>Les plus minces d’abord ; est mince ce qui est sur moins de {limit}, aussi près d’arêtes jusqu’à 60 degrés, qui ne sont pas des parois</translation>
+        <source>The thinnest first; thin is what lies over less than {limit}, {part} of the width, as the verdict has it, beside edges of up to 60 degrees too, which are no walls</source>
+        <translation>Les plus minces d’abord ; est mince ce qui recouvre moins de {limit}, {part} de la largeur, comme le verdict l’entend, aussi près des arêtes jusqu’à 60 degrés, qui ne sont pas des parois</translation>
     </message>
     <message>
         <source>The thinnest wall is {wall} ± {error:.2g}: a finer mesh would be too large.</source>
@@ -5728,6 +5732,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>Zinc, small casting</source>
         <translation>Zinc, petite pièce</translation>
+    </message>
+    <message>
+        <source>a bar of {thickness} ({share} of the width)</source>
+        <translation>une barre de {thickness} ({share} de la largeur)</translation>
     </message>
     <message>
         <source>a block of its elements is empty</source>
@@ -6126,6 +6134,10 @@ Son volume est inconnu.</translation>
         <translation>boîte moins plate</translation>
     </message>
     <message>
+        <source>less than {share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}</source>
+        <translation>moins de {share} de la surface recouvre des parois plus minces que {limit}, {part} de la largeur de {middle}</translation>
+    </message>
+    <message>
         <source>linear deflection</source>
         <translation>Déflexion linéaire</translation>
     </message>
@@ -6202,6 +6214,14 @@ Son volume est inconnu.</translation>
         <translation>aucune raison donnée</translation>
     </message>
     <message>
+        <source>no wall is thinner than {limit}, {part} of the width of {middle}</source>
+        <translation>aucune paroi n’est plus mince que {limit}, {part} de la largeur de {middle}</translation>
+    </message>
+    <message>
+        <source>no wall is thinner than {thinnest}, {part} of the width of {middle}</source>
+        <translation>aucune paroi n’est plus mince que {thinnest}, {part} de la largeur de {middle}</translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>aucune</translation>
     </message>
@@ -6230,6 +6250,14 @@ Son volume est inconnu.</translation>
         <translation>une seule taille, car rien de plus fin ne se maille</translation>
     </message>
     <message>
+        <source>only tapered walls are thinner than {limit}, {part} of the width of {middle}</source>
+        <translation>seules des parois en dépouille sont plus minces que {limit}, {part} de la largeur de {middle}</translation>
+    </message>
+    <message>
+        <source>only {share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}</source>
+        <translation>seulement {share} de la surface recouvre des parois plus minces que {limit}, {part} de la largeur de {middle}</translation>
+    </message>
+    <message>
         <source>other</source>
         <translation>autre</translation>
     </message>
@@ -6256,6 +6284,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>radius {number}</source>
         <translation>rayon {number}</translation>
+    </message>
+    <message>
+        <source>rib</source>
+        <translation>nervure</translation>
     </message>
     <message>
         <source>same fill</source>
@@ -6454,10 +6486,6 @@ Son volume est inconnu.</translation>
         <translation>inconnu</translation>
     </message>
     <message>
-        <source>unsure</source>
-        <translation>incertain</translation>
-    </message>
-    <message>
         <source>used {count} times</source>
         <translation>utilisée {count} fois</translation>
     </message>
@@ -6530,6 +6558,10 @@ Son volume est inconnu.</translation>
         <translation>{category!r} n’est pas une catégorie : il y a {known}.</translation>
     </message>
     <message>
+        <source>{category} (unsure)</source>
+        <translation>{category} (incertain)</translation>
+    </message>
+    <message>
         <source>{category}, thinnest wall {thinnest}, median {median}, fill {fill}</source>
         <translation>{category}, paroi la plus mince {thinnest}, médiane {median}, remplissage {fill}</translation>
     </message>
@@ -6556,6 +6588,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{count:.0f} edges shorter than {limit}, the shortest {shortest}, 1/{part:.0f} of an element</source>
         <translation>{count:.0f} arêtes plus courtes que {limit}, la plus courte {shortest}, 1/{part:.0f} d'un élément</translation>
+    </message>
+    <message>
+        <source>{count} bars of {thickness} ({share} of the width)</source>
+        <translation>{count} barres de {thickness} ({share} de la largeur)</translation>
     </message>
     <message>
         <source>{count} criteria</source>
@@ -7042,6 +7078,10 @@ Son volume est inconnu.</translation>
         <translation>{process} : indécidable : {share} de la surface est au-dessus de plus de {most}, mais un rayon peut y suivre une paroi : regardez la carte d’épaisseur.</translation>
     </message>
     <message>
+        <source>{process}: fails, but only where walls end in sharp edges: {findings}.</source>
+        <translation>{process} : échec, mais seulement là où des parois finissent en arêtes vives : {findings}.</translation>
+    </message>
+    <message>
         <source>{process}: fails: {faces} Other faces: {check}</source>
         <translation>{process} : échoue : {faces} Autres faces : {check}</translation>
     </message>
@@ -7106,12 +7146,12 @@ Son volume est inconnu.</translation>
         <translation>{quantity} = {value:.3g}</translation>
     </message>
     <message>
-        <source>{said} Apart from them, the thinnest wall is {walls}.</source>
-        <translation>{said} En dehors d’elles, la paroi la plus mince est de {walls}.</translation>
-    </message>
-    <message>
         <source>{said} So thin a place, {share} of the median of {median}, is often an error of the model: look at it.</source>
         <translation>{said} Un endroit aussi mince, {share} de la médiane de {median}, est souvent une erreur du modèle : vérifiez-le.</translation>
+    </message>
+    <message>
+        <source>{said} The thinnest wall that does not end in one is {walls}.</source>
+        <translation>{said} La paroi la plus mince qui ne finit pas en arête est de {walls}.</translation>
     </message>
     <message>
         <source>{sentence} It was not changed.</source>
@@ -7192,6 +7232,10 @@ Son volume est inconnu.</translation>
     <message>
         <source>{wall} on {face}</source>
         <translation>{wall} sur {face}</translation>
+    </message>
+    <message>
+        <source>{wall}, {depth:.2g} beside a sharp edge</source>
+        <translation>{wall}, à {depth:.2g} d’une arête vive</translation>
     </message>
     <message>
         <source>{wall}.</source>

@@ -10,10 +10,10 @@ from test_equal_features import perforated
 
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
 from thinpart_workbench.core.descriptors.packed_distribution import packed_slanted, packed_walls
+from thinpart_workbench.core.figures import Length
 from thinpart_workbench.core.judging.packed_check import packed_walls_pass
 from thinpart_workbench.core.judging.wall_check import check_sentence, check_walls
 from thinpart_workbench.core.judging.wall_limits import WallLimits
-from thinpart_workbench.core.record.checked_walls import walls_of
 
 PLATE = made_library.measured_record("plate", made_meshes.box(100, 80, 2))
 SMALL_PLATE_ON_BLOCK = made_library.measured_record("two", made_meshes.joined(
@@ -26,10 +26,7 @@ def limits(least=None, most=None):
 
 def with_walls(record, **changes):
     descriptors = record["descriptors"]
-    keys = {"min": "walls_mm", "error_bound": "walls_error_mm"}
-    thinnest = {**record["thinnest"], **{keys[key]: value for key, value in changes.items() if key in keys}}
-    return {**record, "thinnest": thinnest,
-            "descriptors": {**descriptors, "thickness_mm": {**descriptors["thickness_mm"], **changes}}}
+    return {**record, "descriptors": {**descriptors, "thickness_mm": {**descriptors["thickness_mm"], **changes}}}
 
 
 @pytest.mark.parametrize("least, most, holds", [
@@ -141,10 +138,19 @@ def test_a_part_without_walls_and_an_open_one_cannot_be_told():
     assert check_walls(opened, limits(50.0)).holds is False
 
 
-def test_a_taper_decides_nothing_and_is_told():
+def test_a_wall_that_ends_in_a_sharp_edge_is_as_thin_as_beside_it_and_is_told_apart():
     wedge = made_library.record_of("wedge")
+    place = wedge["thinnest"]
+    thinnest = wedge["descriptors"]["thickness_mm"]["min"]
+    assert place["kind"] == "edge" and place["walls_mm"] > 5.0 > thinnest
     check = check_walls(wedge, limits(5.0))
-    assert check.holds and check.tapered_share > 0.01 and "tapered" in check_sentence(check)
+    assert check.holds is False and check.is_only_at_edges and check.tapered_share > 0.01
+    said = f"thinnest {Length(thinnest)} on {place['face']}, {Length(place['depth_mm']):.2g} beside a sharp edge"
+    assert "fails, but only where walls end in sharp edges: " in check_sentence(check) and said in check_sentence(check)
+    above = check_walls(wedge, limits(1.1 * place["walls_mm"]))
+    assert above.holds is False and not above.is_only_at_edges and said in check_sentence(above)
+    below = check_walls(wedge, limits(0.9 * thinnest))
+    assert below.holds and below.tapered_share > 0.0
 
 
 @pytest.mark.parametrize("scale", [0.01, 1000.0])
@@ -165,7 +171,8 @@ def test_the_index_checks_alike(shape, least, most):
     packed = (*packed_walls(content["distribution"]),
               *[column for number, column in enumerate(packed_slanted(content["nonparallel"])) if number != 1])
     found = packed_walls_pass(
-        *walls_of(record), content["volume_mm3"], content["area_mm2"], content["diagonal_mm"],
+        content["thickness_mm"]["min"], content["thickness_mm"]["error_bound"], content["volume_mm3"],
+        content["area_mm2"], content["diagonal_mm"],
         content["shares"]["unmeasured"], content["shares"]["unmet"], *packed, None, content["local"]["T99"],
         content["box_mm"][1], least, most)
     holds = check_walls(record, limits(least, most)).holds

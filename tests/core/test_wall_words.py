@@ -8,7 +8,7 @@ import made_meshes
 import pytest
 
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
-from thinpart_workbench.core.descriptors.region_kinds import called
+from thinpart_workbench.core.descriptors.region_kinds import called, is_rib
 from thinpart_workbench.core.judging.verdict_sentence import verdict_sentence
 from thinpart_workbench.core.judging.wall_words import thin_features, walls_it_is_made_of
 from thinpart_workbench.core.record.region_groups import RegionGroup, region_groups
@@ -37,7 +37,7 @@ def test_features_are_counted_and_named():
     walls = group("plate", 2.0, 3), group("tube", 2.01, share=0.05)
     found = thin_features([core, *walls, group("bar", 1.5, share=0.2)], 3.0, 60.0)
     assert found.has_core and not found.are_teeth
-    assert found.words == "a rib of 1.5 mm (2.5\u00a0% of the width) and 4 walls of 2 mm (3.3\u00a0% of the width)"
+    assert found.words == "a bar of 1.5 mm (2.5\u00a0% of the width) and 4 walls of 2 mm (3.3\u00a0% of the width)"
 
 
 def test_a_thread_is_told_from_teeth_by_its_turns():
@@ -66,12 +66,33 @@ def test_more_than_three_are_summed_up():
     assert str(thin_features(several, 3.0, 60.0).words).endswith(" and 9 more")
 
 
-def test_a_normal_part_says_its_thinnest_wall():
-    record = made_library.measured_record("Block", made_meshes.box(100.0, 60.0, 40.0))
+def judged_normal(record, **more):
     condition = {"quantity": "P[0;0.05]", "value": 0.0, "comparison": ">", "threshold": 0.01, "holds": False, "margin": -1.0,
                  "error": 0.0}
     record["evidence"] = [{"criterion": "thin_places", "category": "thin_features", "title": "", "holds": False,
                            "margin": -1.0, "conditions": [condition]}]
-    record["category"] = "normal"
-    assert verdict_sentence(record) == (
+    return {**record, "category": "normal", **more}
+
+
+UNSURE = {"borderline": True, "margin": 0.01, "probabilities": [
+    {"category": "thin", "probability": 0.1}, {"category": "thin_features", "probability": 0.4},
+    {"category": "normal", "probability": 0.5}]}
+
+
+def test_a_normal_part_says_its_thinnest_wall():
+    record = made_library.measured_record("Block", made_meshes.box(100.0, 60.0, 40.0))
+    assert verdict_sentence(judged_normal(record)) == (
         "Solid: no wall is thinner than 40 mm, 67\u00a0% of the width of 60 mm: mesh it with solids.")
+    assert verdict_sentence(judged_normal(record, **UNSURE)) == (
+        "Neither clearly solid nor clearly thin: no wall is thinner than 40 mm, 67\u00a0% of the width of 60 mm.")
+
+
+def test_a_normal_part_names_the_rib_on_its_core():
+    record = made_library.measured_record("Ribbed", made_meshes.ribbed_block())
+    assert [each.word for each in region_groups(record)] == ["rib", "block"]
+    assert verdict_sentence(judged_normal(record)) == (
+        "Solid but for a rib of 6 mm (10\u00a0% of the width): mesh it with solids, and refine there.")
+    assert verdict_sentence(judged_normal(record, **UNSURE)) == (
+        "Neither clearly solid nor clearly thin: a rib of 6 mm (10\u00a0% of the width).")
+    # A wall as high as the body is none, nor is what most of the part consists of.
+    assert not is_rib("plate", 40.0, 6.0, 0.05) and not is_rib("plate", 20.0, 6.0, 0.5) and is_rib("plate", 20.0, 6.0, 0.05)

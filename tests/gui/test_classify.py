@@ -251,7 +251,7 @@ def test_a_click_on_a_wall_selects_its_faces(document):
     window.classify()
     table = window.widget("ThinPart_RegionsTable")
     cells = [[table.model().index(row, column).data() for column in range(4)] for row in range(table.model().rowCount())]
-    assert [row[:2] for row in cells] == [["plate", "6"], ["block", "40"]]
+    assert [row[:2] for row in cells] == [["rib", "6"], ["block", "40"]]
     assert cells[0][2:] == ["4000", "100"]
     table.selectRow(0)
     selected, = Gui.Selection.getSelectionEx(document.Name)

@@ -34,6 +34,7 @@ from find_panel import (  # noqa: F401 - fixtures among them
 from thinpart_workbench.api.annotations import annotate_part
 from thinpart_workbench.gui.application import lifelong
 from thinpart_workbench.gui.application.qt import QtCore, QtGui, QtWidgets
+from thinpart_workbench.gui.document.insert_part import insert_part
 from thinpart_workbench.gui.library.details import COMPARISON, NOTES
 from thinpart_workbench.storage.info.info_file import read_info
 
@@ -118,6 +119,18 @@ def test_a_copy_goes_into_a_document_without_a_file(library, document):
     trigger("ThinPart_FoundInsert")
     assert len(document.Objects) >= 1 and not document.FileName
     assert "was copied into" in window.text("ThinPart_FindMessage")
+
+
+def test_inserting_a_shape_file(document, tmp_path):
+    import Part
+
+    file = tmp_path / "a b.brep"
+    Part.makeBox(30, 20, 10).exportBrep(str(file))
+    assert insert_part(str(file)) == f"a b.brep was imported into {document.Label}."
+    inserted, = document.Objects
+    assert inserted.Label == "a b" and inserted.Shape.Volume == pytest.approx(6000.0)
+    document.undo()
+    assert not document.Objects
 
 
 def test_inserting_into_nothing_is_refused(library):

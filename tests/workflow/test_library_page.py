@@ -254,6 +254,7 @@ def part(number=0, **values):
     return LibraryPart(**{
         "label": f"part {number}", "file": f"folder {number % 30}/part {number}.step", "address": None, "picture": None,
         "instances": 1, "category": ("thin", "thin_features", "normal")[number % 3], "borderline": number % 5 == 0,
+        "between": ("normal", "thin") if number % 10 == 0 else (), "place": ("taper", "edge", "")[number % 3],
         "thinnest_mm": 25.4 * (1 + number), "median_mm": 50.8, "diagonal_mm": 254.0, "volume_ratio": 0.123,
         "box_mm": (254.0, 25.4, 2.54), "risk": 0.3, **values})
 
@@ -301,6 +302,12 @@ def test_a_page_in_another_language_has_no_english_texts(tmp_path, language):
     assert not re.search(r"\bmm\b", page.text) and "0,1 in" in page.text
     rows, _ = rows_of(page)
     assert rows[0]["thinnest"] == "1" and rows[0]["box"] == "10 \u00d7 1 \u00d7 0,1"
+
+
+def test_the_table_says_between_what_a_verdict_is_and_what_the_thinnest_wall_is(tmp_path):
+    rows, _ = rows_of(made(tmp_path, whole(20)))
+    assert [rows[number]["verdict"] for number in (0, 1, 5)] == ["Unsure: normal or thin", "", "normal (unsure)"]
+    assert [rows[number]["place"] for number in (0, 1, 2)] == ["in a taper", "beside a sharp edge", ""]
 
 
 def test_long_lists_are_folded(tmp_path):

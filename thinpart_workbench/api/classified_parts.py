@@ -10,6 +10,7 @@ from ..core.errors import KINDS, ThinPartError
 from ..core.judging.wall_check import check_walls
 from ..core.judging.wall_limits import chosen_limits
 from ..core.record.record_types import FailureRecord, PartRecord
+from ..core.record.verdict_chances import named_between
 from ..storage.user_limits import known_limits
 from ..workflow.workers.reported_failure import reported_failure
 
@@ -72,6 +73,11 @@ class ClassifiedPart:
     def borderline(self):
         """Whether the part is near another category."""
         return self.record["borderline"]
+
+    @property
+    def between(self):
+        """tuple of str: the two categories that an unsure verdict leaves open, the likelier first; else empty."""
+        return named_between(self.record)
 
     @property
     def margin(self):

@@ -5,15 +5,18 @@ from typing import Any, Optional, TypedDict
 
 from ..core.judging.verdict_reasons import reason_of
 from ..core.record.record_types import PartRecord
+from ..core.record.verdict_chances import named_between
 
 
 class PartVerdict(TypedDict):
-    """The verdict on a part: ``label``, ``category`` and its ``title``, ``reason``, ``evidence`` without the conditions,
-    ``thickness`` (of the thinnest wall, mm, or None) and its ``error_bound``, mm."""
+    """The verdict on a part: ``label``, ``category`` and its ``title``, the same of the two ``between`` which it is where it
+    is unsure, ``reason``, ``evidence`` without the conditions, ``thickness`` (of the thinnest wall, mm, or None) and its
+    ``error_bound``, mm."""
 
     label: str
     category: str
     title: str
+    between: list[tuple[str, str]]
     reason: str
     evidence: list[dict[str, Any]]
     thickness: Optional[float]
@@ -40,6 +43,7 @@ def _verdict(record: PartRecord, titles: dict[str, str]) -> PartVerdict:
         "label": record["label"],
         "category": record["category"],
         "title": titles.get(record["category"], record["category"]),
+        "between": [(name, titles.get(name, name)) for name in named_between(record)],
         "reason": reason_of(record),
         "evidence": [{key: row[key] for key in ("criterion", "category", "title", "holds")}
                      for row in record["evidence"]],

@@ -97,6 +97,11 @@ class FoundPart:
         return self.stored.borderline
 
     @property
+    def between(self) -> tuple[str, ...]:
+        """The two categories that an unsure verdict leaves open, the likelier first; empty where it is sure."""
+        return tuple((self.stored.unsure_between or "").split())
+
+    @property
     def margin(self) -> Optional[float]:
         """Distance from another category, relative to the thresholds."""
         return self.stored.margin

@@ -9,9 +9,8 @@ from itertools import zip_longest
 from ..core.errors import ThinPartError
 from ..core.judging.paper_verdict import paper_sentence
 from ..core.number_text import percent
-from ..core.record.checked_walls import walls_of
 from ..core.record.thinnest_sentence import thinnest_kind
-from ..core.record.verdict_chances import open_between
+from ..core.record.verdict_chances import named_between, open_between
 from ..core.risk.risk_sentence import risk_sentence
 from ..storage.part_table import checked_row, failed_row, part_table, write_table
 from .check_options import check_columns, check_remarks
@@ -45,7 +44,8 @@ def thinnest_cell(thinnest, kind, walls):
 
 
 def _thinnest(part):
-    return thinnest_cell(part["descriptors"]["thickness_mm"]["min"], thinnest_kind(part), walls_of(part)[0])
+    walls = part.get("thinnest", {}).get("walls_mm")
+    return thinnest_cell(part["descriptors"]["thickness_mm"]["min"], thinnest_kind(part), walls)
 
 
 def _between(part):
@@ -67,8 +67,23 @@ def _name(part):
     return part["label"] + count
 
 
+def category_cell(category, borderline, between):
+    """The cell of the category, str.
+
+    Parameters
+    ----------
+    category : str
+    borderline : bool
+    between : sequence of str
+        See `named_between`.
+    """
+    if between:
+        return f"unsure: {' or '.join(between)}"
+    return category + (" (unsure)" if borderline else "")
+
+
 def _category(part):
-    return part["category"] + (" (unsure)" if part["borderline"] else "")
+    return category_cell(part["category"], part["borderline"], named_between(part))
 
 
 TABLE = (
@@ -195,7 +210,7 @@ def _region_lines(part):
                f"{volume}: {faces}{more}{excluded}")
     if part.get("regions", {}).get("others"):
         others, share = part["regions"]["others"], part["regions"]["others_share"]
-        yield f"{others} smaller regions, {percent(share)} of the surface"
+        yield f"{others} smaller region{'s' if others > 1 else ''}, {percent(share)} of the surface"
 
 
 def _columns(several):

@@ -5,7 +5,7 @@ import json
 import os
 
 from ..storage.record_columns import labels_text
-from .part_rows import thinnest_cell
+from .part_rows import category_cell, thinnest_cell
 from .terminal_table import FAILURE, TableColumn, category_style, print_table
 
 
@@ -19,7 +19,7 @@ def print_stored(parts, stream, folder, more_columns=()):
 def _category(part):
     if part.error_kind:
         return f"failed: {part.error_kind}"
-    return part.category + (" (unsure)" if part.borderline else "")
+    return category_cell(part.category, part.borderline, (part.unsure_between or "").split())
 
 
 def _style(part):

@@ -3,6 +3,9 @@
 
 import math
 
+_NOTHING = 1e-6
+"""Percent up to which a sum of shares is only rounding."""
+
 
 def rounded_up(value):
     """A positive number rounded up to two digits."""
@@ -11,12 +14,14 @@ def rounded_up(value):
 
 
 def percent(share):
-    """Format a share as a percentage; empty for None, and 0 below a twentieth of a percent."""
+    """Format a share as a percentage; empty for None. What is there, but too small to be written, is less than 0.1 %."""
     if share is None:
         return ""
     value = 100.0 * share
     if abs(value) >= 1000.0:
         return ">999\u00a0%" if value > 0 else "<\u2212999\u00a0%"
+    if _NOTHING < value < 0.05:
+        return "<\u00a00.1\u00a0%"
     # Rounding may leave sums of shares slightly below 0.
     value = 0.0 if abs(value) < 0.05 else value
     digits = 0 if abs(value) >= 9.95 or value == 0.0 else 1

@@ -12,9 +12,9 @@ from typing import Any, Callable, NamedTuple, Optional
 from ..core.descriptors.descriptor_table import QUANTITIES, STATED_FLOOR
 from ..core.kinds.value_kinds import Number, OrNull, Text, Whole
 from ..core.message import joined
-from ..core.record.checked_walls import walls_of
 from ..core.record.record_types import PART
 from ..core.record.thinnest_sentence import thinnest_kind
+from ..core.record.verdict_chances import named_between
 
 
 class RecordColumn(NamedTuple):
@@ -104,11 +104,14 @@ COLUMNS = (
     _of_record("margin", "margin"),
     RecordColumn("risk", "REAL", lambda part, measured: part.get("mesh_risk", {}).get("risk"), "risk"),
     RecordColumn("borderline", "INTEGER", lambda part, measured: int(part["borderline"]), "borderline"),
+    RecordColumn("unsure_between", "TEXT", lambda part, measured: " ".join(named_between(part)), "unsure_between"),
     *(_quantity_column(quantity) for quantity in sorted(QUANTITIES, key=_is_no_length) if quantity.keys),
     RecordColumn("thinnest_mm", "REAL", lambda part, measured: measured["thickness_mm"]["min"], "thinnest_mm"),
     RecordColumn("thinnest_at", "TEXT", lambda part, measured: thinnest_kind(part), "thinnest_at"),
-    RecordColumn("walls_mm", "REAL", lambda part, measured: walls_of(part)[0], "walls_mm"),
-    RecordColumn("walls_error_mm", "REAL", lambda part, measured: walls_of(part)[1]),
+    RecordColumn("places", "INTEGER", lambda part, measured: part.get("thinnest", {}).get("places"), "places"),
+    RecordColumn("places_below_mm", "REAL", lambda part, measured: part.get("thinnest", {}).get("below_mm"),
+                 "places_below_mm"),
+    RecordColumn("walls_mm", "REAL", lambda part, measured: part.get("thinnest", {}).get("walls_mm"), "walls_mm"),
     RecordColumn("median_mm", "REAL", lambda part, measured: measured["thickness_mm"]["median"], "median_mm"),
     RecordColumn("error_bound_mm", "REAL", lambda part, measured: measured["thickness_mm"]["error_bound"], "error_bound_mm"),
     RecordColumn("topology", "TEXT", lambda part, measured: part.get("form", {}).get("topology")),

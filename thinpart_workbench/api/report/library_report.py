@@ -225,9 +225,9 @@ def _part(part, documents, picture):
     stored = part.stored
     return LibraryPart(
         label=part.label, file=documents.name(part.file), address=documents.address(part.file), picture=picture,
-        instances=part.instances, category=part.category, borderline=part.borderline, thinnest_mm=part.thinnest_mm,
-        median_mm=stored.median_mm, diagonal_mm=stored.diagonal_mm, volume_ratio=stored.volume_ratio, box_mm=part.box_mm,
-        risk=stored.risk)
+        instances=part.instances, category=part.category, borderline=part.borderline, between=part.between,
+        thinnest_mm=part.thinnest_mm, place=stored.thinnest_at, median_mm=stored.median_mm, diagonal_mm=stored.diagonal_mm,
+        volume_ratio=stored.volume_ratio, box_mm=part.box_mm, risk=stored.risk)
 
 
 def _titles(parts):

@@ -13,6 +13,8 @@ from ...core.judging.wall_check import check_walls
 from ...core.kinds.file_marks import PAGE, TABLE
 from ...core.length_unit import MILLIMETRE, UNITS
 from ...core.message import message
+from ...core.record.thinnest_sentence import thinnest_kind
+from ...core.record.verdict_chances import named_between
 from ...freecad_adapter.reading.linked_files import linked_files
 from ...storage.face_table import FACES
 from ...storage.info.info_file import new_source
@@ -35,8 +37,8 @@ LANGUAGES = page_language.LANGUAGES
 """Of pages: codes, English first."""
 
 PartSummary = namedtuple("PartSummary", (
-    "file", "label", "instances", "category", "thinnest", "thin_share", "margin", "borderline", "box",
-    "diagonal", "warnings", "page", "picture", "checks"))
+    "file", "label", "instances", "category", "between", "thinnest", "place", "thin_share", "margin", "borderline",
+    "box", "diagonal", "warnings", "page", "picture", "checks"))
 FailureSummary = namedtuple("FailureSummary", "file label kind message")
 _Drawn = namedtuple("_Drawn", "page picture")
 
@@ -235,8 +237,8 @@ def _summary(record, pages, checks):
     measured = record["descriptors"]
     thin = sum(face["area_mm2"] * face["thin_share"] for face in record["faces"])
     return PartSummary(
-        pages.document, record["label"], record["instances"], record["category"],
-        measured["thickness_mm"]["min"], thin / measured["area_mm2"], record["margin"], record["borderline"],
-        tuple(measured["box_mm"]), measured["diagonal_mm"], len(record["warnings"]), address(pages.page(record["name"])),
-        address(pages.picture(record["name"])), checks,
+        pages.document, record["label"], record["instances"], record["category"], named_between(record),
+        measured["thickness_mm"]["min"], thinnest_kind(record), thin / measured["area_mm2"],
+        record["margin"], record["borderline"], tuple(measured["box_mm"]), measured["diagonal_mm"], len(record["warnings"]),
+        address(pages.page(record["name"])), address(pages.picture(record["name"])), checks,
     )

@@ -11,7 +11,7 @@ from ...core.judging.verdict_sentence import verdict_sentence
 from ...core.message import Message
 from ...core.record import thinnest_sentence
 from ...core.record.record_types import PartRecord
-from ...core.record.verdict_chances import verdict_chances
+from ...core.record.verdict_chances import named_between, verdict_chances
 from ...core.risk.risk_sentence import risk_sentence
 
 
@@ -60,6 +60,28 @@ def sureness(record: PartRecord) -> Optional[Sureness]:
     if chances is not None:
         return Sureness(None, chances.own, chances.other, chances.others, record["borderline"])
     return Sureness(record["margin"], None, nearest_other(record), None, record["borderline"])
+
+
+def between(record: PartRecord) -> tuple[str, ...]:
+    """The two categories that an unsure verdict leaves open, the likelier first; empty where it is sure.
+
+    Examples
+    --------
+    >>> between(record)
+    ()
+    """
+    return named_between(record)
+
+
+def thinnest_kind(record: PartRecord) -> str:
+    """What the thinnest wall is: ``taper``, ``edge``, or empty for a wall between parallel sides.
+
+    Examples
+    --------
+    >>> thinnest_kind(record)
+    ''
+    """
+    return thinnest_sentence.thinnest_kind(record)
 
 
 def mesh_risk(record: PartRecord) -> str:

@@ -25,6 +25,21 @@ def is_thread(kind, length, thickness, width):
     return kind == TOOTH and length >= THREAD_TURNS * math.pi * width and thickness <= THREAD_THICKNESS * width
 
 
+RIB = "rib"
+"""What people call a wall that is low and stands on a solid body."""
+
+RIB_UP_TO, RIB_VOLUME = 6.0, 0.1
+"""Height, in thicknesses, and share of the volume up to which a wall on a solid body is a rib."""
+
+CORE = 0.4
+"""Share of the volume from which a bulky region is the core of a part."""
+
+
+def is_rib(kind, width, thickness, volume):
+    """Whether a region of a kind, width, median thickness and share of the volume, or None, is a rib on the core."""
+    return kind == PLATE and width <= RIB_UP_TO * thickness and volume is not None and volume <= RIB_VOLUME
+
+
 def called(kind, count):
     """The kind of so many equal regions as people call it: one tooth alone is a taper."""
     return TAPER if kind == TOOTH and count == 1 else kind

@@ -7,8 +7,9 @@ from ..descriptors.quantity import MiddleShare
 from ..figures import Length, Share
 from ..message import message
 from ..record.region_groups import region_groups
+from ..record.verdict_chances import named_between
 from .verdict_reasons import deciding_criteria
-from .wall_words import thin_features, walls_it_is_made_of
+from .wall_words import features_of_a_solid, thin_features, walls_it_is_made_of
 
 LEAST_SHARE = 0.001
 """Share below which less than that is said: rounded, it would be none."""
@@ -47,16 +48,8 @@ def _of_walls(record, quantity, condition, plates):
         said = _in_workshop_words(record, share, bound * width, _asks_for_plates(plates))
         if said is not None:
             return said
-    thinnest = record["descriptors"]["thickness_mm"]["min"]
-    if not condition["holds"] and "thinnest" in record and thinnest is not None and thinnest >= bound * width:
-        return message("Solid: no wall is thinner than {thinnest}, {part} of the width of {middle}: mesh it with solids.",
-                       thinnest=Length(thinnest), part=Share(thinnest / width), middle=middle)
     if not condition["holds"]:
-        found = thin_features(region_groups(record), bound * width, width)
-        if found is not None:
-            return message("Solid but for {features}: mesh it with solids, and refine there or suppress that.",
-                           features=found.words)
-        return _of_solid(share, limit, part, middle, quantity.slanted)
+        return _of_solid(record, condition, quantity)
     if _asks_for_plates(plates):
         return message(
             "{share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}: consider "
@@ -67,18 +60,41 @@ def _of_walls(record, quantity, condition, plates):
         "the mesh there.", share=share, limit=limit, part=part, middle=middle)
 
 
-def _of_solid(share, limit, part, middle, slanted):
-    if not share.value and not slanted:  # there may be tapered ones
-        return message("Solid: only tapered walls are thinner than {limit}, {part} of the width of {middle}: mesh it with "
-                       "solids.", limit=limit, part=part, middle=middle)
-    if not share.value:
-        return message("Solid: no wall is thinner than {limit}, {part} of the width of {middle}: mesh it with solids.",
+def _of_solid(record, condition, quantity):
+    """What is said of a part that is not thin by a condition, and where the verdict is unsure, not surely solid: Message."""
+    is_unsure = bool(named_between(record))
+    width = record["descriptors"]["box_mm"][1]
+    found = features_of_a_solid(region_groups(record), quantity.bounds[1] * width, width)
+    if found is None:
+        walls = _walls_of_solid(record, condition, quantity)
+        return message("Neither clearly solid nor clearly thin: {walls}.", walls=walls) if is_unsure else message(
+            "Solid: {walls}: mesh it with solids.", walls=walls)
+    if is_unsure:
+        return message("Neither clearly solid nor clearly thin: {walls}.", walls=found.words)
+    if found.are_teeth:
+        return message("Solid but for {features}: mesh it with solids, and refine there or suppress that.",
+                       features=found.words)
+    return message("Solid but for {features}: mesh it with solids, and refine there.", features=found.words)
+
+
+def _walls_of_solid(record, condition, quantity):
+    width, share = record["descriptors"]["box_mm"][1], condition["value"]
+    bound, middle = quantity.bounds[1], Length(width)
+    limit, part, thinnest = Length(bound * width), Share(bound), record["descriptors"]["thickness_mm"]["min"]
+    if "thinnest" in record and thinnest is not None and thinnest >= bound * width:
+        return message("no wall is thinner than {thinnest}, {part} of the width of {middle}", thinnest=Length(thinnest),
+                       part=Share(thinnest / width), middle=middle)
+    if not share and not quantity.slanted:  # there may be tapered ones
+        return message("only tapered walls are thinner than {limit}, {part} of the width of {middle}",
                        limit=limit, part=part, middle=middle)
-    if share.value < LEAST_SHARE:
-        return message("Solid: less than {share} of the surface lies over walls thinner than {limit}, {part} of the width "
-                       "of {middle}: mesh it with solids.", share=Share(LEAST_SHARE), limit=limit, part=part, middle=middle)
-    return message("Solid: only {share} of the surface lies over walls thinner than {limit}, {part} of the width of "
-                   "{middle}: mesh it with solids.", share=share, limit=limit, part=part, middle=middle)
+    if not share:
+        return message("no wall is thinner than {limit}, {part} of the width of {middle}",
+                       limit=limit, part=part, middle=middle)
+    if share < LEAST_SHARE:
+        return message("less than {share} of the surface lies over walls thinner than {limit}, {part} of the width of "
+                       "{middle}", share=Share(LEAST_SHARE), limit=limit, part=part, middle=middle)
+    return message("only {share} of the surface lies over walls thinner than {limit}, {part} of the width of {middle}",
+                   share=Share(share), limit=limit, part=part, middle=middle)
 
 
 def _asks_for_plates(conditions):

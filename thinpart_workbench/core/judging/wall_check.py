@@ -11,9 +11,9 @@ from typing import NamedTuple, Optional
 
 from ..descriptors.bins import BINS, MIDDLE_BINS
 from ..descriptors.descriptor_table import STATED_FLOOR
+from ..descriptors.wall_kinds import EDGE
 from ..figures import Length, Share
 from ..message import message
-from ..record.checked_walls import walls_of
 from ..record.face_check import check_faces, face_sentences, least_elsewhere
 from ..tolerances import TOLERANCES
 from .wall_limits import WallLimits
@@ -44,7 +44,7 @@ class MeasuredWalls:
     Attributes
     ----------
     thinnest, error : float or None, mm
-        The thinnest wall apart from sharp edges, which are thinner than any limit, and how far it may be off.
+        The thinnest wall at any angle, and how far it may be off.
     volume, area : float or None, mm3 and mm2
     diagonal : float, mm
     walls, slanted : tuple of (sequence of int, sequence of float)
@@ -70,10 +70,10 @@ class MeasuredWalls:
     def of_record(cls, record):
         """Those of a part record."""
         content = record["descriptors"]
-        (thinnest, error), shares = walls_of(record), content["shares"]
+        wall, shares = content["thickness_mm"], content["shares"]
         walls, slanted = content["distribution"], content["nonparallel"]
         ball = content.get("local", {}).get("T99")
-        return cls(thinnest, error, content["volume_mm3"], content["area_mm2"], content["diagonal_mm"],
+        return cls(wall["min"], wall["error_bound"], content["volume_mm3"], content["area_mm2"], content["diagonal_mm"],
                    (walls["bins"], walls["area"]), (slanted["bins"], slanted["area"]),
                    shares["unmeasured"], shares["unmet"], ball and ball * content["box_mm"][1])
 
@@ -141,7 +141,7 @@ class WallCheck:
     thick_share : float
         Share of the surface where the part is thicker than the greatest: a larger ball inside reaches it.
     tapered_share : float
-        Share of the surface over tapered walls thinner than the least: they end in edges, and decide nothing.
+        Share of the surface over tapered walls thinner than the least.
     faces : tuple of str
         Faces with a wall under the least one, the thinnest first.
     thickest_mm : float or None, mm
@@ -150,6 +150,10 @@ class WallCheck:
         Faces half of which balls larger than the greatest wall reach, the thickest first.
     own : tuple of FaceCheck
         Faces with limits of their own, which the others are compared without.
+    edge_mm : float or None, mm
+        How far from a sharp edge the thinnest wall is, where that ends in one; see `ThinnestPlace`.
+    walls_mm : float or None, mm
+        The thinnest wall that does not, in that case.
     """
 
     limits: WallLimits
@@ -167,6 +171,16 @@ class WallCheck:
     thickest_mm: Optional[float] = None
     thick_faces: tuple = ()
     own: tuple = ()
+    edge_mm: Optional[float] = None
+    walls_mm: Optional[float] = None
+
+    @property
+    def is_only_at_edges(self):
+        """bool: whether nothing fails but walls that end in sharp edges."""
+        least = self.limits.min_mm
+        if least is None or self.edge_mm is None or self.thin_holds is not False or self.thick_holds is False:
+            return False
+        return self.walls_mm is None or self.walls_mm >= (1.0 - NEAR) * least
 
     @property
     def thick_from(self):
@@ -211,8 +225,8 @@ def check_walls(record, limits):
     """Check a part: WallCheck.
 
     The least wall is compared with the part's thinnest wall, at any angle, which has an extent (`thin_places`), so that
-    stray rays decide nothing. Sharp edges are thinner than any limit: they count in shares of the surface, not in the
-    verdict. The greatest wall is compared with the largest balls inside, whichever way rays run: a ray from the edge of a
+    stray rays decide nothing. A wall that ends in a sharp edge is as thin as it is at the stated depth beside that. The
+    greatest wall is compared with the largest balls inside, whichever way rays run: a ray from the edge of a
     plate runs along it, and would call every plate thick.
 
     Parameters
@@ -279,17 +293,21 @@ def _check(record, limits, judged):
     """The result: WallCheck."""
     holds, thin_holds, thick_holds, within, measured, thick, own = judged
     apart = {each.face for each in own if each.min_mm is not None}
-    least = [(face.get("walls_min", face["min"]), face["face"]) for face in record.get("faces", ())
-             if face["face"] not in apart]
+    least = [(face["min"], face["face"]) for face in record.get("faces", ()) if face["face"] not in apart]
+    place = record.get("thinnest")
+    is_of_all = place is not None and measured.thinnest == record["descriptors"]["thickness_mm"]["min"]
+    is_at_edge = is_of_all and place["kind"] == EDGE
     faces = sorted((wall, face) for wall, face in least if wall is not None)
+    named = place["face"] if is_of_all and place["face"] not in apart else faces[0][1] if faces else ""
     failing = thin_holds is False
     return WallCheck(
-        limits, holds, within, thin_holds, thick_holds, measured.thinnest, measured.error, faces[0][1] if faces else "",
+        limits, holds, within, thin_holds, thick_holds, measured.thinnest, measured.error, named,
         _thin_share(record, measured, limits.min_mm) if failing else (0.0, 0.0),
         0.0 if limits.max_mm is None else _thick_share(record, measured, limits.max_mm, thick_holds),
         0.0 if limits.min_mm is None else measured.tapered_under(limits.min_mm),
         tuple(face for wall, face in faces if failing and wall < limits.min_mm),
         measured.thickest, thick if thick_holds is False else (), own,
+        place["depth_mm"] if is_at_edge else None, place["walls_mm"] if is_at_edge else None,
     )
 
 
@@ -313,6 +331,9 @@ def _together(sentences):
 def _process_sentence(check):
     limits, thinnest, error = check.limits, Length(check.thinnest_mm), Length(check.error_mm)
     process, least, most = limits.full_title, Length(limits.min_mm), Length(limits.max_mm)
+    if check.is_only_at_edges:
+        return message("{process}: fails, but only where walls end in sharp edges: {findings}.", process=process,
+                       findings=_findings(check))
     if False in (check.thin_holds, check.thick_holds):
         return message("{process}: fails: {findings}.", process=process, findings=_findings(check))
     if check.thinnest_mm is None and check.thin_holds and check.own:
@@ -431,12 +452,16 @@ def _thin_share(record, measured, limit):
 
 
 def _place(check):
-    """The thinnest wall, its error bound where that matters, and its face where it is known: Message or
-    Length."""
+    """The thinnest wall, its error bound where that matters, its face where it is known, and how far it is from a sharp edge
+    that it ends in: Message or Length."""
     thinnest = Length(check.thinnest_mm)
     if check.within_tolerance:
         thinnest = message("{thinnest}, give or take {error:.2g},", thinnest=thinnest, error=Length(check.error_mm))
-    return message("{wall} on {face}", wall=thinnest, face=check.thinnest_face) if check.thinnest_face else thinnest
+    if check.thinnest_face:
+        thinnest = message("{wall} on {face}", wall=thinnest, face=check.thinnest_face)
+    if check.edge_mm is None:
+        return thinnest
+    return message("{wall}, {depth:.2g} beside a sharp edge", wall=thinnest, depth=Length(check.edge_mm))
 
 
 def _share_text(bounds):

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from ..descriptors.bins import BINS
 from ..descriptors.equal_walls import SAME
-from ..descriptors.region_kinds import BAR, BLOCK, PLATE, TAPER, TOOTH, TUBE, is_thread
+from ..descriptors.region_kinds import BAR, BLOCK, CORE, PLATE, RIB, RIB_VOLUME, TAPER, TOOTH, TUBE, is_thread
 from ..figures import Length, Share
 from ..message import Message, message
 
@@ -26,9 +26,10 @@ OUTLYING = 0.05, 0.95
 MOSTLY = 3.0
 """Median thickness of a taper, in limits, from which it is a body that ends in an edge rather than a thin wall."""
 
+NOTED = 0.15
+"""Thickness, in widths of a part, up to which a rib, a thread or the teeth of a solid body are named."""
+
 _MOST_NAMED = 3
-_CORE = 0.4
-"""Share of the volume from which a bulky region is the core of the part."""
 
 
 def walls_it_is_made_of(record, groups, limit):
@@ -119,14 +120,31 @@ def thin_features(groups, limit, width):
     width : float, mm
         Middle side of the box of the part.
     """
-    thin = sorted((group for group in groups if _is_thin(group, limit)), key=lambda group: -group.area_share)
+    thin = [group for group in groups if _is_thin(group, limit)] or [
+        group for group in groups if group.kind not in (BLOCK, TUBE) and group.least < limit and group.count > 1]
+    thin.sort(key=lambda group: -group.area_share)
     if not thin:
         return None
     bulky = [group.volume_share or 0.0 for group in groups if group.kind in (BLOCK, BAR) and not _is_thin(group, limit)]
+    has_core = max(bulky, default=0.0) >= CORE
     features = _features(thin, width)
     words = _listed([_feature(feature) for feature in features[:_MOST_NAMED]],
                     sum(feature.count for feature in features[_MOST_NAMED:]))
-    return ThinFeatures(words, max(bulky, default=0.0) >= _CORE, all(_is_toothing(feature) for feature in features))
+    return ThinFeatures(words, has_core, all(_is_toothing(feature) for feature in features))
+
+
+def features_of_a_solid(groups, limit, width):
+    """What a solid part has of thin regions, or else of ribs, threads and teeth on its core that are thin beside that.
+
+    Parameters and result are those of `thin_features`.
+    """
+    found = thin_features(groups, limit, width)
+    if found is not None:
+        return found
+    small = [group for group in groups if not _is_thin(group, NOTED * width)
+             or (group.volume_share or 0.0) <= RIB_VOLUME * group.count]
+    noted = thin_features(small, NOTED * width, width)
+    return noted if noted is not None and noted.has_core else None
 
 
 @dataclass(frozen=True)
@@ -143,7 +161,7 @@ def _features(groups, width):
     """Groups of regions, those of one kind and thickness as one: list of _Feature."""
     found: list[_Feature] = []
     for group in groups:
-        kind = {TUBE: PLATE, TAPER: TOOTH}.get(group.kind, group.kind)
+        kind = RIB if group.word == RIB else {TUBE: PLATE, TAPER: TOOTH}.get(group.kind, group.kind)
         goes_round = is_thread(group.kind, group.length, group.median, width)
         feature = _Feature(kind, group.count, group.least, group.median, goes_round, width)
         same = next((number for number, other in enumerate(found) if _are_one(feature, other)), None)
@@ -189,10 +207,14 @@ def _feature(feature):
         return message("{count} teeth {least} to {thickness} thick", count=count, least=least, thickness=thickness)
     if kind == TOOTH:
         return message("a taper {least} to {thickness} thick", least=least, thickness=thickness)
-    if kind == BAR and count > 1:
+    if kind == RIB and count > 1:
         return message("{count} ribs of {thickness} ({share} of the width)", count=count, thickness=thickness, share=share)
-    if kind == BAR:
+    if kind == RIB:
         return message("a rib of {thickness} ({share} of the width)", thickness=thickness, share=share)
+    if kind == BAR and count > 1:
+        return message("{count} bars of {thickness} ({share} of the width)", count=count, thickness=thickness, share=share)
+    if kind == BAR:
+        return message("a bar of {thickness} ({share} of the width)", thickness=thickness, share=share)
     if kind == BLOCK and count > 1:
         return message("{count} studs of {thickness} ({share} of the width)", count=count, thickness=thickness, share=share)
     if kind == BLOCK:

@@ -7,6 +7,7 @@ import numpy as np
 
 from ..analysis_settings import RAY
 from ..rays.ray_casting import INNER, OUTER
+from ..record.thinnest_sentence import thinnest_kind
 from ..rigid_transform import transform_points
 from .map_search import MapSearch
 
@@ -39,10 +40,13 @@ class ExtremeWall:
     places : ndarray of shape (p, 2, 3), mm
         Both ends of this wall and of others that are as thick, at the occurrences of the part, in the coordinates of the
         document when it was measured.
+    kind : str
+        What the thinnest wall of a record is, see `thinnest_kind`.
     """
 
     value: float
     places: np.ndarray
+    kind: str = ""
 
 
 def thinnest_wall(parts):
@@ -85,7 +89,7 @@ def _thinnest_of(part):
     least = witnesses[0]["distance"]
     if shown.measure == RAY:
         return ExtremeWall(least, _placed(part, [
-            each["points"] for each in witnesses if each["distance"] <= (1.0 + _EQUAL) * least]))
+            each["points"] for each in witnesses if each["distance"] <= (1.0 + _EQUAL) * least]), thinnest_kind(part.record))
     extent = float(np.linalg.norm(np.ptp(shown.points, axis=0)))
     facet = MapSearch(shown).nearest_facet(np.asarray(witnesses[0]["points"][0]), _REACH * extent)
     value = float(shown.thickness[facet]) if facet >= 0 else np.nan

@@ -25,7 +25,7 @@ class FaceCheck:
     min_mm, max_mm : float or None
     reason : str
     wall_mm, ball_mm : float or None
-        The thinnest wall of the face apart from sharp edges, and the median of the largest balls that reach it.
+        The thinnest wall of the face, and the median of the largest balls that reach it.
     holds : bool or None
         None where the face is gone, or nothing is known of it.
     is_gone : bool
@@ -67,8 +67,8 @@ def least_elsewhere(record, checks):
     checks : list of FaceCheck
     """
     own = {check.face for check in checks if check.min_mm is not None and not check.is_gone}
-    walls = [_wall(face) for face in record["faces"] if face["face"] not in own and not (
-        face["witness"] is not None and face["witness"]["opposite_face"] in own and _wall(face) == face["min"])]
+    walls = [face["min"] for face in record["faces"] if face["face"] not in own and not (
+        face["witness"] is not None and face["witness"]["opposite_face"] in own)]
     return min((wall for wall in walls if wall is not None), default=None)
 
 
@@ -104,7 +104,7 @@ def _checked(limit, face):
     least, most = limit.get("min_mm"), limit.get("max_mm")
     if face is None:
         return FaceCheck(limit["face"], least, most, limit["reason"], is_gone=True)
-    check = FaceCheck(face["face"], least, most, limit["reason"], _wall(face), face.get("ball_mm"))
+    check = FaceCheck(face["face"], least, most, limit["reason"], face["min"], face.get("ball_mm"))
     unknown = (least is not None and check.wall_mm is None) or (most is not None and check.ball_mm is None)
     holds = None if unknown else not _is_under(check) and not check.is_over
     return FaceCheck(check.face, least, most, check.reason, check.wall_mm, check.ball_mm, holds)
@@ -112,7 +112,3 @@ def _checked(limit, face):
 
 def _is_under(check):
     return check.min_mm is not None and check.wall_mm is not None and check.wall_mm < (1.0 - NEAR) * check.min_mm
-
-
-def _wall(face):
-    return face.get("walls_min", face["min"])

@@ -5,7 +5,7 @@ SAME_AREA = 0.01
 """Share by which the area of a face may differ between measurements."""
 
 
-_MEASURED = ("face", "area_mm2", "surface", "min", "walls_min", "ball_mm")
+_MEASURED = ("face", "area_mm2", "surface", "min", "ball_mm")
 _LIMIT = ("face", "area_mm2", "surface", "min_mm", "max_mm", "reason")
 
 

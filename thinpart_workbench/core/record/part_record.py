@@ -244,7 +244,6 @@ def _face(part, measurement, face):
         "face": face_name(face.face),
         "area_mm2": face.area,
         "min": face.minimum,
-        "walls_min": face.walls_minimum,
         "median": face.median,
         "max": face.maximum,
         "thin_share": face.thin_share,

@@ -45,15 +45,14 @@ class WitnessRecord(TypedDict):
 
 
 class FaceRecord(TypedDict):
-    """The walls under one face, None where there are none: the thinnest, and the thinnest apart from sharp edges; median and
-    greatest of parallel walls, or of tapered ones where none is parallel. On which kind of surface it lies, with the radius
-    where it has one; None for a patch of triangles. The first face that is equal to it; None where it is the first.
-    And the diameter of the largest balls inside that reach it, the median."""
+    """The walls under one face, None where there are none: the thinnest; median and greatest of parallel ones, or of tapered
+    ones where none is parallel. On which kind of surface it lies, with the radius where it has one; None for a patch of
+    triangles. The first face that is equal to it; None where it is the first. And the diameter of the largest balls inside
+    that reach it, the median."""
 
     face: str
     area_mm2: float
     min: Optional[float]
-    walls_min: NotRequired[Annotated[Optional[float], LATER]]
     median: Optional[float]
     max: Optional[float]
     thin_share: Share

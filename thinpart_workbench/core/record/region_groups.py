@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Optional
 
 from ..descriptors.equal_walls import WallSize, equal_groups
-from ..descriptors.region_kinds import THREAD, called, is_thread
+from ..descriptors.region_kinds import BAR, BLOCK, CORE, RIB, THREAD, called, is_rib, is_thread
 from .face_names import face_number
 from .region_notes import notes_of_regions
 
@@ -40,7 +40,7 @@ class RegionGroup:
     mesh_size : float or None, mm
         Element size that is wanted there.
     word : str
-        The kind as people call it: see `called`; or `THREAD`.
+        The kind as people call it: see `called`; or `THREAD`, or `RIB`.
     """
 
     kind: str
@@ -76,8 +76,9 @@ def region_groups(record, notes=None):
     found = notes_of_regions(listed, record.get("region_notes", ()) if notes is None else notes)
     said = [((note or {}).get("excluded", ""), (note or {}).get("mesh_size_mm")) for note in found]
     area, width = record["descriptors"]["area_mm2"], record["descriptors"]["box_mm"][1]
+    has_core = any(region["kind"] in (BLOCK, BAR) and (region["volume_share"] or 0.0) >= CORE for region in listed)
     # Those of a record are in the order of their medians: a taper that begins thinner than a plate came after it.
-    groups = (_group([listed[number] for number in numbers], area, width, *said[numbers[0]])
+    groups = (_group([listed[number] for number in numbers], area, width, has_core, *said[numbers[0]])
               for numbers in _equal_groups(record, said))
     return sorted(groups, key=lambda group: (group.least, -group.area))
 
@@ -115,10 +116,14 @@ def _size(region, face_areas):
                     region["area_mm2"], tuple(sorted(face_areas[face] for face in region["faces"] if face in face_areas)))
 
 
-def _group(regions, area, width, excluded, mesh_size):
+def _group(regions, area, width, has_core, excluded, mesh_size):
     typical = sorted(regions, key=lambda region: region["length_mm"])[(len(regions) - 1) // 2]
     shares = [region["volume_share"] for region in regions]
-    goes_round = is_thread(typical["kind"], typical["length_mm"], typical["median"], width)
+    word = called(typical["kind"], len(regions))
+    if is_thread(typical["kind"], typical["length_mm"], typical["median"], width):
+        word = THREAD
+    elif has_core and is_rib(typical["kind"], typical["width_mm"], typical["median"], typical["volume_share"]):
+        word = RIB
     return RegionGroup(
         typical["kind"], len(regions), min(region["min"] for region in regions), typical["median"],
         typical["length_mm"], typical["width_mm"],
@@ -127,4 +132,4 @@ def _group(regions, area, width, excluded, mesh_size):
         min(1.0, sum(region["area_mm2"] for region in regions) / area),
         tuple(sorted((region["min"], region["witness"]["points"]) for region in regions if region.get("witness"))),
         sum(region["area_mm2"] for region in regions), tuple(regions), excluded, mesh_size,
-        THREAD if goes_round else called(typical["kind"], len(regions)))
+        word)

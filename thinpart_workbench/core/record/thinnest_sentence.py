@@ -56,7 +56,8 @@ def _said(record, place, thinnest):
     said = message("{wall}; sharp edges are {edges} long.", wall=wall, edges=Length(place["edges_mm"]))
     if not is_edge or place["walls_mm"] is None:
         return said
-    return message("{said} Apart from them, the thinnest wall is {walls}.", said=said, walls=Length(place["walls_mm"]))
+    return message("{said} The thinnest wall that does not end in one is {walls}.", said=said,
+                   walls=Length(place["walls_mm"]))
 
 
 def thinnest_kind(record):

@@ -48,3 +48,13 @@ def open_between(record):
     if chances is None:
         return None
     return sorted([(record["category"], chances.own), (chances.other, chances.others)], key=lambda each: -each[1])
+
+
+def named_between(record):
+    """The two categories of `open_between`, by their names: tuple of str, empty where the verdict is sure.
+
+    Parameters
+    ----------
+    record : PartRecord
+    """
+    return tuple(category for category, _ in open_between(record) or ())

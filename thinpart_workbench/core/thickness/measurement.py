@@ -87,7 +87,7 @@ class Measurement:
 
     def with_thinnest_place(self, confirmed=None):
         """The same measurement with its thinnest place; `confirmed` as of `thinnest_place`."""
-        thinnest, places = thinnest_place(self.thinnest_wall, self.places, confirmed)
+        thinnest, places = thinnest_place(self.thinnest_wall, self.places, confirmed, self.equal_faces)
         mesh = self.field.mesh
         regions = self.regions if thinnest is None else with_thinnest_taper(
             self.regions, thinnest, np.bincount(mesh.face_of_triangle, mesh.areas))

@@ -50,8 +50,6 @@ class FaceThickness:
     area : float, mm2
     minimum : float or None, mm
         Over walls at any angle, see `thin_places`; None where there is no wall.
-    walls_minimum : float or None, mm
-        The same apart from sharp edges.
     median, maximum : float or None, mm
         Over parallel walls, or tapered ones where none is parallel; the median by area.
     thin_share : float
@@ -72,7 +70,6 @@ class FaceThickness:
     unmeasured_share: float
     witness: Optional[Witness]
     wedge: Optional[Witness]
-    walls_minimum: Optional[float]
 
 
 def face_thicknesses(field, thin_limit_mm, thinnest=None, places=None, thinnest_of_all=None):
@@ -91,14 +88,12 @@ def face_thicknesses(field, thin_limit_mm, thinnest=None, places=None, thinnest_
         Their thinnest.
     """
     face = field.face
-    placed, walls = ({}, {}) if places is None or thinnest_of_all is None else (
-        _placed(places.chosen(~places.is_narrow), thinnest_of_all.witness),
-        _placed(places.chosen(~places.is_narrow & ~places.is_at_edge), thinnest_of_all.wall))
+    placed = {} if places is None or thinnest_of_all is None else _placed(
+        places.chosen(~places.is_narrow), thinnest_of_all.witness)
     order = np.lexsort([field.distance, face])
     faces, start = np.unique(face[order], return_index=True)
     return [
-        _face_thickness(field, int(face), rows, float(thin_share), _thinner(witness, placed.get(int(face))),
-                        _thinner(witness, walls.get(int(face))))
+        _face_thickness(field, int(face), rows, float(thin_share), _thinner(witness, placed.get(int(face))))
         for face, rows, thin_share, witness in zip(
             faces, np.split(order, start[1:]), thin_shares(field, thin_limit_mm), _thinnest_under(field, faces, thinnest))
     ]
@@ -138,7 +133,7 @@ def _thinner(first, second):
     return second if first is None or second is not None and second.distance < first.distance else first
 
 
-def _face_thickness(field, face, rows, thin_share, witness, wall):
+def _face_thickness(field, face, rows, thin_share, witness):
     """Summary of one face; `rows` are its samples by ascending distance."""
     area = field.area[rows]
     total = float(area.sum())
@@ -160,7 +155,6 @@ def _face_thickness(field, face, rows, thin_share, witness, wall):
         thin_share, float(area[~measured].sum()) / total,
         witness,
         witness_of(field, slanted[0]) if len(slanted) else None,
-        None if wall is None else wall.distance,
     )
 
 

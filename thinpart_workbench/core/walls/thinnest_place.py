@@ -11,7 +11,7 @@ from ..descriptors.wall_kinds import EDGE, PARALLEL, TAPERED
 from ..number_text import rounded_up
 from ..tolerances import TOLERANCES
 from .face_thickness import NEARLY, Witness
-from .thin_places import LEAST
+from .thin_places import LEAST, MAY_BE_THINNER
 
 MOST_TRIED = 12
 """Places that are looked for in the part's own geometry, from the thinnest on."""
@@ -67,7 +67,7 @@ class WallErrors(NamedTuple):
     walls: float
 
 
-def thinnest_place(parallel, places, confirmed=None):
+def thinnest_place(parallel, places, confirmed=None, equal_faces=None):
     """Find where a part is thinnest: ThinnestPlace or None, and the places without those that it does not have: ThinPlaces.
 
     Parameters
@@ -79,6 +79,8 @@ def thinnest_place(parallel, places, confirmed=None):
         Called with a `Witness`, its kind, its number among the places and the thickness, mm, under which it would be the
         thinnest; returns the wall as the geometry of the part has it, None where there is none, and its kind. Without it,
         what `ThinPlaces.is_narrow` has for a chamfer is none.
+    equal_faces : ndarray of shape (f,), int64, optional
+        For each face, the first one equal to it.
     """
     best, kind, apart = parallel, PARALLEL, parallel
     kept, at_edge, width = np.ones(len(places.samples), dtype=bool), places.is_at_edge.copy(), places.width.copy()
@@ -114,7 +116,7 @@ def thinnest_place(parallel, places, confirmed=None):
         return None, places
     left = places.chosen(kept & (places.is_narrow | (places.distance >= best.distance * (1.0 - NEARLY))))
     below = rounded_up(TOLERANCES.alike * best.distance)
-    count = max(1, _count(left.chosen(~left.is_narrow), below))
+    count = max(1, _count(left.chosen(~left.is_narrow), below, equal_faces))
     return ThinnestPlace(best, kind, places.depth, places.edges_mm, apart, below, count), left
 
 
@@ -122,16 +124,18 @@ def _kind(places, number):
     return EDGE if places.is_at_edge[number] else TAPERED if places.is_tapered[number] else PARALLEL
 
 
-def _count(places, below):
+def _count(places, below, equal_faces):
     """How many places are thinner than a length: walls between faces that go over into each other are one."""
-    thin = places.chosen(np.flatnonzero(places.distance < below)[:_MOST_COUNTED])
+    thin = places.chosen(places.distance < below)
     if not len(thin.samples):
         return 0
+    pairs = _face_pairs(thin.field, thin.samples)
+    if equal_faces is not None:
+        pairs = np.concatenate([pairs, _equal_tapers(thin, pairs, equal_faces)])
+    pairs = np.unique(pairs, axis=0)[:_MOST_COUNTED]
     mesh = thin.field.mesh
-    here = thin.field.face[thin.samples]
-    there = mesh.face_of_triangle[thin.field.opposite[thin.samples]]
-    faces, own = np.unique(np.concatenate([here, there]), return_inverse=True)
-    here, there = np.split(own.ravel(), 2)
+    faces, own = np.unique(pairs, return_inverse=True)
+    here, there = own.reshape(pairs.shape).T
     touching = np.eye(len(faces), dtype=bool)
     sides = mesh.face_of_triangle[np.stack(mesh.shared_sides) // 3]
     sides = sides[:, sides[0] != sides[1]]
@@ -142,3 +146,29 @@ def _count(places, below):
     crosswise = touching[np.ix_(here, there)] & touching[np.ix_(there, here)]
     count, _ = connected_components(straight | crosswise, directed=False)
     return int(count)
+
+
+def _face_pairs(field, samples):
+    """The two faces of the wall under each of some samples, the lower number first: ndarray of shape (k, 2)."""
+    there = field.mesh.face_of_triangle[field.opposite[samples]]
+    return np.sort(np.column_stack([field.face[samples], there]), axis=1)
+
+
+def _equal_tapers(thin, pairs, equal_faces):
+    """Pairs of faces that are equal to those of thin tapers, and have a wall that may be as thin: ndarray of shape (k, 2).
+
+    Equal tapers, such as the teeth of a gear, are met by samples at other distances from where they are thinnest.
+    """
+    field = thin.field
+    kinds, own = np.unique(np.sort(equal_faces[pairs[thin.is_tapered]], axis=1), axis=0, return_inverse=True)
+    least = np.full(len(kinds), np.inf)
+    np.minimum.at(least, own.ravel(), thin.distance[thin.is_tapered])
+    found = [np.zeros((0, 2), dtype=pairs.dtype)]
+    is_thin = field.distance < MAY_BE_THINNER * least.max(initial=0.0)
+    samples = np.flatnonzero((field.parallel | field.nonparallel) & is_thin)
+    others = _face_pairs(field, samples)
+    of_others = np.sort(equal_faces[others], axis=1)
+    for kind, thinnest in zip(kinds, least):
+        is_equal = (of_others == kind).all(axis=1) & (field.distance[samples] < MAY_BE_THINNER * thinnest)
+        found.append(np.unique(others[is_equal], axis=0))
+    return np.concatenate(found)

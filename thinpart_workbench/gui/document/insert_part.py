@@ -7,7 +7,7 @@ import os
 import FreeCAD as App
 
 from ...core.errors import ThinPartError
-from ...core.file_formats import is_document
+from ...core.file_formats import format_of, is_document
 from ...core.problem import NOT_READ_BY_FREECAD, problem_of
 from ..application.qt import translate
 from ..application.sentences import translated
@@ -43,7 +43,11 @@ def insert_part(file, name=None):
 
 def _insert(document, file, name):
     if not is_document(file):
-        _importer(file).insert(file, document.Name)
+        known = format_of(file)
+        if known is not None and known.name == "BREP":
+            _insert_shape(document, file)
+        else:
+            _importer(file).insert(file, document.Name)
         return translate("ThinPart", "{} was imported into {}.")
     if document.FileName and os.path.samefile(document.FileName, file):
         raise ValueError(translate("ThinPart", "it is the active document itself"))
@@ -53,6 +57,15 @@ def _insert(document, file, name):
     # Links between documents are stored by file name, and this document has none yet.
     document.mergeProject(file)
     return translate("ThinPart", "The content of {} was copied into {}: a link needs a saved document.")
+
+
+def _insert_shape(document, file):
+    """Insert a BREP file: FreeCAD 1.1 warns of the importer of `Part`, which has no other successor."""
+    import Part  # loaded on demand, it takes long
+
+    name = os.path.splitext(os.path.basename(file))[0]
+    inserted = document.addObject("Part::Feature", name)
+    inserted.Label, inserted.Shape = name, Part.read(file)
 
 
 def _importer(file):

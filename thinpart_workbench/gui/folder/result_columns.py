@@ -5,7 +5,7 @@ from ..application.numbers import number
 from ..application.qt import translate
 from ..application.sentences import translated
 from ..record.label_button import labels_sentence
-from ..record.part_columns import category_column, measured, quantity_columns, risk_column
+from ..record.part_columns import category_column, measured, quantity_columns, risk_column, thinnest_column
 from ..record.thumbnails import RowPictures, show_pictures
 from ..record.verdict_text import criterion_titles
 from ..record.wall_checks import SYMBOLS
@@ -65,7 +65,7 @@ def result_columns(profile, limits, pictures):
         Column("box", translate("ThinPart", "Box, {}"), lambda row: row.d1_mm, _box, is_number=True, has_unit=True,
                most=_MOST),
         measured("volume_ratio", "V/VBB", lambda value, unit: number(value)),
-        measured("thinnest_mm", translate("ThinPart", "Thinnest, {}")),
+        thinnest_column(),
         figures("instances", translate("ThinPart", "Instances"), lambda row: row.instances, count),
         Column("labels", translate("ThinPart", "Labels"), lambda row: labels_sentence(getattr(row, "said", ()), profile),
                most=_MOST),

@@ -5,7 +5,7 @@ import os
 
 from ..application.qt import QtCore, translate
 from ..application.sentences import translated, translated_list
-from ..record.part_columns import category_column, measured, quantity_columns, risk_column
+from ..record.part_columns import category_column, measured, quantity_columns, risk_column, thinnest_column
 from ..record.thumbnails import RowPictures, show_pictures
 from ..tables.column import Column
 from ..tables.fetched_rows import FetchedRows
@@ -63,7 +63,7 @@ class FoundRows(FetchedRows):
             category_column(profile, most=_MOST),
             Column("reasons", translate("ThinPart", "Why"), reasons, tip=lambda part, unit: reasons(part), most=45,
                    is_sortable=False),
-            measured("thinnest_mm", translate("ThinPart", "Thinnest, {}"), most=_MOST),
+            thinnest_column(most=_MOST),
             measured("d1_mm", translate("ThinPart", "Longest, {}"), most=_MOST),
             Column("file", translate("ThinPart", "File"), lambda part: part.place, is_path=True, most=_MOST),
             risk_column(),

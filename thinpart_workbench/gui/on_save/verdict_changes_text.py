@@ -6,7 +6,7 @@ from collections import Counter
 from ...api.document_verdicts import category_changes, walls_newly_under
 from ..application.numbers import marked
 from ..application.qt import translate
-from ..record.verdict_text import category_words, reason_text
+from ..record.verdict_text import category_words, reason_text, short_words, unsure_words
 
 _MOST_REASONS = 12
 
@@ -72,4 +72,6 @@ def _distinct_texts(thickness, limit_mm, unit):
 
 
 def _category_text(verdict):
+    if verdict["between"]:
+        return unsure_words(*(short_words(*each) for each in verdict["between"]))
     return category_words(verdict["category"], verdict["title"])

@@ -9,7 +9,7 @@ from ..application.numbers import number, percent
 from ..application.qt import translate
 from ..application.sentences import translated
 from ..tables.column import Column, figures, length, square
-from .verdict_text import category_colour, category_title
+from .verdict_text import category_colour, marked_thinnest, verdict_words
 
 RISK = "risk"
 """Key of the risk of the automatic mesh."""
@@ -21,8 +21,9 @@ def category_column(profile, **more):
         if row.error_kind:
             return "\u2717 " + translate("ThinPart", "Failed: {}").format(
                 translated(KINDS.get(row.error_kind, row.error_kind)))
-        title = category_title(row.category, profile)
-        return translate("ThinPart", "{} (unsure)").format(title) if row.borderline else title
+        open_between = (row.unsure_between or "").split()
+        words = verdict_words(row.category, open_between, profile)
+        return translate("ThinPart", "{} (unsure)").format(words) if row.borderline and not open_between else words
 
     return Column("category", translate("ThinPart", "Category"), text,
                   picture=lambda row: None if row.error_kind else square(category_colour(row.category)), **more)
@@ -32,6 +33,13 @@ def measured(key, title, shown=length, **more):
     """A column of the attribute `key` of rows; see `figures`. Failures have nothing there, also no dash."""
     column = figures(key, title, lambda row: getattr(row, key), shown, **more)
     return replace(column, text=lambda row, unit: "" if row.error_kind else shown(getattr(row, key), unit))
+
+
+def thinnest_column(**more):
+    """The thinnest wall, and whether it is in a taper or beside a sharp edge."""
+    column = measured("thinnest_mm", translate("ThinPart", "Thinnest, {}"), meaning=translate("ThinPart", "Thinnest wall"),
+                      **more)
+    return replace(column, text=lambda row, unit: marked_thinnest(column.shown(row, unit), row.thinnest_at))
 
 
 def risk_column():

@@ -4,12 +4,13 @@
 from dataclasses import dataclass
 from typing import Optional
 
+from ...api.window.verdicts import between, thinnest_kind
 from ...storage.part_table import PartRow, TableForm, failed_row, measured_row
 from ..application.qt import Signal, translate
 from ..application.sentences import translated
 from ..tables.column import Column, count, figures, square
 from ..tables.small_table import SmallTable
-from .verdict_text import category_colour, category_word
+from .verdict_text import category_colour, category_word, marked_thinnest, verdict_words
 
 _LINES = 6
 
@@ -79,7 +80,7 @@ def part_rows(analysis):
 def _columns(profile):
     def category(row):
         if row.record is not None:
-            return category_word(row.record["category"], profile)
+            return verdict_words(row.record["category"], between(row.record), profile, category_word)
         if row.failure:
             return translate("ThinPart", "failed: {}").format(translated(row.failure["message"]))
         return "\u2026"
@@ -89,7 +90,8 @@ def _columns(profile):
                is_path=True, least=8),
         Column("category", translate("ThinPart", "Category"), category, picture=_swatch, least=10),
         Column("thinnest_mm", translate("ThinPart", "Thinnest, {}"), _thinnest,
-               lambda row, unit: "" if _thinnest(row) is None else unit.number(_thinnest(row)), is_number=True,
+               lambda row, unit: "" if _thinnest(row) is None else marked_thinnest(
+                   unit.number(_thinnest(row)), thinnest_kind(row.record)), is_number=True,
                has_unit=True, meaning=translate("ThinPart", "Thinnest wall")),
         figures("instances", translate("ThinPart", "\u00d7"), lambda row: row.instances, count,
                 meaning=translate("ThinPart", "How often the part stands in the document")),

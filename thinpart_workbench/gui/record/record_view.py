@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The widget that shows one part record."""
 
+from ...api.window.verdicts import thinnest_kind
 from ...core.length_unit import MILLIMETRE
 from ...freecad_adapter.preferences import preference
 from ..application.numbers import number, percent
@@ -12,7 +13,16 @@ from .fold import Fold
 from .kept_room import keep_room
 from .label_button import LabelButton, labels_sentence, own_label
 from .regions_table import RegionsTable
-from .verdict_text import category_colour, confidence_text, headline_text, paper_text, reason_text, risk_text, thinnest_text
+from .verdict_text import (
+    category_colour,
+    confidence_text,
+    headline_text,
+    marked_thinnest,
+    paper_text,
+    reason_text,
+    risk_text,
+    thinnest_text,
+)
 from .wall_checks import checks_text
 
 
@@ -90,7 +100,7 @@ class RecordView(QtWidgets.QWidget):
         show_text(self._checks, checks_text(record, unit))
         measured = record["descriptors"]
         show_text(self._box, _box(measured, unit))
-        show_text(self._walls, _walls(measured["thickness_mm"], unit))
+        show_text(self._walls, _walls(record, unit))
         show_text(self._thinnest, thinnest_text(record, unit))
         self._regions.show_regions(record, unit, file=self.file)
         show_text(self._other_regions, other_regions_text(record))
@@ -228,10 +238,10 @@ def other_regions_text(record):
     return translate("ThinPart", "and {} smaller walls, {} of the surface").format(regions["others"], share)
 
 
-def _walls(thickness, unit):
+def _walls(record, unit):
+    thickness = record["descriptors"]["thickness_mm"]
     if thickness["min"] is None:
         return translate("ThinPart", "No wall could be measured.")
-    return translate(
-        "ThinPart", "Wall thickness: min {}, median {}, max {} (\u00b1\u00a0{})"
-    ).format(unit.number(thickness["min"]), unit.number(thickness["median"]), unit.text(thickness["max"]),
-             unit.bound_text(thickness["error_bound"]))
+    least = marked_thinnest(unit.number(thickness["min"]), thinnest_kind(record))
+    return translate("ThinPart", "Wall thickness: min {}, median {}, max {} (\u00b1\u00a0{})").format(
+        least, unit.number(thickness["median"]), unit.text(thickness["max"]), unit.bound_text(thickness["error_bound"]))

@@ -2,7 +2,7 @@
 """Table of the wall regions of a part, equal ones in one row."""
 
 from ...api.window.walls import grouped_walls
-from ...core.descriptors.region_kinds import BAR, BLOCK, PLATE, TAPER, THREAD, TOOTH, TUBE, called
+from ...core.descriptors.region_kinds import BAR, BLOCK, PLATE, RIB, TAPER, THREAD, TOOTH, TUBE, called
 from ...core.length_unit import MILLIMETRE
 from ..application.qt import Signal, translate
 from ..tables.column import Column, area, count, figures, length
@@ -122,6 +122,7 @@ def kind_word(kind):
         PLATE: translate("ThinPart", "plate"), TUBE: translate("ThinPart", "tube"), BAR: translate("ThinPart", "bar"),
         BLOCK: translate("ThinPart", "block"), TAPER: translate("ThinPart", "taper"),
         TOOTH: translate("ThinPart", "tooth"), THREAD: translate("ThinPart", "thread"),
+        RIB: translate("ThinPart", "rib"),
     }
     return words.get(kind, kind)
 

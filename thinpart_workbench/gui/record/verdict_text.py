@@ -2,7 +2,7 @@
 """Texts about a part's verdict."""
 
 from ...api.window.profiles import known_criteria
-from ...api.window.verdicts import mesh_risk, paper_sentence, sureness, thinnest, why
+from ...api.window.verdicts import between, mesh_risk, paper_sentence, sureness, thinnest, why
 from ...core.categories import NORMAL, UNKNOWN
 from ..application.numbers import percent
 from ..application.qt import translate
@@ -18,8 +18,7 @@ _OTHER_COLOUR, _UNKNOWN_COLOUR = (0.30, 0.42, 0.68), (0.55, 0.55, 0.55)
 
 def category_title(category, profile):
     """The title of a category, for people; the profile has those of its own categories."""
-    titles = {known.name: known.title for known in profile.categories}
-    return category_words(category, titles.get(category, category))
+    return category_words(category, _title_in(category, profile))
 
 
 def category_words(category, title):
@@ -35,24 +34,39 @@ def category_words(category, title):
 
 def category_word(category, profile):
     """A short title of one or two words, for narrow tables; see `category_title`."""
+    return short_words(category, _title_in(category, profile))
+
+
+def short_words(category, title):
+    """Like `category_word`, for a category with this title in its profile."""
     known = {
         "thin": translate("ThinPart", "thin"),
         "thin_features": translate("ThinPart", "thin features"),
         NORMAL: translate("ThinPart", "normal"),
         UNKNOWN: translate("ThinPart", "unknown"),
     }
-    return known.get(category) or category_title(category, profile)
+    return known.get(category) or translated(title)
+
+
+def _title_in(category, profile):
+    return next((known.title for known in profile.categories if known.name == category), category)
 
 
 def headline_text(record, profile):
     """The verdict in a few words; where its probability leaves it open, the two categories between which it is."""
-    sure = sureness(record)
-    if sure is None or sure.probability is None or not sure.borderline:
-        return category_title(record["category"], profile)
-    words = [category_word(record["category"], profile), category_word(sure.other, profile)]
-    if sure.other_probability > sure.probability:
-        words.reverse()
-    return translate("ThinPart", "Unsure: {} or {}").format(*words)
+    return verdict_words(record["category"], between(record), profile)
+
+
+def verdict_words(category, open_between, profile, title=category_title):
+    """The same for a category, and the names of those two, none where the verdict is sure; `title` is how one is said."""
+    if not open_between:
+        return title(category, profile)
+    return unsure_words(*(category_word(each, profile) for each in open_between))
+
+
+def unsure_words(one, other):
+    """An unsure verdict, between two short titles."""
+    return translate("ThinPart", "Unsure: {} or {}").format(one, other)
 
 
 def category_colour(category):
@@ -116,6 +130,12 @@ def holds_text(holds):
         return "? " + translate("ThinPart", "unknown")
     return "\u2713 " + translate("ThinPart", "yes") if holds else "\u2717 " + translate(
         "ThinPart", "no")
+
+
+def marked_thinnest(text, kind):
+    """A text of the thinnest wall, and what that is; `kind` is that of `thinnest_kind`, or None."""
+    words = {"taper": translate("ThinPart", "{} (taper)"), "edge": translate("ThinPart", "{} (edge)")}
+    return words.get(kind, "{}").format(text)
 
 
 def thinnest_text(record, unit):

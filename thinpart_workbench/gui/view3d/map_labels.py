@@ -11,6 +11,7 @@ from ...core.maps.map_sight import MapSight
 from ...core.rigid_transform import transform_points
 from ..application.qt import translate
 from ..application.thread_work import work_in_thread
+from ..record.verdict_text import marked_thinnest
 
 _CROWD = 3000
 """Facets whose middles stand for where the part is seen."""
@@ -114,8 +115,9 @@ class LabelledWalls:
                            (translate("ThinPart", "thickest wall {}"), self.thickest)):
             if wall is not None:
                 # What lies far behind a place may see something nearer: only the first end has the colour of the wall.
-                labels.append(MapLabel(text.format(unit.text(wall.value)), _moved(moved, wall.places),
-                                       colour_of(wall.value), wall is self.thinnest))
+                value = marked_thinnest(unit.text(wall.value), wall.kind)
+                labels.append(MapLabel(text.format(value), _moved(moved, wall.places), colour_of(wall.value),
+                                       wall is self.thinnest))
         for number, probe in enumerate(probes):
             ends = np.array([[probe.point, probe.opposite]], dtype=float)
             labels.append(MapLabel(f"{number + 1}: {unit.text(probe.value)}", _moved(moved, ends),

@@ -161,7 +161,7 @@ def _conditions(conditions):
 
 
 def _walls_pass(passes):
-    large = ("(SELECT walls_pass(walls_mm, walls_error_mm, volume_mm3, area_mm2, diagonal_mm, unmeasured, unmet, "
+    large = ("(SELECT walls_pass(thinnest_mm, error_bound_mm, volume_mm3, area_mm2, diagonal_mm, unmeasured, unmet, "
              "wall_bins, wall_area, slanted_bins, slanted_area, limited, t99, d2_mm, ?, ?) "
              "FROM distributions WHERE distributions.id = parts.id)")
 

@@ -21,7 +21,11 @@ class LibraryPart:
     instances : int
     category : str
     borderline : bool
+    between : tuple of str
+        See `named_between`.
     thinnest_mm, median_mm : float or None
+    place : str or None
+        What the thinnest wall is, as `thinnest_kind` has it.
     diagonal_mm : float
     volume_ratio : float or None
         V/VBB; None where the surface is not closed.
@@ -38,7 +42,9 @@ class LibraryPart:
     instances: int
     category: str
     borderline: bool
+    between: tuple
     thinnest_mm: Optional[float]
+    place: Optional[str]
     median_mm: Optional[float]
     diagonal_mm: float
     volume_ratio: Optional[float]

@@ -12,10 +12,11 @@ from .library_counts import categories_of
 from .library_map import map_places
 from .table_elements import heading, number_heading, table
 
-FIELDS = ("label", "instances", "file", "address", "picture", "category", "borderline", "thinnest", "median", "fill", "box",
-          "risk", "by_median", "by_thinnest", "height", "groups", "families")
+FIELDS = ("label", "instances", "file", "address", "picture", "category", "verdict", "thinnest", "place", "median", "fill",
+          "box", "risk", "by_median", "by_thinnest", "height", "groups", "families")
 """Fields of a row. ``address`` is empty where it follows from ``file``, and ``-`` where there is no document; ``category``
-is a number in the list of counts; ``by_median``, ``by_thinnest`` and ``height`` are places on the map."""
+is a number in the list of counts, and ``verdict`` what is said instead where it is unsure; ``by_median``, ``by_thinnest``
+and ``height`` are places on the map."""
 
 ROWS = 100
 """Rows of the table that are shown at a time."""
@@ -39,7 +40,7 @@ def parts_section(words, content):
                 number_heading(_("Thinnest"), data_sort="thinnest"), number_heading(_("Median"), data_sort="median"),
                 number_heading(_("Fill"), data_sort="fill"), number_heading(_("Box"), data_sort="box"),
                 number_heading(_("Risk"), data_sort="risk"), heading(_("Belongs to"))]
-    shown = table(caption, headings, [], class_="parts", id="parts-table", data_unsure=_("unsure"),
+    shown = table(caption, headings, [], class_="parts", id="parts-table",
                   data_group=_("group {number}"), data_family=_("family {number}"),
                   data_matches=_("{first} to {last} of {count} parts"), data_none=_("No part has all of these words."),
                   data_picture=_("Picture of {part}"), data_rows=ROWS)
@@ -56,11 +57,19 @@ def rows_element(words, content):
     for number, (part, places) in enumerate(zip(content.parts, map_places(content.parts))):
         lines.append("\t".join(map(_field, (
             part.label, part.instances, part.file, _address(part, content.base), part.picture or "", names[part.category],
-            int(part.borderline), words.length.number(part.thinnest_mm), words.length.number(part.median_mm),
+            _unsure(words, part), words.length.number(part.thinnest_mm), words.place(part.place),
+            words.length.number(part.median_mm),
             words.percent(part.volume_ratio), words.box(part.box_mm), words.percent(part.risk),
             *("" if place is None else place for place in places),
             " ".join(map(str, groups.get(number, ()))), " ".join(map(str, families.get(number, ())))))))
     return element("pre", "\n".join(lines), id="rows", hidden="", data_fields=" ".join(FIELDS), data_base=content.base)
+
+
+def _unsure(words, part):
+    _ = words.text
+    if part.between:
+        return words.headline_word(part.category, part.between)
+    return _("{category} (unsure)", category=words.category_word(part.category)) if part.borderline else ""
 
 
 def _field(value):

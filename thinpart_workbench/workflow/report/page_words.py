@@ -40,11 +40,16 @@ class PageWords:
         return known.get(name) or self.sentence(self._titles.get(name, name))
 
     def headline(self, name, between):
-        """The verdict; where it is unsure, `open_between` has the two categories between which it is."""
-        if between is None:
-            return self.category(name)
-        return self.text("Unsure: {category} or {other}", category=self.category_word(between[0][0]),
-                         other=self.category_word(between[1][0]))
+        """The verdict; where it is unsure, `named_between` has the two categories between which it is."""
+        return self._unsure(between) if between else self.category(name)
+
+    def headline_word(self, name, between):
+        """The same within a table."""
+        return self._unsure(between) if between else self.category_word(name)
+
+    def _unsure(self, between):
+        return self.text("Unsure: {category} or {other}", category=self.category_word(between[0]),
+                         other=self.category_word(between[1]))
 
     def category_word(self, name):
         """A category within a table."""
@@ -95,7 +100,7 @@ class PageWords:
         """A kind of wall."""
         _ = self.text
         return {"plate": _("plate"), "tube": _("tube"), "bar": _("bar"), "block": _("block"), "taper": _("taper"),
-                "tooth": _("tooth"), "thread": _("thread")}.get(kind, kind)
+                "tooth": _("tooth"), "thread": _("thread"), "rib": _("rib")}.get(kind, kind)
 
     def holds(self, value):
         """Whether something holds: a mark and a word."""

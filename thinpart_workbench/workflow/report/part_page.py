@@ -17,7 +17,7 @@ from ...core.judging.wall_check import check_sentence, check_walls
 from ...core.length_unit import MILLIMETRE
 from ...core.record.face_names import face_number
 from ...core.record.region_groups import region_groups
-from ...core.record.verdict_chances import open_between, verdict_chances
+from ...core.record.verdict_chances import named_between, verdict_chances
 from ...core.rendering.part_views import thinnest_wall
 from ...core.risk.risk_sentence import risk_sentence
 from ...storage.png import png_bytes
@@ -66,7 +66,7 @@ def part_page(record, pictures, features, about, file, overview, language=ENGLIS
         part=record, file=file, overview=overview,
         meaning=meanings.get(record["category"], ""), profile=about["profile"],
         reason=_reason(record), deciding=deciding_criteria(record), other=nearest_other(record),
-        chances=verdict_chances(record), between=open_between(record),
+        chances=verdict_chances(record), between=named_between(record),
         paper=paper_sentence(record, profile),
         source=about["source"], settings=about["settings"], kept=_annotations(about["kept"]),
         views=[_view(view) for view in pictures.views()],

@@ -200,8 +200,10 @@ def _wall(words, group):
 def _faces(words, page):
     _ = words.text
     first, further = page.faces[:SHOWN_FACES], page.faces[SHOWN_FACES:]
-    caption = _("The thinnest first; thin is what lies over less than {limit}, beside edges of up to 60 degrees too, which "
-                "are no walls", limit=words.length.text(page.part["thin_limit_mm"]))
+    limit, width = page.part["thin_limit_mm"], page.part["descriptors"]["box_mm"][1]
+    caption = _("The thinnest first; thin is what lies over less than {limit}, {part} of the width, as the verdict has it, "
+                "beside edges of up to 60 degrees too, which are no walls", limit=words.length.text(limit),
+                part=words.percent(limit / width))
     return element(
         "section", element("h2", _("Its faces")), _face_table(words, page.features, first, caption, "first"),
         element("details", element("summary", _("{count} more faces", count=len(further))),
