@@ -179,6 +179,8 @@ def check_package(root):
             wrong.append(f"{name} is {each.text}")
         if set(each.attrib) - ATTRIBUTES.get(name, set()):
             wrong.append(f"{name} has {each.attrib}")
+        if name == "depend" and each.get("optional") not in ("true", "false"):
+            wrong.append(f"{each.text} does not say whether it is optional")
     content = [[each.tag.rpartition("}")[2] for each in item] for item in root.find("{*}content")]
     return wrong + ([] if content == [["classname", "subdirectory"]] else [f"content has {content}"])
 
@@ -188,7 +190,7 @@ def test_package_xml_is_as_the_schema_of_manifests_has_it():
     assert root.attrib == {"format": "1"} and root.tag == "{https://wiki.freecad.org/Package_Metadata}package"
     assert check_package(root) == []
     packages = {each.text: each.get("optional") for each in root.iterfind("{*}depend")}
-    assert packages == {"numpy": None, "scipy": None, "scikit-learn": "true"} and set(packages) == ALLOWED
+    assert packages == {"numpy": "false", "scipy": "false", "scikit-learn": "true"} and set(packages) == ALLOWED
     assert len(root.findall("{*}tag")) <= 7
 
 

@@ -79,7 +79,16 @@ def drafted_rib():
     return extruded([(0, 0), (60, 0), (60, 30), (33, 30), (30.75, 40), (29.25, 40), (27, 30), (0, 30)], 80)
 
 
-LEAN = math.atan(2.25 / 10)
+def cone_of_halves():
+    """A cone from 20 to 10 mm wide and 20 mm high, whose side is two faces: they meet in edges that are not sharp."""
+    import Part
+
+    half, other = (Part.makeCone(10, 5, 20, vector(0, 0, 0), vector(0, 0, 1), 180) for _ in range(2))
+    other.rotate(vector(0, 0, 0), vector(0, 0, 1), 180)
+    return half.fuse(other)
+
+
+LEAN, SLOPE = math.atan(2.25 / 10), math.atan(5 / 20)
 
 
 def blade(angle):
@@ -95,6 +104,7 @@ KNOWN = {
     "web beside a bore": (web, "parallel", 1.0),
     "countersink": (countersunk, "tapered", 0.5),
     # A wall is measured straight across from one side, which is a little more than the top is wide.
+    "cone of two halves": (cone_of_halves, "tapered", 10.0 / (math.cos(SLOPE) - 0.25 * math.sin(SLOPE))),
     "rib with a draft": (drafted_rib, "tapered", 1.5 * math.cos(LEAN) / math.cos(2 * LEAN)),
 }
 

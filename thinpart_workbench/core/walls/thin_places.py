@@ -153,6 +153,11 @@ def is_blunt_edge(angle, distance, depth):
     return (angle >= WALL_BELOW - _ROUNDING) & (distance < depth)
 
 
+def ends_in_sharp_edge(distance, depth):
+    """Whether what is so thick, mm, at a depth beside an edge ends in that edge, under less than `WALL_BELOW`: bool."""
+    return distance <= depth * np.tan(WALL_BELOW + _ROUNDING)
+
+
 def _probed(field, rays, depth):
     """The field with samples where tapered walls may be thinnest, and which of its samples lie `depth` beside an edge.
 

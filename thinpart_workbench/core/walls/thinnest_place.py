@@ -11,7 +11,7 @@ from ..descriptors.wall_kinds import EDGE, PARALLEL, TAPERED
 from ..number_text import rounded_up
 from ..tolerances import TOLERANCES
 from .face_thickness import NEARLY, Witness
-from .thin_places import LEAST, MAY_BE_THINNER
+from .thin_places import LEAST, MAY_BE_THINNER, ends_in_sharp_edge
 
 MOST_TRIED = 12
 """Places that are looked for in the part's own geometry, from the thinnest on."""
@@ -121,7 +121,9 @@ def thinnest_place(parallel, places, confirmed=None, equal_faces=None):
 
 
 def _kind(places, number):
-    return EDGE if places.is_at_edge[number] else TAPERED if places.is_tapered[number] else PARALLEL
+    if places.is_at_edge[number] and ends_in_sharp_edge(places.distance[number], places.depth):
+        return EDGE
+    return TAPERED if places.is_tapered[number] else PARALLEL
 
 
 def _count(places, below, equal_faces):

@@ -5,7 +5,7 @@ from typing import NamedTuple, Optional
 
 from ...core.descriptors.wall_kinds import EDGE, PARALLEL, TAPERED
 from ...core.walls.face_thickness import Witness
-from ...core.walls.thin_places import is_blunt_edge
+from ...core.walls.thin_places import ends_in_sharp_edge, is_blunt_edge
 from ...core.walls.walls import NONPARALLEL_BELOW, PARALLEL_BELOW
 from .edge_wall import exact_edge_wall
 from .exact_taper import exact_taper
@@ -53,10 +53,11 @@ def exact_place(solid, wall, error, ends_in_edge, depth, step, least):
     if ends_in_edge:
         return ExactPlace(exact_edge_wall(solid, wall, depth), EDGE)
     approach = nearest_approach(solid, wall, depth)
-    if approach.meets:
-        beside = exact_edge_wall(solid, wall, depth)
-        return ExactPlace(beside, EDGE, beside is not None)
-    if not approach.is_wall:
+    beside = exact_edge_wall(solid, wall, depth) if approach.meets else None
+    if beside is not None and ends_in_sharp_edge(beside.distance, depth):
+        return ExactPlace(beside, EDGE)
+    # Two halves of a body meet in edges that are not sharp, and see each other across it.
+    if beside is None and (approach.meets or not approach.is_wall):
         return ExactPlace(is_wall=False)
     found = approach.wall or _along_normals(solid, wall, approach.ends, step, depth, least)
     if found is None:
