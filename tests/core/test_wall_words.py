@@ -10,7 +10,7 @@ import pytest
 from thinpart_workbench.core.analysis_settings import AnalysisSettings
 from thinpart_workbench.core.descriptors.region_kinds import called, is_rib
 from thinpart_workbench.core.judging.verdict_sentence import verdict_sentence
-from thinpart_workbench.core.judging.wall_words import thin_features, walls_it_is_made_of
+from thinpart_workbench.core.judging.wall_words import features_of_a_solid, thin_features, walls_it_is_made_of
 from thinpart_workbench.core.record.region_groups import RegionGroup, region_groups
 
 
@@ -94,5 +94,10 @@ def test_a_normal_part_names_the_rib_on_its_core():
         "Solid but for a rib of 6 mm (10\u00a0% of the width): mesh it with solids, and refine there.")
     assert verdict_sentence(judged_normal(record, **UNSURE)) == (
         "Neither clearly solid nor clearly thin: a rib of 6 mm (10\u00a0% of the width).")
+    # So is a thread, however much of the part it is; a ring of a third of it is what the part consists of.
+    thread = group("tooth", 5.3, least=3.0, length=5 * math.pi * 42.0, volume=0.2)
+    core = group("bar", 36.0, share=0.5, volume=0.6)
+    assert features_of_a_solid([core, thread], 2.1, 42.0).words == "thread 3 mm to 5.3 mm thick"
+    assert features_of_a_solid([core, group("bar", 5.3, volume=0.3)], 2.1, 42.0) is None
     # A wall as high as the body is none, nor is what most of the part consists of.
     assert not is_rib("plate", 40.0, 6.0, 0.05) and not is_rib("plate", 20.0, 6.0, 0.5) and is_rib("plate", 20.0, 6.0, 0.05)

@@ -141,7 +141,7 @@ def features_of_a_solid(groups, limit, width):
     found = thin_features(groups, limit, width)
     if found is not None:
         return found
-    small = [group for group in groups if not _is_thin(group, NOTED * width)
+    small = [group for group in groups if group.kind == TOOTH or not _is_thin(group, NOTED * width)
              or (group.volume_share or 0.0) <= RIB_VOLUME * group.count]
     noted = thin_features(small, NOTED * width, width)
     return noted if noted is not None and noted.has_core else None
