@@ -21,6 +21,13 @@ def surface_crossings(line, face):
     return [App.Vector(each.X, each.Y, each.Z) for each in points]
 
 
+def has_formula(face):
+    """Whether a face lies on a surface for which crossings have a formula: a plane, cylinder, cone, ball or torus."""
+    import Part
+
+    return isinstance(face.Surface, (Part.Plane, Part.Cylinder, Part.Cone, Part.Sphere, Part.Toroid))
+
+
 def is_on(face, point):
     """Whether a point of the surface of a face is on the face; this takes three times as long as cutting the surface."""
     return face.isInside(point, face.Tolerance, True)
