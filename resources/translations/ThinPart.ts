@@ -6652,6 +6652,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{count} walls {least} to {thickness} thick</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{count} warnings</source>
         <translation type="unfinished"></translation>
     </message>

@@ -6654,6 +6654,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{count} Wände von {thickness} ({share} der Breite)</translation>
     </message>
     <message>
+        <source>{count} walls {least} to {thickness} thick</source>
+        <translation>{count} Wände, {least} bis {thickness} dick</translation>
+    </message>
+    <message>
         <source>{count} warnings</source>
         <translation>{count} Warnungen</translation>
     </message>

@@ -6654,6 +6654,10 @@ Son volume est inconnu.</translation>
         <translation>{count} parois de {thickness} ({share} de la largeur)</translation>
     </message>
     <message>
+        <source>{count} walls {least} to {thickness} thick</source>
+        <translation>{count} parois de {least} à {thickness}</translation>
+    </message>
+    <message>
         <source>{count} warnings</source>
         <translation>{count} avertissements</translation>
     </message>

@@ -12,6 +12,9 @@ from program import SAMPLES
 from thinpart_workbench.cli.part_rows import TABLE
 from thinpart_workbench.core.analysis_settings import ACCURACIES, AnalysisSettings
 from thinpart_workbench.core.judging.criteria import load_profile
+from thinpart_workbench.core.judging.wall_check import check_walls
+from thinpart_workbench.core.judging.wall_limits import WallLimits
+from thinpart_workbench.core.record.region_groups import region_groups
 from thinpart_workbench.core.record.thinnest_sentence import thinnest_sentence
 from thinpart_workbench.freecad_adapter.reading.part_files import read_parts
 from thinpart_workbench.freecad_adapter.shapes.part import SolidPart
@@ -239,6 +242,42 @@ def test_the_run_out_of_a_worm_is_as_thin_from_any_sample(accuracy):
     """Normals of one flank miss the other one where the two are nearest: the wall ends on the way there."""
     _, record = analyse_part(read_parts(SAMPLES / "worm_run_out.FCStd").parts[0], AnalysisSettings.at(accuracy), PROFILE)
     assert (record["thinnest"]["kind"], record["thinnest"]["walls_mm"]) == ("tapered", pytest.approx(0.9985, rel=0.01))
+
+
+@pytest.mark.parametrize("accuracy", ACCURACIES)
+def test_a_chamfer_beside_a_hole_is_no_thinnest_wall(accuracy):
+    """Round the circle of the chamfer the part gets thicker, not across it."""
+    _, record = analyse_part(read_parts(SAMPLES / "flange.FCStd").parts[0], AnalysisSettings.at(accuracy), PROFILE)
+    assert (record["thinnest"]["kind"], record["thinnest"]["walls_mm"]) == ("parallel", pytest.approx(12.5, rel=1e-3))
+
+
+def test_all_teeth_of_a_gear_are_as_thin_and_counted():
+    _, record = analyse_part(read_parts(SAMPLES / "spur_gear_on_hub.FCStd").parts[0], AnalysisSettings(), PROFILE)
+    thinnest = record["descriptors"]["thickness_mm"]["min"]
+    assert record["thinnest"]["places"] == 18 and thinnest == pytest.approx(4.9028, rel=1e-3)
+    flanks = [face for face in record["faces"] if face["min"] is not None and face["min"] < 1.001 * thinnest]
+    assert len(flanks) == 36 and all(face["witness"]["distance"] == face["min"] for face in flanks)
+    kept = {"area_mm2": flanks[-1]["area_mm2"], "surface": flanks[-1]["surface"], "reason": "tooth", "min_mm": 5.5}
+    limited = {**record, "face_limits": [{"face": flanks[-1]["face"], **kept}]}
+    assert check_walls(limited, WallLimits("", "", 0.8, None)).holds is False
+
+
+def test_the_ball_of_a_worm_reaches_over_its_thread_which_is_no_thicker_than_across():
+    _, record = analyse_part(read_parts(SAMPLES / "worm_run_out.FCStd").parts[0], AnalysisSettings(), PROFILE)
+    thread, = (group for group in region_groups(record) if group.word == "thread")
+    flanks = [record["faces"][face] for face in thread.faces]
+    assert all(face["ball_mm"] < 7.0 for face in flanks)
+    check = check_walls(record, WallLimits("", "", None, 13.0))
+    assert check.thick_holds is False and 0.5 < check.thick_share < 0.8
+    assert not {face["face"] for face in flanks} & set(check.thick_faces)
+
+
+def test_what_is_thinner_than_the_thinnest_wall_is_no_row():
+    """Beside an edge of 45 degrees, a part is as thick as one is deep: no wall."""
+    record = analysed(extruded([(0, 0), (40, 0), (20, 33)], 80))
+    thinnest = record["descriptors"]["thickness_mm"]["min"]
+    assert thinnest == pytest.approx(80.0, rel=1e-3)
+    assert all(group.least >= 0.95 * thinnest for group in region_groups(record))
 
 
 def trained_on(name):

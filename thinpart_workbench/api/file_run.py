@@ -171,8 +171,8 @@ def write_map(path, files, *, part=None, look=None, measure=RAY, profile=DEFAULT
     Returns
     -------
     dict
-        ``file`` and ``label``; ``thinnest``, mm, the thinnest wall, None where there is none; ``low`` and ``high`` of the
-        colours, mm.
+        ``file`` and ``label``; ``thinnest``, mm, the thinnest wall, None where there is none, and ``thinnest_at``: "taper",
+        "edge" or empty; ``low`` and ``high`` of the colours, mm.
 
     Raises
     ------

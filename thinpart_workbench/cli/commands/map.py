@@ -61,7 +61,8 @@ def run(options):
     else:
         # Terminals that cannot show the space before a unit would print its code.
         thinnest, low, high = (unit.text(found[name]).replace("\u00a0", " ") for name in ("thinnest", "low", "high"))
-        print(printable(f"{found['label']}: thinnest wall {thinnest}, colours from {low} to {high}."))
+        at = f" ({found['thinnest_at']})" if found["thinnest_at"] else ""
+        print(printable(f"{found['label']}: thinnest wall {thinnest}{at}, colours from {low} to {high}."))
         print(printable(f"Written: {', '.join(files)}"))
     return 0
 

@@ -33,6 +33,9 @@ NEAR = 0.02
 """Share of the least wall by which the thinnest may be thinner where its error bound allows for that: limits of guides are
 no more precise."""
 
+LEAST_SHARE = 1e-6
+"""Share that is said of a place that has no area in the distribution."""
+
 CLOSE = 0.05
 """Greatest difference between bounds of a share that is given as one figure."""
 
@@ -419,6 +422,10 @@ def _thick_share(record, measured, most, holds):
         return measured.share_over(most)
     if measured.thickest <= (1.0 + NEAR) * most:
         return 0.0
+    known = [face for face in record.get("faces", ()) if face.get("ball_mm")]
+    if known:
+        over = sum(face["area_mm2"] for face in known if face["ball_mm"] > (1.0 + NEAR) * most)
+        return max(over / sum(face["area_mm2"] for face in known), THICK_SHARE)
     local, middle = record["descriptors"]["local"], record["descriptors"]["box_mm"][1]
     cut = math.floor(most / middle * MIDDLE_BINS)
     return max(sum(area for bin_, area in zip(local["bins"], local["area"]) if bin_ > cut), THICK_SHARE)
@@ -467,5 +474,5 @@ def _place(check):
 def _share_text(bounds):
     low, high = bounds
     if high - low <= CLOSE:
-        return Share(0.5 * (low + high))
+        return Share(max(0.5 * (low + high), LEAST_SHARE))
     return message("{low} to {high}", low=Share(low), high=Share(high))

@@ -46,11 +46,10 @@ def walls_it_is_made_of(record, groups, limit):
         Walls below it are thin.
     """
     walls = [group for group in groups if group.kind in (PLATE, TUBE)]
-    if sum(group.area_share for group in walls) < MOST_OF_IT:
-        return None
-    largest = max(walls, key=lambda group: group.area_share)
     by_thickness = _Distribution(record["descriptors"])
-    alike = by_thickness.about(largest.median)
+    largest = max(walls, key=lambda group: group.area_share, default=None)
+    alike = 0.0 if largest is None or sum(group.area_share for group in walls) < MOST_OF_IT else by_thickness.about(
+        largest.median)
     if alike < MOST_OF_IT:
         low, high, share = by_thickness.most(limit)
         return message("Walls {low} to {high} thick, {share} of the surface", low=Length(low), high=Length(high),
@@ -64,11 +63,12 @@ def walls_it_is_made_of(record, groups, limit):
 
 
 class _Distribution:
-    """Shares of the surface over parallel walls, by thickness."""
+    """Shares of the surface over parallel walls, by thickness; and over tapered ones."""
 
     def __init__(self, descriptors):
         self._step = descriptors["diagonal_mm"] / BINS
         self._bins = list(zip(descriptors["distribution"]["bins"], descriptors["distribution"]["area"]))
+        self._tapered = list(zip(descriptors["nonparallel"]["bins"], descriptors["nonparallel"]["area"]))
 
     def about(self, thickness):
         """Share over walls of about a thickness: float."""
@@ -76,8 +76,11 @@ class _Distribution:
         return min(1.0, sum(area for number, area in self._bins if math.floor(low) <= number < math.ceil(high)))
 
     def most(self, limit):
-        """Thicknesses, mm, between which nine tenths of the walls below a limit are, and their share: tuple of float."""
-        thin = [(number, area) for number, area in self._bins if number * self._step < limit]
+        """Thicknesses, mm, between which nine tenths of the walls below a limit are, tapered ones too, and their share.
+
+        Returns a tuple of three float.
+        """
+        thin = sorted((number, area) for number, area in (*self._bins, *self._tapered) if number * self._step < limit)
         total = sum(area for _, area in thin)
         low, high = (self._below(thin, share * total) for share in OUTLYING)
         return low * self._step, (high + 1) * self._step, (OUTLYING[1] - OUTLYING[0]) * total
@@ -128,8 +131,12 @@ def thin_features(groups, limit, width):
     bulky = [group.volume_share or 0.0 for group in groups if group.kind in (BLOCK, BAR) and not _is_thin(group, limit)]
     has_core = max(bulky, default=0.0) >= CORE
     features = _features(thin, width)
-    words = _listed([_feature(feature) for feature in features[:_MOST_NAMED]],
-                    sum(feature.count for feature in features[_MOST_NAMED:]))
+    named = features[:_MOST_NAMED]
+    thinnest = min(features, key=lambda feature: feature.least)
+    if thinnest not in named:
+        named = [*named[:-1], thinnest]
+    words = _listed([_feature(feature, limit) for feature in named],
+                    sum(feature.count for feature in features) - sum(feature.count for feature in named))
     return ThinFeatures(words, has_core, all(_is_toothing(feature) for feature in features))
 
 
@@ -198,7 +205,7 @@ def _is_thin(group, limit):
     return group.median < limit
 
 
-def _feature(feature):
+def _feature(feature, limit):
     kind, count = feature.kind, feature.count
     least, thickness, share = Length(feature.least), Length(feature.thickness), Share(feature.thickness / feature.width)
     if feature.is_thread:
@@ -207,6 +214,8 @@ def _feature(feature):
         return message("{count} teeth {least} to {thickness} thick", count=count, least=least, thickness=thickness)
     if kind == TOOTH:
         return message("a taper {least} to {thickness} thick", least=least, thickness=thickness)
+    if thickness.value >= limit and count > 1:  # thin where they are thinnest only
+        return message("{count} walls {least} to {thickness} thick", count=count, least=least, thickness=thickness)
     if kind == RIB and count > 1:
         return message("{count} ribs of {thickness} ({share} of the width)", count=count, thickness=thickness, share=share)
     if kind == RIB:

@@ -58,7 +58,7 @@ class ThicknessMap:
         jump. nan where nothing was measured.
     balls : ndarray of shape (m,), float32, mm, or None
         Beside walls across, the local thickness: the diameter of the largest ball inside that reaches the middle of each
-        facet. None for maps of balls, and where balls were not looked for.
+        facet, or the thickness across where that is less. None for maps of balls, and where balls were not looked for.
     """
 
     points: np.ndarray
@@ -191,8 +191,8 @@ def _map_of_walls(mesh, rays, points, facets, parent, diameters, report):
     mean = np.divide(np.where(known, cut.corner_thickness, 0.0).sum(axis=1), known.sum(axis=1),
                      out=np.full(len(known), np.nan), where=known.any(axis=1))
     at_corners = np.where(known, cut.corner_thickness, mean[:, None])
-    balls = None if diameters is None else diameters(
-        cut.points[cut.facets].mean(axis=1), cut.parent, portion(report, done, 1.0)).astype(np.float32)
+    balls = None if diameters is None else np.fmin(diameters(
+        cut.points[cut.facets].mean(axis=1), cut.parent, portion(report, done, 1.0)), mean).astype(np.float32)
     return _assembled(mesh, cut.points, cut.facets, cut.parent, mean, np.where(np.isfinite(mean), cut.opposite, -1), RAY,
                       at_corners, balls)
 

@@ -62,7 +62,7 @@ class Measurement:
     equal_faces : ndarray of shape (f,), int64, or None
         For each face, the first one equal to it; see `equal_faces`.
     balls_at_faces : ndarray of shape (f,), mm, or None
-        The median local thickness of each face; nan where it is not known.
+        The median of each face: local thickness, or thickness across where that is less; nan where it is not known.
     """
 
     descriptors: Descriptors
@@ -205,11 +205,14 @@ def measure(mesh, settings, report=None, is_fine_enough=None, is_near_enough=Non
         least = sampled_minimum(field, box.diagonal)
         if is_near_enough is None or least.distance is None or not is_near_enough(_with_least(known, least)):
             least = nonparallel_minimum(mesh, rays, field, box.diagonal, portion(report, RAYS_DONE, 1.0))
-    local = beneath = None
+    local = beneath = balls_at_faces = None
     if rays is not None and box.dimensions[2] > 0.0:  # a flat open surface has no inside
         balls, counted = local_thickness(mesh, field, rays, float(box.dimensions[2])), field.area > 0.0
         local = local_distribution(balls, field.area[counted], float(box.dimensions[1]))
         beneath = _median_of_faces(mesh, field.face[counted], balls, field.area[counted])
+        # The ball of a body reaches over low threads and teeth on it: these are no thicker than they are across.
+        across = np.where(field.parallel | field.nonparallel, field.distance, np.inf)[counted]
+        balls_at_faces = _median_of_faces(mesh, field.face[counted], np.minimum(balls, across), field.area[counted])
     report_progress(report, 1.0)
     regions = wall_regions(field, enclosed, wall)
     descriptors = replace(known, min_nonparallel=least.distance, plate_share=regions.plate_share, regions=regions.counts,
@@ -218,7 +221,7 @@ def measure(mesh, settings, report=None, is_fine_enough=None, is_near_enough=Non
     if rays is not None and box.dimensions[2] > 0.0:
         places = thin_places(field, rays, float(box.dimensions[1]))
     return Measurement(descriptors, field, rays, wall, regions, thinnest, least.error, places,
-                       equal_faces=equal_faces(mesh, beneath), balls_at_faces=beneath).with_thinnest_place()
+                       equal_faces=equal_faces(mesh, beneath), balls_at_faces=balls_at_faces).with_thinnest_place()
 
 
 def _median_of_faces(mesh, face, thickness, area):

@@ -31,6 +31,9 @@ a square bar, 2.4 of a washer M10."""
 WIDTH_WITHIN = 1.5
 """Factor within which the developed width of a region is certain."""
 
+_CERTAIN = 0.05
+"""Share by which the median of a region may be under the thinnest place by chance."""
+
 OF_FACE, OF_REGION = 0.1, 0.1
 """A face belongs to a region that has this share of the face, or of which the face has this share."""
 
@@ -213,7 +216,8 @@ def with_thinnest(regions, thinnest):
 def with_thinnest_taper(regions, thinnest, face_areas):
     """The same regions; none is thinner than the part's thinnest place, and the first one that has it is as thin.
 
-    So are those that are equal to it, such as the other teeth of a gear.
+    So are those that are equal to it, such as the other teeth of a gear. A region most of which is thinner is no wall, but
+    the surface beside an edge of more than `WALL_BELOW`: it is not listed.
 
     Parameters
     ----------
@@ -222,17 +226,21 @@ def with_thinnest_taper(regions, thinnest, face_areas):
     face_areas : ndarray of shape (f,), mm2
     """
     wall = thinnest.witness
+    walls = [region for region in regions.listed if region.median >= (1.0 - _CERTAIN) * wall.distance]
+    beside_edges = [region for region in regions.listed if region.median < (1.0 - _CERTAIN) * wall.distance]
     listed = [replace(region, least=max(region.least, wall.distance), median=max(region.median, wall.distance))
-              for region in regions.listed]
-    own = [number for number, region in enumerate(listed)
-           if {wall.face, wall.opposite_face} <= set(region.faces) and region.is_slanted == (thinnest.kind != PARALLEL)]
+              for region in walls]
+    own = [number for number, region in enumerate(listed) if {wall.face, wall.opposite_face} <= set(region.faces)]
+    own.sort(key=lambda number: listed[number].is_slanted != (thinnest.kind != PARALLEL))
     if own:
         sizes = [WallSize.of_region(region, face_areas) for region in listed]
         listed = [replace(region, least=wall.distance) if are_equal(sizes[own[0]], size) else region
                   for region, size in zip(listed, sizes)]
         listed[own[0]] = replace(listed[own[0]], witness=wall)
     listed = [replace(region, witness=replace(region.witness, distance=region.least)) for region in listed]
-    return replace(regions, listed=_thinnest_first(listed))
+    others = sum(region.area for region in beside_edges) / float(np.sum(face_areas))
+    return replace(regions, listed=_thinnest_first(listed), others=regions.others + len(beside_edges),
+                   others_share=min(1.0, regions.others_share + others))
 
 
 def _thinnest_first(regions):

@@ -124,7 +124,9 @@ def _placed(places, thinnest):
         wall = places.witness(number)
         wall = replace(wall, distance=max(wall.distance, thinnest.distance))
         found[wall.opposite_face], found[wall.face] = wall.turned, wall
-    found[thinnest.opposite_face], found[thinnest.face] = thinnest.turned, thinnest
+    for wall in (*places.exact, thinnest):
+        for side in (wall.turned, wall):
+            found[side.face] = _thinner(side, found.get(side.face))
     return found
 
 

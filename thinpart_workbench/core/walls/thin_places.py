@@ -61,6 +61,8 @@ class ThinPlaces:
     depth : float, mm
     edges_mm : float, mm
         Length of the sharp edges, at which faces meet under less than `WALL_BELOW`.
+    exact : tuple of Witness
+        Those walls that were looked for in the part's own geometry, as it has them.
     """
 
     field: Optional[ThicknessField] = None
@@ -70,6 +72,7 @@ class ThinPlaces:
     width: np.ndarray = dataclass_field(default_factory=lambda: np.zeros(0))
     depth: float = 0.0
     edges_mm: float = 0.0
+    exact: tuple = ()
 
     @property
     def distance(self):

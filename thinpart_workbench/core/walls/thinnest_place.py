@@ -10,7 +10,7 @@ from scipy.sparse.csgraph import connected_components
 from ..descriptors.wall_kinds import EDGE, PARALLEL, TAPERED
 from ..number_text import rounded_up
 from ..tolerances import TOLERANCES
-from .face_thickness import NEARLY, Witness
+from .face_thickness import NEARLY, Witness, witness_of
 from .thin_places import LEAST, MAY_BE_THINNER, ends_in_sharp_edge
 
 MOST_TRIED = 12
@@ -18,6 +18,9 @@ MOST_TRIED = 12
 
 _MOST_IN_VAIN = 5
 """Such places, one after the other, none of which is much thinner than what is known: then the others are not either."""
+
+_MOST_EQUAL = 24
+"""Tapers equal to a thin one, such as the teeth of a gear, that are looked for in the part's own geometry too."""
 
 _MOST_COUNTED = 1000
 """Pairs of faces that are told apart as places."""
@@ -76,13 +79,14 @@ def thinnest_place(parallel, places, confirmed=None, equal_faces=None):
         The thinnest wall between parallel sides.
     places : ThinPlaces
     confirmed : callable, optional
-        Called with a `Witness`, its kind, its number among the places and the thickness, mm, under which it would be the
-        thinnest; returns the wall as the geometry of the part has it, None where there is none, and its kind. Without it,
-        what `ThinPlaces.is_narrow` has for a chamfer is none.
+        Called with a `Witness`, its kind, its sample, its width in thicknesses, and the thickness, mm, under which it would
+        be the thinnest; returns the wall as the geometry of the part has it, None where there is none, and its kind. Without
+        it, what `ThinPlaces.is_narrow` has for a chamfer is none.
     equal_faces : ndarray of shape (f,), int64, optional
         For each face, the first one equal to it.
     """
-    best, kind, apart = parallel, PARALLEL, parallel
+    best, kind, apart, exact, no_walls = parallel, PARALLEL, parallel, [], set()
+    kinds = _kinds_of_pairs(places, equal_faces)
     kept, at_edge, width = np.ones(len(places.samples), dtype=bool), places.is_at_edge.copy(), places.width.copy()
     turn = np.where(places.is_at_edge, 2, places.is_narrow)
     tried, in_vain = np.zeros(3, dtype=int), np.zeros(3, dtype=int)
@@ -94,16 +98,22 @@ def thinnest_place(parallel, places, confirmed=None, equal_faces=None):
             continue
         if confirmed is None and places.is_narrow[number]:
             continue
+        if kinds[number] in no_walls:  # like others that are equal, such as the chamfers of equal holes
+            kept[number] = False
+            continue
         tried[own_turn] += 1
         in_vain[own_turn] += 1
         wall, own = (found, own) if confirmed is None else confirmed(
-            found, own, number, np.inf if least is None else least.distance)
+            found, own, places.samples[number], places.width[number], np.inf if least is None else least.distance)
         at_edge[number] = own == EDGE
         if confirmed is not None:
             width[number] = np.inf
         kept[number] = wall is not None and (own == EDGE or wall.distance > LEAST * places.depth)
         if not kept[number]:
+            no_walls.add(kinds[number])
             continue
+        if confirmed is not None:
+            exact.append((wall, own))
         known = best if own == EDGE else apart
         if known is None or wall.distance < (1.0 - NEARLY) * known.distance:
             in_vain[own_turn] = 0
@@ -111,7 +121,10 @@ def thinnest_place(parallel, places, confirmed=None, equal_faces=None):
             apart = wall
         if best is None or wall.distance < best.distance:
             best, kind = wall, own
-    places = replace(places, is_at_edge=at_edge, width=width)
+    if exact and equal_faces is not None:
+        thin = [wall for wall, own in exact if own == TAPERED and wall.distance < TOLERANCES.alike * best.distance]
+        exact += _equal_to(thin, places, equal_faces, confirmed) if thin else []
+    places = replace(places, is_at_edge=at_edge, width=width, exact=tuple(wall for wall, _ in exact))
     if best is None:
         return None, places
     left = places.chosen(kept & (places.is_narrow | (places.distance >= best.distance * (1.0 - NEARLY))))
@@ -126,14 +139,49 @@ def _kind(places, number):
     return TAPERED if places.is_tapered[number] else PARALLEL
 
 
+def _kinds_of_pairs(places, equal_faces):
+    """What the faces of each place are equal to, or the number of the place where that is not known: list."""
+    if equal_faces is None or not len(places.samples):
+        return list(range(len(places.samples)))
+    return list(map(tuple, np.sort(equal_faces[_face_pairs(places.field, places.samples)], axis=1).tolist()))
+
+
+def _equal_to(tapers, places, equal_faces, confirmed):
+    """Walls that are equal to some thin tapers by their faces, as the geometry has them: list of (Witness, kind)."""
+    known = np.sort([[wall.face, wall.opposite_face] for wall in tapers], axis=1)
+    least = min(wall.distance for wall in tapers)
+    samples, pairs = _of_equal_faces(places.field, known, least, equal_faces)
+    is_new = ~(pairs[:, None] == known).all(axis=2).any(axis=1)
+    samples, pairs = samples[is_new], pairs[is_new]
+    order = np.argsort(places.field.distance[samples], kind="stable")
+    _, first = np.unique(pairs[order], axis=0, return_index=True)
+    found = (confirmed(witness_of(places.field, int(sample)), TAPERED, sample, np.inf, least)
+             for sample in samples[order[np.sort(first)]][:_MOST_EQUAL])
+    return [(wall, own) for wall, own in found if wall is not None and own == TAPERED]
+
+
+def _of_equal_faces(field, pairs, least, equal_faces):
+    """Samples over walls that may be as thin as the thinnest between some pairs of faces, on faces equal to these.
+
+    Samples meet equal tapers, such as the teeth of a gear, at other distances from where they are thinnest. The sides of
+    equal teeth may be of two kinds, of which any two meet. Returns the samples and their pairs of faces, shapes (k,) and
+    (k, 2).
+    """
+    samples = np.flatnonzero((field.parallel | field.nonparallel) & (field.distance < MAY_BE_THINNER * least))
+    found = _face_pairs(field, samples)
+    equal = np.isin(equal_faces[found], np.unique(equal_faces[pairs])).all(axis=1)
+    return samples[equal], found[equal]
+
+
 def _count(places, below, equal_faces):
     """How many places are thinner than a length: walls between faces that go over into each other are one."""
     thin = places.chosen(places.distance < below)
     if not len(thin.samples):
         return 0
     pairs = _face_pairs(thin.field, thin.samples)
-    if equal_faces is not None:
-        pairs = np.concatenate([pairs, _equal_tapers(thin, pairs, equal_faces)])
+    if equal_faces is not None and thin.is_tapered.any():
+        least = float(thin.distance[thin.is_tapered].min())
+        pairs = np.concatenate([pairs, _of_equal_faces(thin.field, pairs[thin.is_tapered], least, equal_faces)[1]])
     pairs = np.unique(pairs, axis=0)[:_MOST_COUNTED]
     mesh = thin.field.mesh
     faces, own = np.unique(pairs, return_inverse=True)
@@ -154,23 +202,3 @@ def _face_pairs(field, samples):
     """The two faces of the wall under each of some samples, the lower number first: ndarray of shape (k, 2)."""
     there = field.mesh.face_of_triangle[field.opposite[samples]]
     return np.sort(np.column_stack([field.face[samples], there]), axis=1)
-
-
-def _equal_tapers(thin, pairs, equal_faces):
-    """Pairs of faces that are equal to those of thin tapers, and have a wall that may be as thin: ndarray of shape (k, 2).
-
-    Equal tapers, such as the teeth of a gear, are met by samples at other distances from where they are thinnest.
-    """
-    field = thin.field
-    kinds, own = np.unique(np.sort(equal_faces[pairs[thin.is_tapered]], axis=1), axis=0, return_inverse=True)
-    least = np.full(len(kinds), np.inf)
-    np.minimum.at(least, own.ravel(), thin.distance[thin.is_tapered])
-    found = [np.zeros((0, 2), dtype=pairs.dtype)]
-    is_thin = field.distance < MAY_BE_THINNER * least.max(initial=0.0)
-    samples = np.flatnonzero((field.parallel | field.nonparallel) & is_thin)
-    others = _face_pairs(field, samples)
-    of_others = np.sort(equal_faces[others], axis=1)
-    for kind, thinnest in zip(kinds, least):
-        is_equal = (of_others == kind).all(axis=1) & (field.distance[samples] < MAY_BE_THINNER * thinnest)
-        found.append(np.unique(others[is_equal], axis=0))
-    return np.concatenate(found)

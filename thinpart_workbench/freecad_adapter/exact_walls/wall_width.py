@@ -22,6 +22,11 @@ _MOST = 5.0
 _WAYS = tuple((np.cos(way), np.sin(way)) for way in np.radians(np.arange(0.0, 360.0, 45.0)))
 
 
+def face_width(face):
+    """How wide a long face is, mm: twice its area by its border."""
+    return 2.0 * face.Area / max(face.Length, np.finfo(float).tiny)
+
+
 def is_as_wide_as_thick(solid, wall):
     """Whether a tapered wall goes on, where it gets thicker, until it is as wide as it is thick: bool.
 

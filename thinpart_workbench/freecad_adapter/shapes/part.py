@@ -13,7 +13,7 @@ from ...core.mesh.thinned_facets import thinned_facets
 from ...core.message import message
 from ..exact_walls.exact_place import ExactPlace, exact_place
 from ..exact_walls.exact_wall import exact_wall
-from ..exact_walls.wall_width import is_as_wide_as_thick
+from ..exact_walls.wall_width import face_width, is_as_wide_as_thick
 from ..tessellating.surface_types import face_surfaces
 from .brep_file import write_brep
 from .edge_lengths import edge_lengths
@@ -111,6 +111,11 @@ class SolidPart(Part):
         """The thinnest place near a wall between facets, as the faces have it: ExactPlace; see `exact_place`."""
         return exact_place(self.shape, wall, error, ends_in_edge, depth, step, least)
 
+    def has_narrow_face(self, wall):
+        """Whether one of the two faces of a wall is narrower than the wall is thick, as those of chamfers are: bool."""
+        faces = self.shape.Faces[wall.face], self.shape.Faces[wall.opposite_face]
+        return min(face_width(face) for face in faces) < wall.distance
+
     def is_as_wide_as_thick(self, wall, seems_wide):
         """Whether a tapered wall is more than a broken edge: bool; see `is_as_wide_as_thick`."""
         return is_as_wide_as_thick(self.shape, wall)
@@ -167,6 +172,10 @@ class MeshedPart(Part):
     def exact_place(self, wall, error, ends_in_edge, depth, step, least):
         """The wall as it is, as `exact_wall`: ExactPlace."""
         return ExactPlace(wall)
+
+    def has_narrow_face(self, wall):
+        """False: a mesh has no faces, so that samples have to show it."""
+        return False
 
     def is_as_wide_as_thick(self, wall, seems_wide):
         """As samples show it."""

@@ -242,15 +242,15 @@ def _with_confirmed_place(part, measurement, resolution, error_bound):
     """
     places = measurement.places
 
-    def confirmed(wall, kind, number, least):
-        step = _facet_size(places.field, places.samples[number])
+    def confirmed(wall, kind, sample, width, least):
+        step = _facet_size(places.field, sample)
         place = part.exact_place(wall, resolution.error, kind == EDGE, places.depth, step, least)
         if not place.is_wall:
             return None, kind
         doubtful = wall.distance <= DOUBTFUL * resolution.error
         found, kind = place.wall or (None if doubtful else wall), place.kind or kind
-        width = places.width[number]
-        is_asked = kind == TAPERED and width < SURELY_WIDE and found is not None and found.distance < least
+        is_asked = kind == TAPERED and found is not None and found.distance < least and (
+            width < SURELY_WIDE or part.has_narrow_face(found))
         return None if is_asked and not part.is_as_wide_as_thick(found, width >= 1.0) else found, kind
 
     measurement = measurement.with_thinnest_place(confirmed)

@@ -12,6 +12,7 @@ from ...core.judging.criteria import profile_from
 from ...core.kinds.compound_kinds import Record
 from ...core.kinds.value_kinds import Number, OrNull, Text
 from ...core.message import message
+from ...core.record.thinnest_sentence import thinnest_kind
 from ...core.rendering.map_picture import MapLook, map_picture
 from ...storage.exchange.map_export import MAP_FORMATS
 from ...storage.info.info_definition import SOURCE
@@ -23,7 +24,7 @@ from ..workers.task_run import run_tasks
 
 PNG = ".png"
 
-_SAID = {"label": Text(), "thinnest": OrNull(Number(0.0)), "low": Number(), "high": Number()}
+_SAID = {"label": Text(), "thinnest": OrNull(Number(0.0)), "thinnest_at": Text(), "low": Number(), "high": Number()}
 
 _LONGEST = 1 << 30
 """Greatest number of characters of a file in base64."""
@@ -107,7 +108,8 @@ def _contents(task):
     contents = {ending: _png(map_picture(mapped, task.look)) if ending == PNG
                 else MAP_FORMATS[ending].content([mapped], scale.of_corners) for ending in task.formats}
     thinnest = record["descriptors"]["thickness_mm"]["min"]
-    return {"label": part.label, "thinnest": thinnest, "low": scale.low, "high": scale.high,
+    return {"label": part.label, "thinnest": thinnest, "thinnest_at": thinnest_kind(record),
+            "low": scale.low, "high": scale.high,
             "contents": {ending: base64.b64encode(content).decode() for ending, content in contents.items()}}
 
 

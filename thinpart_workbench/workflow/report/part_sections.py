@@ -3,7 +3,7 @@
 
 from ... import __version__
 from ...core.foreign_text import head_text
-from ...core.record.thinnest_sentence import thinnest_kind
+from ...core.record.thinnest_sentence import thinnest_kind, thinnest_sentence
 from .html_elements import element
 from .page_words import TIMES
 from .part_figures import colour_scale, distribution, view_figure
@@ -48,6 +48,7 @@ def _verdict(words, page):
         "div", element("p", words.headline(part["category"], page.between), class_="headline"),
         element("p", words.why(page.reason, page.deciding), " ", words.how_sure(part, page.other, page.chances)),
         element("p", words.sentence(page.paper)) if page.paper else None,
+        element("p", words.sentence(thinnest_sentence(part))),
         element("p", words.sentence(page.risk)),
         element("p", words.sentence(page.meaning), class_="faint") if page.meaning else None,
         class_=f"verdict {part['category']}")
