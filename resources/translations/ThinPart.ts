@@ -6640,6 +6640,10 @@ Its volume is unknown.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{count} tapers {least} to {thickness} thick</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{count} teeth {least} to {thickness} thick</source>
         <translation type="unfinished"></translation>
     </message>

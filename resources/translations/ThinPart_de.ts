@@ -6642,6 +6642,10 @@ Sein Volumen ist unbekannt.</translation>
         <translation>{count} Zapfen von {thickness} ({share} der Breite)</translation>
     </message>
     <message>
+        <source>{count} tapers {least} to {thickness} thick</source>
+        <translation>{count} Keile von {least} bis {thickness}</translation>
+    </message>
+    <message>
         <source>{count} teeth {least} to {thickness} thick</source>
         <translation>{count} Zähne von {least} bis {thickness}</translation>
     </message>

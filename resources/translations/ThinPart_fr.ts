@@ -6642,6 +6642,10 @@ Son volume est inconnu.</translation>
         <translation>{count} tétons de {thickness} ({share} de la largeur)</translation>
     </message>
     <message>
+        <source>{count} tapers {least} to {thickness} thick</source>
+        <translation>{count} dépouilles de {least} à {thickness}</translation>
+    </message>
+    <message>
         <source>{count} teeth {least} to {thickness} thick</source>
         <translation>{count} dents de {least} à {thickness}</translation>
     </message>

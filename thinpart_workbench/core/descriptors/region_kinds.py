@@ -40,6 +40,10 @@ def is_rib(kind, width, thickness, volume):
     return kind == PLATE and width <= RIB_UP_TO * thickness and volume is not None and volume <= RIB_VOLUME
 
 
+FEWEST_TEETH = 5
+"""Equal ridges from which on they are teeth; between screw holes and round corners, a body has a few such walls."""
+
+
 def called(kind, count):
-    """The kind of so many equal regions as people call it: one tooth alone is a taper."""
-    return TAPER if kind == TOOTH and count == 1 else kind
+    """The kind of so many equal regions as people call it: a few teeth are tapers."""
+    return TAPER if kind == TOOTH and count < FEWEST_TEETH else kind

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from ..descriptors.bins import BINS
 from ..descriptors.equal_walls import SAME
-from ..descriptors.region_kinds import BAR, BLOCK, CORE, PLATE, RIB, RIB_VOLUME, TAPER, TOOTH, TUBE, is_thread
+from ..descriptors.region_kinds import BAR, BLOCK, CORE, FEWEST_TEETH, PLATE, RIB, RIB_VOLUME, TAPER, TOOTH, TUBE, is_thread
 from ..figures import Length, Share
 from ..message import Message, message
 
@@ -186,7 +186,7 @@ def _are_one(feature, other):
 
 
 def _is_toothing(feature):
-    return feature.is_thread or feature.kind == TOOTH and feature.count > 1
+    return feature.is_thread or feature.kind == TOOTH and feature.count >= FEWEST_TEETH
 
 
 def _listed(words, others):
@@ -210,8 +210,10 @@ def _feature(feature, limit):
     least, thickness, share = Length(feature.least), Length(feature.thickness), Share(feature.thickness / feature.width)
     if feature.is_thread:
         return message("thread {least} to {thickness} thick", least=least, thickness=thickness)
-    if kind == TOOTH and count > 1:
+    if kind == TOOTH and count >= FEWEST_TEETH:
         return message("{count} teeth {least} to {thickness} thick", count=count, least=least, thickness=thickness)
+    if kind == TOOTH and count > 1:
+        return message("{count} tapers {least} to {thickness} thick", count=count, least=least, thickness=thickness)
     if kind == TOOTH:
         return message("a taper {least} to {thickness} thick", least=least, thickness=thickness)
     if thickness.value >= limit and count > 1:  # thin where they are thinnest only
