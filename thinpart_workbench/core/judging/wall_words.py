@@ -47,19 +47,25 @@ def walls_it_is_made_of(record, groups, limit):
     """
     walls = [group for group in groups if group.kind in (PLATE, TUBE)]
     by_thickness = _Distribution(record["descriptors"])
-    largest = max(walls, key=lambda group: group.area_share, default=None)
-    alike = 0.0 if largest is None or sum(group.area_share for group in walls) < MOST_OF_IT else by_thickness.about(
-        largest.median)
+    if sum(group.area_share for group in walls) < MOST_OF_IT:
+        return _between(by_thickness, limit)
+    largest = max(walls, key=lambda group: group.area_share)
+    alike = by_thickness.about(largest.median)
     if alike < MOST_OF_IT:
-        low, high, share = by_thickness.most(limit)
-        return message("Walls {low} to {high} thick, {share} of the surface", low=Length(low), high=Length(high),
-                       share=Share(share)) if share >= MOST_OF_IT else None
+        return _between(by_thickness, limit)
     thickness, share = Length(largest.median), Share(alike)
     if largest.kind == TUBE:
         return message("{thickness} wall, {share} of the surface", thickness=thickness, share=share)
     if largest.median < SHEET_BELOW:
         return message("{thickness} sheet, {share} of the surface", thickness=thickness, share=share)
     return message("{thickness} plate, {share} of the surface", thickness=thickness, share=share)
+
+
+def _between(by_thickness, limit):
+    """Walls of several thicknesses that most of the surface lies over: Message or None."""
+    low, high, share = by_thickness.most(limit)
+    return message("Walls {low} to {high} thick, {share} of the surface", low=Length(low), high=Length(high),
+                   share=Share(share)) if share >= MOST_OF_IT else None
 
 
 class _Distribution:
