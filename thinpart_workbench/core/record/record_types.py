@@ -47,8 +47,8 @@ class WitnessRecord(TypedDict):
 class FaceRecord(TypedDict):
     """The walls under one face, None where there are none: the thinnest; median and greatest of parallel ones, or of tapered
     ones where none is parallel. On which kind of surface it lies, with the radius where it has one; None for a patch of
-    triangles. The first face that is equal to it; None where it is the first. And the diameter of the largest balls inside
-    that reach it, the median."""
+    triangles. The first face that is equal to it; None where it is the first. And the median of the largest
+    balls inside that reach it, or of the thickness across where that is less."""
 
     face: str
     area_mm2: float

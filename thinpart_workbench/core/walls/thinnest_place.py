@@ -19,6 +19,9 @@ MOST_TRIED = 12
 _MOST_IN_VAIN = 5
 """Such places, one after the other, none of which is much thinner than what is known: then the others are not either."""
 
+_EQUALLY_THIN = 1.02
+"""How many times as thick as another one a place may be, between equal faces, that is no wall where the other is none."""
+
 _MOST_EQUAL = 24
 """Tapers equal to a thin one, such as the teeth of a gear, that are looked for in the part's own geometry too."""
 
@@ -85,7 +88,7 @@ def thinnest_place(parallel, places, confirmed=None, equal_faces=None):
     equal_faces : ndarray of shape (f,), int64, optional
         For each face, the first one equal to it.
     """
-    best, kind, apart, exact, no_walls = parallel, PARALLEL, parallel, [], set()
+    best, kind, apart, exact, no_walls = parallel, PARALLEL, parallel, [], {}
     kinds = _kinds_of_pairs(places, equal_faces)
     kept, at_edge, width = np.ones(len(places.samples), dtype=bool), places.is_at_edge.copy(), places.width.copy()
     turn = np.where(places.is_at_edge, 2, places.is_narrow)
@@ -98,7 +101,7 @@ def thinnest_place(parallel, places, confirmed=None, equal_faces=None):
             continue
         if confirmed is None and places.is_narrow[number]:
             continue
-        if kinds[number] in no_walls:  # like others that are equal, such as the chamfers of equal holes
+        if found.distance <= _EQUALLY_THIN * no_walls.get(kinds[number], 0.0):  # such as the chamfers of equal holes
             kept[number] = False
             continue
         tried[own_turn] += 1
@@ -110,7 +113,7 @@ def thinnest_place(parallel, places, confirmed=None, equal_faces=None):
             width[number] = np.inf
         kept[number] = wall is not None and (own == EDGE or wall.distance > LEAST * places.depth)
         if not kept[number]:
-            no_walls.add(kinds[number])
+            no_walls[kinds[number]] = found.distance
             continue
         if confirmed is not None:
             exact.append((wall, own))
@@ -140,10 +143,11 @@ def _kind(places, number):
 
 
 def _kinds_of_pairs(places, equal_faces):
-    """What the faces of each place are equal to, or the number of the place where that is not known: list."""
+    """What the faces of each place are equal to and whether it is tapered; its number where that is not known: list."""
     if equal_faces is None or not len(places.samples):
         return list(range(len(places.samples)))
-    return list(map(tuple, np.sort(equal_faces[_face_pairs(places.field, places.samples)], axis=1).tolist()))
+    faces = np.sort(equal_faces[_face_pairs(places.field, places.samples)], axis=1)
+    return list(map(tuple, np.column_stack([faces, places.is_tapered]).tolist()))
 
 
 def _equal_to(tapers, places, equal_faces, confirmed):
