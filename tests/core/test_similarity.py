@@ -100,6 +100,27 @@ def test_the_likest_come_first(made):
     assert place["another plate"] > 60 and place["block"] < 30
 
 
+def hanger(length, depth):
+    """A sheet of 2 mm, bent by a right angle."""
+    return made_meshes.prism([(0, 0), (length, 0), (length, 2), (2, 2), (2, 50), (0, 50)], depth)
+
+
+def dome(radius, wall):
+    """Half of a ball's shell."""
+    turn = np.linspace(0.0, np.pi / 2, 25)
+    outer, inner = (np.column_stack([far * np.cos(turn), far * np.sin(turn)]) for far in (radius, radius - wall))
+    return made_meshes.revolved([*map(tuple, outer), *map(tuple, inner[::-1])])
+
+
+def test_the_sister_of_a_hanger_comes_before_a_dome_of_the_same_walls_and_box():
+    hangers, other = signature_of(hanger(60, 50)), signature_of(dome(29, 2))
+    sister = signature_of(hanger(72, 40))
+    found = nearest(np.stack([other, sister]), hangers, 2)
+    assert list(found.indices) == [1, 0]
+    near, far = score(found.distances)
+    assert near > far + 10
+
+
 @pytest.mark.parametrize("wanted, found, words", [
     ("plate", "plate", "same wall distribution, same proportions, same fill, box as long, box as flat"),
     ("another plate", "long plate",
