@@ -88,8 +88,9 @@ def thinnest_place(parallel, places, confirmed=None, equal_faces=None):
     equal_faces : ndarray of shape (f,), int64, optional
         For each face, the first one equal to it.
     """
-    best, kind, apart, exact, no_walls = parallel, PARALLEL, parallel, [], {}
-    kinds = _kinds_of_pairs(places, equal_faces)
+    best, kind, apart = parallel, PARALLEL, parallel
+    exact, kinds = [], _kinds_of_pairs(places, equal_faces)
+    no_walls: dict = {}  # how thick those are, by their kind
     kept, at_edge, width = np.ones(len(places.samples), dtype=bool), places.is_at_edge.copy(), places.width.copy()
     turn = np.where(places.is_at_edge, 2, places.is_narrow)
     tried, in_vain = np.zeros(3, dtype=int), np.zeros(3, dtype=int)
