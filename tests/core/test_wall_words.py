@@ -63,6 +63,30 @@ def test_the_table_calls_them_what_the_sentence_does():
     assert called("tooth", 20) == "tooth" and called("tooth", 4) == "taper" and called("bar", 1) == "bar"
 
 
+def ridge(length, faces, median=0.27):
+    return {"kind": "tooth", "min": 0.4 * median, "median": median, "length_mm": length, "width_mm": 0.12,
+            "area_mm2": length / 5, "volume_share": 0.01, "faces": [f"Face{face}" for face in faces]}
+
+
+@pytest.mark.parametrize("others, words", [
+    ((), ["thread"]),
+    ([ridge(8.0, (30, 31))], ["taper", "thread"]),  # on other faces
+    ([ridge(8.0, (15, 31), 0.5)], ["thread", "taper"]),  # thicker
+])
+def test_the_pieces_of_a_thread_are_one_row(others, words):
+    pieces = [ridge(8.1, (15, 19, 20)), ridge(4.3, (15, 19)), ridge(10.0, (11, 15, 19)), ridge(8.6, (19, 20, 24))]
+    record = {"regions": {"listed": [*pieces, *others]}, "faces": [],
+              "descriptors": {"area_mm2": 75.0, "box_mm": [5.0, 3.03, 3.03]}}
+    groups = region_groups(record)
+    assert sorted(group.word for group in groups) == sorted(words)
+    thread = next(group for group in groups if group.word == "thread")
+    assert (thread.count, len(thread.regions)) == (1, 4) and thread.length == pytest.approx(31.0)
+    assert thread.faces == (10, 14, 18, 19, 23)
+    # Teeth that have a face in common are too short together to go round the part.
+    few = {**record, "regions": {"listed": pieces[:2]}}
+    assert all(group.word == "taper" for group in region_groups(few))
+
+
 def test_more_than_three_are_summed_up():
     several = [group("plate", 1.0 + 0.3 * number, number + 1, share=0.2 - 0.01 * number) for number in range(5)]
     assert str(thin_features(several, 3.0, 60.0).words).endswith(" and 9 more")
