@@ -4,6 +4,7 @@
 from dataclasses import dataclass
 
 from .region_kinds import TAPER, TOOTH
+from .thread_pieces import thread_pieces
 
 SAME, SAME_TAPER = 0.03, 0.12
 """Share by which the thickness of equal regions may differ: points stand for the surface, and what varies in thickness, such
@@ -78,25 +79,35 @@ def are_equal(one, other):
         _near(getattr(one, name), getattr(other, name), SAME_SIDES) for name in ("length", "width"))
 
 
-def equal_groups(sizes, said):
+def equal_groups(sizes, said, faces, width):
     """Which wall regions are shown as one row: list of list of int, their numbers, in the order of the first of each.
 
-    Each region joins the first group whose middle one by thickness is equal to it, and of which people say the same.
+    The pieces of a thread are one row. Each other region joins the first group whose middle one by thickness is equal to
+    it, and of which people say the same.
 
     Parameters
     ----------
     sizes : sequence of WallSize
     said : sequence
         What people say of each region, of values that can be compared.
+    faces : sequence of sequence
+        Of each region.
+    width : float, mm
+        Middle side of the box of the part.
     """
+    ridges = [(size.kind, size.median, size.length, own) for size, own in zip(sizes, faces)]
+    threads = thread_pieces(ridges, said, width)
+    in_threads = {number for thread in threads for number in thread}
     groups: list[list[int]] = []
     for number, (size, of_it) in enumerate(zip(sizes, said)):
+        if number in in_threads:
+            continue
         equal = next((group for group in groups if said[group[0]] == of_it and are_equal(_middle(sizes, group), size)), None)
         if equal is None:
             groups.append([number])
         else:
             equal.append(number)
-    return groups
+    return sorted([*groups, *threads])
 
 
 def _middle(sizes, group):

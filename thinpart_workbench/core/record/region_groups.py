@@ -4,8 +4,9 @@
 from dataclasses import dataclass
 from typing import Optional
 
-from ..descriptors.equal_walls import SAME, WallSize, equal_groups
-from ..descriptors.region_kinds import BAR, BLOCK, CORE, RIB, TAPER, THREAD, TOOTH, called, is_rib, is_thread
+from ..descriptors.equal_walls import WallSize, equal_groups
+from ..descriptors.region_kinds import BAR, BLOCK, CORE, RIB, THREAD, called, is_rib, is_thread
+from ..descriptors.thread_pieces import are_pieces_of_a_thread
 from .face_names import face_number
 from .region_notes import notes_of_regions
 
@@ -78,8 +79,7 @@ def region_groups(record, notes=None):
     area, width = record["descriptors"]["area_mm2"], record["descriptors"]["box_mm"][1]
     has_core = any(region["kind"] in (BLOCK, BAR) and (region["volume_share"] or 0.0) >= CORE for region in listed)
     # Those of a record are in the order of their medians: a taper that begins thinner than a plate came after it.
-    threads = _threads(listed, said, width)
-    groups = (_group([listed[number] for number in numbers], area, width, has_core, numbers in threads, *said[numbers[0]])
+    groups = (_group([listed[number] for number in numbers], area, width, has_core, *said[numbers[0]])
               for numbers in _equal_groups(record, said))
     return sorted(groups, key=lambda group: (group.least, -group.area))
 
@@ -92,34 +92,8 @@ def equal_regions(record):
 def _equal_groups(record, said):
     listed = record.get("regions", {}).get("listed", ())
     face_areas = {face["face"]: face["area_mm2"] for face in record.get("faces", ())}
-    groups = equal_groups([_size(region, face_areas) for region in listed], said)
-    threads = _threads(listed, said, record["descriptors"]["box_mm"][1])
-    pieces = {number for thread in threads for number in thread}
-    left = [[number for number in group if number not in pieces] for group in groups]
-    return [*threads, *(group for group in left if group)]
-
-
-def _threads(listed, said, width):
-    """Regions that are pieces of one thread, of which samples have lost the crest in between: list of list of int.
-
-    One goes on where the next one begins, on the same flank, and is as thick.
-    """
-    ridges = [number for number, region in enumerate(listed) if region["kind"] in (TAPER, TOOTH)]
-    threads: list[list[int]] = []
-    for number in ridges:
-        region = listed[number]
-        joined = [thread for thread in threads if any(
-            said[other] == said[number] and _are_pieces(listed[other], region) for other in thread)]
-        threads = [thread for thread in threads if thread not in joined]
-        threads.append(sorted([number, *(other for thread in joined for other in thread)]))
-    return [thread for thread in threads if len(thread) > 1 and is_thread(
-        TOOTH, sum(listed[number]["length_mm"] for number in thread), listed[thread[0]]["median"], width)]
-
-
-def _are_pieces(one, other):
-    """Whether two regions may be pieces of one ridge: as thick, and on one face at least."""
-    near = abs(one["median"] - other["median"]) <= SAME * max(one["median"], other["median"])
-    return near and not set(one["faces"]).isdisjoint(other["faces"])
+    sizes = [_size(region, face_areas) for region in listed]
+    return equal_groups(sizes, said, [region["faces"] for region in listed], record["descriptors"]["box_mm"][1])
 
 
 def features_of(group, record, features):
@@ -145,8 +119,10 @@ def _size(region, face_areas):
                     region["area_mm2"], tuple(sorted(face_areas[face] for face in region["faces"] if face in face_areas)))
 
 
-def _group(regions, area, width, has_core, is_one_thread, excluded, mesh_size):
+def _group(regions, area, width, has_core, excluded, mesh_size):
     typical = sorted(regions, key=lambda region: region["length_mm"])[(len(regions) - 1) // 2]
+    is_one_thread = are_pieces_of_a_thread(
+        [(region["kind"], region["median"], region["length_mm"], region["faces"]) for region in regions], width)
     length = sum(region["length_mm"] for region in regions) if is_one_thread else typical["length_mm"]
     shares = [region["volume_share"] for region in regions]
     word = called(typical["kind"], len(regions))

@@ -63,7 +63,8 @@ def size_groups(measurement, proposal):
     wanted = proposal.region_sizes or {}
     # What nobody wants is told from a wall that is switched off, which is None.
     said = [(number in wanted, wanted.get(number)) for number in range(len(listed))]
-    groups = equal_groups([WallSize.of_region(region, face_areas) for region in listed], said)
+    sizes, faces = [WallSize.of_region(region, face_areas) for region in listed], [region.faces for region in listed]
+    groups = equal_groups(sizes, said, faces, measurement.box_mm[1])
     sources, proposed = proposal.sources.below(proposal.global_size), {each.number: each for each in proposal.regions}
     return [_group(numbers, listed, sources, [proposed[number] for number in numbers if number in proposed],
                    proposal.settings.is_by_error) for numbers in groups]
