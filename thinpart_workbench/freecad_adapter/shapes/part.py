@@ -11,6 +11,7 @@ from ...core.errors import ThinPartError
 from ...core.mesh.surface_mesh import surface_mesh, unchecked_mesh
 from ...core.mesh.thinned_facets import thinned_facets
 from ...core.message import message
+from ...core.walls.thin_places import SURELY_NARROW
 from ..exact_walls.exact_place import ExactPlace, exact_place
 from ..exact_walls.exact_wall import exact_wall
 from ..exact_walls.wall_width import face_width, is_as_wide_as_thick
@@ -112,9 +113,9 @@ class SolidPart(Part):
         return exact_place(self.shape, wall, error, ends_in_edge, depth, step, least)
 
     def has_narrow_face(self, wall):
-        """Whether one of the two faces of a wall is narrower than the wall is thick, as those of chamfers are: bool."""
+        """Whether one of the two faces of a wall is far narrower than the wall is thick, as those of chamfers are: bool."""
         faces = self.shape.Faces[wall.face], self.shape.Faces[wall.opposite_face]
-        return min(face_width(face) for face in faces) < wall.distance
+        return min(face_width(face) for face in faces) < SURELY_NARROW * wall.distance
 
     def is_as_wide_as_thick(self, wall, seems_wide):
         """Whether a tapered wall is more than a broken edge: bool; see `is_as_wide_as_thick`."""
