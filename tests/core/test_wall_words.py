@@ -49,6 +49,7 @@ def test_a_thread_is_told_from_teeth_by_its_turns():
     assert thin_features([core, group("tooth", 10.1, least=0.19, length=5 * math.pi * 42.0)], 8.0, 42.0).words == (
         "a taper 0.19 mm to 10.1 mm thick")
     assert thin_features([core, group("tooth", 5.4, 20, least=1.0)], 2.0, 20.0).words == "20 teeth 1 mm to 5.4 mm thick"
+    assert thin_features([core, group("tooth", 2.5)], 2.6, 38.0).words == "a wall of 2.5 mm (6.6\u00a0% of the width)"
     few = thin_features([core, group("tooth", 5.4, 4, least=1.0)], 2.0, 20.0)
     assert (few.words, few.are_teeth) == ("4 tapers 1 mm to 5.4 mm thick", False)
     assert thin_features([core, group("tooth", 7.0, least=1.0)], 2.0, 20.0) is None  # a body that ends in an edge

@@ -282,6 +282,27 @@ def test_loops_of_links_are_walked_once(tmp_path):
     assert len(records(thinpart("classify", tmp_path, "--json", "--no-info"))) == 1
 
 
+def test_a_part_in_which_no_two_faces_enclose_a_wall_is_in_every_table(tmp_path, freecad):
+    import FreeCAD
+    import Part
+
+    corners = [FreeCAD.Vector(*each) for each in ((10, 10, 10), (10, -10, -10), (-10, 10, -10), (-10, -10, 10))]
+    sides = ((0, 1, 2), (0, 1, 3), (0, 2, 3), (1, 2, 3))  # which meet under 70 degrees
+    faces = [Part.Face(Part.makePolygon([corners[each] for each in (*side, side[0])])) for side in sides]
+    Part.makeSolid(Part.makeShell(faces)).exportStep(str(tmp_path / "pyramid.step"))
+    table = tmp_path / "table.csv"
+    run = thinpart("classify", tmp_path / "pyramid.step", "--regions", "--check", "machining", "--csv", table)
+    assert run.returncode == 0, run.stderr
+    assert "pyramid: No wall could be measured." in run.stdout and "no wall could be measured." in run.stdout
+    with open(table, encoding="utf-8-sig", newline="") as file:
+        row, = csv.DictReader(file)
+    assert row["thinnest_mm"] == row["places"] == row["walls_mm"] == ""
+    found = thinpart("find", tmp_path)
+    assert found.returncode == 0 and "pyramid" in found.stdout
+    report = thinpart("report", tmp_path / "pyramid.step", "-o", tmp_path / "report")
+    assert report.returncode == 0, report.stderr
+
+
 def test_csv_has_a_row_per_part_and_failure(tmp_path):
     (tmp_path / "bad.step").write_bytes(b"")
     shutil.copy(SAMPLES / "plate.step", tmp_path)

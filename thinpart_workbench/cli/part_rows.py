@@ -9,7 +9,7 @@ from itertools import zip_longest
 from ..core.errors import ThinPartError
 from ..core.judging.paper_verdict import paper_sentence
 from ..core.number_text import percent
-from ..core.record.thinnest_sentence import thinnest_kind, thinnest_sentence
+from ..core.record.thinnest_sentence import thinnest_figure, thinnest_kind, thinnest_sentence
 from ..core.record.verdict_chances import named_between, open_between
 from ..core.risk.risk_sentence import risk_sentence
 from ..storage.part_table import checked_row, failed_row, part_table, write_table
@@ -44,7 +44,7 @@ def thinnest_cell(thinnest, kind, walls):
 
 
 def _thinnest(part):
-    walls = part.get("thinnest", {}).get("walls_mm")
+    walls = thinnest_figure(part, "walls_mm")
     return thinnest_cell(part["descriptors"]["thickness_mm"]["min"], thinnest_kind(part), walls)
 
 

@@ -13,7 +13,7 @@ from ..core.descriptors.descriptor_table import QUANTITIES, STATED_FLOOR
 from ..core.kinds.value_kinds import Number, OrNull, Text, Whole
 from ..core.message import joined
 from ..core.record.record_types import PART
-from ..core.record.thinnest_sentence import thinnest_kind
+from ..core.record.thinnest_sentence import thinnest_figure, thinnest_kind
 from ..core.record.verdict_chances import named_between
 
 
@@ -108,10 +108,9 @@ COLUMNS = (
     *(_quantity_column(quantity) for quantity in sorted(QUANTITIES, key=_is_no_length) if quantity.keys),
     RecordColumn("thinnest_mm", "REAL", lambda part, measured: measured["thickness_mm"]["min"], "thinnest_mm"),
     RecordColumn("thinnest_at", "TEXT", lambda part, measured: thinnest_kind(part), "thinnest_at"),
-    RecordColumn("places", "INTEGER", lambda part, measured: part.get("thinnest", {}).get("places"), "places"),
-    RecordColumn("places_below_mm", "REAL", lambda part, measured: part.get("thinnest", {}).get("below_mm"),
-                 "places_below_mm"),
-    RecordColumn("walls_mm", "REAL", lambda part, measured: part.get("thinnest", {}).get("walls_mm"), "walls_mm"),
+    RecordColumn("places", "INTEGER", lambda part, measured: thinnest_figure(part, "places"), "places"),
+    RecordColumn("places_below_mm", "REAL", lambda part, measured: thinnest_figure(part, "below_mm"), "places_below_mm"),
+    RecordColumn("walls_mm", "REAL", lambda part, measured: thinnest_figure(part, "walls_mm"), "walls_mm"),
     RecordColumn("median_mm", "REAL", lambda part, measured: measured["thickness_mm"]["median"], "median_mm"),
     RecordColumn("error_bound_mm", "REAL", lambda part, measured: measured["thickness_mm"]["error_bound"], "error_bound_mm"),
     RecordColumn("topology", "TEXT", lambda part, measured: part.get("form", {}).get("topology")),

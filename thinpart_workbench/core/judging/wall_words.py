@@ -216,11 +216,12 @@ def _feature(feature, limit):
     least, thickness, share = Length(feature.least), Length(feature.thickness), Share(feature.thickness / feature.width)
     if feature.is_thread:
         return message("thread {least} to {thickness} thick", least=least, thickness=thickness)
+    is_as_thick = f"{least}" == f"{thickness}"
     if kind == TOOTH and count >= FEWEST_TEETH:
         return message("{count} teeth {least} to {thickness} thick", count=count, least=least, thickness=thickness)
-    if kind == TOOTH and count > 1:
+    if kind == TOOTH and count > 1 and not is_as_thick:
         return message("{count} tapers {least} to {thickness} thick", count=count, least=least, thickness=thickness)
-    if kind == TOOTH:
+    if kind == TOOTH and not is_as_thick:
         return message("a taper {least} to {thickness} thick", least=least, thickness=thickness)
     if thickness.value >= limit and count > 1:  # thin where they are thinnest only
         return message("{count} walls {least} to {thickness} thick", count=count, least=least, thickness=thickness)

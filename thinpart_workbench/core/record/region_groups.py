@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Optional
 
 from ..descriptors.equal_walls import WallSize, equal_groups
-from ..descriptors.region_kinds import BAR, BLOCK, CORE, RIB, THREAD, called, is_rib, is_thread
+from ..descriptors.region_kinds import BAR, BLOCK, CORE, RIB, THREAD, TOOTH, called, is_rib, is_thread
 from ..descriptors.thread_pieces import are_pieces_of_a_thread
 from .face_names import face_number
 from .region_notes import notes_of_regions
@@ -131,8 +131,8 @@ def _group(regions, area, width, has_core, excluded, mesh_size):
     elif has_core and is_rib(typical["kind"], typical["width_mm"], typical["median"], typical["volume_share"]):
         word = RIB
     return RegionGroup(
-        typical["kind"], 1 if is_one_thread else len(regions), min(region["min"] for region in regions), typical["median"],
-        length, typical["width_mm"],
+        TOOTH if is_one_thread else typical["kind"], 1 if is_one_thread else len(regions),
+        min(region["min"] for region in regions), typical["median"], length, typical["width_mm"],
         None if None in shares else min(1.0, sum(shares)),
         tuple(sorted({face_number({"face": face}) for region in regions for face in region["faces"]})),
         min(1.0, sum(region["area_mm2"] for region in regions) / area),

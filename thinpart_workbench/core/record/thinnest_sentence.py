@@ -60,6 +60,19 @@ def _said(record, place, thinnest):
                    walls=Length(place["walls_mm"]))
 
 
+def thinnest_figure(record, key):
+    """A value of where a part record is thinnest, such as ``places``; None where no wall was found, or it is not known.
+
+    Parameters
+    ----------
+    record : PartRecord
+    key : str
+        Of its ``thinnest``.
+    """
+    place = record.get("thinnest")
+    return None if place is None else place[key]
+
+
 def thinnest_kind(record):
     """What is added to the thinnest wall in a table: "taper", "edge" or nothing."""
     place = record.get("thinnest")
